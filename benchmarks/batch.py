@@ -1,0 +1,142 @@
+"""Closed-loop steering of many arms, with the same step as array programs measured beside it."""
+
+from __future__ import annotations
+
+import importlib.util
+import time
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import aftdeck
+from aftdeck.steering.batch import steer_batch
+from aftdeck.steering.msteer import FLOOR
+from benchmarks.measure import Figure
+
+Array = NDArray[np.float64]
+Fields = tuple[Any, ...]
+Peer = Callable[[Array, Array, int], Array]
+"""From joint angles (n, 6), targets (n, 12) and steps to joint angles (n, 6)."""
+
+START = np.radians([-31.0, 79.0, -103.0, -77.0, 17.0, -128.0])
+"""Over the payload bay, far from every limit."""
+PERIOD, GAIN = 0.02, 0.5
+PROMISED = 120e6
+"""Arm-steps in a second, on two cores."""
+SPAN = 5.0
+"""How long each is tried; the best counts [s]."""
+
+
+def arm_steps() -> list[Figure]:
+    """Time of one step of one arm, all cores at work, packing and checking included."""
+    arm = aftdeck.load_arm("srms")
+
+    def ours(start: Array, targets: Array, steps: int) -> Array:
+        return steer_batch(arm, start, targets, steps=steps, period=PERIOD, gain=GAIN).angles
+
+    figures = [_figure("closed loop, an arm-step", ours, _flock(arm, 8192), 2000, 1e9 / PROMISED)]
+    # how many arms suit each best
+    peers: list[tuple[str, int, Peer]] = [("NumPy", 2048, lambda q, t, n: _by_numpy(arm, q, t, n))]
+    if importlib.util.find_spec("jax"):
+        peers.append(("JAX", 131_072, _by_jax(arm)))
+    for name, count, peer in peers:
+        start, targets = _flock(arm, count)
+        off = np.abs(peer(start, targets, 3) - ours(start, targets, 3)).max()
+        assert off < 1e-9, f"{name} differs by {off:g} rad"
+        figures.append(_figure(f"the same by {name}", peer, (start, targets), 20, None))
+    return figures
+
+
+def _figure(name: str, peer: Peer, flock: tuple[Array, Array], steps: int, target: float | None) -> Figure:
+    """Least wall time of an arm-step [ns]."""
+    start, targets = flock
+    peer(start, targets, steps)  # compiles
+    times: list[float] = []
+    end = time.perf_counter() + SPAN
+    while time.perf_counter() < end or len(times) < 3:
+        begin = time.perf_counter()
+        peer(start, targets, steps)
+        times.append(time.perf_counter() - begin)
+    each = min(times) / (steps * len(start))
+    return Figure(name, each * 1e9, "ns", target, f"{1e-6 / each:.1f} million arm-steps/s, {len(start)} arms")
+
+
+def _flock(arm: aftdeck.Arm, count: int) -> tuple[Array, Array]:
+    """(count, 6) joint angles and (count, 12) targets."""
+    rng = np.random.default_rng(1)
+    start = START + rng.uniform(-0.3, 0.3, (count, 6))
+    pose = arm.forward(start + rng.uniform(-0.1, 0.1, (count, 6)))
+    return start, np.concatenate([pose.position, pose.rotation.reshape(-1, 9)], axis=1)
+
+
+def _by_numpy(arm: aftdeck.Arm, start: Array, targets: Array, steps: int) -> Array:
+    q, target = tuple(np.ascontiguousarray(start.T)), tuple(np.ascontiguousarray(targets.T))
+    for _ in range(steps):
+        q = _step(np, arm, q, target)
+    return np.stack(q, axis=1)
+
+
+def _by_jax(arm: aftdeck.Arm) -> Peer:
+    jax = importlib.import_module("jax")
+    jax.config.update("jax_enable_x64", True)
+    many = jax.jit(lambda q, target, n: jax.lax.fori_loop(0, n, lambda _, q: _step(jax.numpy, arm, q, target), q))
+
+    def peer(start: Array, targets: Array, steps: int) -> Array:
+        return np.stack(many(tuple(start.T), tuple(targets.T), steps), axis=1)
+
+    return peer
+
+
+def _step(xp: ModuleType, arm: aftdeck.Arm, q: Fields, target: Fields) -> Fields:
+    """One step of all arms in arrays of one field each, by the array library `xp`."""
+    l1, l2, l3, l4, l5, upper, lower = (float(x) for x in arm.model.links[:7])
+    pitch = q[1] + q[2] + q[3]
+    s1, s2, s23, s234, s5, s6 = (xp.sin(x) for x in (q[0], q[1] + upper, q[1] + q[2] + lower, pitch, q[4], q[5]))
+    c1, c2, c23, c234, c5, c6 = (xp.cos(x) for x in (q[0], q[1] + upper, q[1] + q[2] + lower, pitch, q[4], q[5]))
+    # the tip
+    out = l2 * c2 + l3 * c23 + (l4 + l5 * c5) * c234
+    side = l5 * s5
+    down = -l1 - l2 * s2 - l3 * s23 - (l4 + l5 * c5) * s234
+    x = (c1 * c234 * c5 - s1 * s5, s1 * c234 * c5 + c1 * s5, -s234 * c5)
+    y0 = (-c1 * c234 * s5 - s1 * c5, -s1 * c234 * s5 + c1 * c5, s234 * s5)
+    z0 = (c1 * s234, s1 * s234, c234)
+    y = tuple(a * c6 + b * s6 for a, b in zip(y0, z0, strict=True))
+    z = tuple(b * c6 - a * s6 for a, b in zip(y0, z0, strict=True))
+    # what is left
+    v = (target[0] - c1 * out + s1 * side, target[1] - s1 * out - c1 * side, target[2] - down)
+    w = []
+    for i, j in ((1, 2), (2, 0), (0, 1)):
+        new_i, new_j = target[3 + 3 * i : 6 + 3 * i], target[3 + 3 * j : 6 + 3 * j]
+        w.append(0.5 * sum(a[i] * new_j[k] - a[j] * new_i[k] for k, a in enumerate((x, y, z))))
+    # in frame 5
+    b1, b3 = (c234 * (c1 * w[0] + s1 * w[1]) - s234 * w[2], s234 * (c1 * w[0] + s1 * w[1]) + c234 * w[2])
+    b4, b6 = (c234 * (c1 * v[0] + s1 * v[1]) - s234 * v[2], s234 * (c1 * v[0] + s1 * v[1]) + c234 * v[2])
+    b2, b5 = -s1 * w[0] + c1 * w[1], -s1 * v[0] + c1 * v[1]
+    # the closed inverse of the Jacobian
+    s34, c34 = s234 * c2 - c234 * s2, c234 * c2 + s234 * s2
+    s4, c4 = s234 * c23 - c234 * s23, c234 * c23 + s234 * s23
+    reach = l2 + l3 + abs(l4)
+
+    def away(value: Any) -> Any:
+        return xp.copysign(xp.maximum(xp.abs(value), FLOOR), value)
+
+    r1 = (b5 - l5 * c5 * b3) / (away((l2 * c2 + l3 * c23 + l4 * c234) / reach) * reach)
+    r5 = b3 - c234 * r1
+    r6 = (b1 + s234 * r1) / away(c5)
+    k1 = b2 - s5 * r6
+    k2 = b4 + l5 * c234 * s5 * r1 + l5 * s5 * r5
+    k3 = b6 + l5 * s234 * s5 * r1 + (l4 + l5 * c5) * k1
+    a42, a43, a62, a63 = l2 * s34 + l3 * s4, l3 * s4, -l2 * c34 - l3 * c4, -l3 * c4
+    per_d = 1.0 / (away(s2 * c23 - c2 * s23) * l2 * l3)
+    r2 = (a63 * k2 - a43 * k3) * per_d
+    r3 = (a42 * k3 - a62 * k2) * per_d
+    rates = (r1, r2, r3, k1 - r2 - r3, r5, r6)
+    # one ratio for all joints
+    worst = xp.ones_like(r1)
+    for rate, limit in zip(rates, arm.rate_limits, strict=True):
+        worst = xp.maximum(worst, GAIN / float(limit) * xp.abs(rate))
+    scale = GAIN * PERIOD / worst
+    return tuple(angle + scale * rate for angle, rate in zip(q, rates, strict=True))

@@ -1,0 +1,192 @@
+"""Hexahedra near contact inside compiled code: last plane, clearance, cold verdict; coal and MuJoCo beside them."""
+
+from __future__ import annotations
+
+import math
+
+import coal
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.check import hexahedron
+from aftdeck.bodies.hexahedron import BODY, place
+from aftdeck.bodies.pair import CLEARANCE, CONTACT, NORMAL, PAIR
+from aftdeck.bodies.watch import measure, verdict, verified
+from aftdeck.law import law
+from benchmarks.measure import Figure, microseconds
+
+Array = NDArray[np.float64]
+
+COUNT, FRAMES = 128, 40
+"""Pairs, and frames of a pass."""
+DRIFT, SPIN = 0.005, 0.005
+"""How far a body moves [m] and turns [rad] between frames: 0.25 m/s and 0.25 rad/s at 50 frames a second."""
+CUBE = np.array([(x, y, z) for y in (-1, 1) for x in (-1, 1) for z in (-1, 1)]) / 2.0
+RIMS = [(0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3)]
+
+
+@law
+def reverify(first: Array, second: Array, pairs: Array) -> int:
+    """How many pairs' last planes hold."""
+    held = 0
+    for k in range(len(first)):
+        held += verified(first[k], second[k], pairs[k])
+    return held
+
+
+@law
+def follow(first: Array, second: Array, pairs: Array) -> float:
+    """The sum of all clearances in frame after frame (frames, n, 48), there and back."""
+    total = 0.0
+    for frame in range(2 * len(second)):
+        there = second[min(frame, 2 * len(second) - 1 - frame)]
+        for k in range(len(first)):
+            total += measure(first[k], there[k], pairs[k])
+    return total
+
+
+@law
+def judge(first: Array, second: Array, pairs: Array) -> int:
+    """How many of pairs never seen before collide."""
+    count = 0
+    pairs[:] = 0.0
+    for k in range(len(first)):
+        count += verdict(first[k], second[k], pairs[k])
+    return count
+
+
+def hexahedra() -> list[Figure]:
+    """The three promises, and the same verdicts by other libraries."""
+    rng = np.random.default_rng(1972)
+    figures = []
+    for kind, bodies in {"boxes": _boxes(rng), "skewed": _skewed(rng)}.items():
+        first = np.array([hexahedron(body) for body in bodies[:COUNT]])
+        local = np.array([hexahedron(body) for body in bodies[COUNT:]])
+        turns = np.array([_turn(way, math.pi * rng.random()) for way in rng.normal(size=(COUNT, 3))])
+        middles = _beside(first, local, turns, rng)
+        near, pairs = _placed(local, middles, turns), np.zeros((COUNT, PAIR))
+        for k in range(COUNT):
+            measure(first[k], near[k], pairs[k])
+        assert reverify(first, near, pairs) == COUNT
+        names = {"a": first, "b": near, "pairs": pairs}
+        time = microseconds("f(a, b, pairs)", {"f": reverify, **names}) / COUNT
+        figures.append(Figure(f"last plane verified, {kind}", time, "us", 0.03, "gaps of 1 mm to 0.1 m"))
+        drift, spin = rng.normal(size=(2, COUNT, 3)) / math.sqrt(3.0)
+        frames = np.empty((FRAMES, COUNT, BODY))
+        for frame in range(FRAMES):
+            onward = np.array([_turn(spin[k], SPIN * frame) @ turns[k] for k in range(COUNT)])
+            # Only away from the other body: a depth is another task.
+            away = drift * np.sign((drift * pairs[:, NORMAL : NORMAL + 3]).sum(axis=1))[:, None]
+            frames[frame] = _placed(local, middles + away * DRIFT * frame, onward)
+        time = microseconds("f(a, frames, pairs)", {"f": follow, "a": first, "frames": frames, "pairs": pairs})
+        moving = f"moving {DRIFT * 1e3:g} mm and {SPIN * 1e3:g} mrad a frame"
+        figures.append(Figure(f"clearance, warm, {kind}", time / (2 * FRAMES * COUNT), "us", 0.36, moving))
+        time = microseconds("f(a, b, pairs)", {"f": judge, **names}) / COUNT
+        figures.append(Figure(f"verdict, cold, {kind}", time, "us", 1.2, "gaps of 1 mm to 0.1 m"))
+        inside = _placed(local, middles - 0.11 * pairs[:, NORMAL : NORMAL + 3], turns)
+        measured = np.array([measure(first[k], inside[k], np.zeros(PAIR)) for k in range(COUNT)])
+        time = microseconds("f(a, b, pairs)", {"f": judge, "a": first, "b": inside, "pairs": pairs.copy()}) / COUNT
+        share = f"{100 * np.mean(measured <= CONTACT):.0f} % collide"
+        figures.append(Figure(f"verdict, cold, deep, {kind}", time, "us", 1.2, share))
+        deep = {"f": follow, "a": first, "frames": inside[None], "pairs": np.zeros((COUNT, PAIR))}
+        time = microseconds("f(a, frames, pairs)", deep) / (2 * COUNT)
+        figures.append(Figure(f"depth, {kind}", time, "us", None, f"clearance and closest pair, {share}"))
+        if kind == "boxes":
+            judge(first, near, pairs)
+            alone = {"f": verdict, "a": first[0], "b": near[0], "pair": np.zeros(PAIR), "zero": 0.0}
+            time = microseconds("pair[:] = zero; f(a, b, pair)", alone)
+            figures.append(Figure("verdict from Python, boxes", time, "us", None, "one call, cold"))
+            figures += _peers(bodies, first, near, middles, turns)
+    return figures
+
+
+def _boxes(rng: np.random.Generator) -> Array:
+    return np.asarray(CUBE * np.exp(rng.uniform(math.log(0.05), math.log(2.0), (2 * COUNT, 1, 3))))
+
+
+def _skewed(rng: np.random.Generator) -> Array:
+    """Boxes whose top is smaller than their bottom, and beside it."""
+    bodies = _boxes(rng)
+    rise = 0.5 - bodies[..., 2:] / np.ptp(bodies[..., 2:], axis=1, keepdims=True)
+    lean = rng.uniform(-0.3, 0.3, (2 * COUNT, 1, 2)) * np.ptp(bodies[..., :2], axis=1, keepdims=True)
+    bodies[..., :2] = bodies[..., :2] * (1.0 - rng.uniform(0.0, 0.5, (2 * COUNT, 1, 1)) * rise) + lean * rise
+    return bodies
+
+
+def _turn(way: Array, angle: float) -> Array:
+    """The rotation about a way by an angle (Rodrigues)."""
+    x, y, z = way / np.linalg.norm(way)
+    cross = np.array([(0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0)])
+    return np.asarray(np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * cross @ cross)
+
+
+def _placed(local: Array, middles: Array, turns: Array) -> Array:
+    placed = np.empty_like(local)
+    for k in range(len(local)):
+        place(local[k], middles[k], turns[k], placed[k])
+    return placed
+
+
+def _beside(first: Array, local: Array, turns: Array, rng: np.random.Generator) -> Array:
+    """Where the second bodies stand 1 mm to 0.1 m from the first: far out, then in along the shortest way."""
+    ways = rng.normal(size=(COUNT, 3))
+    middles = 6.0 * ways / np.linalg.norm(ways, axis=1, keepdims=True)
+    for k, body in enumerate(_placed(local, middles, turns)):
+        pair = np.zeros(PAIR)
+        measure(first[k], body, pair)
+        middles[k] -= (pair[CLEARANCE] - rng.uniform(0.001, 0.1)) * pair[NORMAL : NORMAL + 3]
+    return np.asarray(middles)
+
+
+def _peers(bodies: Array, first: Array, near: Array, middles: Array, turns: Array) -> list[Figure]:
+    """One call a pair from Python, as both are offered."""
+    hulls = [_hull(body) for body in bodies]
+    here = coal.Transform3s.Identity()
+    there = [coal.Transform3s(turn, middle) for turn, middle in zip(turns, middles, strict=True)]
+    request, result = coal.CollisionRequest(), coal.CollisionResult()
+    request.gjk_tolerance = request.epa_tolerance = 1e-12
+    request.enable_contact = False
+
+    def by_coal() -> int:
+        found = 0
+        for k in range(COUNT):
+            result.clear()
+            found += coal.collide(hulls[k], here, hulls[COUNT + k], there[k], request, result) > 0
+        return found
+
+    spec = mujoco.MjSpec()
+    for body, turn, middle in zip(
+        bodies, [np.eye(3)] * COUNT + list(turns), [np.zeros(3)] * COUNT + list(middles), strict=True
+    ):
+        quaternion = np.empty(4)
+        mujoco.mju_mat2Quat(quaternion, turn.ravel())
+        spec.worldbody.add_geom(
+            type=mujoco.mjtGeom.mjGEOM_BOX, size=np.ptp(body, axis=0) / 2.0, pos=middle, quat=quaternion
+        )
+    model = spec.compile()
+    data, ends = mujoco.MjData(model), np.empty(6)
+    mujoco.mj_forward(model, data)
+
+    def by_mujoco() -> float:
+        return min(float(mujoco.mj_geomDistance(model, data, k, COUNT + k, 1.0, ends)) for k in range(COUNT))
+
+    assert by_coal() == 0
+    pairs = np.zeros((COUNT, PAIR))
+    ours = min(measure(first[k], near[k], pairs[k]) for k in range(COUNT))
+    assert abs(by_mujoco() - ours) < 1e-5, f"MuJoCo's least distance is {by_mujoco()}, ours {ours}"
+    figures = []
+    for name, how, peer in (("coal", "collide", by_coal), ("MuJoCo", "mj_geomDistance", by_mujoco)):
+        time = microseconds("f()", {"f": peer}) / COUNT
+        figures.append(Figure(f"the same by {name}", time, "us", None, f"{how}, one call a pair from Python"))
+    return figures
+
+
+def _hull(body: Array) -> object:
+    points, triangles = coal.StdVec_Vec3s(), coal.StdVec_Triangle()
+    for point in body:
+        points.append(point)
+    for p, q, r, s in RIMS:
+        triangles.append(coal.Triangle(p, q, r))
+        triangles.append(coal.Triangle(p, r, s))
+    return coal.Convex(points, triangles)

@@ -1,0 +1,187 @@
+"""The compiled laws called from Python, with other ways to the same numbers measured beside them."""
+
+from __future__ import annotations
+
+import math
+
+import mujoco
+import numpy as np
+import pinocchio
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.inverse import BRANCHES, rmangs
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.flight import prepare
+from aftdeck.steering.entry import limited_rates
+from aftdeck.steering.layout import COMMAND, DRIVE, GO, LAW, PLAN, RATE, REPORT, STATE, STICKS, TARGET
+from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
+from aftdeck.steering.modes import open_loop
+from aftdeck.steering.modes import position as position_mode
+from aftdeck.steering.msteer import msteer
+from benchmarks.measure import Figure, microseconds
+
+Array = NDArray[np.float64]
+
+TWIST = (0.001, 0.002, 0.003, 0.1, 0.2, 0.3)
+"""Angular [rad/s], then translational velocity [m/s] of the tip, in L: beyond a joint's rate limit."""
+
+
+def rate_law() -> list[Figure]:
+    """RMSRAT with RATLMT: twelve numbers in, six out; the same by general libraries."""
+    scenario = load_scenario("first-flight")
+    rules = prepare(scenario).rules["ORB UNL", "coarse"]
+    numbers, out = np.array([*scenario.initial_angles, *TWIST]), np.empty(6)
+    limits = np.array(rules[RATE : RATE + 6])
+    ours = microseconds("f(rules, numbers, out)", {"f": limited_rates, "rules": rules, "numbers": numbers, "out": out})
+    figures = [Figure("RMSRAT with RATLMT", ours, "us", 0.7, "one call from Python, 12 numbers in, 6 out")]
+    peers = {
+        "NumPy": ("chain of matrices, numpy.linalg.solve", _numpy_jacobian(scenario)),
+        "Pinocchio": ("computeFrameJacobian, numpy.linalg.solve", _pinocchio_jacobian(scenario)),
+        "MuJoCo": ("mj_kinematics, mj_jacSite, numpy.linalg.solve", _mujoco_jacobian(scenario)),
+    }
+    for name, (how, jacobian) in peers.items():
+
+        def peer(angles: Array, twist: Array, jacobian: _Jacobian = jacobian) -> Array:
+            rates = np.linalg.solve(jacobian(angles), twist)
+            return np.asarray(rates * min(1.0, float((limits / np.maximum(np.abs(rates), 1e-300)).min())))
+
+        found = peer(numbers[:6], numbers[6:])
+        assert np.allclose(found, out, atol=1e-9), f"{name} gives {found}, the law {out}"
+        time = microseconds("f(angles, twist)", {"f": peer, "angles": numbers[:6], "twist": numbers[6:]})
+        figures.append(Figure(f"the same by {name}", time, "us", None, how))
+    return figures
+
+
+def steering() -> list[Figure]:
+    """A whole control step of each mode: MSTEER, state in and out."""
+    scenario = load_scenario("loaded")
+    flight = prepare(scenario)
+    figures = []
+    for position, mode in MODES.items():
+        if position.startswith("AUTO"):
+            continue  # as OPR CMD
+        rules = flight.rules[position, "coarse"]
+        for law in mode.laws:
+            command, state, report = np.zeros(COMMAND), np.zeros(STATE), np.zeros(REPORT)
+            state[:6] = scenario.initial_angles
+            command[LAW], command[GO], command[DRIVE] = law, 1.0, 0.5
+            command[STICKS : STICKS + 6] = 0.3
+            command[TARGET : TARGET + 12] = [10.0, 0.0, -3.0, *np.eye(3).ravel()]
+            if law == AUTOMATIC_LAWS["position"]:
+                command[PLAN : PLAN + 6] = 0.5
+                position_mode.plan(rules, command, state)
+            if law == AUTOMATIC_LAWS["open loop"]:
+                open_loop.plan(rules, command, state)
+            names = {"f": msteer, "rules": rules, "command": command, "state": state, "report": report}
+            time = microseconds("f(rules, command, state, report)", names, repeat=60)
+            figures.append(Figure(f"control step, {position}", time, "us", 4.0, f"law {law}"))
+    return figures
+
+
+def inverse() -> list[Figure]:
+    """All eight branches of the closed inverse: RMANGS, one call from Python."""
+    arm = load_scenario("first-flight").arm
+    pose = arm.forward([-0.5, 1.3, -1.8, -1.2, 0.3, -2.0])
+    names = {
+        "f": rmangs,
+        "arm": arm.model.links,
+        "pose": np.concatenate([pose.position, pose.rotation.ravel()]),
+        "angles": np.empty((BRANCHES, 6)),
+        "excess": np.empty(BRANCHES),
+    }
+    time = microseconds("f(arm, pose, angles, excess)", names)
+    figures = [Figure("all eight inverse branches", time, "us", 3.0, "one call from Python, packed arrays")]
+    try:
+        from eaik.IK_HP import HPRobot  # noqa: PLC0415  (a peer that `make bench` alone installs)
+    except ImportError:
+        return figures
+    centres, axes = _chain(load_scenario("first-flight"))
+    steps = np.vstack([centres[0], np.diff(centres, axis=0)])
+    peer = HPRobot(axes, steps)
+    target = np.eye(4)
+    target[:3, :3], target[:3, 3] = pose.rotation, pose.position
+    found = peer.fwdKin(peer.IK(target).Q[0])
+    assert np.allclose(found[:3, 3], pose.position, atol=1e-6), f"EAIK's first branch comes to {found[:3, 3]}"
+    time = microseconds("f(pose)", {"f": peer.IK, "pose": target})
+    return [*figures, Figure("the same by EAIK", time, "us", None, "HPRobot.IK")]
+
+
+class _Jacobian:
+    """(6, 6) Jacobian of the tip in L from joint angles (6,) [rad], by another library."""
+
+    def __call__(self, angles: Array) -> Array:
+        raise NotImplementedError
+
+
+def _chain(scenario: Scenario) -> tuple[Array, Array]:
+    """Joint centres and tip (7, 3) [m] and joint axes (6, 3) at zero angles, in L."""
+    linkage = scenario.arm.model.linkage
+    centres = np.cumsum(linkage.steps, axis=0)
+    tip = scenario.arm.forward(np.zeros(6)).position
+    axes = np.eye(3)[[axis - 1 for axis in linkage.axes]]
+    return np.vstack([centres, tip]), axes
+
+
+def _numpy_jacobian(scenario: Scenario) -> _Jacobian:
+    centres, axes = _chain(scenario)
+    crosses = [np.cross(np.eye(3), axis) for axis in axes]
+    outer = [np.outer(axis, axis) for axis in axes]
+
+    class ByNumPy(_Jacobian):
+        def __call__(self, angles: Array) -> Array:
+            turned, place = np.eye(3), centres[0]
+            ways, places = [], []
+            for k in range(6):
+                places.append(place)
+                ways.append(turned @ axes[k])
+                c, s = math.cos(angles[k]), math.sin(angles[k])
+                turned = turned @ (c * np.eye(3) + s * crosses[k] + (1.0 - c) * outer[k])
+                place = place + turned @ (centres[k + 1] - centres[k])
+            angular = np.array(ways).T
+            return np.vstack([angular, np.cross(np.array(ways), place - np.array(places)).T])
+
+    return ByNumPy()
+
+
+def _pinocchio_jacobian(scenario: Scenario) -> _Jacobian:
+    centres, axes = _chain(scenario)
+    model, joint, before = pinocchio.Model(), 0, np.zeros(3)
+    for k in range(6):
+        here = pinocchio.SE3(np.eye(3), centres[k] - before)
+        joint = model.addJoint(joint, pinocchio.JointModelRevoluteUnaligned(axes[k]), here, f"joint {k}")
+        before = centres[k]
+    place = pinocchio.SE3(np.eye(3), centres[6] - before)
+    tip = model.addFrame(pinocchio.Frame("tip", joint, place, pinocchio.FrameType.OP_FRAME))
+    data = model.createData()
+
+    class ByPinocchio(_Jacobian):
+        def __call__(self, angles: Array) -> Array:
+            found = pinocchio.computeFrameJacobian(model, data, angles, tip, pinocchio.LOCAL_WORLD_ALIGNED)
+            return np.vstack([found[3:], found[:3]])
+
+    return ByPinocchio()
+
+
+def _mujoco_jacobian(scenario: Scenario) -> _Jacobian:
+    centres, axes = _chain(scenario)
+    spec = mujoco.MjSpec()
+    body, before = spec.worldbody, np.zeros(3)
+    for k in range(6):
+        body = body.add_body(pos=centres[k] - before)
+        body.add_joint(type=mujoco.mjtJoint.mjJNT_HINGE, axis=axes[k])
+        body.add_geom(size=[0.01, 0.0, 0.0], mass=1.0)
+        before = centres[k]
+    body.add_site(name="tip", pos=centres[6] - before)
+    model = spec.compile()
+    data, found = mujoco.MjData(model), np.empty((6, 6))
+
+    class ByMuJoCo(_Jacobian):
+        def __call__(self, angles: Array) -> Array:
+            data.qpos[:] = angles
+            mujoco.mj_kinematics(model, data)
+            mujoco.mj_comPos(model, data)
+            mujoco.mj_jacSite(model, data, found[3:], found[:3], 0)
+            return found
+
+    return ByMuJoCo()

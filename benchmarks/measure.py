@@ -1,0 +1,50 @@
+"""What a measurement is, and how short calls are timed."""
+
+from __future__ import annotations
+
+import math
+import timeit
+from collections.abc import Callable
+
+import msgspec
+
+
+class Figure(msgspec.Struct, frozen=True):
+    """One measured number.
+
+    Attributes:
+        name: what was measured.
+        value: the number.
+        unit: its unit.
+        target: the most that is promised, or None where nothing is (a peer, a part of something).
+        note: how it was measured, or what with.
+    """
+
+    name: str
+    value: float
+    unit: str
+    target: float | None = None
+    note: str = ""
+
+    @property
+    def kept(self) -> bool:
+        """Whether the promise is kept."""
+        return self.target is None or self.value <= self.target
+
+
+Benchmark = Callable[[], list[Figure]]
+
+
+def microseconds(statement: str, names: dict[str, object], *, repeat: int = 150, span: float = 0.002) -> float:
+    """Time of one execution of `statement` [us]: the best of `repeat` loops of about `span` [s] each."""
+    timer = timeit.Timer(statement, globals=names)
+    timer.timeit(1)  # compiles
+    once = max(timer.timeit(3) / 3, 1e-8)
+    number = max(1, round(span / once))
+    return min(timer.repeat(repeat, number)) / number * 1e6
+
+
+def percentile(values: list[float], percent: float) -> float:
+    """The smallest value that `percent` of the values do not exceed."""
+    ordered = sorted(values)
+    return ordered[max(0, math.ceil(percent / 100 * len(ordered)) - 1)]

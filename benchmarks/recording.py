@@ -1,0 +1,84 @@
+"""The session file: what it costs the flight, the disk, and how quickly it is verified."""
+
+from __future__ import annotations
+
+import random
+import statistics
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+from aftdeck.recording.replay import verify
+from aftdeck.recording.writer import Recorder
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from benchmarks.measure import Figure, percentile
+
+FLOWN_S = 30.0
+"""Real time for which a flight is recorded [s]."""
+SMOOTH = 0.1
+"""Share of the way to where the sticks are going that they go in a step."""
+
+
+def recording() -> list[Figure]:
+    """A flight with random sticks at the pace of the clock, recorded, then verified; the same flown unrecorded."""
+    scenario = load_scenario("first-flight")
+    _flown(scenario, None, 2.0)  # compiles
+    bare, _ = _flown(scenario, None, FLOWN_S)
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "flight.mcap"
+        recorder = Recorder(file, scenario, 0)
+        steps, appends = _flown(scenario, recorder, FLOWN_S)
+        recorder.close("stopped")
+        if recorder.failure:
+            raise RuntimeError(recorder.failure)
+        size = file.stat().st_size / 1e6 / (FLOWN_S / 60.0)
+        begin = time.perf_counter()
+        verdict = verify(file)
+        pace = verdict.time_s / (time.perf_counter() - begin)
+        if not verdict.equal:
+            raise RuntimeError(f"the recording does not repeat itself: {verdict.first}")
+    more = statistics.median(steps) - statistics.median(bare)
+    count = f"{len(appends)} steps in {FLOWN_S:g} s"
+    return [
+        Figure("handing a step over, median", statistics.median(appends), "us", None, count),
+        Figure("handing a step over, mean", statistics.mean(appends), "us", 30.0, "on the simulation's thread"),
+        Figure("handing a step over, 99 %", percentile(appends, 99.0), "us", None, "with the writer beside it"),
+        Figure("a step with recording, more", more, "us", 30.0, "median against the same flight unrecorded"),
+        Figure("the file, a minute", size, "MB", 1.5, "random sticks in ORB UNL and END EFF"),
+        Figure("time to verify a second of it", 1000.0 / pace, "ms", 20.0, f"{pace:.0f} times real time"),
+    ]
+
+
+def _flown(scenario: Scenario, recorder: Recorder | None, span: float) -> tuple[list[float], list[float]]:
+    """A whole step's time and the part of it that recording takes [us], at the control period."""
+    sim = Simulation(scenario)
+    steps, appends = [], []
+    due = time.perf_counter()
+    for inputs in _hands(round(span / scenario.control_period)):
+        begin = time.perf_counter()
+        frame = sim.step(inputs)
+        stepped = time.perf_counter()
+        if recorder is not None:
+            recorder.step(inputs, frame, 40.0)
+        end = time.perf_counter()
+        steps.append((end - begin) * 1e6)
+        appends.append((end - stepped) * 1e6)
+        due += scenario.control_period
+        time.sleep(max(0.0, due - time.perf_counter()))
+    return steps, appends
+
+
+def _hands(count: int) -> Iterator[Inputs]:
+    """Sticks that go smoothly from place to place, a mode now and then."""
+    chance = random.Random(4)
+    at, to = [0.0] * 6, [0.0] * 6
+    for step in range(count):
+        if step % 25 == 0:
+            to = [chance.uniform(-1.0, 1.0) if chance.random() < SMOOTH * 6 else 0.0 for _ in at]
+        at = [round(a + SMOOTH * (b - a), 3) for a, b in zip(at, to, strict=True)]  # as the page sends them
+        mode = chance.choice(("ORB UNL", "END EFF")) if step % 250 == 0 else None
+        yield Inputs((at[0], at[1], at[2]), (at[3], at[4], at[5]), mode=mode)

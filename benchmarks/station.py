@@ -1,0 +1,110 @@
+"""The program as its user meets it: its help, its start, and its answer to a stick, in processes of their own."""
+
+from __future__ import annotations
+
+import random
+import subprocess
+import sys
+import time
+import urllib.request
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import msgspec
+from websockets.sync.client import ClientConnection, connect
+
+from aftdeck.station import protocol as wire
+from benchmarks.measure import Figure, percentile
+
+AFTDECK = (sys.executable, "-m", "aftdeck")
+WAIT = 60.0
+"""The longest that anything is waited for [s]."""
+
+_messages: msgspec.json.Decoder[wire.FromServer] = msgspec.json.Decoder(wire.FromServer)
+
+
+def help_page() -> list[Figure]:
+    """``aftdeck --help``, from its start to its end."""
+    took = []
+    for _ in range(8):
+        start = time.perf_counter()
+        subprocess.run([*AFTDECK, "--help"], check=True, capture_output=True, timeout=WAIT)
+        took.append(time.perf_counter() - start)
+    return [
+        Figure("aftdeck --help", min(took), "s", 0.3, f"best of {len(took)}"),
+        Figure("aftdeck --help, median", percentile(took, 50), "s"),
+    ]
+
+
+def start() -> list[Figure]:
+    """``aftdeck fly --no-browser`` until the page is served and until it has its first frame."""
+    pages, frames = [], []
+    for number in range(4):
+        begun = time.perf_counter()
+        with _flying() as address:
+            with urllib.request.urlopen(f"http://{address}/", timeout=WAIT) as answer:
+                answer.read()
+            page = time.perf_counter() - begun
+            with _page(address) as socket:
+                _frame(socket)
+            if number:  # the first one fills the caches
+                pages.append(page)
+                frames.append(time.perf_counter() - begun)
+    return [
+        Figure("aftdeck fly to a page", min(pages), "s", 5.0, "HTTP 200, warm cache, best of 3"),
+        Figure("aftdeck fly to a first frame", min(frames), "s", 5.0, "over the WebSocket, warm cache, best of 3"),
+    ]
+
+
+def latency() -> list[Figure]:
+    """From a sticks message sent to the arrival of the first frame that has flown it."""
+    took, pause = [], random.Random(1)
+    with _flying() as address, _page(address) as socket:
+        for seq in range(500):
+            time.sleep(pause.uniform(0.0, 0.02))  # so that messages come at all times of a control period
+            sent = time.perf_counter()
+            socket.send(
+                msgspec.json.encode(wire.Sticks(seq, (0.01 * (seq % 2), 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)).decode()
+            )
+            while True:
+                message = _next(socket)
+                if isinstance(message, wire.Frame) and message.stick_seq >= seq:
+                    break
+            took.append(1e3 * (time.perf_counter() - sent))
+    return [
+        Figure("stick to frame, p50", percentile(took, 50), "ms", None, f"{len(took)} messages, loopback"),
+        Figure("stick to frame, p99", percentile(took, 99), "ms", 22.0, "control period 20 ms + 2 ms"),
+        Figure("stick to frame, worst", max(took), "ms"),
+    ]
+
+
+@contextmanager
+def _flying() -> Iterator[str]:
+    """Host and port of a running ``aftdeck fly``."""
+    command = [*AFTDECK, "fly", "first-flight", "--no-browser", "--port", "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        try:
+            yield process.stdout.readline().partition("http://")[2].strip().rstrip("/")
+        finally:
+            process.terminate()
+            process.wait(10)
+
+
+@contextmanager
+def _page(address: str) -> Iterator[ClientConnection]:
+    """A page that has been welcomed."""
+    with connect(f"ws://{address}/ws", compression=None, open_timeout=WAIT) as socket:
+        socket.send(msgspec.json.encode(wire.Hello(wire.PROTOCOL)).decode())
+        assert isinstance(_next(socket), wire.Welcome)
+        yield socket
+
+
+def _next(socket: ClientConnection) -> wire.FromServer:
+    return _messages.decode(socket.recv(timeout=WAIT))
+
+
+def _frame(socket: ClientConnection) -> wire.Frame:
+    while not isinstance(message := _next(socket), wire.Frame):
+        pass
+    return message

@@ -1,0 +1,65 @@
+"""The STS-400 move in modes 1, 2 and 3, as restored (strict) and mended: `python -m benchmarks.strict`."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from aftdeck.scenario.load import HERE, parse_scenario
+from aftdeck.simulation.run import Run, run
+
+MOVES = {"1": "sts-400-position", "2": "sts-400-closed", "3": "sts-400-open"}
+
+
+def flown(name: str, strict: bool, period: float) -> Run:
+    """The built-in scenario with two of its settings changed."""
+    text = (HERE / f"{name}.toml").read_text()
+    top = text.index("\n[initial]")
+    settings = f"\nstrict = {str(strict).lower()}\ncontrol_period = {period}\n"
+    return run(parse_scenario(text[:top] + settings + text[top:], name, f"{name}.toml", HERE))
+
+
+def off_the_line(flight: Run) -> float:
+    """Greatest distance of the tip from the straight line between its first pose and its target [m]."""
+    start = flight.scenario.arm.forward(flight.scenario.initial_angles).position
+    goal = next(frame.goal for frame in flight.frames if frame.goal is not None)
+    way = np.array(goal.position) - start
+    way /= np.linalg.norm(way)
+    travelled = np.array([frame.position for frame in flight.frames]) - start
+    return float(np.linalg.norm(travelled - np.outer(travelled @ way, way), axis=1).max())
+
+
+def arrivals(flight: Run) -> tuple[float, float]:
+    """When the tip has come within 1 mm and within 0.01 deg of its target for good [s]."""
+    tip = turn = 0.0
+    for frame in flight.frames:
+        if frame.goal is None or frame.goal.distance > 1e-3:
+            tip = frame.time_s
+        if frame.goal is None or frame.goal.angle > math.radians(0.01):
+            turn = frame.time_s
+    return tip, turn
+
+
+def main() -> None:
+    """Print the table of docs/steering.md."""
+    print("| mode | control period | | off the line | miss at the end | tip, rotation there | ends |")
+    print("|---|---|---|---|---|---|---|")
+    for mode, name in MOVES.items():
+        for period in (0.02, 0.08):
+            for strict in (True, False):
+                flight = flown(name, strict, period)
+                s = flight.summary
+                assert s.position_error_m is not None and s.rotation_error_rad is not None
+                tip, turn = arrivals(flight)
+                there = f"{tip:.2f}, {turn:.2f} s" if max(tip, turn) < s.time_s - period else "never"
+                line = "—" if mode == "1" else f"{off_the_line(flight) * 1e3:.3f} mm"
+                print(
+                    f"| {mode} | {period} s | {'as restored' if strict else 'mended'} | {line} | "
+                    f"{s.position_error_m * 1e3:.3f} mm, {math.degrees(s.rotation_error_rad):.4f}° | {there} | "
+                    f"{s.ended}, {s.time_s:.2f} s |"
+                )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,121 @@
+"""Makes the README's picture of the station from the real program: ``python scripts/pictures.py``.
+
+Starts `aftdeck fly`, opens the page in Chromium in the full profile at 1440 x 900, flies the arm with the keys
+that the README names, and keeps what the page shows in ``docs/pictures/``. The first part is flown in the low
+profile, because a machine without a graphics card draws the full one too slowly to be flown far.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from playwright.sync_api import Browser, Page, sync_playwright
+
+PICTURES = Path(__file__).resolve().parent.parent / "docs" / "pictures"
+SIZE = (1440, 900)
+MOST_BYTES = 600_000
+"""A picture in the README has at most this size."""
+WAIT_MS = 60_000
+"""Longest wait for the page [ms]; software drawing is slow."""
+FLAGS = [
+    "--use-angle=gl-egl",
+    "--ignore-gpu-blocklist",
+    "--no-sandbox",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+Held = tuple[Sequence[str], float]
+"""Keys held together, and for how long [s of simulated time]."""
+
+ON_THE_WAY: Sequence[Held] = ((("KeyD", "KeyQ"), 5.0), (("KeyS", "KeyI"), 6.0))
+AT_THE_END: Held = (("KeyW", "KeyL"), 12.0)
+"""Longer than the 10 s in which the page counts its delay: how slowly this machine draws is no news for a reader."""
+
+
+def main() -> None:
+    """Makes every picture."""
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    with station("first-flight") as address, chromium() as browser:
+        page = open_page(browser, f"{address}?quality=low")
+        for keys, seconds in ON_THE_WAY:
+            hold(page, keys, seconds)
+            release(page, keys)
+        page.close()
+        page = open_page(browser, f"{address}?quality=full")
+        hold(page, *AT_THE_END)
+        keep(page, "station.jpg")
+
+
+@contextmanager
+def station(scenario: str) -> Iterator[str]:
+    """The address of a running `aftdeck fly`."""
+    command = [sys.executable, "-m", "aftdeck.cli", "fly", scenario, "--no-browser", "--port", "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout is not None
+            yield process.stdout.readline().removeprefix("Aftdeck station: ").strip()
+        finally:
+            process.terminate()
+            process.wait(10)
+
+
+@contextmanager
+def chromium() -> Iterator[Browser]:
+    """A headless Chromium: the one that AFTDECK_CHROMIUM names, else one on PATH."""
+    names = ("chromium", "chromium-browser", "google-chrome")
+    found = os.environ.get("AFTDECK_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
+    if found is None:
+        raise SystemExit("The pictures need a Chromium: install chromium, or name one in AFTDECK_CHROMIUM.")
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=found, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+def open_page(browser: Browser, address: str) -> Page:
+    """A page that has drawn its first frame and has the sticks."""
+    width, height = SIZE
+    page = browser.new_page(viewport={"width": width, "height": height})
+    page.set_default_timeout(WAIT_MS)
+    page.goto(address)
+    page.wait_for_function("window.__aftdeck?.lastFrame")
+    page.wait_for_function("document.querySelector('.who').textContent.startsWith('You fly')")
+    return page
+
+
+def hold(page: Page, keys: Sequence[str], seconds: float) -> None:
+    """Presses keys and keeps them down for a simulated time."""
+    begun = float(page.evaluate("window.__aftdeck.lastFrame.time_s"))
+    for key in keys:
+        page.keyboard.down(key)
+    page.wait_for_function("end => window.__aftdeck.lastFrame.time_s >= end", arg=begun + seconds)
+
+
+def release(page: Page, keys: Sequence[str]) -> None:
+    """Lets go of keys."""
+    for key in keys:
+        page.keyboard.up(key)
+
+
+def keep(page: Page, name: str) -> None:
+    """Saves what the page shows; a picture that is too large is an error."""
+    path = PICTURES / name
+    begun = time.perf_counter()
+    page.screenshot(path=path, type="jpeg", quality=86, timeout=WAIT_MS)
+    size = path.stat().st_size
+    fps = page.evaluate("window.__aftdeck.fps")
+    print(f"{path}: {size / 1000:.0f} kB in {time.perf_counter() - begun:.1f} s, {fps} pictures/s")
+    if size > MOST_BYTES:
+        raise SystemExit(f"{path.name} has {size} bytes; at most {MOST_BYTES} are allowed in the README.")
+
+
+if __name__ == "__main__":
+    main()

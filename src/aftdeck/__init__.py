@@ -1,0 +1,70 @@
+"""Aftdeck simulates a space manipulator at work, with a person in the loop or without.
+
+Names are loaded when they are first used, so that importing the package costs nothing.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from aftdeck.bodies.separation import Separation, separation
+    from aftdeck.frames import Pose
+    from aftdeck.kinematics.arm import Arm, load_arm
+    from aftdeck.scenario.load import load_scenario
+    from aftdeck.scenario.model import Scenario
+    from aftdeck.scenario.target import Target
+    from aftdeck.simulation.frame import Frame
+    from aftdeck.simulation.inputs import Inputs
+    from aftdeck.simulation.run import Run, Simulation, run
+    from aftdeck.simulation.summary import Summary
+    from aftdeck.version import __version__
+
+_HOMES = {
+    "Arm": "aftdeck.kinematics.arm",
+    "load_arm": "aftdeck.kinematics.arm",
+    "Pose": "aftdeck.frames",
+    "Scenario": "aftdeck.scenario.model",
+    "load_scenario": "aftdeck.scenario.load",
+    "Inputs": "aftdeck.simulation.inputs",
+    "Target": "aftdeck.scenario.target",
+    "Frame": "aftdeck.simulation.frame",
+    "Simulation": "aftdeck.simulation.run",
+    "Run": "aftdeck.simulation.run",
+    "Summary": "aftdeck.simulation.summary",
+    "run": "aftdeck.simulation.run",
+    "Separation": "aftdeck.bodies.separation",
+    "separation": "aftdeck.bodies.separation",
+    "__version__": "aftdeck.version",
+}
+
+__all__ = [
+    "Arm",
+    "Frame",
+    "Inputs",
+    "Pose",
+    "Run",
+    "Scenario",
+    "Separation",
+    "Simulation",
+    "Summary",
+    "Target",
+    "__version__",
+    "load_arm",
+    "load_scenario",
+    "run",
+    "separation",
+]
+
+
+def __getattr__(name: str) -> object:
+    """Load a public name from where it lives."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'aftdeck' has no attribute {name!r}")
+    return getattr(importlib.import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    """The public names."""
+    return sorted(__all__)

@@ -1,0 +1,96 @@
+"""Whether a concept arm's telescope, booms and end effector fit together.
+
+Between two booms that meet at a pin, the plane through the pin that bisects their bend separates them only if
+they begin far enough from it: with half width w and a bend of theta about a face's axis, set back by at least
+w tan(theta/2); about any axis, by sqrt(2) times that. A joint's housing is separated from both by their end
+planes if it lies inside the sphere round the pin that touches them. Both are needed wherever bodies are
+ordered or told apart by planes (Remote Manipulator Simulation, separating planes SP 11 and SP 12).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from aftdeck.arms.model import BoomsFile, EffectorFile, HeadingArmFile, StandFile
+
+
+def body_problems(file: HeadingArmFile) -> list[str]:
+    """A sentence for everything that does not fit."""
+    return [
+        *_stand_problems(file.stand),
+        *_effector_problems(file.effector),
+        *_boom_problems(file.booms, *_bends(file)),
+    ]
+
+
+def _bends(file: HeadingArmFile) -> tuple[float, float]:
+    """Greatest bend at elbow and wrist inside the soft limits [rad]."""
+    soft = file.limits.soft.value
+    elbow = max(abs(angle) for angle in soft[2])
+    heading, pitch = (min(max(abs(angle) for angle in soft[joint]), math.pi) for joint in (3, 4))
+    # the hand's direction has the cosine of heading times that of pitch along the lower arm
+    cosines = [math.cos(h) * math.cos(p) for h in (0.0, heading) for p in (0.0, pitch)]
+    return elbow, math.acos(min(cosines))
+
+
+def _stand_problems(stand: StandFile) -> Iterator[str]:
+    least, start, greatest = stand.least.value, stand.start.value, stand.greatest.value
+    if not 0.0 < least <= start <= greatest:
+        yield f"stand: expected 0 < least <= start <= greatest, got {least:g}, {start:g}, {greatest:g} m"
+    below = stand.top_below_shoulder.value
+    if not 0.0 < below < least:
+        yield f"stand.top_below_shoulder: is above 0 and less than the least length, got {below:g} m"
+    yield from _above_zero("stand", rate=stand.rate.value, side=stand.side.value)
+
+
+def _effector_problems(e: EffectorFile) -> Iterator[str]:
+    for name, (near, far) in (("palm", e.palm.value), ("fingers", e.fingers.value)):
+        if not 0.0 <= near < far:
+            yield f"effector.{name}: ends farther along the hand than it begins, got {near:g} to {far:g} m"
+    yield from _above_zero(
+        "effector",
+        palm_half_width=e.palm_half_width.value,
+        palm_half_height=e.palm_half_height.value,
+        finger_thickness=e.finger_thickness.value,
+        finger_half_height=e.finger_half_height.value,
+        prong_rate=e.prong_rate.value,
+    )
+    opened, closed, fixed = e.prong_open.value, e.prong_closed.value, e.fixed_finger.value
+    if not opened < closed < fixed:
+        yield (
+            "effector: the prong closes towards the fixed finger: expected prong_open < prong_closed < fixed_finger, "
+            f"got {opened:g}, {closed:g}, {fixed:g} m"
+        )
+
+
+def _boom_problems(b: BoomsFile, elbow: float, wrist: float) -> Iterator[str]:
+    begin, end = b.stub.value
+    if not begin < end:
+        yield f"booms.stub: ends farther along the hand than it begins, got {begin:g} to {end:g} m"
+    diagonal = math.sqrt(2.0)
+    for pin, boom, set_back, half_width, bend in (
+        ("elbow", "the arm's booms", b.set_back.value, 0.5 * b.side.value, elbow),
+        ("wrist", "the lower arm", b.set_back.value, diagonal * 0.5 * b.side.value, wrist),
+        ("wrist", "the stub", begin, diagonal * 0.5 * b.stub_side.value, wrist),
+    ):
+        if bend >= math.pi or set_back < half_width * math.tan(0.5 * bend):
+            needed = "" if bend >= math.pi else f": {half_width * math.tan(0.5 * bend):g} m is needed"
+            yield (
+                f"booms: {boom} set back by {set_back:g} m from the {pin} cannot bend by {math.degrees(bend):g} deg, "
+                f"as its soft limits let it{needed}"
+            )
+    for pin, side, room in (
+        ("shoulder", b.shoulder_housing.value, b.set_back.value),
+        ("elbow", b.elbow_housing.value, b.set_back.value),
+        ("wrist", b.wrist_housing.value, min(b.set_back.value, begin)),
+    ):
+        corner = 0.5 * math.sqrt(3.0) * side
+        if not 0.0 < corner <= room:
+            yield f"booms.{pin}_housing: its corners lie {corner:g} m from the pin, the booms begin at {room:g} m"
+
+
+def _above_zero(table: str, **lengths: float) -> Iterator[str]:
+    for name, value in lengths.items():
+        if value <= 0.0:
+            yield f"{table}.{name}: is above 0, got {value:g}"

@@ -1,0 +1,77 @@
+"""What the types of an arm file cannot say: lengths above zero, limits inside each other, masses that add up.
+
+What only a concept arm has, stand, booms and effector, is checked in `arms.bodies`.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from aftdeck.arms.bodies import body_problems
+from aftdeck.arms.limits import JointRates, Limits, limit_problems
+from aftdeck.arms.model import ArmFile, HeadingArmFile, HeadingGeometry, PorRow, YawGeometry
+
+MASS_TOLERANCE = 1e-3
+"""How far the parts' masses may be from the total [1]."""
+
+
+def arm_problems(file: ArmFile) -> list[str]:
+    """A sentence for everything wrong in a decoded arm file."""
+    if isinstance(file, HeadingArmFile):
+        found = _boom_problems(file.geometry) + body_problems(file)
+    else:
+        found = _geometry_problems(file.geometry)
+    limits = Limits(*(np.array(getattr(file.limits, name).value) for name in Limits._fields))
+    rates = JointRates(*(np.array(getattr(file.rates, name).value) for name in JointRates._fields))
+    found += limit_problems(file.joints, limits, rates)
+    if len(set(file.joints)) < len(file.joints):
+        found.append(f"joints: six different names are needed, got {', '.join(file.joints)}")
+    if not 0.0 < file.limits.singular.value < 1.0:
+        found.append(f"limits.singular: lies between 0 and 1, got {file.limits.singular.value:g}")
+    return found + _por_problems(file.por) + _mass_problems(file)
+
+
+def _geometry_problems(g: YawGeometry) -> list[str]:
+    lengths = {
+        "shoulder_yaw_to_pitch": g.shoulder_yaw_to_pitch.value,
+        "wrist_pitch_to_yaw": g.wrist_pitch_to_yaw.value,
+        "wrist_yaw_to_tip": g.wrist_yaw_to_tip.value,
+    }
+    found = [f"geometry.{name}: a length is not negative, got {v:g} m" for name, v in lengths.items() if v < 0.0]
+    for name, (along, _) in (("upper_arm", g.upper_arm.value), ("lower_arm", g.lower_arm.value)):
+        if along <= 0.0:
+            found.append(f"geometry.{name}: the length along the arm is above 0, got {along:g} m")
+    return found
+
+
+def _boom_problems(g: HeadingGeometry) -> list[str]:
+    lengths = {"upper_arm": g.upper_arm.value, "lower_arm": g.lower_arm.value}
+    return [f"geometry.{name}: a boom's length is above 0, got {v:g} m" for name, v in lengths.items() if v <= 0.0]
+
+
+def _por_problems(rows: tuple[PorRow, ...]) -> list[str]:
+    found = []
+    if rows[0].mass != 0.0:
+        found.append(f"por[0]: the first row is for no payload (mass 0), got {rows[0].mass:g} kg")
+    for i, (low, high) in enumerate(pairwise(rows)):
+        if high.mass <= low.mass:
+            found.append(f"por[{i + 1}]: masses increase from row to row, got {high.mass:g} after {low.mass:g} kg")
+    for i, r in enumerate(rows):
+        values = (r.vernier_translation, r.translation, r.vernier_rotation, r.rotation, r.reached_in)
+        if min(values) <= 0.0:
+            found.append(f"por[{i}]: speeds and the time are above 0, got {', '.join(f'{v:g}' for v in values)}")
+        if r.vernier_translation > r.translation or r.vernier_rotation > r.rotation:
+            found.append(
+                f"por[{i}]: vernier limits are at most the coarse ones, got {', '.join(f'{v:g}' for v in values)}"
+            )
+    return found
+
+
+def _mass_problems(file: ArmFile) -> list[str]:
+    parts, published = file.masses.parts.value, file.masses.total.value
+    total = sum(getattr(parts, name) for name in parts.__struct_fields__)
+    if abs(total - published) <= MASS_TOLERANCE * total:
+        return []
+    return [f"masses: the parts add up to {total:g} kg, the total says {published:g} kg"]

@@ -1,0 +1,95 @@
+"""From the lengths in an arm file to the numbers that laws and pictures take, one function a family."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.model import ArmFile, HeadingArmFile, YawArmFile
+
+Array = NDArray[np.float64]
+
+Axes = tuple[int, int, int, int, int, int]
+Names = tuple[str, str, str, str, str, str, str]
+
+
+class Linkage(NamedTuple):
+    """An arm's joints, from the foot to the tip. Arrays are read-only.
+
+    Attributes:
+        links: (8,) as `kinematics.linkage` numbers them: L1 to L5 [m], the angles of upper and lower arm above
+            their boom lines at zero angles [rad], and the kind of wrist.
+        steps: (6, 3) from each joint's centre to the next at zero angles, in L [m]; the first from L's origin.
+        axes: the axis of L, 1 to 3, about which each joint turns at zero angles.
+        frames: names of the bodies that an arm of this family draws: its foot (fixed in L), and what each joint
+            carries. Each has L's axes, turned by the joints up to and with its own, and stands at its own joint's
+            centre, the last one at that of the joint before it.
+        end_effector_roll: R_E = R_7 Rx(this) [rad].
+    """
+
+    links: Array
+    steps: Array
+    axes: Axes
+    frames: Names
+    end_effector_roll: float
+
+
+def linkage_of(file: ArmFile) -> Linkage:
+    """The joints that a file describes."""
+    return _of_yaw_arm(file) if isinstance(file, YawArmFile) else _of_heading_arm(file)
+
+
+def raised(linkage: Linkage, height: float) -> Linkage:
+    """The same joints with the shoulder pitch joint at another height above L's origin [m]."""
+    links, steps = linkage.links.copy(), linkage.steps.copy()
+    links[0], steps[1, 2] = height, -height
+    return linkage._replace(links=frozen(links), steps=frozen(steps))
+
+
+def frozen(values: object) -> Array:
+    """A read-only array of floats."""
+    array = np.array(values, dtype=np.float64)
+    array.setflags(write=False)
+    return array
+
+
+def _of_yaw_arm(file: YawArmFile) -> Linkage:
+    """Yaw, pitch, pitch, pitch, yaw, roll; the elbow may lie off the line of the booms."""
+    g = file.geometry
+    height, wrist = g.shoulder_yaw_to_pitch.value, g.wrist_pitch_to_yaw.value
+    (along2, drop2), (along3, drop3) = g.upper_arm.value, g.lower_arm.value
+    upper, lower = math.hypot(along2, drop2), math.hypot(along3, drop3)
+    lift2, lift3 = -math.atan2(drop2, along2), -math.atan2(drop3, along3)
+    return Linkage(
+        frozen([height, upper, lower, wrist, g.wrist_yaw_to_tip.value, lift2, lift3, 1.0]),
+        _steps(height, (along2, drop2), (along3, drop3), wrist),
+        (3, 2, 2, 2, 3, 1),
+        _frames("shoulder_yaw", "shoulder_pitch", "elbow_pitch", "wrist_pitch", "wrist_yaw", "wrist_roll"),
+        float(g.end_effector_roll.value),
+    )
+
+
+def _of_heading_arm(file: HeadingArmFile) -> Linkage:
+    """Heading, pitch, pitch, heading, pitch, roll; the wrist's axes meet, the tip is the palm's outer face."""
+    height, palm = file.stand.start.value, file.effector.palm.value[1]
+    upper, lower = file.geometry.upper_arm.value, file.geometry.lower_arm.value
+    return Linkage(
+        frozen([height, upper, lower, 0.0, palm, 0.0, 0.0, 0.0]),
+        _steps(height, (upper, 0.0), (lower, 0.0), 0.0),
+        (3, 2, 2, 3, 2, 1),
+        _frames("shoulder_heading", "shoulder_pitch", "elbow_pitch", "wrist_heading", "wrist_pitch", "wrist_roll"),
+        0.0,
+    )
+
+
+def _frames(a: str, b: str, c: str, d: str, e: str, f: str) -> Names:
+    return "arm.base", f"arm.{a}", f"arm.{b}", f"arm.{c}", f"arm.{d}", f"arm.{e}", f"arm.{f}"
+
+
+def _steps(height: float, upper: tuple[float, float], lower: tuple[float, float], wrist: float) -> Array:
+    """(6, 3) from joint to joint in the arm's plane: along and down."""
+    places = [(0.0, 0.0), (0.0, -height), upper, lower, (wrist, 0.0), (0.0, 0.0)]
+    return frozen([[along, 0.0, down] for along, down in places])

@@ -1,0 +1,59 @@
+"""An arm's joint limits and rate limits as arrays, and whether they fit together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+class Limits(NamedTuple):
+    """Joint limits in panel angles, each (6, 2) [rad]: least and greatest.
+
+    Attributes:
+        hard: mechanical stops.
+        soft: where computed modes stop driving outwards.
+        reach: where the REACH LIM lamp lights, no more.
+    """
+
+    hard: Array
+    soft: Array
+    reach: Array
+
+
+class JointRates(NamedTuple):
+    """Joint rate limits, each (6,) [rad/s].
+
+    Attributes:
+        servo: what the servos can do; RATLMT uses them in modes 1 to 7.
+        coarse: mode 8, COARSE.
+        vernier: mode 8, VERNIER.
+    """
+
+    servo: Array
+    coarse: Array
+    vernier: Array
+
+
+def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[str]:
+    """A sentence for each joint whose limits do not lie inside each other."""
+    found = []
+    for i, joint in enumerate(joints):
+        chain = [*(s[i, 0] for s in limits), *(s[i, 1] for s in reversed(limits))]
+        if not all(a <= b for a, b in pairwise(chain)) or chain[2] == chain[3]:
+            shown = "; ".join(
+                f"{name} {low:g} to {high:g} deg"
+                for name, (low, high) in zip(Limits._fields, (np.degrees(s[i]) for s in limits), strict=True)
+            )
+            found.append(f"{joint}: reach limits lie inside soft stops inside hard stops, got {shown}")
+        vernier, coarse, servo = rates.vernier[i], rates.coarse[i], rates.servo[i]
+        if not 0.0 < vernier <= coarse <= servo:
+            found.append(
+                f"{joint}: expected 0 < vernier <= coarse <= servo, got {vernier:g}, {coarse:g}, {servo:g} rad/s"
+            )
+    return found

@@ -1,0 +1,193 @@
+"""Loading an arm file into arrays, with the checks that types cannot make."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal, NamedTuple, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.check import arm_problems
+from aftdeck.arms.geometry import Linkage, frozen, linkage_of, raised
+from aftdeck.arms.limits import JointRates, Limits
+from aftdeck.arms.model import ArmFile, HeadingArmFile, PorRow
+from aftdeck.errors import ArmError, InputError, ScenarioError
+from aftdeck.files import Text, parse, read
+from aftdeck.frames import Mount, rotation_x
+
+Array = NDArray[np.float64]
+HERE = Path(__file__).parent
+
+_HAIR = 1e-9
+"""How far past its limits a telescope's length may be for the rounding of units [m]."""
+
+
+class PorLimits(NamedTuple):
+    """Limits of the point of resolution for one payload mass.
+
+    Attributes:
+        translation: greatest speed [m/s], coarse and vernier.
+        rotation: greatest angular rate [rad/s], coarse and vernier.
+        reached_in: time in which the coarse limits are reached from rest [s].
+    """
+
+    translation: tuple[float, float]
+    rotation: tuple[float, float]
+    reached_in: float
+
+
+@dataclass(frozen=True, eq=False)
+class ArmModel:
+    """An arm's constants, checked. Arrays are read-only.
+
+    Attributes:
+        name: as in the file.
+        title: for people.
+        units: what the panel shows unless told otherwise.
+        joints: names, base to tip.
+        labels: short names for the page.
+        linkage: its joints: what the laws and the pictures take.
+        mount: the arm's base frame L in the orbiter.
+        limits: joint limits.
+        singular: normalised distance under which a singularity is announced.
+        rates: joint rate limits.
+        por: rows of limits by payload mass, lightest first.
+        source: the file, decoded, with the source and confidence of each constant.
+        text: the file, as it was read.
+        shapes: file of the arm's drawn shapes, or None.
+    """
+
+    name: str
+    title: str
+    units: Literal["ft-in", "SI"]
+    joints: tuple[str, ...]
+    labels: tuple[str, ...]
+    linkage: Linkage
+    mount: Mount
+    limits: Limits
+    singular: float
+    rates: JointRates
+    por: tuple[PorRow, ...]
+    source: ArmFile
+    text: str
+    shapes: Text | None
+
+    @property
+    def links(self) -> Array:
+        """(8,) the array that the laws take (`kinematics.linkage`)."""
+        return self.linkage.links
+
+    @property
+    def end_effector_roll(self) -> float:
+        """R_E = R_7 Rx(this) [rad]."""
+        return self.linkage.end_effector_roll
+
+    @property
+    def stand(self) -> float | None:
+        """Length of the telescope that the arm stands on [m]: the shoulder's height; None where it has none."""
+        return float(self.links[0]) if isinstance(self.source, HeadingArmFile) else None
+
+    def at(self, stand: float) -> ArmModel:
+        """The same arm with its telescope at another length [m].
+
+        Raises:
+            InputError: an arm without a telescope, or a length outside the telescope's limits.
+        """
+        if not isinstance(self.source, HeadingArmFile):
+            raise InputError(f"the arm {self.name} stands on no telescope: `stand` cannot be given")
+        least, greatest = self.source.stand.least.value, self.source.stand.greatest.value
+        if not least - _HAIR <= stand <= greatest + _HAIR:
+            raise InputError(f"the stand of {self.name} is {least:g} to {greatest:g} m long, got {stand:g} m")
+        return replace(self, linkage=raised(self.linkage, stand))
+
+    def por_limits(self, payload_mass: float) -> PorLimits:
+        """Limits of the point of resolution with a payload [kg], interpolated in the mass's logarithm.
+
+        Between no payload and the lightest row they are interpolated in the mass itself; beyond the heaviest
+        row that row's limits hold (assumed).
+
+        Raises:
+            InputError: a negative mass.
+        """
+        if not payload_mass >= 0.0:
+            raise InputError(f"a payload's mass is not negative, got {payload_mass:g} kg")
+        rows = self.por
+        above = next((i for i, row in enumerate(rows) if row.mass >= payload_mass), len(rows) - 1)
+        low, high = rows[max(above - 1, 0)], rows[above]
+        if payload_mass >= high.mass or low is high:
+            share = 1.0
+        elif low.mass == 0.0:
+            share = payload_mass / high.mass
+        else:
+            share = math.log(payload_mass / low.mass) / math.log(high.mass / low.mass)
+
+        def between(a: float, b: float) -> float:
+            return float(b if share == 1.0 else a + share * (b - a))
+
+        return PorLimits(
+            (
+                between(low.translation, high.translation),
+                between(low.vernier_translation, high.vernier_translation),
+            ),
+            (between(low.rotation, high.rotation), between(low.vernier_rotation, high.vernier_rotation)),
+            between(low.reached_in, high.reached_in),
+        )
+
+
+def built_in() -> tuple[str, ...]:
+    """Names of the arms that come with Aftdeck."""
+    return tuple(sorted(p.stem for p in HERE.glob("*.toml") if "." not in p.stem))
+
+
+def load_model(name_or_path: str | Path) -> ArmModel:
+    """The arm of a built-in name or of a file.
+
+    Raises:
+        ArmError: no such arm.
+        ScenarioError: everything that is wrong in the file, or a file of shapes that cannot be read.
+    """
+    path = Path(name_or_path)
+    if path.suffix != ".toml":
+        if str(name_or_path) not in built_in():
+            raise ArmError(
+                f"no arm {str(name_or_path)!r}: built in are {', '.join(built_in())}; a path to an arm file "
+                "ends in .toml"
+            )
+        path = HERE / f"{name_or_path}.toml"
+    source = read(path)
+    file = parse(cast("type[ArmFile]", ArmFile), source)  # a union is no `type` to the type checker
+    if problems := arm_problems(file):
+        raise ScenarioError([f"{path.name}: {problem}" for problem in problems])
+    return _model(file, source.text, read(path.parent / file.shapes) if file.shapes else None)
+
+
+def _model(file: ArmFile, text: str, shapes: Text | None) -> ArmModel:
+    mount = Mount(
+        _panel(file.mount.origin.value),
+        frozen(np.diag([-1.0, -1.0, 1.0]) @ rotation_x(file.mount.lean.value)),
+        _panel(file.mount.orbiter_origin.value),
+    )
+    return ArmModel(
+        name=file.name,
+        title=file.title,
+        units=file.units,
+        joints=file.joints,
+        labels=file.labels,
+        linkage=linkage_of(file),
+        mount=mount,
+        limits=Limits(*(frozen(getattr(file.limits, which).value) for which in Limits._fields)),
+        singular=file.limits.singular.value,
+        rates=JointRates(*(frozen(getattr(file.rates, which).value) for which in JointRates._fields)),
+        por=file.por,
+        source=file,
+        text=text,
+        shapes=shapes,
+    )
+
+
+def _panel(structural: tuple[float, float, float]) -> Array:
+    """Structural Xo, Yo, Zo in panel components X = -Xo, Y = Yo, Z = -Zo."""
+    return frozen([-structural[0], structural[1], -structural[2]])

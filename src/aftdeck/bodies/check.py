@@ -1,0 +1,139 @@
+"""Which eight points are a hexahedron: what is asked of them, and which vertex is at fault where they are none."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from aftdeck.bodies.hexahedron import CORNERS, ENDS, FACES, VERTICES, pack
+from aftdeck.errors import InputError
+
+Array = NDArray[np.float64]
+
+FLAT = 1e-9
+"""How far a face's vertices may stand off its plane [m]: as much as counts as contact."""
+FARTHEST = 1e4
+"""Greatest coordinate [m]: beyond it rounding is no longer small beside contact (assumed)."""
+SHORTEST = 1e-6
+"""Least length of an edge [m] (assumed)."""
+THINNEST = 1e-6
+"""Least height of a vertex over a face it is not on, over the longest edge [1] (assumed)."""
+
+_RIMS = CORNERS[:, [0, 1, 3, 2]]
+"""(6, 4) vertices of each face in the order of its rim, from zero."""
+_BESIDE = np.arange(VERTICES)[:, None] ^ np.array([1, 2, 4])
+"""(8, 3) the vertices beside each, along z, x and y of the body's own axes, from zero."""
+_UPWARD = np.sign(_BESIDE - np.arange(VERTICES)[:, None])[..., None]
+"""(8, 3, 1) whether the ways to these go up or down their axes."""
+
+
+def hexahedron(vertices: ArrayLike, name: str = "the hexahedron") -> Array:
+    """Checks eight vertices and packs them for the laws.
+
+    Args:
+        vertices: (8, 3), numbered as in `aftdeck.bodies.hexahedron`, in any frame [m].
+        name: what to call it in an error.
+
+    Returns:
+        (48,) packed body.
+
+    Raises:
+        InputError: no convex hexahedron with flat faces, so numbered; the message names the vertex at fault.
+    """
+    try:
+        points = np.array(vertices, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: expected numbers of shape (8, 3), got {vertices!r}") from None
+    if points.shape != (VERTICES, 3):
+        raise InputError(f"{name}: expected 8 vertices of x, y, z, shape (8, 3), got shape {points.shape}")
+    for v in np.flatnonzero(~(np.abs(points) <= FARTHEST).all(axis=1)):
+        allowed = f"at most {FARTHEST:g} m" if np.isfinite(points[v]).all() else "finite"
+        raise InputError(f"{name}: vertex {v + 1} is {_at(points[v])}; coordinates have to be {allowed}")
+    _distinct(points, name)
+    _right_handed(points, name)
+    _flat(points, name)
+    _round(points, name)
+    body = pack(points)
+    _convex(points, body, name)
+    return body
+
+
+def _at(point: Array) -> str:
+    return "({})".format(", ".join(f"{x:.9g}" for x in point))
+
+
+def _distinct(points: Array, name: str) -> None:
+    """Refuses vertices in the same place."""
+    distances = np.linalg.norm(points[:, None] - points, axis=2)
+    distances[np.triu_indices(VERTICES)] = np.inf
+    v, u = np.unravel_index(int(distances.argmin()), distances.shape)
+    if distances[v, u] < SHORTEST:
+        raise InputError(
+            f"{name}: vertex {v + 1} at {_at(points[v])} is {distances[v, u]:.3g} m from vertex {u + 1}; "
+            f"two vertices have to be at least {SHORTEST:g} m apart"
+        )
+
+
+def _right_handed(points: Array, name: str) -> None:
+    """Refuses a body that is turned inside out, flat, or dented at a vertex."""
+    arms = (points[_BESIDE] - points[:, None]) * _UPWARD
+    turns = np.linalg.det(arms) / np.linalg.norm(arms, axis=2).prod(axis=1)
+    if (turns < -(THINNEST**2)).all():
+        raise InputError(
+            f"{name}: vertex 2 at {_at(points[1])} makes it a mirror image: seen from vertex 1, vertices 2, 3 and 5 "
+            "have to stand along z, x and y of right-handed axes; exchange 1 with 2, 3 with 4, 5 with 6 and 7 with 8"
+        )
+    v = int(turns.argmin())
+    if turns[v] <= THINNEST**2:
+        what = "lies in one plane with" if abs(turns[v]) <= THINNEST**2 else "is dented in, or numbered wrongly, beside"
+        p, q, r = _BESIDE[v] + 1
+        raise InputError(
+            f"{name}: vertex {v + 1} at {_at(points[v])} {what} its neighbours {p}, {q} and {r}; "
+            "vertices are numbered 1 + 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side)"
+        )
+
+
+def _flat(points: Array, name: str) -> None:
+    """Refuses bent faces: at fault is the vertex that most of them share, the farthest off among equals."""
+    rims = points[_RIMS]
+    before, after, across = (np.roll(rims, k, axis=1) for k in (1, -1, 2))
+    normals = np.cross(after - across, before - across)
+    away = np.abs(((rims - across) * normals).sum(axis=2)) / np.linalg.norm(normals, axis=2)
+    bent = np.bincount(_RIMS.ravel(), ~(away <= FLAT).ravel(), VERTICES)
+    if bent.any():
+        off = np.zeros(VERTICES)
+        np.maximum.at(off, _RIMS, away)
+        v = int(np.lexsort((off, bent))[-1])
+        faces = ", ".join(letter for letter, face in FACES.items() if v + 1 in face)
+        raise InputError(
+            f"{name}: vertex {v + 1} at {_at(points[v])} stands {off[v]:.3g} m off the plane of the other three of a "
+            f"face (it is on {faces}); at most {FLAT:g} m is allowed"
+        )
+
+
+def _round(points: Array, name: str) -> None:
+    """Refuses a face whose rim crosses itself or is dented."""
+    rims = points[_RIMS]
+    turns = np.cross(np.roll(rims, -1, axis=1) - rims, np.roll(rims, 1, axis=1) - rims)
+    agree = np.einsum("fvk,fk->fv", turns, turns.sum(axis=1))
+    f, k = np.unravel_index(int(agree.argmin()), agree.shape)
+    if not agree[f, k] > 0.0:
+        v, order = _RIMS[f, k], ", ".join(str(vertex + 1) for vertex in _RIMS[f])
+        raise InputError(
+            f"{name}: vertex {v + 1} at {_at(points[v])} makes the rim of face {list(FACES)[f]} cross itself or turn "
+            f"back; in this order, {order}, its vertices go round it once"
+        )
+
+
+def _convex(points: Array, body: Array, name: str) -> None:
+    """Refuses a vertex that does not lie inside the faces it is not on."""
+    longest = np.linalg.norm(points[ENDS[:, 1]] - points[ENDS[:, 0]], axis=1).max()
+    normals, distances = body[24:42].reshape(3, 6).T, body[42:]
+    inside = distances[:, None] - normals @ points.T
+    inside[np.repeat(np.arange(len(CORNERS)), 4), CORNERS.ravel()] = np.inf
+    f, v = np.unravel_index(int(inside.argmin()), inside.shape)
+    if not inside[f, v] > max(THINNEST * longest, FLAT):
+        raise InputError(
+            f"{name}: vertex {v + 1} at {_at(points[v])} stands {inside[f, v]:.3g} m inside the plane of face "
+            f"{list(FACES)[f]}, which it is not on; in a convex solid it is more than {THINNEST:g} of the longest edge"
+        )

@@ -1,0 +1,87 @@
+"""How deep two hexahedra are in each other: the shortest way that takes one out of the other.
+
+The greatest separation over all planes that can be the last to touch: the faces of both, and the planes square to an
+edge of each where the two edges' arcs of normals cross (Gauss map; S. Gottschalk's theorem of separating axes).
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.hexahedron import BESIDE, ENDS, NX, NY, NZ, SIDES, X, Y, Z
+from aftdeck.bodies.planes import sides
+from aftdeck.law import law
+
+Array = NDArray[np.float64]
+
+PARALLEL = 1e-24
+"""Squared sine of the angle below which two edges span no plane; the faces then hold the answer [1]."""
+
+
+class Separation(NamedTuple):
+    """A unit normal from a to b and how far the two are apart along it, negative where they overlap [m]."""
+
+    apart: float
+    x: float
+    y: float
+    z: float
+
+
+@law
+def along(a: Array, b: Array, x: float, y: float, z: float) -> Separation:
+    """The separation along a unit normal, with every vertex looked at."""
+    found = sides(a, b, x, y, z)
+    return Separation(found.b - found.a, x, y, z)
+
+
+@law
+def by_faces(a: Array, b: Array) -> Separation:
+    """The greatest separation along the faces' normals."""
+    best = along(a, b, a[NX], a[NY], a[NZ])
+    for f in range(1, SIDES):
+        found = along(a, b, a[NX + f], a[NY + f], a[NZ + f])
+        best = found if found.apart > best.apart else best
+    for f in range(SIDES):
+        found = along(a, b, -b[NX + f], -b[NY + f], -b[NZ + f])
+        best = found if found.apart > best.apart else best
+    return best
+
+
+@law
+def greatest(a: Array, b: Array, above_b: Array, above_a: Array) -> Separation:
+    """The greatest separation of packed bodies a and b.
+
+    Args:
+        a: packed body.
+        b: packed body.
+        above_b: (6, 8) heights of a's vertices over b's faces [m].
+        above_a: (6, 8) heights of b's vertices over a's faces [m].
+    """
+    best = by_faces(a, b)
+    for e in range(len(ENDS)):
+        i, j = ENDS[e, 0], ENDS[e, 1]
+        a1, a2 = BESIDE[e, 0], BESIDE[e, 1]
+        ex, ey, ez = a[X + j] - a[X + i], a[Y + j] - a[Y + i], a[Z + j] - a[Z + i]
+        for g in range(len(ENDS)):
+            k, m = ENDS[g, 0], ENDS[g, 1]
+            b1, b2 = BESIDE[g, 0], BESIDE[g, 1]
+            # How a's two normals turn along b's edge, and b's along a's.
+            p1, p2 = above_a[a1, m] - above_a[a1, k], above_a[a2, m] - above_a[a2, k]
+            q1, q2 = above_b[b1, j] - above_b[b1, i], above_b[b2, j] - above_b[b2, i]
+            if p1 * p2 >= 0.0 or q1 * q2 >= 0.0 or p1 * q1 <= 0.0:
+                continue
+            fx, fy, fz = b[X + m] - b[X + k], b[Y + m] - b[Y + k], b[Z + m] - b[Z + k]
+            nx, ny, nz = ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx
+            square = nx * nx + ny * ny + nz * nz
+            if square <= PARALLEL * (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz):
+                continue
+            per = (1.0 if p1 > 0.0 else -1.0) / sqrt(square)
+            nx, ny, nz = nx * per, ny * per, nz * per
+            if nx * (b[X + k] - a[X + i]) + ny * (b[Y + k] - a[Y + i]) + nz * (b[Z + k] - a[Z + i]) > best.apart:
+                found = along(a, b, nx, ny, nz)
+                best = found if found.apart > best.apart else best
+    return best

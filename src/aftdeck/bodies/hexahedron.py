@@ -1,0 +1,96 @@
+"""The hexahedron: eight vertices, six flat faces, convex; the body of every collision test.
+
+Vertices are numbered 1 to 8: v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in axes of the
+body's own. Face c is its top (-z), d its bottom, b and e its sides (-y, +y), a and f its ends (-x, +x). A face's
+TRUE side is outside. Source: the final report of the Remote Manipulator Simulation, Figure 2 (restored).
+
+The laws take a *packed* body: (48,) floats, all x, all y, all z of the vertices, then the same for the outward unit
+normals of faces a to f, then the distances of the faces' planes from the origin.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.law import law
+
+Array = NDArray[np.float64]
+
+VERTICES, SIDES = 8, 6
+X, Y, Z = 0, 8, 16
+"""Where the vertices' coordinates stand in a packed body [m]."""
+NX, NY, NZ, D = 24, 30, 36, 42
+"""Where the faces' outward unit normals [1] and distances [m] stand."""
+BODY = 48
+"""Length of a packed body."""
+
+FACES = {
+    "a": (1, 2, 5, 6),
+    "b": (1, 2, 3, 4),
+    "c": (1, 3, 5, 7),
+    "d": (2, 4, 6, 8),
+    "e": (5, 6, 7, 8),
+    "f": (3, 4, 7, 8),
+}
+"""The vertices of each face. A face of vertices p, q, r, s has the diagonals p-s and q-r."""
+EDGES = tuple(
+    (p, q) for p, q in combinations(range(1, 9), 2) if sum({p, q} <= set(face) for face in FACES.values()) == 2
+)
+"""The twelve edges, each by its two vertices."""
+
+# The same as tables from zero, for the laws.
+CORNERS = np.array([[v - 1 for v in face] for face in FACES.values()])
+"""(6, 4) vertices of a face."""
+ENDS = np.array([[p - 1, q - 1] for p, q in EDGES])
+"""(12, 2) ends of an edge."""
+_CUBE = np.array([(v >> 1 & 1, v >> 2 & 1, v & 1) for v in range(VERTICES)]) - 0.5
+_OUTWARD = _CUBE[CORNERS].sum(axis=1)
+
+
+def _beside(p: int, q: int) -> tuple[int, int]:
+    """The faces that meet in an edge, as listed in BESIDE."""
+    f, g = (k for k, face in enumerate(FACES.values()) if {p, q} <= set(face))
+    return (f, g) if np.cross(_OUTWARD[f], _OUTWARD[g]) @ (_CUBE[q - 1] - _CUBE[p - 1]) > 0.0 else (g, f)
+
+
+BESIDE = np.array([_beside(p, q) for p, q in EDGES])
+"""(12, 2) faces that meet in an edge: the cross product of their normals points along the edge."""
+
+
+def pack(vertices: Array) -> Array:
+    """Packs vertices (8, 3) [m], in their order, with the planes of their faces; checks nothing.
+
+    A face's normal is square to its diagonals; its plane goes through the outermost of its vertices.
+    """
+    p, q, r, s = vertices[CORNERS].transpose(1, 0, 2)
+    normals = np.cross(s - p, r - q)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    normals *= np.array([1.0, -1.0, -1.0, 1.0, 1.0, -1.0])[:, None]  # as listed, the diagonals of b, c, f turn inwards
+    distances = np.einsum("fvk,fk->fv", vertices[CORNERS], normals).max(axis=1)
+    return np.concatenate([vertices.T.ravel(), normals.T.ravel(), distances])
+
+
+def unpack(body: Array) -> Array:
+    """The vertices (8, 3) [m] of a packed body."""
+    return body[:NX].reshape(3, VERTICES).T.copy()
+
+
+@law
+def place(body: Array, position: Array, rotation: Array, placed: Array) -> None:
+    """Write into `placed` (48,) the packed body turned by `rotation` (3, 3), then moved by `position` (3,) [m]."""
+    x0, y0, z0 = position[0], position[1], position[2]
+    for v in range(VERTICES):
+        x, y, z = body[X + v], body[Y + v], body[Z + v]
+        placed[X + v] = rotation[0, 0] * x + rotation[0, 1] * y + rotation[0, 2] * z + x0
+        placed[Y + v] = rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z + y0
+        placed[Z + v] = rotation[2, 0] * x + rotation[2, 1] * y + rotation[2, 2] * z + z0
+    for f in range(SIDES):
+        x, y, z = body[NX + f], body[NY + f], body[NZ + f]
+        u = rotation[0, 0] * x + rotation[0, 1] * y + rotation[0, 2] * z
+        v_ = rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z
+        w = rotation[2, 0] * x + rotation[2, 1] * y + rotation[2, 2] * z
+        placed[NX + f], placed[NY + f], placed[NZ + f] = u, v_, w
+        placed[D + f] = body[D + f] + u * x0 + v_ * y0 + w * z0

@@ -1,0 +1,65 @@
+"""Dynamic separating planes: a plane holds only when every vertex of both bodies has been looked at.
+
+Coordinates of a packed body are taken by their number, 0 to 7 x, 8 to 15 y, 16 to 23 z, in pairs whose products do not
+wait for each other.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.law import law
+
+Array = NDArray[np.float64]
+
+
+class Sides(NamedTuple):
+    """How far a reaches along a normal, and where b begins [m]; they are apart where the first is less."""
+
+    a: float
+    b: float
+
+
+@law
+def lesser(p: float, q: float) -> float:
+    """The lesser of two."""
+    return q if q < p else p
+
+
+@law
+def least(body: Array, x: float, y: float, z: float) -> float:
+    """Least product of a vertex of a packed body with (x, y, z)."""
+    p = lesser(x * body[0] + y * body[8] + z * body[16], x * body[4] + y * body[12] + z * body[20])
+    q = lesser(x * body[1] + y * body[9] + z * body[17], x * body[5] + y * body[13] + z * body[21])
+    r = lesser(x * body[2] + y * body[10] + z * body[18], x * body[6] + y * body[14] + z * body[22])
+    s = lesser(x * body[3] + y * body[11] + z * body[19], x * body[7] + y * body[15] + z * body[23])
+    return lesser(lesser(p, q), lesser(r, s))
+
+
+@law
+def lowest(body: Array, x: float, y: float, z: float) -> int:
+    """Which vertex of a packed body, from zero, lies lowest along (x, y, z)."""
+    p0 = x * body[0] + y * body[8] + z * body[16]
+    p1 = x * body[1] + y * body[9] + z * body[17]
+    p2 = x * body[2] + y * body[10] + z * body[18]
+    p3 = x * body[3] + y * body[11] + z * body[19]
+    p4 = x * body[4] + y * body[12] + z * body[20]
+    p5 = x * body[5] + y * body[13] + z * body[21]
+    p6 = x * body[6] + y * body[14] + z * body[22]
+    p7 = x * body[7] + y * body[15] + z * body[23]
+    i0, m0 = (4, p4) if p4 < p0 else (0, p0)
+    i1, m1 = (5, p5) if p5 < p1 else (1, p1)
+    i2, m2 = (6, p6) if p6 < p2 else (2, p2)
+    i3, m3 = (7, p7) if p7 < p3 else (3, p3)
+    i0, m0 = (i2, m2) if m2 < m0 else (i0, m0)
+    i1, m1 = (i3, m3) if m3 < m1 else (i1, m1)
+    return i1 if m1 < m0 else i0
+
+
+@law
+def sides(a: Array, b: Array, x: float, y: float, z: float) -> Sides:
+    """How far packed body a reaches along (x, y, z), and where b begins."""
+    return Sides(-least(a, -x, -y, -z), least(b, x, y, z))

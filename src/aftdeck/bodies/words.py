@@ -1,0 +1,58 @@
+"""Location words: on which faces' TRUE sides the vertices of one hexahedron lie, seen from another.
+
+The vertex-face test of the final report of the Remote Manipulator Simulation (IV.B.1; its subroutines EFFTST, a's
+vertices against b's faces, and NORMS, changed over). A word of zeros is a vertex inside: a collision. A bit that is
+set in all eight words names a face whose plane separates the two.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.hexahedron import NX, NY, NZ, SIDES, VERTICES, D, X, Y, Z
+from aftdeck.law import law
+
+Array = NDArray[np.float64]
+Words = NDArray[np.int64]
+
+
+class Deepest(NamedTuple):
+    """The vertex, from zero, that lies deepest inside, and how far its nearest face is, negative inside [m]."""
+
+    vertex: int
+    height: float
+
+
+@law
+def heights(a: Array, b: Array, above: Array) -> None:
+    """Write into `above` (6, 8) how far packed body a's vertices stand outside the faces of b, negative inside [m]."""
+    for f in range(SIDES):
+        nx, ny, nz, d = b[NX + f], b[NY + f], b[NZ + f], b[D + f]
+        for v in range(VERTICES):
+            above[f, v] = nx * a[X + v] + ny * a[Y + v] + nz * a[Z + v] - d
+
+
+@law
+def location_words(above: Array, words: Words) -> None:
+    """Write the location words: bit 0 for face a, to bit 5 for face f, set where the vertex is on its TRUE side."""
+    for v in range(VERTICES):
+        word = 0
+        for f in range(SIDES):
+            word |= (above[f, v] > 0.0) << f
+        words[v] = word
+
+
+@law
+def deepest(above: Array) -> Deepest:
+    """The vertex that lies deepest inside all faces, or least far outside one."""
+    vertex, best = 0, np.inf
+    for v in range(VERTICES):
+        height = above[0, v]
+        for f in range(1, SIDES):
+            height = max(height, above[f, v])
+        if height < best:
+            vertex, best = v, height
+    return Deepest(vertex, best)

@@ -1,0 +1,182 @@
+"""``aftdeck arm``: poses, joint angles, limits and modes of an arm."""
+
+from __future__ import annotations
+
+import math
+from enum import StrEnum
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from aftdeck.cli.app import Json, app
+from aftdeck.cli.printing import print_json, print_table
+from aftdeck.errors import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from aftdeck.frames import Pose
+    from aftdeck.kinematics.arm import Arm
+
+
+class Question(StrEnum):
+    """What `aftdeck arm` can be asked."""
+
+    forward = "forward"
+    inverse = "inverse"
+    limits = "limits"
+    modes = "modes"
+
+
+class FrameChoice(StrEnum):
+    """Frames that poses can be given and shown in."""
+
+    L = "L"
+    orbiter = "orbiter"
+    panel = "panel"
+
+
+@app.command(
+    short_help="Ask an arm for poses, joint angles, limits, modes.",
+    epilog="Examples: aftdeck arm srms forward 0 25 -25 5 0 0 --deg --frame panel; "
+    "aftdeck arm srms inverse 10 0 -2 0 0 0 --deg",
+    context_settings={"ignore_unknown_options": True},
+)
+def arm(
+    name: Annotated[str, typer.Argument(metavar="NAME", help="A built-in arm or a path to an arm file.")],
+    question: Annotated[Question, typer.Argument(metavar="forward|inverse|limits|modes")],
+    numbers: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[NUMBERS]",
+            help="forward: six joint angles. inverse: X Y Z and ROLL PITCH YAW (in L and orbiter: metres and "
+            "ENDORI's roll, elevation, azimuth of frame 7; in panel: inches and the end effector's attitude).",
+        ),
+    ] = None,
+    deg: Annotated[bool, typer.Option("--deg", help="Angles in degrees, in and out; else radians.")] = False,
+    frame: Annotated[FrameChoice, typer.Option(help="Frame of the pose.")] = FrameChoice.L,
+    as_json: Json = False,
+) -> None:
+    """Ask an arm: where is the tip, which joint angles reach a pose, what are its limits and modes."""
+    from aftdeck.kinematics.arm import load_arm
+
+    loaded = load_arm(name)
+    values = _numbers(numbers or [], 6 if question in (Question.forward, Question.inverse) else 0, question.value)
+    match question:
+        case Question.forward:
+            _forward(loaded, values, deg, frame.value, as_json)
+        case Question.inverse:
+            _inverse(loaded, values, deg, frame.value, as_json)
+        case Question.limits:
+            _limits(loaded, deg, as_json)
+        case Question.modes:
+            _modes(as_json)
+
+
+def _numbers(given: list[str], expected: int, question: str) -> list[float]:
+    if len(given) != expected:
+        raise InputError(f"{question} takes {expected} numbers, got {len(given)}: {' '.join(given)}")
+    values = []
+    for text in given:
+        try:
+            value = float(text)
+        except ValueError:
+            raise InputError(f"{question}: {text!r} is no number") from None
+        if not math.isfinite(value):
+            raise InputError(f"{question}: numbers are finite, got {text!r}")
+        values.append(value)
+    return values
+
+
+def _forward(loaded: Arm, values: list[float], deg: bool, frame: str, as_json: bool) -> None:
+    pose = loaded.forward([math.radians(v) if deg else v for v in values])
+    position, angles, unit = _shown(loaded, pose, frame)
+    shown = [math.degrees(a) if deg else a for a in angles]
+    names = ("pitch", "yaw", "roll") if frame == "panel" else ("roll", "pitch", "yaw")
+    if as_json:
+        angles_json = dict(zip(names, shown, strict=True))
+        units = {"position_unit": unit, "angle_unit": "deg" if deg else "rad"}
+        print_json({"frame": frame, "position": position, **angles_json, **units})
+        return
+    print(f"frame {frame}")
+    for axis, value in zip("XYZ", position, strict=True):
+        print(f"  {axis:<6}{value:>13.4f} {unit}")
+    for label, value in zip(names, shown, strict=True):
+        print(f"  {label:<6}{value:>13.4f} {'deg' if deg else 'rad'}")
+
+
+def _shown(loaded: Arm, pose: Pose, frame: str) -> tuple[list[float], tuple[float, ...], str]:
+    """Position, angles [rad] and the position's unit, as `frame` shows them."""
+    from aftdeck.frames import oriend
+
+    if frame == "panel":
+        inches, degrees = loaded.panel(pose)
+        return list(inches), tuple(math.radians(d) for d in degrees), "in"
+    if frame == "orbiter":
+        position, angles = loaded.orbiter(pose)
+        return list(position), angles, "m"
+    return pose.position.tolist(), oriend(pose.rotation), "m"
+
+
+def _inverse(loaded: Arm, values: list[float], deg: bool, frame: str, as_json: bool) -> None:
+    import numpy as np
+
+    from aftdeck.frames import Pose, endori
+    from aftdeck.units import INCH
+
+    roll, pitch, yaw = (math.radians(v) if deg else v for v in values[3:])
+    if frame == "panel":
+        pose = loaded.from_panel([v * INCH for v in values[:3]], [pitch, yaw, roll])
+    else:
+        given = Pose(np.array(values[:3]), endori(roll, pitch, yaw))
+        pose = loaded.model.mount.from_("orbiter" if frame == "orbiter" else "L", given)
+    solutions = loaded.inverse(pose)
+    rows = (np.degrees(solutions) if deg else solutions).tolist()
+    if as_json:
+        print_json({"joints": loaded.joints, "solutions": rows, "angle_unit": "deg" if deg else "rad"})
+        return
+    print("  ".join(f"{joint:>14}" for joint in loaded.joints))
+    for row in rows:
+        print("  ".join(f"{value:>14.4f}" for value in row))
+
+
+def _limits(loaded: Arm, deg: bool, as_json: bool) -> None:
+    scale = math.degrees(1.0) if deg else 1.0
+    unit = "deg" if deg else "rad"
+    named = {**loaded.limits._asdict(), **{f"{name}_rate": r for name, r in loaded.rates._asdict().items()}}
+    rows = [
+        {"joint": joint, **{name: (values[i] * scale).round(9).tolist() for name, values in named.items()}}
+        for i, joint in enumerate(loaded.joints)
+    ]
+    if as_json:
+        print_json({"angle_unit": unit, "rate_unit": f"{unit}/s", "joints": rows})
+        return
+    print(f"angles in {unit}, rates in {unit}/s")
+    print_table(_shown_limits(rows, loaded.limits._fields, ""), ("joint", *loaded.limits._fields), False)
+    print()
+    print_table(_shown_limits(rows, loaded.rates._fields, "_rate"), ("joint", *loaded.rates._fields), False)
+
+
+def _shown_limits(rows: Sequence[Mapping[str, object]], names: tuple[str, ...], ending: str) -> list[dict[str, object]]:
+    """The rows' limits of these names, as text."""
+    return [{"joint": row["joint"]} | {name: _range(row[name + ending]) for name in names} for row in rows]
+
+
+def _range(limit: object) -> str:
+    """``-2 .. 145`` for a pair of limits, ``2.29`` for a rate."""
+    return " .. ".join(f"{v:.4g}" for v in limit) if isinstance(limit, list) else f"{limit:.4g}"
+
+
+def _modes(as_json: bool) -> None:
+    from aftdeck.steering.mode import MODES
+
+    rows = [
+        {
+            "position": m.position,
+            "laws": m.laws if as_json else ", ".join(str(n) for n in m.laws),
+            "kind": m.kind,
+            "title": m.title,
+        }
+        for m in MODES.values()
+    ]
+    print_table(rows, ("position", "laws", "kind", "title"), as_json)

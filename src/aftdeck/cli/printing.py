@@ -1,0 +1,92 @@
+"""What commands print: JSON, tables, summaries, a progress bar."""
+
+from __future__ import annotations
+
+import math
+import shutil
+import sys
+import textwrap
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from rich.progress import Progress as Bar
+
+    from aftdeck.simulation.summary import Summary
+
+
+def print_summary(s: Summary) -> None:
+    """Print a run's summary for people."""
+    ended = {"completed": "completed", "time": "ended by its duration", "fault": "ENDED IN A FAULT"}[s.ended]
+    print(f"{s.scenario}: {ended} after {s.time_s:.2f} s" + (f", in phase {s.phase!r}" if s.phase else ""))
+    print("  joints     " + "  ".join(f"{math.degrees(q):.3f}" for q in s.joints_rad) + "  deg")
+    print("  tip in L   " + "  ".join(f"{x:.4f}" for x in s.tip.position_m) + "  m")
+    if s.position_error_m is not None and s.rotation_error_rad is not None:
+        print(f"  miss       {s.position_error_m * 1e3:.4f} mm, {math.degrees(s.rotation_error_rad):.5f} deg")
+    print(f"  joint rate {100.0 * s.worst_rate_ratio:.1f} % of its limit at most")
+    for event in s.events:
+        print(f"  {event.time_s:9.2f} s  {event.text}")
+    print(f"  frames     sha256 {s.frames_sha256}")
+
+
+def print_complaint(text: str) -> None:
+    """Say what went wrong beside a command that was done all the same."""
+    print(f"aftdeck: {text}", file=sys.stderr, flush=True)
+
+
+def print_json(value: object, indent: int | None = None) -> None:
+    """Print JSON in plain ASCII, which every terminal and pipe carries whole."""
+    import json
+
+    import msgspec
+
+    print(json.dumps(msgspec.to_builtins(value), indent=indent))
+
+
+def print_table(rows: Sequence[Mapping[str, object]], columns: tuple[str, ...], as_json: bool) -> None:
+    """Print rows as JSON or as a table, whose last column is wrapped between words to the terminal's width."""
+    if as_json:
+        print_json(rows)
+        return
+    cells = [columns] + [tuple(str(row[column]) for column in columns) for row in rows]
+    widths = [max(len(row[i]) for row in cells) for i in range(len(columns))]
+    numeric = [all(isinstance(row[column], int | float) for row in rows) for column in columns]
+    before = sum(widths[:-1]) + 2 * (len(columns) - 1)
+    room = max(shutil.get_terminal_size().columns - before, 24)
+    for row in cells:
+        start = "  ".join(
+            f"{cell:>{width}}" if right else f"{cell:<{width}}"
+            for cell, width, right in zip(row[:-1], widths, numeric, strict=False)
+        )
+        first, *rest = textwrap.wrap(row[-1], room) or [""]
+        print(f"{start}  {first}")
+        for line in rest:
+            print(" " * before + line)
+
+
+class Progress:
+    """A progress bar on a terminal; nothing where standard error is none."""
+
+    def __init__(self, title: str) -> None:
+        self._title = title
+        self._bar: Bar | None = None
+
+    def __enter__(self) -> Callable[[float], None] | None:
+        if not sys.stderr.isatty():
+            return None
+        from rich.console import Console
+        from rich.progress import Progress as Bar
+
+        bar = self._bar = Bar(console=Console(stderr=True), transient=True)
+        bar.start()
+        task = bar.add_task(self._title, total=1.0)
+
+        def told(share: float) -> None:
+            bar.update(task, completed=share)
+
+        return told
+
+    def __exit__(self, *_: object) -> None:
+        if self._bar is not None:
+            self._bar.stop()

@@ -1,0 +1,228 @@
+"""Commands on session files: ``replay`` and ``recordings``."""
+
+from __future__ import annotations
+
+import math
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from aftdeck.cli.app import Host, Json, NoBrowser, Port, app
+from aftdeck.cli.printing import Progress, print_json
+from aftdeck.errors import InputError
+
+if TYPE_CHECKING:
+    from aftdeck.recording.changed import Outcome
+    from aftdeck.recording.index import Entry
+    from aftdeck.recording.reader import Recording
+    from aftdeck.recording.replay import Verdict
+
+MOST_FIELDS = 6
+"""Fields of a first difference that are printed."""
+MOST_EVENTS = 20
+"""Changed lines of the log that are printed."""
+ENDS = ("completed", "time", "fault", "stopped", "restarted", "cut", "recording")
+"""How a recording may have ended, or that it has not."""
+_SINCE = re.compile(r"|\d{4}(-\d\d(-\d\d(T\d\d(:\d\d(:\d\d)?)?)?)?)?")
+
+
+@app.command(
+    short_help="Replay a recording: verify it, change one thing, play it.",
+    epilog="Examples: aftdeck replay run.mcap --verify; aftdeck replay run.mcap --set command_delay=0.5; "
+    "aftdeck replay run.mcap --open; aftdeck replay run.mcap --html run.html",
+)
+def replay(
+    file: Annotated[Path, typer.Argument(metavar="RECORDING", help="A session file (.mcap).")],
+    verify: Annotated[
+        bool, typer.Option("--verify", help="Compare every recomputed frame's digest with the recorded one (default).")
+    ] = False,
+    changes: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="KEY=VALUE",
+            help="Fly the same inputs with something changed in the scenario: rate=vernier, command_delay=0.5, "
+            "limits.por.translation='1 ft/s', arm=mine.toml. May be given several times.",
+        ),
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="With --set: record the changed run into this file.")] = None,
+    play: Annotated[bool, typer.Option("--open", help="Play it in the browser.")] = False,
+    html: Annotated[Path | None, typer.Option(help="Write one HTML file that plays it without a server.")] = None,
+    host: Host = "127.0.0.1",
+    port: Port = 8340,
+    no_browser: NoBrowser = False,
+    as_json: Json = False,
+) -> None:
+    """Replay a recording from its inputs.
+
+    Exit code 1 where recomputed frames differ from the recorded ones; 2 where the file is no recording or damaged.
+    """
+    if verify + bool(changes) + play + (html is not None) > 1:
+        raise InputError("--verify, --set, --open and --html are given one at a time")
+    if out is not None and not changes:
+        raise InputError("--out goes with --set: it records the changed run")
+    if changes:
+        _rerun(file, tuple(changes), out, as_json)
+    elif play:
+        from aftdeck.station.replay import serve_recording
+
+        serve_recording(file, host=host, port=port, open_browser=not no_browser)
+    elif html is not None:
+        from aftdeck.station.one_file import write_html
+
+        write_html(file, html)
+        print(f"{html}: {html.stat().st_size / 1e6:.2f} MB; open it in any browser")
+    else:
+        _verify(file, as_json)
+
+
+def _verify(file: Path, as_json: bool) -> None:
+    from aftdeck.recording.reader import Recording
+    from aftdeck.recording.replay import verify
+
+    recording = Recording(file)
+    with Progress(recording.opening.title) as told:
+        verdict = verify(file, progress=told)
+    if as_json:
+        print_json(verdict, indent=2)
+    else:
+        _print_verdict(recording, verdict)
+    if not verdict.equal:
+        raise typer.Exit(1)
+
+
+def _print_verdict(recording: Recording, v: Verdict) -> None:
+    start = recording.opening
+    print(f"{recording.path}: {start.title!r} ({start.scenario}), seed {start.seed}, began {start.began}")
+    if start.changes:
+        print(f"  changed      {', '.join(start.changes)}")
+    if v.recorded_by != v.version:
+        print(f"  made by      Aftdeck {v.recorded_by}; this is {v.version}, which tries to repeat it")
+    if v.cut:
+        print(f"  cut short    after {v.time_s:.2f} s; it is verified as far as it goes")
+    if v.equal:
+        print(f"  equal        all {v.frames} frames, {v.time_s:.2f} s of flight, bit for bit")
+        return
+    if not v.different:
+        print(f"  DIFFERENT    the {v.frames} frames there are equal the recomputed ones, but their sum does not")
+    else:
+        print(f"  DIFFERENT    {v.different} of {v.frames} frames")
+    if not v.same_laws:
+        print("  other laws   the laws have been changed since; the last digits may differ")
+    if not v.same_machine:
+        print(f"  other machine, {start.machine}: the last digits may differ")
+    if v.first is not None:
+        print(f"  first        at {v.first.time_s:.2f} s (step {v.first.tick})")
+        _print_fields(v.first.fields)
+
+
+def _print_fields(fields: tuple[object, ...]) -> None:
+    from aftdeck.recording.compare import FieldChange
+
+    if not fields:
+        print("    beyond the recorded decimals only")
+    for change in fields[:MOST_FIELDS]:
+        assert isinstance(change, FieldChange)
+        print(f"    {change.field}: {change.before} -> {change.after}")
+    if len(fields) > MOST_FIELDS:
+        print(f"    and {len(fields) - MOST_FIELDS} more fields")
+
+
+def _rerun(file: Path, changes: tuple[str, ...], out: Path | None, as_json: bool) -> None:
+    from aftdeck.recording.changed import rerun
+    from aftdeck.recording.index import Index
+
+    with Progress("with " + ", ".join(changes)) as told:
+        outcome = rerun(file, changes, out, progress=told, index=Index())
+    if as_json:
+        print_json(outcome, indent=2)
+    else:
+        _print_outcome(file, outcome)
+    if out is not None and not as_json:
+        print(f"  recorded   {out}")
+
+
+def _print_outcome(file: Path, o: Outcome) -> None:
+    print(f"{file} with {', '.join(o.changes)}:")
+    before, after = f"{o.ended_before} after {o.time_before_s:.2f} s", f"{o.ended_after} after {o.time_after_s:.2f} s"
+    print(f"  ended        {before} -> {after}")
+    if o.first is None and not o.events:
+        print(f"  no difference in {o.compared} frames")
+        return
+    if o.first is not None:
+        print(f"  first        at {o.first.time_s:.2f} s:")
+        _print_fields(o.first.fields)
+    print(
+        f"  tip          at most {o.greatest_tip_m.value:.3f} m apart, at {o.greatest_tip_m.time_s:.2f} s; "
+        f"{o.tip_at_end_m:.3f} m at the end"
+    )
+    if o.joint:
+        angle = math.degrees(o.greatest_joint_rad.value)
+        print(f"  joints       at most {angle:.2f} deg apart: {o.joint}, at {o.greatest_joint_rad.time_s:.2f} s")
+    for event in o.events[:MOST_EVENTS]:
+        when = [f"{t:.2f} s" if t is not None else "never" for t in (event.before_s, event.after_s)]
+        print(f"  event        {when[0]} -> {when[1]}: {event.text}")
+    if len(o.events) > MOST_EVENTS:
+        print(f"  and {len(o.events) - MOST_EVENTS} more events")
+
+
+@app.command(
+    short_help="List, filter and clean the recordings made here.",
+    epilog="Examples: aftdeck recordings --scenario first-flight --since 2026-11; "
+    "aftdeck recordings --ended cut --delete",
+)
+def recordings(
+    scenario: Annotated[str, typer.Option(help="Only of this scenario.")] = "",
+    ended: Annotated[
+        str, typer.Option(help="Only those that ended so: completed, time, fault, stopped, restarted, cut, recording.")
+    ] = "",
+    since: Annotated[str, typer.Option(metavar="DATE", help="Only those begun since (2026-11, 2026-11-21T14).")] = "",
+    gone: Annotated[bool, typer.Option("--gone", help="Only those whose files are no longer there.")] = False,
+    forget: Annotated[bool, typer.Option("--forget", help="Take those listed off the list; files stay.")] = False,
+    delete: Annotated[bool, typer.Option("--delete", help="Delete the files of those listed.")] = False,
+    yes: Annotated[bool, typer.Option("--yes", help="Do not ask before deleting.")] = False,
+    as_json: Json = False,
+) -> None:
+    """List the recordings that `run --out` and `fly --record` made on this machine."""
+    from aftdeck.recording.index import Index
+
+    if ended not in ("", *ENDS):
+        raise InputError(f"--ended is one of {', '.join(ENDS)}, got {ended!r}")
+    since = since.replace(" ", "T")
+    if not _SINCE.fullmatch(since):
+        raise InputError(
+            f"--since is a date or its beginning, such as 2026, 2026-11 or 2026-11-21T14:30, got {since!r}"
+        )
+    if forget and delete:
+        raise InputError("--forget and --delete are given one at a time")
+    index = Index()
+    found = [entry for entry in index.entries(scenario, ended, since) if not gone or entry.state == "gone"]
+    if as_json:
+        print_json(found)
+    else:
+        _print_entries(found)
+    if forget:
+        index.forget(found)
+        print(f"{len(found)} taken off the list; no file was touched", file=sys.stderr)
+    elif delete and found and (yes or typer.confirm(f"Delete {_files(found)}?", err=True)):
+        index.delete(found)
+        print(f"{_files(found)} deleted", file=sys.stderr)
+
+
+def _print_entries(found: list[Entry]) -> None:
+    if not found:
+        print("no such recordings; `aftdeck fly --record DIR` and `aftdeck run SCENARIO --out FILE` make them")
+        return
+    wide = max(len(entry.scenario) for entry in found)
+    for entry in found:
+        ended = entry.ended if entry.state == "here" else entry.state
+        began = entry.began[:19].replace("T", " ")
+        print(f"{began}  {entry.scenario:<{wide}}  {ended:<10}  {entry.time_s:>8.1f} s  {entry.bytes / 1e6:>7.2f} MB")
+        print(f"  {entry.path}")
+
+
+def _files(found: list[Entry]) -> str:
+    return f"{len(found)} recording{'s' if len(found) != 1 else ''}, {sum(e.bytes for e in found) / 1e6:.1f} MB"

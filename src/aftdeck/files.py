@@ -1,0 +1,289 @@
+"""Reading TOML files into types: every error at once, each with its place."""
+
+from __future__ import annotations
+
+import functools
+import re
+import stat
+import tomllib
+import types
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin
+
+import msgspec
+
+from aftdeck.errors import InputError, ScenarioError
+from aftdeck.units import decode_hook, short
+
+_T = TypeVar("_T")
+
+MOST_BYTES = 4_000_000
+"""Longest file read [bytes]; longer ones are refused before they are parsed."""
+
+
+class Text(NamedTuple):
+    """A file as it was read."""
+
+    name: str
+    text: str
+
+
+def read(path: Path) -> Text:
+    """The file's name and text.
+
+    Raises:
+        ScenarioError: missing, unreadable, too long or not UTF-8.
+    """
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):  # a pipe or a device may never end
+            raise ScenarioError([f"{path}: cannot be read: it is not a file"])
+        if status.st_size > MOST_BYTES:
+            raise ScenarioError([f"{path.name}: has {status.st_size} bytes; at most {MOST_BYTES} are read"])
+        return Text(path.name, path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise ScenarioError([f"{path}: cannot be read: {error.strerror or error}"]) from None
+    except UnicodeDecodeError as error:
+        raise ScenarioError([f"{path.name}: is not UTF-8 text (byte {error.start})"]) from None
+    except ValueError as error:
+        raise ScenarioError([f"{str(path)!r}: cannot be read: {error}"]) from None
+
+
+def parse(kind: type[_T], file: Text) -> _T:
+    """The file's contents as a value of `kind`, a msgspec struct.
+
+    Raises:
+        ScenarioError: with all problems found: wrong TOML, wrong or unknown fields.
+    """
+    value, problems = examine(kind, file)
+    if value is None or problems:
+        raise ScenarioError(sentences(problems, file.name, file.text))
+    return value
+
+
+def examine(kind: type[_T], file: Text, changes: Changes | None = None) -> tuple[_T | None, list[Problem]]:
+    """The file's contents, with what is wrong in them left out, and everything that is wrong.
+
+    The contents are None where what is wrong cannot be left out. `changes` are put in place of what the file says.
+
+    Raises:
+        ScenarioError: text that is no TOML.
+    """
+    name, text = file
+    try:
+        raw = tomllib.loads(text)
+    except ValueError as error:  # wrong TOML, or a number of thousands of digits
+        raise ScenarioError([f"{name}: {error}"]) from None
+    except RecursionError:
+        raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
+    for where, value in (changes or {}).items():
+        _put(raw, where, value)
+    try:
+        problems = [Problem(where, what) for where, what in _problems(raw, kind, ())]
+    except RecursionError:
+        raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
+    for problem in problems:
+        _leave_out(raw, problem.where)
+    try:
+        return convert(raw, kind), problems
+    except msgspec.ValidationError:
+        return None, problems
+
+
+def _put(raw: Any, where: Where, value: object) -> None:
+    """Put a value at a place of the raw contents, with the tables on the way to it where there are none.
+
+    Raises:
+        InputError: a place in a list that is not there, or below what is no table.
+    """
+    *way, last = where
+    for depth, part in enumerate(way):
+        raw = raw.setdefault(part, {}) if isinstance(part, str) and isinstance(raw, dict) else _item(raw, where, depth)
+    if isinstance(last, str) and isinstance(raw, dict):
+        raw[last] = value
+    else:
+        _item(raw, where, len(way))
+        raw[last] = value
+
+
+def _item(raw: Any, where: Where, depth: int) -> Any:
+    """The list's item that a place names at a depth."""
+    part, before = where[depth], place(where[:depth])
+    if isinstance(part, str):
+        raise InputError(f"{place(where)}: {before} is no table, so nothing in it can be named {part!r}")
+    if not isinstance(raw, list) or not part < len(raw):
+        size = f"has {len(raw)} items" if isinstance(raw, list) else "is no list that the file gives"
+        raise InputError(f"{place(where)}: {before} {size}; there is no item {part} (the first is 0)")
+    return raw[part]
+
+
+def _leave_out(raw: Any, where: Where) -> None:
+    """Take the innermost named field of a place out of the raw contents."""
+    names = [i for i, part in enumerate(where) if isinstance(part, str)]
+    if not names:
+        return
+    for part in where[: names[-1]]:
+        try:
+            raw = raw[part]
+        except (KeyError, IndexError, TypeError):
+            return
+    if isinstance(raw, dict):
+        raw.pop(where[names[-1]], None)
+
+
+def convert(raw: object, kind: type[_T]) -> _T:
+    """A decoded value of `kind` from plain dicts, lists, numbers and strings."""
+    return msgspec.convert(raw, kind, dec_hook=decode_hook)
+
+
+Where = tuple[str | int, ...]
+"""Keys and indices from the top of a file to a place in it."""
+Changes = Mapping[Where, object]
+"""Values in place of a file's own."""
+
+
+def place(where: Where) -> str:
+    """``phase[1].rate``."""
+    return "".join(f"[{k}]" if isinstance(k, int) else f".{k}" for k in where).lstrip(".")
+
+
+class Problem(msgspec.Struct, frozen=True):
+    """Something wrong at a place in a file."""
+
+    where: Where
+    what: str
+
+    def sentence(self, name: str, text: str) -> str:
+        """``file.toml:12: phase[1].rate: what is wrong``."""
+        line = line_of(self.where, text)
+        where = place(self.where)
+        return f"{name}{f':{line}' if line else ''}: {where + ': ' if where else ''}{self.what}"
+
+
+def sentences(problems: Sequence[Problem], name: str, text: str) -> list[str]:
+    """A sentence for each problem, in the order of their lines; `name` stands for the file."""
+    in_order = sorted(problems, key=lambda problem: line_of(problem.where, text) or 0)
+    return [problem.sentence(name, text) for problem in in_order]
+
+
+def line_of(where: Where, text: str) -> int | None:
+    """The line (from 1) on which the deepest part of `where` that has a line of its own begins; None at the top."""
+    lines = _lines(text)
+    return next((lines[where[:depth]] for depth in range(len(where), 0, -1) if where[:depth] in lines), None)
+
+
+@functools.lru_cache(maxsize=4)
+def _lines(text: str) -> dict[Where, int]:
+    """The line of each header and each key."""
+    current: Where = ()
+    counts: dict[Where, int] = {}
+    lines: dict[Where, int] = {}
+    for number, line in enumerate(text.splitlines(), 1):
+        if header := re.match(r"\s*(\[\[?)([^\[\]]+)\]", line):
+            table = tuple(part.strip().strip("\"'") for part in header[2].split("."))
+            if header[1] == "[[":
+                counts[table] = counts.get(table, -1) + 1
+            current = _with_indices(table, counts)
+            lines.setdefault(current, number)
+        elif key := re.match(r"\s*([A-Za-z0-9_.\"'-]+)\s*=", line):
+            lines.setdefault(current + tuple(part.strip("\"'") for part in key[1].split(".")), number)
+    return lines
+
+
+def _with_indices(table: tuple[str, ...], counts: dict[Where, int]) -> Where:
+    """A header's path with the running index after each array of tables in it."""
+    path: Where = ()
+    for i, part in enumerate(table):
+        path = (*path, part)
+        if table[: i + 1] in counts:
+            path = (*path, counts[table[: i + 1]])
+    return path
+
+
+def _problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
+    """Everything that keeps `raw` from being a `kind`."""
+    kind = _without_none(kind)
+    base = get_origin(kind) or kind
+    if tagged := _tagged(kind):
+        return _tagged_problems(raw, kind, tagged, where)
+    if isinstance(base, type) and issubclass(base, msgspec.Struct) and not base.__struct_config__.tag:
+        return _struct_problems(raw, kind, where)
+    if base is tuple and get_args(kind)[1:] == (...,) and isinstance(raw, list):
+        return [p for i, item in enumerate(raw) for p in _problems(item, get_args(kind)[0], (*where, i))]
+    if base is Literal and raw not in get_args(kind):
+        return [(where, f"expected one of {', '.join(map(str, get_args(kind)))}, got {short(raw)}")]
+    try:
+        convert(raw, kind)
+    except msgspec.ValidationError as error:
+        what, inner = _split(str(error))
+        return [((*where, *inner), what)]
+    return []
+
+
+def _tagged(kind: Any) -> dict[str, Any]:
+    """The structs of a union that a field tells apart, by what stands in that field; nothing for other kinds."""
+    members = get_args(kind) if get_origin(kind) in (Union, types.UnionType) else ()
+    if not all(isinstance(k, type) and issubclass(k, msgspec.Struct) and k.__struct_config__.tag for k in members):
+        return {}
+    return {k.__struct_config__.tag: k for k in members}
+
+
+def _tagged_problems(raw: object, kind: Any, tagged: dict[str, Any], where: Where) -> list[tuple[Where, str]]:
+    """What keeps `raw` from being one of a union's structs: those of the one that its field names."""
+    try:
+        convert(raw, kind)
+    except msgspec.ValidationError:
+        field = next(iter(tagged.values())).__struct_config__.tag_field
+        if not isinstance(raw, dict):
+            return [(where, f"expected a table, got {short(raw)}")]
+        name = raw.get(field)
+        if isinstance(name, str) and name in tagged:
+            return _struct_problems(raw, tagged[name], where)
+        if field in raw:
+            wrong = ((*where, field), f"expected one of {', '.join(tagged)}, got {short(name)}")
+        else:
+            wrong = (where, f"the field {field!r} is missing")
+        common = set.intersection(
+            *({(f.encode_name, f.type) for f in msgspec.structs.fields(k)} for k in tagged.values())
+        )
+        known = sorted((key, own) for key, own in common if key in raw)
+        return [wrong, *(p for key, own in known for p in _problems(raw[key], own, (*where, key)))]
+    return []
+
+
+def _struct_problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
+    if not isinstance(raw, dict):
+        return [(where, f"expected a table, got {short(raw)}")]
+    fields = {field.encode_name: field for field in msgspec.structs.fields(kind)}
+    found: list[tuple[Where, str]] = []
+    for key in raw:
+        if key not in fields and key != kind.__struct_config__.tag_field:
+            found.append(((*where, key), f"unknown field; allowed here: {', '.join(fields)}"))
+    for key, field in fields.items():
+        if key in raw:
+            found += _problems(raw[key], field.type, (*where, key))
+        elif field.required:
+            found.append((where, f"the field {key!r} is missing"))
+    if not found:
+        try:
+            convert(raw, kind)
+        except msgspec.ValidationError as error:
+            found.append((where, _split(str(error))[0]))
+    return found
+
+
+def _without_none(kind: Any) -> Any:
+    """X for X | None, else the kind itself."""
+    if get_origin(kind) in (Union, types.UnionType):
+        rest = [k for k in get_args(kind) if k is not type(None)]
+        if len(rest) == 1:
+            return rest[0]
+    return kind
+
+
+def _split(message: str) -> tuple[str, Where]:
+    """A message of msgspec apart from its path: ``... - at `$.a[0]` ``."""
+    what, _, path = message.partition(" - at `$")
+    parts = re.findall(r"\.([A-Za-z0-9_-]+)|\[(\d+)\]", path)
+    return what, tuple(name or int(index) for name, index in parts)

@@ -1,0 +1,178 @@
+"""Frames, poses and the angles that people use for them.
+
+- **L**, the longeron frame: the arm's base, origin at the shoulder yaw joint; all laws work in it.
+- **orbiter** (B): origin at the orbiter's centre of mass, x forward, y starboard, z down; orientation by
+  ENDORI angles (azimuth about 3, elevation about 2, roll about 1, in that order) or by a matrix.
+- **panel**: X = -Xo, Y = Yo, Z = -Zo from the structural origin; orientation by pitch about 2, yaw about 3,
+  roll about 1, in that order. Its attitude is that of the end effector's own axes E.
+- **scene**: x aft, y starboard, z up, origin at Xo 942, Yo 0, Zo 400 in; for pictures only.
+
+A transform's name says both frames: ``T_orbiter_L`` takes components in L and gives them in orbiter.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.units import INCH
+
+Array = NDArray[np.float64]
+Rows = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
+FrameName = Literal["L", "orbiter", "panel"]
+
+SCENE_ORIGIN = np.array([942.0, 0.0, 400.0]) * INCH
+"""Origin of the scene in structural coordinates Xo, Yo, Zo [m]."""
+SCENE_FROM_PANEL_AXES = np.diag([-1.0, 1.0, -1.0])
+"""Axes only: scene x aft, y starboard, z up; panel x forward, y starboard, z down."""
+
+
+class Pose(NamedTuple):
+    """Position and orientation of one frame in another.
+
+    Attributes:
+        position: (..., 3) origin [m].
+        rotation: (..., 3, 3) columns are the frame's axes in the other frame.
+    """
+
+    position: Array
+    rotation: Array
+
+
+class Mount(NamedTuple):
+    """Where an arm's base frame L sits in the orbiter.
+
+    Attributes:
+        origin: (3,) L's origin in panel coordinates [m].
+        rotation: (3, 3) columns are L's axes in orbiter (and panel) components; T_LB transposed.
+        orbiter_origin: (3,) origin of the orbiter frame B in panel coordinates [m].
+    """
+
+    origin: Array
+    rotation: Array
+    orbiter_origin: Array
+
+    def to(self, frame: FrameName, pose: Pose) -> Pose:
+        """A pose given in L, in another frame."""
+        if frame == "L":
+            return pose
+        rotation = self.rotation @ pose.rotation
+        position = pose.position @ self.rotation.T + self.origin
+        return Pose(position if frame == "panel" else position - self.orbiter_origin, rotation)
+
+    def from_(self, frame: FrameName, pose: Pose) -> Pose:
+        """A pose given in another frame, in L."""
+        if frame == "L":
+            return pose
+        position = pose.position if frame == "panel" else pose.position + self.orbiter_origin
+        return Pose((position - self.origin) @ self.rotation, self.rotation.T @ pose.rotation)
+
+
+def rotation_x(angle: float) -> Array:
+    """(3, 3) active rotation about axis 1 by angle [rad]: the report's T1(angle) transposed."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+
+
+def rotation_y(angle: float) -> Array:
+    """(3, 3) active rotation about axis 2 by angle [rad]: the report's T2(angle) transposed."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+
+
+def rotation_z(angle: float) -> Array:
+    """(3, 3) active rotation about axis 3 by angle [rad]: the report's T3(angle) transposed."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def endori(roll: float, elevation: float, azimuth: float) -> Array:
+    """Orientation from ENDORI's Euler angles [rad]; JSC-12628, subroutine ENDORI.
+
+    Returns:
+        (3, 3) the turned frame's axes as columns: azimuth about 3, then elevation about the new 2, then
+        roll about the new 1.
+    """
+    return rotation_z(azimuth) @ rotation_y(elevation) @ rotation_x(roll)
+
+
+def oriend(rotation: Array) -> tuple[float, float, float]:
+    """Roll, elevation, azimuth [rad] of an orientation; JSC-12628, subroutine ORIEND.
+
+    Elevation lies in [-pi/2, pi/2]. At +-pi/2, where only azimuth -+ roll is determined, roll is 0.
+    """
+    sine = -rotation[2, 0]
+    cosine = math.hypot(rotation[0, 0], rotation[1, 0])
+    elevation = math.atan2(sine, cosine)
+    if cosine < _GIMBAL:
+        return 0.0, elevation, math.atan2(-rotation[0, 1], rotation[1, 1])
+    roll = math.atan2(rotation[2, 1], rotation[2, 2])
+    return roll, elevation, math.atan2(rotation[1, 0], rotation[0, 0])
+
+
+def panel_rotation(pitch: float, yaw: float, roll: float) -> Array:
+    """Orientation from the panel's attitude [rad]: pitch about 2, yaw about the new 3, roll about the new 1."""
+    return rotation_y(pitch) @ rotation_z(yaw) @ rotation_x(roll)
+
+
+def panel_attitude(rotation: Array) -> tuple[float, float, float]:
+    """Pitch, yaw, roll [rad] of an orientation as the panel shows them, each in [0, 2 pi).
+
+    At yaw +-90 deg, where only pitch +- roll is determined, roll is 0 (the display's known singularity).
+    """
+    sine = rotation[1, 0]
+    cosine = math.hypot(rotation[0, 0], rotation[2, 0])
+    yaw = math.atan2(sine, cosine)
+    if cosine < _GIMBAL:
+        pitch, roll = math.atan2(rotation[0, 2], rotation[2, 2]), 0.0
+    else:
+        pitch = math.atan2(-rotation[2, 0], rotation[0, 0])
+        roll = math.atan2(-rotation[1, 2], rotation[1, 1])
+    return _turn(pitch), _turn(yaw), _turn(roll)
+
+
+def angle_between(rows: Rows, other: Rows) -> float:
+    """The angle [rad] of the turn between two orientations, given as rows; accurate from 0 to pi."""
+    (a, b, c), (d, e, f), (g, h, i) = (
+        [sum(x * y for x, y in zip(row, column, strict=True)) for column in other] for row in rows
+    )
+    return math.atan2(0.5 * math.hypot(h - f, c - g, d - b), 0.5 * (a + e + i - 1.0))
+
+
+def quaternion(rotation: Array) -> tuple[float, float, float, float]:
+    """Unit quaternion (w, x, y, z), w >= 0, of a rotation matrix; the largest component is taken first."""
+    (a, b, c), (d, e, f), (g, h, i) = rotation.tolist()
+    squares = (1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i)
+    k = squares.index(max(squares))
+    rows = (
+        (squares[0], h - f, c - g, d - b),
+        (h - f, squares[1], d + b, c + g),
+        (c - g, d + b, squares[2], f + h),
+        (d - b, c + g, f + h, squares[3]),
+    )[k]
+    scale = math.copysign(0.5 / math.sqrt(squares[k]), rows[0] if rows[0] != 0.0 else 1.0)
+    return rows[0] * scale, rows[1] * scale, rows[2] * scale, rows[3] * scale
+
+
+def rotation_of(quaternion: tuple[float, float, float, float]) -> Rows:
+    """Rows of the rotation matrix of a quaternion (w, x, y, z), made a unit one."""
+    size = math.sqrt(sum(part * part for part in quaternion))
+    w, x, y, z = (part / size for part in quaternion)
+    return (
+        (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
+        (2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),
+        (2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)),
+    )
+
+
+_GIMBAL = 1e-9
+"""Cosine of the middle angle below which the outer two are not told apart."""
+
+
+def _turn(angle: float) -> float:
+    """An angle in [0, 2 pi)."""
+    turned = angle % math.tau
+    return 0.0 if turned >= math.tau else turned

@@ -1,0 +1,151 @@
+"""RMANGS: the closed inverse, all branches.
+
+JSC-12628, subroutine RMANGS, which gives one branch and takes the shoulder pitch as an arc cosine, losing its
+sign; here all eight come out, from arc tangents: shoulder (theta1 or turned by pi), wrist (theta5 or pi -
+theta5), elbow (up or down). A pitch-yaw-roll wrist is solved before the elbow, as in the source; a
+heading-pitch-roll wrist, whose axes meet in a point, after it.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.linkage import HEADING_PITCH_ROLL, L1, L2, L3, L4, L5, LOWER, UPPER, WRIST
+from aftdeck.law import law, nearest
+
+Array = NDArray[np.float64]
+
+BRANCHES = 8
+
+
+@law
+def _within_pi(angle: float) -> float:
+    """The same direction in [-pi, pi]."""
+    return angle - math.tau * nearest(angle / math.tau)
+
+
+@law
+def _triangle(upper: float, lower: float, out: float, up: float) -> tuple[float, float, float, float]:
+    """The triangle of the two booms whose end is to stand `out` and `up` from the shoulder pitch joint [m].
+
+    Returns:
+        Slope of the line to that end, angles between it and the upper arm and between the booms' lines [rad], and
+        by how much the end is out of reach [m]: positive beyond the stretched arm, negative inside the folded one.
+    """
+    square = out * out + up * up
+    ck = (square - upper * upper - lower * lower) / (2.0 * upper * lower)
+    beyond = 0.0
+    if ck > 1.0 + 1e-14:
+        beyond = math.sqrt(square) - upper - lower
+    if ck < -1.0 - 1e-14:
+        beyond = math.sqrt(square) - abs(upper - lower)
+    ck = min(max(ck, -1.0), 1.0)
+    along, across = upper + lower * ck, lower * math.sqrt(1.0 - ck * ck)
+    return math.atan2(up, out), math.atan2(across, along), math.acos(ck), beyond
+
+
+@law
+def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float, float]:
+    """RMANGS: every joint angle set that puts the tip at a pose.
+
+    Args:
+        arm: the arm's array.
+        pose: (12,) tip position in L [m], then the rotation row by row.
+        angles: (8, 6) out, panel angles in [-pi, pi] [rad]; the rows of a shoulder and wrist branch follow
+            each other with the elbow as usual (bent below the line), then the other way.
+        excess: (8,) out, by how much that row's wrist is out of reach [m]: beyond the stretched arm
+            (positive) or inside the folded one (negative); 0 where the row is a solution.
+
+    Returns:
+        The distance of the fifth joint from the first one's axis [m], and the greatest cosine of the fifth angle
+        on any row; where either is about zero, the pose is singular on every row and `angles` are one choice
+        among many. A row of a heading-pitch-roll wrist may be singular, and such a choice, while others are not.
+    """
+    r1 = pose[0] - pose[3] * arm[L5]
+    r2 = pose[1] - pose[6] * arm[L5]
+    r3 = pose[2] - pose[9] * arm[L5] + arm[L1]
+    off_axis = math.sqrt(r1 * r1 + r2 * r2)
+    cosine = 0.0
+    row = 0
+    for side in (1.0, -1.0):
+        # theta1, or turned by pi
+        q1 = math.atan2(side * r2, side * r1)
+        c1 = side * r1 / off_axis if off_axis > 0.0 else side
+        s1 = side * r2 / off_axis if off_axis > 0.0 else 0.0
+        out, up = r1 * c1 + r2 * s1, -r3
+        if arm[WRIST] == HEADING_PITCH_ROLL:
+            cosine = max(cosine, _heading_rows(arm, pose, q1, s1, c1, out, up, angles, excess, row))
+            row += 4
+            continue
+        b11 = c1 * pose[3] + s1 * pose[6]
+        b21 = -s1 * pose[3] + c1 * pose[6]
+        b22 = -s1 * pose[4] + c1 * pose[7]
+        b23 = -s1 * pose[5] + c1 * pose[8]
+        b31 = pose[9]
+        cosine = math.sqrt(b22 * b22 + b23 * b23)
+        for sign in (1.0, -1.0):
+            # theta5, or pi - theta5; beta is the sum of the pitch angles, the slope of the hand
+            q5 = math.atan2(b21, sign * cosine)
+            q6 = math.atan2(-sign * b23, sign * b22)
+            beta = math.atan2(-sign * b31, sign * b11)
+            flat = math.sqrt(b11 * b11 + b31 * b31)
+            cb = sign * b11 / flat if flat > 0.0 else 1.0
+            sb = -sign * b31 / flat if flat > 0.0 else 0.0
+            slope, lift, bend, beyond = _triangle(arm[L2], arm[L3], out - arm[L4] * cb, up - arm[L4] * sb)
+            for elbow in (-1.0, 1.0):
+                # bent below the line, or the other way
+                q2 = slope - elbow * lift - arm[UPPER]
+                q3 = elbow * bend + arm[UPPER] - arm[LOWER]
+                excess[row] = beyond
+                angles[row, 0], angles[row, 1], angles[row, 2] = q1, _within_pi(q2), _within_pi(q3)
+                angles[row, 3], angles[row, 4], angles[row, 5] = _within_pi(beta - q2 - q3), q5, q6
+                row += 1
+    return off_axis, cosine
+
+
+@law
+def _heading_rows(
+    arm: Array,
+    pose: Array,
+    q1: float,
+    s1: float,
+    c1: float,
+    out: float,
+    up: float,
+    angles: Array,
+    excess: Array,
+    first: int,
+) -> float:
+    """The four rows of one shoulder heading, for a wrist `out` and `up` from the shoulder pitch joint [m].
+
+    Returns:
+        The greatest cosine of the wrist pitch on any of them.
+    """
+    b11, b12, b13 = c1 * pose[3] + s1 * pose[6], c1 * pose[4] + s1 * pose[7], c1 * pose[5] + s1 * pose[8]
+    b21, b22, b23 = c1 * pose[6] - s1 * pose[3], c1 * pose[7] - s1 * pose[4], c1 * pose[8] - s1 * pose[5]
+    slope, lift, bend, beyond = _triangle(arm[L2], arm[L3], out, up)
+    greatest = 0.0
+    for other in (0, 1):
+        # bent below the line, or the other way
+        elbow = 2.0 * other - 1.0
+        q2 = slope - elbow * lift - arm[UPPER]
+        q3 = elbow * bend + arm[UPPER] - arm[LOWER]
+        s, c = math.sin(q2 + q3 + arm[LOWER]), math.cos(q2 + q3 + arm[LOWER])
+        d11, d12, d13 = c * b11 - s * pose[9], c * b12 - s * pose[10], c * b13 - s * pose[11]
+        d31 = s * b11 + c * pose[9]
+        cosine = math.sqrt(d11 * d11 + b21 * b21)
+        greatest = max(greatest, cosine)
+        for turned in (0, 1):
+            # theta5, or pi - theta5; the roll from the pitch's axis, so that it fits the heading where that is unsure
+            sign = 1.0 - 2.0 * turned
+            q4 = math.atan2(sign * b21, sign * d11)
+            sh, ch = math.sin(q4), math.cos(q4)
+            row = first + 2 * turned + other
+            excess[row] = beyond
+            angles[row, 0], angles[row, 1], angles[row, 2] = q1, _within_pi(q2), _within_pi(q3)
+            angles[row, 3], angles[row, 4] = q4, math.atan2(-d31, sign * cosine)
+            angles[row, 5] = math.atan2(sh * d13 - ch * b23, ch * b22 - sh * d12)
+    return greatest

@@ -1,0 +1,186 @@
+"""LNKAGE: where the tip is, for arms of two families, which differ in their wrists.
+
+Both begin with a turn about the vertical (yaw or heading) and two pitches, whose booms lie in the *arm's plane*.
+The wrist of JSC-12628 goes on with pitch, yaw, roll; that of the *Remote Manipulator Simulation* with heading,
+pitch, roll about one point. All vectors are in L. An arm is a packed array; where the numbers stand in it is
+said below. The joint angles are the operator's: for the Shuttle's arm zero at the cradle, and the constant
+offsets of shoulder and elbow pitch that an elbow beneath the boom line makes are added here.
+Source: JSC-12628, subroutine LNKAGE; Remote Manipulator Simulation, final report, "R(-HO) R(-PO) R(-P1) R(-H2)
+R(-P2) R(-R2)", with its heading about Z (restored) and pitch + up.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.law import law, sincos
+
+Array = NDArray[np.float64]
+Floats: TypeAlias = Array | tuple[float, ...]
+"""What a law takes for constants: an array, or a tuple inside loops over many arms."""
+Three: TypeAlias = tuple[float, float, float]
+Nine: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
+
+L1, L2, L3, L4, L5 = 0, 1, 2, 3, 4
+"""Places in an arm's array [m]: height of the shoulder pitch joint above L's origin, upper arm, lower arm, wrist
+pitch to yaw (0 where the wrist's joints meet in one point), and from there to the tip."""
+UPPER, LOWER = 5, 6
+"""Places of the angles by which upper and lower arm stand above their boom lines at zero joint angles [rad]."""
+WRIST = 7
+"""Place of the wrist's kind, which tells the families apart."""
+LINKS = 8
+"""Length of an arm's array."""
+
+HEADING_PITCH_ROLL, PITCH_YAW_ROLL = 0.0, 1.0
+"""Kinds of wrist."""
+
+
+class Sines(NamedTuple):
+    """Sines and cosines of the angles that `link_angles` gives.
+
+    2 and 23 are the slopes of upper and lower arm, w the wrist's first angle: the slope of the hand (234) in a
+    pitch-yaw-roll wrist, the wrist heading in the other.
+    """
+
+    s1: float
+    c1: float
+    s2: float
+    c2: float
+    s23: float
+    c23: float
+    sw: float
+    cw: float
+    s5: float
+    c5: float
+    s6: float
+    c6: float
+
+
+class Tip(NamedTuple):
+    """Tip position [m] and orientation (columns are the axes of frame 7, or system 2), in L."""
+
+    x: float
+    y: float
+    z: float
+    r11: float
+    r12: float
+    r13: float
+    r21: float
+    r22: float
+    r23: float
+    r31: float
+    r32: float
+    r33: float
+
+
+@law
+def link_angles(
+    arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6: float
+) -> tuple[float, float, float, float, float, float]:
+    """The angles whose sines LNKAGE takes [rad]: yaw, slopes of upper and lower arm, the wrist's three."""
+    slope = q2 + q3 if arm[WRIST] == PITCH_YAW_ROLL else 0.0
+    return q1, q2 + arm[UPPER], q2 + q3 + arm[LOWER], slope + q4, q5, q6
+
+
+@law
+def sines(arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6: float) -> Sines:
+    """Sines and cosines of joint angles [rad]."""
+    t1, t2, t23, tw, t5, t6 = link_angles(arm, q1, q2, q3, q4, q5, q6)
+    s1, c1 = sincos(t1)
+    s2, c2 = sincos(t2)
+    s23, c23 = sincos(t23)
+    sw, cw = sincos(tw)
+    s5, c5 = sincos(t5)
+    s6, c6 = sincos(t6)
+    return Sines(s1, c1, s2, c2, s23, c23, sw, cw, s5, c5, s6, c6)
+
+
+@law
+def spin(a: Sines, s: float, c: float, x: float, y: float, z: float) -> Three:
+    """A vector given along a link of the arm's plane, the plane's normal and across the link, in L.
+
+    The link's slope has sine s and cosine c.
+    """
+    out = c * x + s * z
+    return a.c1 * out - a.s1 * y, a.s1 * out + a.c1 * y, -s * x + c * z
+
+
+@law
+def place(arm: Floats, a: Sines) -> Three:
+    """LNKAGE's r: where the tip is, in L [m]."""
+    if arm[WRIST] == HEADING_PITCH_ROLL:
+        out = arm[L2] * a.c2 + arm[L3] * a.c23
+        hx, hy, hz = spin(a, a.s23, a.c23, a.cw * a.c5, a.sw * a.c5, -a.s5)
+        down = -arm[L1] - arm[L2] * a.s2 - arm[L3] * a.s23
+        return a.c1 * out + arm[L5] * hx, a.s1 * out + arm[L5] * hy, down + arm[L5] * hz
+    hand = arm[L4] + arm[L5] * a.c5
+    out = arm[L2] * a.c2 + arm[L3] * a.c23 + hand * a.cw
+    side = arm[L5] * a.s5
+    down = -arm[L1] - arm[L2] * a.s2 - arm[L3] * a.s23 - hand * a.sw
+    return a.c1 * out - a.s1 * side, a.s1 * out + a.c1 * side, down
+
+
+@law
+def axes(arm: Floats, a: Sines) -> Nine:
+    """LNKAGE's T_B7, row by row: columns are the axes of frame 7, or system 2, in L."""
+    if arm[WRIST] == HEADING_PITCH_ROLL:
+        return _axes_heading_pitch_roll(a)
+    b11, b12 = a.c1 * a.cw, a.c1 * a.sw
+    b21, b22 = a.s1 * a.cw, a.s1 * a.sw
+    y1 = -b11 * a.s5 - a.s1 * a.c5
+    y2 = -b21 * a.s5 + a.c1 * a.c5
+    y3 = a.sw * a.s5
+    return (
+        b11 * a.c5 - a.s1 * a.s5,
+        y1 * a.c6 + b12 * a.s6,
+        -y1 * a.s6 + b12 * a.c6,
+        b21 * a.c5 + a.c1 * a.s5,
+        y2 * a.c6 + b22 * a.s6,
+        -y2 * a.s6 + b22 * a.c6,
+        -a.sw * a.c5,
+        y3 * a.c6 + a.cw * a.s6,
+        -y3 * a.s6 + a.cw * a.c6,
+    )
+
+
+@law
+def _axes_heading_pitch_roll(a: Sines) -> Nine:
+    """Remote Manipulator Simulation: heading, pitch and roll after the lower arm's slope."""
+    r11, r21, r31 = spin(a, a.s23, a.c23, a.cw * a.c5, a.sw * a.c5, -a.s5)
+    y1, y2, y3 = spin(a, a.s23, a.c23, -a.sw, a.cw, 0.0)
+    z1, z2, z3 = spin(a, a.s23, a.c23, a.cw * a.s5, a.sw * a.s5, a.c5)
+    return (
+        r11,
+        y1 * a.c6 + z1 * a.s6,
+        -y1 * a.s6 + z1 * a.c6,
+        r21,
+        y2 * a.c6 + z2 * a.s6,
+        -y2 * a.s6 + z2 * a.c6,
+        r31,
+        y3 * a.c6 + z3 * a.s6,
+        -y3 * a.s6 + z3 * a.c6,
+    )
+
+
+@law
+def tip(arm: Floats, a: Sines) -> Tip:
+    """LNKAGE: the tip's place and axes from the joints' sines and cosines."""
+    x, y, z = place(arm, a)
+    r11, r12, r13, r21, r22, r23, r31, r32, r33 = axes(arm, a)
+    return Tip(x, y, z, r11, r12, r13, r21, r22, r23, r31, r32, r33)
+
+
+@law
+def forward_many(arm: Array, angles: Array, position: Array, rotation: Array) -> None:
+    """LNKAGE over rows: angles (n, 6) [rad] -> position (n, 3) [m], rotation (n, 3, 3), in L."""
+    for i in range(angles.shape[0]):
+        q = angles[i]
+        t = tip(arm, sines(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
+        position[i, 0], position[i, 1], position[i, 2] = t.x, t.y, t.z
+        r = rotation[i]
+        r[0, 0], r[0, 1], r[0, 2] = t.r11, t.r12, t.r13
+        r[1, 0], r[1, 1], r[1, 2] = t.r21, t.r22, t.r23
+        r[2, 0], r[2, 1], r[2, 2] = t.r31, t.r32, t.r33

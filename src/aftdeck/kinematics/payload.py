@@ -1,0 +1,44 @@
+"""LNKAGE with a payload attached: its centre and axes from the tip's.
+
+JSC-12628, subroutine LNKAGE, the part for PA = 1.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.frames import Pose
+from aftdeck.shapes import Shape
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Payload:
+    """A payload in the end effector's grasp.
+
+    Attributes:
+        mass: [kg]; chooses the limits of the point of resolution.
+        rotation: (3, 3) T_78: payload axes as columns, in frame 7.
+        centre: (3,) r_87: from the tip to the payload's centre, in payload axes [m].
+        por: (3,) from the payload's centre to its point of resolution, in payload axes [m].
+        shapes: how it looks, about its centre in its axes.
+    """
+
+    mass: float
+    rotation: Array
+    centre: Array
+    por: Array
+    shapes: tuple[Shape, ...] = ()
+
+    def pose(self, tip: Pose) -> Pose:
+        """The payload's centre and axes (T_B8 = T_B7 T_78, r_7B = r_6B + T_B8 r_87) for tip poses (...)."""
+        rotation = tip.rotation @ self.rotation
+        return Pose(tip.position + rotation @ self.centre, rotation)
+
+    def resolution(self, tip: Pose) -> Array:
+        """(..., 3) the payload's point of resolution for tip poses (...)."""
+        return np.asarray(tip.position + tip.rotation @ (self.rotation @ (self.centre + self.por)))

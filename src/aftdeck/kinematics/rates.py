@@ -1,0 +1,113 @@
+"""RMSRAT: the closed resolved-rate law, from a tip twist to joint rates.
+
+JSC-12628, subroutine RMSRAT. Its equations stand in frame 5; here the two of the pitches are turned into the arm's
+plane, where the slopes of the links are their coefficients and most terms fall away. A heading-pitch-roll wrist, whose
+three axes meet in a point, lets the first three joints carry that point and the last three do what turning is left.
+The three denominators are the arm's singularities. Where one is nearer than `floor`, the law divides by the floor
+instead, so that rates stay finite; their direction there is that of the arm's free motion out of the singularity.
+`kinematics.arm` refuses such poses, steering slows before them.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.jacobian import Rates, Twist
+from aftdeck.kinematics.linkage import HEADING_PITCH_ROLL, L2, L3, L4, L5, WRIST, Floats, Sines, sines
+from aftdeck.kinematics.singular import distances
+from aftdeck.law import law
+
+Array = NDArray[np.float64]
+
+FLOOR = 1e-7
+"""Normalised distance [1] under which a pose counts as singular: rates would exceed 1e7 times the usual."""
+
+
+@law
+def _away_from_zero(value: float, floor: float) -> float:
+    """The value, or the floor with the value's sign where it is nearer to zero than that."""
+    return math.copysign(max(abs(value), floor), value)
+
+
+@law
+def per_distance(arm: Floats, a: Sines, floor: float) -> tuple[float, float, float]:
+    """One over RMSRAT's denominators: shoulder [1/m], elbow and wrist [1], none taken as less than its floor."""
+    shoulder, elbow, wrist = distances(arm, a)
+    return (
+        1.0 / (_away_from_zero(shoulder, floor) * (arm[L2] + arm[L3] + abs(arm[L4]))),
+        1.0 / _away_from_zero(elbow, floor),
+        1.0 / _away_from_zero(wrist, floor),
+    )
+
+
+@law
+def rmsrat(arm: Floats, a: Sines, t: Twist, floor: float) -> Rates:
+    """RMSRAT: joint rates [rad/s] for a tip twist in L."""
+    return resolved(arm, a, t, per_distance(arm, a, floor))
+
+
+@law
+def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -> Rates:
+    """RMSRAT after its divisions: joint rates [rad/s] for a tip twist in L, `per` from `per_distance`."""
+    if arm[WRIST] == HEADING_PITCH_ROLL:
+        return _resolved_heading_pitch_roll(arm, a, t, per)
+    per_shoulder, per_elbow, per_wrist = per
+    side, ahead = arm[L5] * a.s5, arm[L5] * a.c5
+    # in the arm's plane: outwards, to the side, and down as in L
+    w1, b2 = a.c1 * t.wx + a.s1 * t.wy, a.c1 * t.wy - a.s1 * t.wx
+    v1, b5 = a.c1 * t.vx + a.s1 * t.vy, a.c1 * t.vy - a.s1 * t.vx
+    # in frame 5
+    b1, b3 = a.cw * w1 - a.sw * t.wz, a.sw * w1 + a.cw * t.wz
+    r1 = (b5 - ahead * b3) * per_shoulder
+    r5 = b3 - a.cw * r1
+    roll = a.sw * r1
+    r6 = (b1 + roll) * per_wrist
+    # the three pitches: their sum, and what the upper and the lower arm have to do about the wrist
+    c1 = b2 - a.s5 * r6
+    c2, c3 = side * b3, side * roll + (arm[L4] + ahead) * c1
+    out, down = v1 + (a.cw * c2 + a.sw * c3), t.vz + (a.cw * c3 - a.sw * c2)
+    r2, r23 = _booms(arm, a, out, down, per_elbow)
+    return Rates(r1, r2, r23 - r2, c1 - r23, r5, r6)
+
+
+@law
+def _booms(arm: Floats, a: Sines, out: float, down: float, per_elbow: float) -> tuple[float, float]:
+    """Turning of the upper and of the lower arm [rad/s] that carry their end so, outwards and down [m/s]."""
+    return (
+        (down * a.s23 - out * a.c23) * (per_elbow * (1.0 / arm[L2])),
+        (out * a.c2 - down * a.s2) * (per_elbow * (1.0 / arm[L3])),
+    )
+
+
+@law
+def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -> Rates:
+    """The point where the wrist's axes meet, carried by heading and two pitches; then the turning that is left."""
+    per_shoulder, per_elbow, per_wrist = per
+    # in the arm's plane: outwards, to the side, and down as in L
+    w1, w2 = a.c1 * t.wx + a.s1 * t.wy, a.c1 * t.wy - a.s1 * t.wx
+    v1, v2 = a.c1 * t.vx + a.s1 * t.vy, a.c1 * t.vy - a.s1 * t.vx
+    # the hand from that point to the tip, first along and across the lower arm
+    ahead, across, side = arm[L5] * (a.cw * a.c5), -arm[L5] * a.s5, arm[L5] * (a.sw * a.c5)
+    out, down = a.c23 * ahead + a.s23 * across, a.c23 * across - a.s23 * ahead
+    r1 = (v2 - t.wz * out + w1 * down) * per_shoulder
+    r2, r23 = _booms(arm, a, v1 - w2 * down + t.wz * side, t.vz - w1 * side + w2 * out, per_elbow)
+    # what the wrist has to turn: along the lower arm, about the pitches' axis, across the lower arm
+    d1, d2, d3 = a.c23 * w1 - a.s23 * (t.wz - r1), w2 - r23, a.s23 * w1 + a.c23 * (t.wz - r1)
+    r6 = (a.cw * d1 + a.sw * d2) * per_wrist
+    return Rates(r1, r2, r23 - r2, d3 + a.s5 * r6, a.cw * d2 - a.sw * d1, r6)
+
+
+@law
+def rates_many(arm: Array, angles: Array, twists: Array, rates: Array, singular: NDArray[np.bool_]) -> None:
+    """RMSRAT over rows: angles (n, 6) [rad], twists (n, 6) in L -> rates (n, 6) [rad/s], singular (n,)."""
+    for i in range(angles.shape[0]):
+        q, t = angles[i], twists[i]
+        a = sines(arm, q[0], q[1], q[2], q[3], q[4], q[5])
+        shoulder, elbow, wrist = distances(arm, a)
+        singular[i] = abs(shoulder) < FLOOR or abs(elbow) < FLOOR or abs(wrist) < FLOOR
+        r = rmsrat(arm, a, Twist(t[0], t[1], t[2], t[3], t[4], t[5]), FLOOR)
+        rates[i, 0], rates[i, 1], rates[i, 2] = r.r1, r.r2, r.r3
+        rates[i, 3], rates[i, 4], rates[i, 5] = r.r4, r.r5, r.r6

@@ -1,0 +1,51 @@
+"""The three singularities: the denominators of the closed rate law, normalised.
+
+Each is zero at its singularity and signed; magnitudes lie in [0, 1]. JSC-12628 names two of them in RMANGS;
+the third is the denominator D of RMSRAT. The same formulas hold for both families of arms.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.linkage import L2, L3, L4, Floats, Sines, sines
+from aftdeck.law import law
+
+Array = NDArray[np.float64]
+
+NAMES = ("shoulder", "elbow", "wrist")
+
+
+class Singularities(NamedTuple):
+    """Distances from the three singularities, each (...) in [-1, 1].
+
+    Attributes:
+        shoulder: distance of the fifth joint (wrist yaw; in a heading-pitch-roll wrist the point where its axes
+            meet) from the first joint's axis, over the greatest possible.
+        elbow: minus the sine of the elbow's geometric angle, positive with the elbow bent as usual.
+        wrist: cosine of the fifth angle: wrist yaw, or wrist pitch.
+    """
+
+    shoulder: Array
+    elbow: Array
+    wrist: Array
+
+
+@law
+def distances(arm: Floats, a: Sines) -> tuple[float, float, float]:
+    """Normalised distances from the shoulder, elbow and wrist singularities."""
+    per_reach = 1.0 / (arm[L2] + arm[L3] + abs(arm[L4]))
+    shoulder = (arm[L2] * a.c2 + arm[L3] * a.c23 + arm[L4] * a.cw) * per_reach
+    return shoulder, a.s2 * a.c23 - a.c2 * a.s23, a.c5
+
+
+@law
+def distances_many(arm: Array, angles: Array, result: Array) -> None:
+    """Over rows: angles (n, 6) [rad] -> result (3, n)."""
+    for i in range(angles.shape[0]):
+        q = angles[i]
+        d = distances(arm, sines(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
+        result[0, i], result[1, i], result[2, i] = d

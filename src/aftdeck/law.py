@@ -1,0 +1,178 @@
+"""The decorator of the compiled laws, and the sine and cosine that they share.
+
+A *law* is straight-line scalar code: floats in, floats out, few branches. The same text runs compiled (Numba,
+cached on disk), as plain Python under ``NUMBA_DISABLE_JIT=1``, and inside loops over many arms.
+Division by zero gives infinity, as in hardware; the laws guard the places where it could happen.
+
+Numba's own cache looks only at the file in which a function stands, not at those that it calls: a law mended in
+one file would live on, unmended, inside its callers. The laws' cache is therefore kept in a folder named by a
+digest of all of them, below `NUMBA_CACHE_DIR` where that is set, else in the user's cache folder.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import hashlib
+import shutil
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, ParamSpec, TypeVar
+
+import numba
+import platformdirs
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+_config: Any = numba.config
+
+_KEPT = 30 * 86_400.0
+"""How long the machine code of another state of the laws is kept unused [s]."""
+
+_TWO_BY_PI = 0.6366197723675814
+_ROUNDER = 6755399441055744.0
+"""1.5 * 2**52, whose neighbours are the whole numbers; those of its double are the even ones."""
+_HALF_PI_1 = 1.5707963267923333
+"""First 36 bits of pi/2: whole multiples up to 2**17 are exact."""
+_HALF_PI_2 = 2.563344151594519e-12
+"""What is left of pi/2."""
+
+
+def law(function: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Compile a law at its first call and keep the machine code on disk.
+
+    A law that another one calls becomes part of it (`forceinline`), without which loops do not vectorise. It lets
+    go of Python's lock (`nogil`), and is never called from C (`no_cfunc_wrapper`).
+    """
+    return _compiled(function, fused=False)
+
+
+def _fused_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
+    """A law in which a product and the sum that takes it are rounded once, where the processor can.
+
+    Only for sums of which one term is a product, or which are exact: elsewhere the compiler chooses which product
+    to fuse, not always the same, and one arm would differ from the same arm among many in its last digits.
+    """
+    return _compiled(function, fused=True)
+
+
+def _compiled(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
+    options: dict[str, Any] = {
+        "error_model": "numpy",
+        "fastmath": {"contract"} if fused else False,
+        "forceinline": True,
+        "nogil": True,
+        "no_cfunc_wrapper": True,
+    }
+    before = _config.CACHE_DIR
+    _config.CACHE_DIR = _cache()
+    compiled: Callable[_P, _R]
+    try:
+        compiled = numba.njit(cache=True, **options)(function)
+    except RuntimeError:  # no folder can be written: compile for this process alone
+        compiled = numba.njit(**options)(function)
+    finally:
+        _config.CACHE_DIR = before
+    return compiled
+
+
+def compiled_before() -> bool:
+    """Whether machine code of these laws is on disk."""
+    return any(Path(_cache()).rglob("*.nbi"))
+
+
+@functools.cache
+def state_of_the_laws() -> str:
+    """A digest of the sources of every room that holds a law: 16 digits."""
+    digest = hashlib.sha256()
+    sources = {path: path.read_bytes() for path in sorted(Path(__file__).parent.rglob("*.py"))}
+    rooms = {path.parent for path, text in sources.items() if b"@law" in text}
+    for path, text in sources.items():
+        if (path.parent in rooms and path.parent != Path(__file__).parent) or path == Path(__file__):
+            digest.update(text)
+    return digest.hexdigest()[:16]
+
+
+@functools.cache
+def _cache() -> str:
+    """The folder for this state of the laws; those of others that have not been used for long are removed."""
+    own = _config.CACHE_DIR
+    home = Path(own) if own else platformdirs.user_cache_path("aftdeck")
+    folder = home / f"laws-{state_of_the_laws()}"
+    with contextlib.suppress(OSError):  # where nothing can be written, nothing is kept
+        folder.mkdir(parents=True, exist_ok=True)
+        folder.touch()
+        for other in home.glob("laws-*"):
+            if time.time() - other.stat().st_mtime > _KEPT:
+                shutil.rmtree(other, ignore_errors=True)
+    return str(folder)
+
+
+@_fused_law
+def nearest(value: float) -> float:
+    """The whole number nearest to what is smaller than 2**51, the even one of two; no library call, no branch."""
+    return (value + _ROUNDER) - _ROUNDER
+
+
+@_fused_law
+def _oddness(value: float) -> float:
+    """The sine of a whole number of quarters of a turn: 0, 1 or -1, without a branch.
+
+    It is what the nearest even number leaves over, of two equally near the one that four divides.
+    """
+    return value - ((value + 2.0 * _ROUNDER) - 2.0 * _ROUNDER)
+
+
+@_fused_law
+def reduced(angle: float) -> tuple[float, float]:
+    """An angle [rad] less the nearest whole quarters of a turn, by Cody and Waite in two parts; and how many."""
+    quarters = nearest(angle * _TWO_BY_PI)
+    return (angle - quarters * _HALF_PI_1) - quarters * _HALF_PI_2, quarters
+
+
+@_fused_law
+def sincos_near_zero(x: float) -> tuple[float, float]:
+    """Sine and cosine within an eighth of a turn [rad].
+
+    The minimax polynomials of the standard C library, their terms taken in pairs so that they need not wait for
+    each other.
+    """
+    z = x * x
+    w = z * z
+    s = x + (x * z) * (
+        (-1.66666666666666324348e-01 + z * 8.33333333332248946124e-03)
+        + w
+        * (
+            (-1.98412698298579493134e-04 + z * 2.75573137070700676789e-06)
+            + w * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)
+        )
+    )
+    c = (1.0 - 0.5 * z) + w * (
+        (4.16666666666666019037e-02 + z * -1.38888888888741095749e-03)
+        + w
+        * (
+            (2.48015872894767294178e-05 + z * -2.75573143513906633035e-07)
+            + w * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)
+        )
+    )
+    return s, c
+
+
+@_fused_law
+def turned_on(s: float, c: float, quarters: float) -> tuple[float, float]:
+    """A sine and cosine turned on by whole quarters of a turn: both sums are exact."""
+    sq, cq = _oddness(quarters), _oddness(quarters + 1.0)
+    return s * cq + c * sq, c * cq - s * sq
+
+
+@_fused_law
+def sincos(angle: float) -> tuple[float, float]:
+    """Sine and cosine of an angle [rad] without a branch or a library call, so that loops vectorise.
+
+    Error below 2e-16 for |angle| < 1e5.
+    """
+    x, quarters = reduced(angle)
+    s, c = sincos_near_zero(x)
+    return turned_on(s, c, quarters)

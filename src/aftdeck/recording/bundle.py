@@ -1,0 +1,127 @@
+"""What a run started from, whole, in the file's first message; and the scenario made of it again."""
+
+from __future__ import annotations
+
+import platform
+import re
+import tomllib
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from importlib.metadata import version
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from aftdeck.errors import InputError, RecordingError
+from aftdeck.files import Where
+from aftdeck.law import state_of_the_laws
+from aftdeck.recording.records import FORMAT, Opening
+from aftdeck.scenario.load import parse_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.version import __version__
+
+_ARM = "f/f/f/f/f/f/f/f/arm.toml"
+"""So deep that an arm file which names its shapes by a way up stays within the folder."""
+_WORKSITE = "worksite.toml"
+_KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
+
+
+def opening(scenario: Scenario, seed: int, began_ns: int, changes: tuple[str, ...] = ()) -> Opening:
+    """The first message of a recording.
+
+    Args:
+        scenario: what is flown.
+        seed: with which seed.
+        began_ns: wall time at which it begins, since 1970 [ns].
+        changes: KEY=VALUE, where a replay changed the scenario.
+    """
+    model = scenario.arm.model
+    return Opening(
+        format=FORMAT,
+        version=__version__,
+        laws=state_of_the_laws(),
+        machine=machine(),
+        began=datetime.fromtimestamp(began_ns / 1e9, UTC).isoformat(timespec="milliseconds"),
+        scenario=scenario.name,
+        title=scenario.title,
+        seed=seed,
+        control_period_s=scenario.control_period,
+        joints=scenario.arm.joints,
+        scenario_text=scenario.text,
+        arm_text=model.text,
+        shapes_file=model.source.shapes or "",
+        shapes_text=model.shapes.text if model.shapes else "",
+        worksite_text=scenario.worksite.text,
+        changes=changes,
+    )
+
+
+def machine() -> str:
+    """What the digits of a frame may depend on: processor, system, and what compiles the laws."""
+    return (
+        f"{platform.machine()} {platform.processor()}".strip()
+        + f", {platform.system()}, Python {platform.python_version()}, NumPy {version('numpy')}, "
+        + f"Numba {version('numba')}"
+    )
+
+
+def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -> Scenario:
+    """The scenario that a recording was made of, from the file alone.
+
+    Args:
+        start: the recording's first message.
+        changes: values in place of the scenario's own, by their place in its file. A path to an arm or a
+            worksite is sought from the working folder.
+
+    Raises:
+        RecordingError: files that this version cannot read.
+        InputError: a place that the scenario's file does not have.
+        ScenarioError: what is wrong in a changed scenario.
+    """
+    before = dict(parse_change(change) for change in start.changes)
+    in_file: dict[Where, object] = {("arm",): _ARM, ("worksite",): _WORKSITE}
+    changes = before | in_file | {where: _from_here(where, value) for where, value in (changes or {}).items()}
+    with TemporaryDirectory(prefix="aftdeck-") as name:
+        folder = Path(name)
+        files = {folder / _ARM: start.arm_text, folder / _WORKSITE: start.worksite_text}
+        if start.shapes_file:
+            files[(folder / _ARM).parent / start.shapes_file] = start.shapes_text
+        for file, text in files.items():
+            if not file.resolve().is_relative_to(folder.resolve()):
+                raise RecordingError(
+                    f"the recorded arm names its shapes {start.shapes_file!r}, a place outside the recording"
+                )
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8")
+        return parse_scenario(start.scenario_text, start.scenario, "the recorded scenario", folder, changes)
+
+
+def parse_change(text: str) -> tuple[Where, object]:
+    """The place in a scenario's file and the value of ``KEY=VALUE``.
+
+    The value is read as TOML where it is TOML (``0.5``, ``true``, ``[1, 2]``), else as text (``0.5 ft/s``).
+
+    Raises:
+        InputError: no ``KEY=VALUE``.
+    """
+    key, equals, value = text.partition("=")
+    key = key.strip()
+    if not equals or not _KEY.fullmatch(key):
+        raise InputError(
+            f"a change is KEY=VALUE with a key of the scenario's file, such as command_delay=0.5, "
+            f"limits.por.translation='1 ft/s' or phase[0].rate=vernier; got {text!r}"
+        )
+    where = tuple(int(i) if i else name for name, i in re.findall(r"([A-Za-z_][A-Za-z0-9_]*)|\[(\d+)\]", key))
+    value = value.strip()
+    try:
+        read = tomllib.loads(f"value = {value}")
+    except (ValueError, RecursionError):
+        return where, value
+    return where, read["value"] if len(read) == 1 else value
+
+
+def _from_here(where: Where, value: object) -> object:
+    if where in (("arm",), ("worksite",)):
+        if not isinstance(value, str):
+            raise InputError(f"{where[0]} is a built-in name or a path, got {value!r}")
+        return str(Path(value).absolute()) if value.endswith(".toml") else value
+    return value

@@ -1,0 +1,127 @@
+"""A recorded run flown again with something changed, and what came of it."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from pathlib import Path
+
+import msgspec
+
+from aftdeck.errors import RecordingError
+from aftdeck.recording.bundle import parse_change, scenario_of
+from aftdeck.recording.compare import Comparison, Difference, EventChange, Greatest
+from aftdeck.recording.convert import digest, exact, frame_record, inputs_of
+from aftdeck.recording.index import Index
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import FrameRecord
+from aftdeck.recording.replay import Progress
+from aftdeck.recording.resample import resampled
+from aftdeck.recording.writer import Recorder
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+
+
+class Outcome(msgspec.Struct, frozen=True):
+    """What differed between a recorded run and the same inputs with something changed."""
+
+    changes: tuple[str, ...]
+    ended_before: str
+    ended_after: str
+    time_before_s: float
+    time_after_s: float
+    compared: int
+    """Frames at equal times."""
+    first: Difference | None
+    """None: nothing differs."""
+    greatest_tip_m: Greatest
+    greatest_joint_rad: Greatest
+    joint: str
+    """Whose angle differs most."""
+    tip_at_end_m: float
+    events: tuple[EventChange, ...]
+    frames_sha256: str
+
+
+def rerun(
+    path: str | Path,
+    changes: tuple[str, ...],
+    out: Path | None = None,
+    progress: Progress | None = None,
+    index: Index | None = None,
+) -> Outcome:
+    """Fly a recording's inputs again with changes in its scenario.
+
+    A scripted run goes on to its own new end; inputs of a person end where they ended. With another control period
+    each step flies the inputs given since the last one.
+
+    Args:
+        path: the recording.
+        changes: ``KEY=VALUE`` each; ``seed=N`` changes the seed.
+        out: a file to record the new run into.
+        progress: told now and then how much of the recording has been flown, 0 to 1.
+        index: list to keep the new file in.
+
+    Raises:
+        InputError: a change that is none, or of a place that the scenario does not have.
+        ScenarioError: what is wrong in the changed scenario.
+        RecordingError: no recording, a damaged one, or an `out` that cannot be written.
+    """
+    recording = Recording(path)
+    opening = recording.opening
+    parsed = [parse_change(change) for change in changes]
+    scenario = scenario_of(opening, dict(parsed))
+    seed = scenario.seed if any(where == ("seed",) for where, _ in parsed) else opening.seed
+    sim = Simulation(scenario, seed)
+    recorder = None if out is None else Recorder(out, scenario, seed, changes=(*opening.changes, *changes), index=index)
+    frames = hashlib.sha256()
+
+    def again() -> Iterator[FrameRecord]:
+        for inputs, frame in _flown_again(recording, sim):
+            own = exact(frame)
+            frames.update(own)
+            if recorder is not None:
+                recorder.step(inputs, frame)
+                recorder.wait_for_room()
+            if progress is not None and frame.tick % 256 == 0:
+                progress(recording.share)
+            yield frame_record(frame, digest(own), 0.0, None)
+
+    recorded = Recording(path)
+    comparison = Comparison(opening.joints)
+    try:
+        comparison.follow((record for _, record in recorded.steps()), again())
+    finally:
+        if recorder is not None:
+            recorder.close(sim.ended or "stopped")
+    if recorder is not None and recorder.failure:
+        raise RecordingError(recorder.failure)
+    return Outcome(
+        changes=changes,
+        ended_before=recorded.ended or "cut",
+        ended_after=sim.ended or "stopped",
+        time_before_s=recorded.time_s,
+        time_after_s=sim.frame.time_s if sim.frame else 0.0,
+        compared=comparison.compared,
+        first=comparison.first,
+        greatest_tip_m=comparison.tip,
+        greatest_joint_rad=comparison.joint,
+        joint=comparison.joint_name,
+        tip_at_end_m=comparison.tip_at_end,
+        events=comparison.events,
+        frames_sha256=frames.hexdigest(),
+    )
+
+
+def _flown_again(recording: Recording, sim: Simulation) -> Iterator[tuple[Inputs | None, Frame]]:
+    """The recorded inputs in another simulation; a script goes on to its own end, and no further."""
+    inputs: Inputs | None = Inputs()
+    old, new = recording.opening.control_period_s, sim.scenario.control_period
+    for given in resampled((flown for flown, _ in recording.steps()), old, new):
+        inputs = inputs_of(given)
+        yield inputs, sim.step(inputs)
+        if inputs is None and sim.ended:
+            return
+    while inputs is None and not sim.ended:
+        yield inputs, sim.step()

@@ -1,0 +1,92 @@
+"""The tables of docs/recording.md, made from the message types: ``python -m aftdeck.recording.document FILE``.
+
+The text between the two marks of the file is written anew; everything around it is left as it is.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Literal, get_args, get_origin
+
+import msgspec
+
+from aftdeck.errors import InputError
+from aftdeck.recording.records import CHANNELS
+from aftdeck.recording.schema import fields
+
+BEGIN, END = "<!-- made from the types: begin -->\n", "<!-- made from the types: end -->\n"
+_NAMES = {float: "number", int: "whole number", str: "text", bool: "true or false"}
+
+
+def tables() -> str:
+    """A heading and a table of fields for each channel, and for each type within."""
+    return "\n".join(_channels())
+
+
+def _channels() -> Iterator[str]:
+    inner: dict[str, type[msgspec.Struct]] = {}
+    for topic, (kind, when) in CHANNELS.items():
+        yield f"### `{topic}`: {_first(kind)}\n\nSchema `aftdeck.{kind.__name__}`; {when}.\n"
+        yield _table(kind, inner)
+    while inner:
+        name, within = inner.popitem()
+        yield f"### `{name}`, within the above: {_first(within)}\n"
+        yield _table(within, inner)
+
+
+def _table(kind: type[msgspec.Struct], inner: dict[str, type[msgspec.Struct]]) -> str:
+    rows = ["| field | type | unit | frame | what |", "|---|---|---|---|---|"]
+    for field in fields(kind):
+        extra = (field.meta and field.meta.extra) or {"unit": "", "frame": ""}
+        what = (field.meta and field.meta.description) or ""
+        optional = " or null" if field.optional else ""
+        shown = _type(field.kind, inner) + optional
+        rows.append(f"| `{field.name}` | {shown} | {extra['unit']} | {extra['frame']} | {what} |")
+    return "\n".join(rows) + "\n"
+
+
+def _type(kind: Any, inner: dict[str, type[msgspec.Struct]]) -> str:
+    origin = get_origin(kind)
+    if origin is tuple:
+        return f"list: {_type(get_args(kind)[0], inner)}"
+    if origin is Literal:
+        return " / ".join(f"`{value}`" for value in get_args(kind))
+    if isinstance(kind, type) and issubclass(kind, msgspec.Struct):
+        inner[kind.__name__] = kind
+        return f"`{kind.__name__}`"
+    return _NAMES[kind]
+
+
+def _first(kind: type) -> str:
+    sentence = (kind.__doc__ or "").splitlines()[0].rstrip(".")
+    return sentence[0].lower() + sentence[1:]
+
+
+def renewed(text: str) -> str:
+    """The document with its tables made anew.
+
+    Raises:
+        InputError: a document without the two marks.
+    """
+    before, begin, rest = text.partition(BEGIN)
+    _, end, after = rest.partition(END)
+    if not begin or not end:
+        raise InputError(f"the document has to hold {BEGIN.strip()} and, after it, {END.strip()}")
+    return f"{before}{BEGIN}\n{tables()}\n{END}{after}"
+
+
+def main() -> None:
+    """Write the named file's tables anew; with ``--check``, end with 1 where that would change it."""
+    *flags, name = sys.argv[1:]
+    file = Path(name)
+    text = file.read_text(encoding="utf-8")
+    new = renewed(text)
+    if flags == ["--check"]:
+        sys.exit(0 if new == text else f"{name} is not what the types say; run `make generate`")
+    file.write_text(new, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

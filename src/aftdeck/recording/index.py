@@ -1,0 +1,151 @@
+"""The list of recordings made on this machine, in a small database of the user's."""
+
+from __future__ import annotations
+
+import os
+import sqlite3
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Literal
+
+import msgspec
+import platformdirs
+
+from aftdeck.errors import RecordingError
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import Opening
+
+BUSY_S = 5.0
+"""How long another program may hold the database [s]."""
+FRESH_S = 3.0
+"""A file written to within this time is still being recorded [s]."""
+_TABLE = """
+    create table if not exists recordings (
+        path text primary key, scenario text not null, title text not null, seed integer not null,
+        version text not null, began text not null, ended text not null, time_s real not null, bytes integer not null
+    )
+"""
+_COLUMNS = "path, scenario, title, seed, version, began, ended, time_s, bytes"
+
+
+class Entry(msgspec.Struct, frozen=True):
+    """A recording in the list."""
+
+    path: str
+    scenario: str
+    title: str
+    seed: int
+    version: str
+    began: str
+    """Wall time, ISO 8601, UTC."""
+    ended: str
+    """``completed``, ``time``, ``fault``, ``stopped``, ``restarted``; ``cut`` where the program was killed;
+    ``recording`` while it goes on."""
+    time_s: float
+    """Simulated time [s]."""
+    bytes: int
+    state: Literal["here", "gone", "unreadable"] = "here"
+
+
+class Index:
+    """The list, one row a file.
+
+    Raises:
+        RecordingError: from every method, where the database cannot be read or written.
+    """
+
+    def __init__(self, path: Path | None = None) -> None:
+        self.path = path or Path(platformdirs.user_data_dir("aftdeck", appauthor=False)) / "recordings.sqlite"
+
+    def begin(self, path: Path, opening: Opening) -> None:
+        """A recording has begun."""
+        row = (opening.scenario, opening.title, opening.seed, opening.version, opening.began, "recording", 0.0, 0)
+        with self._open() as database:
+            database.execute(
+                f"insert or replace into recordings ({_COLUMNS}) values (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                (str(path.absolute()), *row),
+            )
+
+    def end(self, path: Path, ended: str, time_s: float) -> None:
+        """A recording has ended."""
+        size = path.stat().st_size if os.path.exists(path) else 0
+        self._update(str(path.absolute()), ended, time_s, size)
+
+    def _update(self, path: str, ended: str, time_s: float, size: int) -> None:
+        with self._open() as database:
+            database.execute(
+                "update recordings set ended = ?, time_s = ?, bytes = ? where path = ?", (ended, time_s, size, path)
+            )
+
+    def entries(self, scenario: str = "", ended: str = "", since: str = "") -> list[Entry]:
+        """The recordings, newest first; those that never said how they ended are looked at.
+
+        Args:
+            scenario: only of this one.
+            ended: only those that ended so.
+            since: only those begun at or after this time, ISO 8601 or the beginning of one.
+        """
+        with self._open() as database:
+            rows = database.execute(f"select {_COLUMNS} from recordings order by began desc, path").fetchall()
+        found = [self._seen(Entry(*row)) for row in rows]
+        return [
+            entry
+            for entry in found
+            if (not scenario or entry.scenario == scenario)
+            and (not ended or entry.ended == ended)
+            and entry.began >= since
+        ]
+
+    def _seen(self, entry: Entry) -> Entry:
+        """An entry as its file is now."""
+        file = Path(entry.path)
+        try:
+            status = file.stat()
+        except (OSError, ValueError):
+            return msgspec.structs.replace(entry, state="gone")
+        size = status.st_size
+        if entry.ended != "recording" or time.time() - status.st_mtime < FRESH_S:
+            return msgspec.structs.replace(entry, bytes=size)
+        try:
+            recording = Recording(file)
+            for _ in recording.messages():
+                pass
+        except RecordingError:
+            return msgspec.structs.replace(entry, bytes=size, state="unreadable")
+        return msgspec.structs.replace(entry, ended=recording.ended or "cut", time_s=recording.time_s, bytes=size)
+
+    def forget(self, entries: list[Entry]) -> None:
+        """Take entries off the list; their files stay."""
+        with self._open() as database:
+            database.executemany("delete from recordings where path = ?", [(entry.path,) for entry in entries])
+
+    def delete(self, entries: list[Entry]) -> None:
+        """Delete the entries' files, and take them off the list.
+
+        Raises:
+            RecordingError: a file that cannot be deleted, or that is being recorded; those before it are.
+        """
+        for entry in entries:
+            if entry.state == "here" and entry.ended == "recording":
+                raise RecordingError(f"{entry.path}: is being recorded, and is not deleted; end the flight first")
+            try:
+                Path(entry.path).unlink(missing_ok=True)
+            except OSError as error:
+                raise RecordingError(f"{entry.path}: cannot be deleted: {error.strerror or error}") from None
+            self.forget([entry])
+
+    @contextmanager
+    def _open(self) -> Iterator[sqlite3.Connection]:
+        try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            database = sqlite3.connect(self.path, timeout=BUSY_S)
+            try:
+                with database:
+                    database.execute(_TABLE)
+                    yield database
+            finally:
+                database.close()
+        except (OSError, sqlite3.Error, UnicodeError) as error:
+            raise RecordingError(f"{self.path}: the list of recordings cannot be used: {error}") from None

@@ -1,0 +1,139 @@
+"""Reading a session file, whole, cut short or damaged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import BinaryIO
+
+import msgspec
+from mcap.records import Channel as McapChannel
+from mcap.records import Header
+from mcap.records import Message as McapMessage
+
+from aftdeck.errors import RecordingError
+from aftdeck.recording.chunks import MAGIC, DamageError, records
+from aftdeck.recording.records import CHANNELS, FORMAT, PROFILE, Closing, FrameRecord, Input, Message, Note, Opening
+
+_DECODERS = {topic: msgspec.json.Decoder(kind) for topic, (kind, _) in CHANNELS.items()}
+
+
+class _Layout(msgspec.Struct):
+    """What the first message says of itself in every layout."""
+
+    format: int
+    version: str
+
+
+class Recording:
+    """A session file that can be read, from its beginning as far as it goes.
+
+    Attributes:
+        path: the file.
+        opening: what the run started from.
+        ended: how the run ended; empty until the file has been read to its end, or where it was cut short.
+        cut: whether the file was cut short: the program was killed, or a disk was full. Known once it has been read.
+        time_s: simulated time of the last frame read [s].
+        share: how much of the file has been read, 0 to 1.
+        frames_sha256: SHA-256 over all exact frames; empty as `ended` is.
+        summary: the scripted run's summary, JSON; empty as `ended` is, or by hand.
+    """
+
+    def __init__(self, path: str | Path) -> None:
+        """Open a recording.
+
+        Raises:
+            RecordingError: no recording of Aftdeck, or one of a newer layout.
+        """
+        self.path = Path(path)
+        self.ended, self.cut, self.time_s, self.share = "", False, 0.0, 0.0
+        self.frames_sha256 = self.summary = ""
+        first = next(self._messages(), None)
+        if first is None:
+            raise RecordingError(f"{self.path}: was cut short before its first second; there is nothing in it to read")
+        if not isinstance(first, Opening):
+            raise self._damaged("it does not begin with what the run started from")
+        self.opening = first
+
+    def messages(self) -> Iterator[Message]:
+        """All messages in order, as far as the file goes; then `ended` or `cut` is known.
+
+        Raises:
+            RecordingError: a damaged file, where the damage begins.
+        """
+        self.ended, self.cut, self.time_s = "", False, 0.0
+        tick = 0
+        for message in self._messages():
+            if isinstance(message, Input | FrameRecord) and message.tick != tick + 1:
+                raise self._damaged(f"step {message.tick} follows step {tick}")
+            if isinstance(message, FrameRecord):
+                tick, self.time_s = message.tick, message.time_s
+            if isinstance(message, Closing):
+                if message.ticks != tick:
+                    raise self._damaged(f"it ends after step {tick} of {message.ticks}")
+                self.ended, self.frames_sha256, self.summary = message.ended, message.frames_sha256, message.summary
+            yield message
+        self.cut = not self.ended
+
+    def steps(self) -> Iterator[tuple[Input, FrameRecord]]:
+        """Each step's inputs and frame; notes apart."""
+        flown: Input | None = None
+        for message in self.messages():
+            if isinstance(message, Input):
+                flown = message
+            elif isinstance(message, FrameRecord):
+                if flown is None or flown.tick != message.tick:
+                    raise self._damaged(f"step {message.tick} has no inputs")
+                yield flown, message
+
+    def notes(self) -> Iterator[Note]:
+        """What the station wrote in the log."""
+        return (message for message in self.messages() if isinstance(message, Note))
+
+    def _messages(self) -> Iterator[Message]:
+        try:
+            if self.path.exists() and not self.path.is_file():  # a pipe or a device may never end
+                raise RecordingError(f"{self.path}: is {'a folder' if self.path.is_dir() else 'no file'}, no recording")
+            with self.path.open("rb") as file:
+                yield from self._decoded(file)
+        except OSError as error:
+            raise RecordingError(f"{self.path}: cannot be read: {error.strerror or error}") from None
+        except DamageError as error:
+            raise self._damaged(str(error)) from None
+
+    def _decoded(self, file: BinaryIO) -> Iterator[Message]:
+        start = file.read(len(MAGIC))
+        if start != MAGIC[: len(start)]:
+            raise RecordingError(f"{self.path}: is no MCAP file, so no recording of Aftdeck")
+        file.seek(0)
+        size = max(self.path.stat().st_size, 1)
+        topics: dict[int, str] = {}
+        for record in records(file):
+            if isinstance(record, Header) and record.profile != PROFILE:
+                raise RecordingError(f"{self.path}: is an MCAP file, but no recording of Aftdeck")
+            if isinstance(record, McapChannel):
+                topics[record.id] = record.topic
+            elif isinstance(record, McapMessage):
+                self.share = file.tell() / size
+                message = self._message(topics.get(record.channel_id, ""), record.data)
+                if message is not None:
+                    yield message
+
+    def _message(self, topic: str, data: bytes) -> Message | None:
+        if topic not in _DECODERS:
+            return None
+        try:
+            if topic == "/opening":
+                self._check_layout(msgspec.json.decode(data, type=_Layout))
+            return _DECODERS[topic].decode(data)
+        except msgspec.MsgspecError as error:
+            raise self._damaged(f"a message in {topic} is not understood: {error}") from None
+
+    def _check_layout(self, layout: _Layout) -> None:
+        if layout.format > FORMAT:
+            raise RecordingError(
+                f"{self.path}: has layout {layout.format} of Aftdeck {layout.version}; this one reads up to {FORMAT}"
+            )
+
+    def _damaged(self, why: str) -> RecordingError:
+        return RecordingError(f"{self.path}: is damaged after {self.time_s:.2f} s: {why}")

@@ -1,0 +1,98 @@
+"""Re-simulating a recording from its inputs: is every frame equal?"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from pathlib import Path
+
+import msgspec
+
+from aftdeck.errors import AftdeckError, RecordingError
+from aftdeck.law import state_of_the_laws
+from aftdeck.recording.bundle import machine, scenario_of
+from aftdeck.recording.compare import Difference, first_difference
+from aftdeck.recording.convert import digest, exact, frame_record, inputs_of
+from aftdeck.recording.reader import Recording
+from aftdeck.simulation.run import Simulation
+from aftdeck.version import __version__
+
+Progress = Callable[[float], None]
+"""Told now and then how much has been done, 0 to 1."""
+
+
+class Verdict(msgspec.Struct, frozen=True):
+    """Whether the recomputed frames are the recorded ones."""
+
+    equal: bool
+    frames: int
+    """How many were compared."""
+    time_s: float
+    """Simulated time of the last one [s]."""
+    different: int
+    """How many differ."""
+    first: Difference | None
+    """What differs in the first of these."""
+    cut: bool
+    """The recording was cut short; it was compared as far as it goes."""
+    recorded_by: str
+    """Aftdeck's version that made it."""
+    version: str
+    """This one."""
+    same_laws: bool
+    """The laws' sources are those of the recording."""
+    same_machine: bool
+    """Processor, system and compilers are those of the recording."""
+
+
+def verify(path: str | Path, progress: Progress | None = None) -> Verdict:
+    """Re-simulate a recording's inputs and compare every frame's digest.
+
+    A recording of another version is tried all the same; the verdict says which version made it.
+
+    Raises:
+        RecordingError: no recording, a damaged one, or one that this version cannot fly.
+    """
+    recording = Recording(path)
+    opening = recording.opening
+    try:
+        sim = Simulation(scenario_of(opening), opening.seed)
+        return _compared(recording, sim, progress)
+    except RecordingError:
+        raise
+    except AftdeckError as error:
+        if opening.version == __version__:
+            raise
+        raise RecordingError(
+            f"{path}: was made by Aftdeck {opening.version}, which this one, {__version__}, does not repeat: {error}"
+        ) from None
+
+
+def _compared(recording: Recording, sim: Simulation, progress: Progress | None) -> Verdict:
+    frames = hashlib.sha256()
+    count = different = 0
+    first: Difference | None = None
+    for flown, record in recording.steps():
+        frame = sim.step(inputs_of(flown))
+        own = exact(frame)
+        frames.update(own)
+        count += 1
+        if digest(own) != record.sha256:
+            different += 1
+            if first is None:
+                first = first_difference(record, frame_record(frame, digest(own), record.wall_s, record.latency_ms))
+        if progress is not None and count % 256 == 0:
+            progress(recording.share)
+    whole = recording.cut or frames.hexdigest() == recording.frames_sha256
+    return Verdict(
+        equal=different == 0 and whole,
+        frames=count,
+        time_s=recording.time_s,
+        different=different,
+        first=first,
+        cut=recording.cut,
+        recorded_by=recording.opening.version,
+        version=__version__,
+        same_laws=recording.opening.laws == state_of_the_laws(),
+        same_machine=recording.opening.machine == machine(),
+    )

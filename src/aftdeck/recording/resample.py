@@ -1,0 +1,56 @@
+"""Recorded inputs at another control period."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import msgspec
+
+from aftdeck.recording.records import Input
+
+_TARGET = ("target_position", "target_rotation", "target_joints")
+_SWITCHES = ("mode", "joint", "rate", "law", "payload_axes", "position_hold")
+SAME_TIME = 1e-9
+"""Times nearer to each other than this are the same [s]."""
+
+
+def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input]:
+    """What each step of the new control period flies: sticks as they last stood, every switch that was moved since.
+
+    A new step flies the inputs of the old steps that began before it ends; the new steps last as long as the old ones.
+
+    Args:
+        inputs: of every step of the old control period.
+        old: control period [s].
+        new: control period [s].
+    """
+    given = next(inputs, None)
+    last = Input(0)
+    tick = 0
+    while given is not None or (tick * new < last.tick * old - SAME_TIME):
+        tick += 1
+        since: list[Input] = []
+        while given is not None and (given.tick - 1) * old < tick * new - SAME_TIME:
+            since.append(given)
+            given = next(inputs, None)
+        flown = merged(since, last, tick)
+        last = since[-1] if since else last
+        yield flown
+
+
+def merged(since: Sequence[Input], before: Input, tick: int) -> Input:
+    """One step's inputs for all that were given since the step before; none: the sticks stay where they were."""
+    if len(since) == 1:
+        return msgspec.structs.replace(since[0], tick=tick)
+    latest = since[-1] if since else before
+    changes: dict[str, object] = {
+        name: next((value for one in reversed(since) if (value := getattr(one, name)) is not None), None)
+        for name in _SWITCHES
+    }
+    keyed = next((one for one in reversed(since) if one.target_position is not None), Input(0))
+    changes |= {name: getattr(keyed, name) for name in _TARGET}
+    stopped = max((i for i, one in enumerate(since) if one.stop), default=0)
+    changes["stop"] = any(one.stop for one in since)
+    changes["proceed"] = any(one.proceed for one in since[stopped:])  # STOP acts before PROCEED in a step
+    changes["rate_hold"] = sum(one.rate_hold for one in since) % 2 == 1
+    return msgspec.structs.replace(latest, tick=tick, **changes)

@@ -1,0 +1,128 @@
+"""The run in Foxglove's own schemas: joints, tip, log, and a scene of bodies in moving frames.
+
+Every step is in the channels of `records`; these are for looking, ten times a second, in rounded numbers.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from foxglove import messages as fox
+
+from aftdeck.frames import quaternion
+from aftdeck.kinematics.linkage import L5
+from aftdeck.recording.channels import FIXED, SCENE, Channels
+from aftdeck.recording.entities import scene_update
+from aftdeck.recording.live import Live
+from aftdeck.recording.records import EventRecord
+from aftdeck.scenario.model import Scenario
+from aftdeck.scene.bodies import PAYLOAD, bodies_of
+from aftdeck.scene.poses import ArmPoses, Seven
+from aftdeck.simulation.frame import Event, Frame
+
+PERIOD = 0.1
+"""Of what moves, simulated time [s]."""
+GRAIN = 2.0**18
+"""What moves is rounded to one part in this of a metre, a radian, a unit: short numbers pack well."""
+ROOT, LONGERON, TIP = "scene", "L", "tip"
+"""Names of the frames that carry no body."""
+_STILL: Seven = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+_LEVELS = {"info": fox.LogLevel.Info, "caution": fox.LogLevel.Warning, "warning": fox.LogLevel.Error}
+
+
+class Viewing:
+    """Joints, tip, transforms, scene and log as Foxglove knows them."""
+
+    def __init__(self, channels: Channels, scenario: Scenario, began_ns: int, live: Live | None = None) -> None:
+        self._channels, self._began_ns, self._live = channels, began_ns, live
+        self._every = max(1, math.ceil(PERIOD / scenario.control_period - 1e-9))
+        self._joints = scenario.arm.joints
+        self._poses = ArmPoses(scenario.arm.model)
+        self._picture = scene_update(bodies_of(scenario), _time(began_ns))
+        foot = _seven(self._poses.at(np.zeros(6))[:7])
+        self._frames = scenario.arm.model.linkage.frames
+        hand: Seven = (float(scenario.arm.model.links[L5]), 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+        still = [(ROOT, body.name, _STILL) for body in scenario.worksite.bodies]
+        first, last = self._frames[0], self._frames[-1]
+        self._fixed = [*still, (ROOT, LONGERON, foot), (LONGERON, first, _STILL), (last, TIP, hand)]
+
+    def open(self) -> None:
+        """Tell what does not move, and how everything looks."""
+        if self._live:
+            self._live.asked()  # who is there already gets it now
+        for topic in (FIXED, SCENE):
+            self._tell(topic, self._began_ns)
+
+    def frame(self, frame: Frame) -> None:
+        """A step: its events, and from time to time its picture."""
+        now = self._began_ns + round(frame.time_s * 1e9)
+        for event in frame.events:
+            self.line(event, now)
+        for topic in self._live.asked() if self._live else ():
+            self._tell(topic, now)
+        if (frame.tick - 1) % self._every == 0:
+            self._draw(frame, now)
+
+    def line(self, event: Event | EventRecord, time_ns: int) -> None:
+        """A line of the log."""
+        line = fox.Log(timestamp=_time(time_ns), level=_LEVELS[event.level], message=event.text, name=event.kind)
+        self._channels.lines.log(line, log_time=time_ns)
+
+    def _tell(self, topic: str, now: int) -> None:
+        if topic == FIXED:
+            fixed = [_transform(parent, child, pose, _time(now)) for parent, child, pose in self._fixed]
+            self._channels.tf_static.log(fox.FrameTransforms(transforms=fixed), log_time=now)
+        elif topic == SCENE:
+            self._channels.scene.log(self._picture, log_time=now)
+
+    def _draw(self, frame: Frame, now: int) -> None:
+        time = _time(now)
+        links = zip(self._frames[:-1], self._frames[1:], self._poses.links(frame.angles), strict=True)
+        moving = [_transform(parent, child, _rounded(pose), time) for parent, child, pose in links]
+        if frame.payload is not None:
+            centre, axes = frame.payload
+            pose = _rounded((*centre, *quaternion(np.array(axes))))
+            moving.append(_transform(LONGERON, PAYLOAD, pose, time))
+        self._channels.tf.log(fox.FrameTransforms(transforms=moving), log_time=now)
+        self._channels.measured.log(self._states(frame.angles, frame.rates, time), log_time=now)
+        self._channels.commanded.log(self._states(frame.angles_commanded, frame.rates_commanded, time), log_time=now)
+        x, y, z, *attitude = _rounded((*frame.position, *quaternion(np.array(frame.orientation))))
+        tip = fox.Pose(position=fox.Vector3(x=x, y=y, z=z), orientation=_attitude(*attitude))
+        self._channels.tip.log(fox.PoseInFrame(timestamp=time, frame_id=LONGERON, pose=tip), log_time=now)
+
+    def _states(self, angles: Sequence[float], rates: Sequence[float], time: fox.Timestamp) -> fox.JointStates:
+        values = zip(self._joints, _rounded(angles), _rounded(rates), strict=True)
+        return fox.JointStates(
+            timestamp=time,
+            joints=[fox.JointState(name=name, position=angle, velocity=rate) for name, angle, rate in values],
+        )
+
+
+def _transform(parent: str, child: str, pose: Sequence[float], time: fox.Timestamp) -> fox.FrameTransform:
+    x, y, z, *attitude = pose
+    return fox.FrameTransform(
+        timestamp=time,
+        parent_frame_id=parent,
+        child_frame_id=child,
+        translation=fox.Vector3(x=x, y=y, z=z),
+        rotation=_attitude(*attitude),
+    )
+
+
+def _attitude(w: float, x: float, y: float, z: float) -> fox.Quaternion:
+    return fox.Quaternion(x=x, y=y, z=z, w=w)
+
+
+def _rounded(values: Sequence[float]) -> list[float]:
+    return [round(value * GRAIN) / GRAIN for value in values]
+
+
+def _seven(values: Sequence[float]) -> Seven:
+    x, y, z, a, b, c, d = values
+    return x, y, z, a, b, c, d
+
+
+def _time(time_ns: int) -> fox.Timestamp:
+    return fox.Timestamp(*divmod(time_ns, 1_000_000_000))

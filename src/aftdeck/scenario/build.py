@@ -1,0 +1,131 @@
+"""Building a scenario from its decoded file, with the checks that types cannot make."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from aftdeck.errors import ScenarioError
+from aftdeck.scenario.limits import limited_arm, por_limits
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
+from aftdeck.scenario.payload import held_payload
+from aftdeck.scenario.phases import phase_plan
+from aftdeck.scenario.poses import start
+from aftdeck.scenario.problems import Problems
+from aftdeck.scenario.schema import ScenarioFile
+from aftdeck.scenario.sequences import stored_points
+from aftdeck.worksite.load import load_worksite
+from aftdeck.worksite.model import Worksite
+
+LONGEST_PERIOD = 0.2
+"""Longest control period taken [s]; the arm's own computer ran at 0.08 s."""
+SHORTEST_PERIOD = 0.001
+"""Shortest control period taken [s]."""
+WHOLE = 1e-6
+"""How far from a whole number of control periods a duration may be [1]."""
+LONGEST_DELAY = 30.0
+"""Longest command delay taken [s]: ten times the way to the Moon and back."""
+LONGEST_RUN = 86_400.0
+"""Longest duration taken [s]."""
+
+
+def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: Path) -> Scenario | None:
+    """The scenario of a decoded file; None where anything is wrong, which `problems` then tells.
+
+    Args:
+        problems: gathers what is wrong.
+        spec: the file, decoded.
+        name: of the scenario.
+        text: the file.
+        folder: where arm files are sought.
+    """
+    _check_times(problems, spec)
+    _check_arrival(problems, spec)
+    mode = chosen_mode(problems, spec.mode, ("mode",)) or Chosen("ORB UNL")
+    arm = limited_arm(problems, spec.arm, spec.limits, folder)
+    if arm is None:
+        return None
+    worksite = _worksite(problems, spec.worksite, folder)
+    payload = held_payload(problems, spec.payload)
+    por = por_limits(problems, arm, payload, spec.limits.por)
+    angles, rates = start(problems, arm, spec.initial)
+    sequences = stored_points(problems, arm, spec.sequence)
+    check_mode(problems, mode.position, payload, sequences, ("mode",))
+    phases = [phase_plan(problems, arm, phase, i, payload, sequences) for i, phase in enumerate(spec.phase)]
+    if problems or angles is None or worksite is None:
+        return None
+    return Scenario(
+        name=name,
+        title=spec.title,
+        description=spec.text,
+        arm=arm,
+        worksite=worksite,
+        seed=spec.seed,
+        duration=float(spec.duration),
+        ticks=round(spec.duration / spec.control_period),
+        control_period=float(spec.control_period),
+        delay=round(spec.command_delay / spec.control_period),
+        initial_angles=angles,
+        initial_rates=rates,
+        mode=mode.position,
+        rate=spec.rate,
+        as_flown=spec.soft_stops == "as-flown",
+        strict=spec.strict,
+        near=float(spec.arrive_within),
+        near_turn=float(spec.arrive_within_angle),
+        fly_by=float(spec.fly_by_within),
+        fly_by_turn=float(spec.fly_by_angle),
+        law=mode.law or spec.law,
+        payload_axes=mode.payload_axes is True,
+        position_hold=spec.position_hold,
+        sequences=sequences,
+        por=por,
+        payload=payload,
+        phases=tuple(phase for phase in phases if phase is not None),
+        text=text,
+    )
+
+
+def _worksite(problems: Problems, name_or_path: str, folder: Path) -> Worksite | None:
+    """The worksite of a built-in name or of a file, sought from `folder`."""
+    if name_or_path.endswith(".toml") and not Path(name_or_path).is_absolute():
+        name_or_path = str(folder / name_or_path)
+    try:
+        return load_worksite(name_or_path)
+    except ScenarioError as error:
+        for problem in error.problems:
+            problems.wrong(("worksite",), problem)
+        return None
+
+
+def _check_times(problems: Problems, spec: ScenarioFile) -> None:
+    """The control period, and a duration that is a whole number of them."""
+    period, duration = spec.control_period, spec.duration
+    whole = SHORTEST_PERIOD <= period <= LONGEST_PERIOD
+    if not whole:
+        problems.wrong(
+            ("control_period",), f"lies between {SHORTEST_PERIOD:g} and {LONGEST_PERIOD:g} s, got {period:g} s"
+        )
+    elif not 0.0 < duration <= LONGEST_RUN:
+        problems.wrong(("duration",), f"is above 0 and at most {LONGEST_RUN:g} s, got {duration:g} s")
+    elif duration < 0.5 * period or abs(duration / period - round(duration / period)) > WHOLE:
+        problems.wrong(
+            ("duration",),
+            f"is a whole number of control periods: {duration:g} s is {duration / period:g} of {period:g} s",
+        )
+    delay = spec.command_delay
+    if not 0.0 <= delay <= LONGEST_DELAY:
+        problems.wrong(("command_delay",), f"lies between 0 and {LONGEST_DELAY:g} s, got {delay:g} s")
+    elif whole and abs(delay / period - round(delay / period)) > WHOLE:
+        problems.wrong(
+            ("command_delay",),
+            f"is a whole number of control periods: {delay:g} s is {delay / period:g} of {period:g} s",
+        )
+
+
+def _check_arrival(problems: Problems, spec: ScenarioFile) -> None:
+    """The end sphere of the automatic modes."""
+    if spec.arrive_within <= 0.0:
+        problems.wrong(("arrive_within",), f"is above 0, got {spec.arrive_within:g} m")
+    if spec.arrive_within_angle <= 0.0:
+        problems.wrong(("arrive_within_angle",), f"is above 0, got {spec.arrive_within_angle:g} rad")

@@ -1,0 +1,51 @@
+"""Loading a scenario: a file or a built-in name becomes a `Scenario`, checked once and frozen."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from aftdeck.errors import ScenarioError
+from aftdeck.files import Changes, Text, examine, read
+from aftdeck.scenario.build import build
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.problems import Problems
+from aftdeck.scenario.schema import ScenarioFile
+
+HERE = Path(__file__).parent / "builtin"
+
+
+def built_in() -> tuple[str, ...]:
+    """Names of the scenarios that come with Aftdeck."""
+    return tuple(sorted(path.stem for path in HERE.glob("*.toml")))
+
+
+def load_scenario(name_or_path: str | Path) -> Scenario:
+    """The scenario of a built-in name or of a file.
+
+    Raises:
+        ScenarioError: no such scenario, or everything that is wrong in it, each with its place in the file.
+    """
+    path = Path(name_or_path)
+    if path.suffix != ".toml":
+        if str(name_or_path) not in built_in():
+            raise ScenarioError(
+                [
+                    f"no scenario {str(name_or_path)!r}: built in are {', '.join(built_in())}; "
+                    "a path to a scenario file ends in .toml"
+                ]
+            )
+        path = HERE / f"{name_or_path}.toml"
+    return parse_scenario(read(path).text, path.stem, path.name, path.parent)
+
+
+def parse_scenario(text: str, name: str, file: str, folder: Path, changes: Changes | None = None) -> Scenario:
+    """As `load_scenario`, from text; `file` stands for it in messages, arm files are sought from `folder`.
+
+    `changes` are put in place of what the text says.
+    """
+    spec, wrong = examine(ScenarioFile, Text(file, text), changes)
+    problems = Problems(wrong)
+    scenario = None if spec is None else build(problems, spec, name, text, folder)
+    if scenario is None or problems:
+        raise ScenarioError(problems.sentences(file, text))
+    return scenario

@@ -1,0 +1,49 @@
+"""Modes as a scenario gives them, by panel position or by the report's number, and what they need of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from aftdeck.files import Where
+from aftdeck.kinematics.payload import Payload
+from aftdeck.scenario.model import Sequences
+from aftdeck.scenario.problems import Problems
+from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice, PanelPosition, position_of
+
+MIXED = 7
+"""The report's number of the mode that ORB LD flies with its switch in payload axes."""
+_LAWS: dict[int, LawChoice] = {number: law for law, number in AUTOMATIC_LAWS.items()}
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """A mode, and how the switches beside it stand where its number says so.
+
+    Attributes:
+        position: panel position.
+        law: which of the report's modes 1 to 3 is flown; None: not said.
+        payload_axes: ORB LD rotates in payload axes; None: not said.
+    """
+
+    position: PanelPosition
+    law: LawChoice | None = None
+    payload_axes: bool | None = None
+
+
+def chosen_mode(problems: Problems, given: int | str, where: Where) -> Chosen | None:
+    """The mode of a panel position or of one of the report's numbers 1 to 8; None where there is none such."""
+    if isinstance(given, str) and given in MODES:
+        return Chosen(MODES[given].position)
+    if isinstance(given, int) and (found := position_of(given)):
+        position, number = found
+        return Chosen(position, _LAWS.get(number), True if number == MIXED else None)
+    problems.wrong(where, f"no mode {given!r}: there are 1 to 8 and the panel's {', '.join(MODES)}")
+    return None
+
+
+def check_mode(problems: Problems, position: str, payload: Payload | None, sequences: Sequences, where: Where) -> None:
+    """Modes that need something which the scenario does not have."""
+    if MODES[position].loaded and payload is None:
+        problems.wrong(where, f"{position} moves a payload, and the scenario has none: add a [payload] table")
+    if position.startswith("AUTO") and position not in sequences:
+        problems.wrong(where, f"{position} has no points: add a [[sequence]] with slot = {position[-1]}")

@@ -1,0 +1,27 @@
+"""The payload in the grasp at the start."""
+
+from __future__ import annotations
+
+from aftdeck.arms.geometry import frozen
+from aftdeck.frames import endori
+from aftdeck.kinematics.payload import Payload
+from aftdeck.scenario.poses import rotation_matrix
+from aftdeck.scenario.problems import Problems
+from aftdeck.scenario.schema import PayloadSpec
+
+
+def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None:
+    """The payload that the file describes; None where there is none, or its mass is wrong."""
+    if spec is None:
+        return None
+    if spec.mass <= 0.0:
+        problems.wrong(("payload", "mass"), f"is above 0, got {spec.mass:g} kg")
+        return None
+    if spec.matrix is None:
+        turned = endori(spec.roll, spec.pitch, spec.yaw)
+    else:
+        given = rotation_matrix(problems, spec.matrix, ("payload", "matrix"))
+        if given is None:
+            return None
+        turned = given
+    return Payload(float(spec.mass), frozen(turned), frozen(spec.position), frozen(spec.por), spec.shape)

@@ -1,0 +1,109 @@
+"""The script's phases: what each kind of mode takes and needs."""
+
+from __future__ import annotations
+
+from aftdeck.files import Where
+from aftdeck.kinematics.arm import Arm
+from aftdeck.kinematics.payload import Payload
+from aftdeck.scenario.model import PhasePlan, Sequences
+from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
+from aftdeck.scenario.poses import check_angle, target
+from aftdeck.scenario.problems import Problems
+from aftdeck.scenario.schema import Phase
+from aftdeck.steering.mode import MODES, Mode
+
+_USED: dict[str, set[str]] = {
+    "automatic": {"law"},
+    "manual": {"translation", "rotation"},
+    "single": {"joint", "drive", "joint_at"},
+    "test": set(),
+}
+"""What a phase may say, by the kind of its mode; OPR CMD and ORB LD take more."""
+
+
+def phase_plan(
+    problems: Problems, arm: Arm, phase: Phase, i: int, payload: Payload | None, sequences: Sequences
+) -> PhasePlan | None:
+    """The script's phase `i` (from 0), ready to fly; None where its mode is none."""
+    where: Where = ("phase", i)
+    chosen = chosen_mode(problems, phase.mode, (*where, "mode"))
+    if chosen is None:
+        return None
+    check_mode(problems, chosen.position, payload, sequences, (*where, "mode"))
+    goal = None if phase.target is None else target(problems, arm, phase.target, (*where, "target"))
+    joint = _joint(problems, arm, phase, where)
+    _check_phase(problems, arm, phase, chosen, joint, where)
+    return PhasePlan(
+        name=phase.name or f"{chosen.position} {i + 1}",
+        mode=chosen.position,
+        rate=phase.rate,
+        translation=phase.translation,
+        rotation=phase.rotation,
+        joint=joint,
+        drive=phase.drive,
+        joint_at=None if phase.joint_at is None else float(phase.joint_at),
+        target=goal,
+        law=chosen.law or phase.law,
+        payload_axes=chosen.payload_axes or phase.payload_axes,
+        duration=None if phase.duration is None else float(phase.duration),
+    )
+
+
+def _joint(problems: Problems, arm: Arm, phase: Phase, where: Where) -> int:
+    """The joint selected, 0 to 5; 0 where none is."""
+    if phase.joint is None:
+        return 0
+    if phase.joint not in arm.joints:
+        problems.wrong((*where, "joint"), f"no joint {phase.joint!r}: there are {', '.join(arm.joints)}")
+        return 0
+    return arm.joints.index(phase.joint)
+
+
+def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joint: int, where: Where) -> None:
+    """What a phase of each kind needs, and what it has no use for."""
+    mode = MODES[chosen.position]
+    _check_use(problems, phase, mode, where)
+    if phase.law is not None and chosen.law not in (None, phase.law):
+        problems.wrong((*where, "law"), f"mode {phase.mode} says which law is flown; leave law out")
+    if phase.duration is not None and phase.duration <= 0.0:
+        problems.wrong((*where, "duration"), f"is above 0, got {phase.duration:g} s")
+    if mode.position == "OPR CMD" and phase.target is None:
+        problems.wrong(where, "mode OPR CMD needs a target")
+    if mode.kind in ("manual", "test") and phase.duration is None:
+        problems.wrong(where, f"mode {mode.position} needs a duration")
+    if mode.kind == "single":
+        _check_single(problems, arm, phase, mode, joint, where)
+
+
+def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> None:
+    """What is given and has no use in the mode."""
+    given = {
+        "target": phase.target is not None,
+        "law": phase.law is not None,
+        "translation": phase.translation != (0.0, 0.0, 0.0),
+        "rotation": phase.rotation != (0.0, 0.0, 0.0),
+        "payload_axes": phase.payload_axes is not None,
+        "joint": phase.joint is not None,
+        "drive": phase.drive != 0.0,
+        "joint_at": phase.joint_at is not None,
+    }
+    used = _USED[mode.kind] | ({"target"} if mode.position == "OPR CMD" else set())
+    used |= {"payload_axes"} if mode.position == "ORB LD" else set()
+    for name, present in given.items():
+        if present and name not in used:
+            takes = ", ".join(sorted(used)) or "nothing"
+            problems.wrong((*where, name), f"mode {mode.position} takes no {name}; it takes {takes}")
+
+
+def _check_single(problems: Problems, arm: Arm, phase: Phase, mode: Mode, joint: int, where: Where) -> None:
+    """SINGLE and DIRECT: a joint, and either its drive for a time or the angle to bring it to."""
+    if phase.joint is None:
+        problems.wrong(where, f"mode {mode.position} needs a joint")
+    if phase.joint_at is None and phase.duration is None:
+        problems.wrong(where, f"mode {mode.position} needs joint_at, or drive with a duration")
+    if phase.joint_at is None:
+        return
+    if phase.drive != 0.0:
+        problems.wrong(where, "give either joint_at or drive, not both")
+    if phase.joint in arm.joints:
+        check_angle(problems, arm, joint, phase.joint_at, (*where, "joint_at"))

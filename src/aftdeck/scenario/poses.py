@@ -1,0 +1,121 @@
+"""Joint angles, matrices, poses and targets as a scenario gives them, and the arm's start (RMSIST)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from aftdeck.arms.geometry import frozen
+from aftdeck.errors import AftdeckError
+from aftdeck.files import Where
+from aftdeck.frames import Pose, endori, panel_rotation, rotation_x
+from aftdeck.kinematics.arm import Arm
+from aftdeck.scenario.problems import Problems
+from aftdeck.scenario.schema import Initial, PoseSpec, Row, SixAngles
+from aftdeck.scenario.target import Target, target_at
+
+ORTHONORMAL = 1e-6
+"""How far from orthonormal a given matrix may be [1]."""
+
+
+def start(problems: Problems, arm: Arm, initial: Initial) -> tuple[np.ndarray | None, np.ndarray]:
+    """RMSIST: joint angles [rad] (None where they are wrong) and rates [rad/s] at the start."""
+    rates = frozen(initial.rates or [0.0] * 6)
+    for joint, rate, most in zip(arm.joints, rates, arm.rates.servo, strict=True):
+        if abs(rate) > most:
+            problems.wrong(
+                ("initial", "rates"), f"{joint} starts at {rate:g} rad/s; its servo gives at most {most:g} rad/s"
+            )
+    return _start_angles(problems, arm, initial), rates
+
+
+def _start_angles(problems: Problems, arm: Arm, initial: Initial) -> np.ndarray | None:
+    """Joint angles as given, or those of a pose through RMANGS."""
+    if initial.joints is not None and initial.pose is None:
+        return joint_angles(problems, arm, initial.joints, ("initial", "joints"))
+    if initial.pose is None or initial.joints is not None:
+        problems.wrong(("initial",), "give either joints (six angles) or a pose")
+        return None
+    pose = pose_in_l(problems, arm, initial.pose, ("initial", "pose"))
+    if pose is None:
+        return None
+    try:
+        return frozen(arm.inverse(pose, near=initial.near)[0])
+    except AftdeckError as error:
+        problems.wrong(("initial", "pose"), str(error))
+        return None
+
+
+def joint_angles(problems: Problems, arm: Arm, given: SixAngles, where: Where) -> np.ndarray | None:
+    """Six joint angles [rad] as an array; None where any is outside its hard limits."""
+    inside = [check_angle(problems, arm, joint, angle, where) for joint, angle in enumerate(given)]
+    return frozen(given) if all(inside) else None
+
+
+def check_angle(problems: Problems, arm: Arm, joint: int, angle: float, where: Where) -> bool:
+    """Whether a joint's angle [rad] lies in its hard limits."""
+    low, high = arm.limits.hard[joint]
+    if low <= angle <= high:
+        return True
+    problems.wrong(
+        where,
+        f"{arm.joints[joint]} at {math.degrees(angle):g} deg is outside its hard limits "
+        f"{math.degrees(low):g} to {math.degrees(high):g} deg",
+    )
+    return False
+
+
+def rotation_matrix(problems: Problems, rows: tuple[Row, Row, Row], where: Where) -> np.ndarray | None:
+    """A matrix as given; None where it is not right-handed and orthonormal."""
+    matrix = np.array(rows, dtype=np.float64)
+    if not np.isfinite(matrix).all():
+        problems.wrong(where, "expected finite numbers")
+    elif (
+        np.abs(matrix).max() > 1.0 + ORTHONORMAL  # before the squares, which may overflow
+        or np.abs(matrix @ matrix.T - np.eye(3)).max() > ORTHONORMAL
+        or np.linalg.det(matrix) < 0.0
+    ):
+        problems.wrong(where, "is not a right-handed orthonormal matrix (to 1e-6)")
+    else:
+        return matrix
+    return None
+
+
+def target(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Target | None:
+    """A target from one of the three ways to give a pose; None where it is wrong."""
+    pose = pose_in_l(problems, arm, spec, where)
+    if pose is None:
+        return None
+    if spec.joints is None:
+        return target_at(pose)
+    a, b, c, d, e, f = spec.joints
+    return target_at(pose, (float(a), float(b), float(c), float(d), float(e), float(f)))
+
+
+def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pose | None:
+    """Frame 7 in L from one of the three ways to give a pose; None where it is wrong."""
+    euler = (spec.roll, spec.pitch, spec.yaw)
+    if spec.joints is not None:
+        if spec.position is not None or spec.matrix is not None or euler != (None, None, None):
+            problems.wrong(where, "give either joints, or a position with an orientation, not both")
+            return None
+        angles = joint_angles(problems, arm, spec.joints, (*where, "joints"))
+        return None if angles is None else arm.forward(angles)
+    if spec.position is None:
+        problems.wrong(where, "give joints (six angles), or a position with an orientation")
+        return None
+    if spec.matrix is not None:
+        if euler != (None, None, None):
+            problems.wrong(where, "give either a matrix or roll, pitch, yaw, not both")
+            return None
+        given = rotation_matrix(problems, spec.matrix, (*where, "matrix"))
+        if given is None:
+            return None
+        rotation = given
+    else:
+        roll, pitch, yaw = (angle or 0.0 for angle in euler)
+        rotation = panel_rotation(pitch, yaw, roll) if spec.frame == "panel" else endori(roll, pitch, yaw)
+    if spec.frame == "panel":
+        rotation = rotation @ rotation_x(-arm.model.end_effector_roll)
+    return arm.model.mount.from_(spec.frame, Pose(np.array(spec.position, dtype=np.float64), rotation))

@@ -1,0 +1,158 @@
+"""A scenario file's types. Bare numbers are SI; strings carry units."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+
+from aftdeck.arms.model import SixRanges, SixRates, Text
+from aftdeck.frames import FrameName
+from aftdeck.shapes import Shape
+from aftdeck.units import Angle, AngularRate, Length, Mass, Speed, Time
+
+Stick = Annotated[float, msgspec.Meta(ge=-1.0, le=1.0)]
+Sticks = tuple[Stick, Stick, Stick]
+SixAngles = tuple[Angle, Angle, Angle, Angle, Angle, Angle]
+Point = tuple[Length, Length, Length]
+Row = tuple[float, float, float]
+Rate = Literal["coarse", "vernier"]
+
+
+class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A table of a scenario file; unknown fields are refused."""
+
+
+class PoseSpec(_Part, frozen=True):
+    """A pose of the tip, in one of three ways.
+
+    By `joints`: the pose that those angles give. Or by `position` in a `frame`, with an orientation by `roll`,
+    `pitch`, `yaw` (in the orbiter and in L: ENDORI's roll, elevation, azimuth of frame 7; in panel: the end
+    effector's attitude, pitch, yaw, roll in that order) or by a `matrix` whose columns are the axes (the
+    report's S1 = 0). In the panel frame X = -Xo, Y = Yo, Z = -Zo.
+    """
+
+    joints: SixAngles | None = None
+    position: Point | None = None
+    frame: FrameName = "orbiter"
+    roll: Angle | None = None
+    pitch: Angle | None = None
+    yaw: Angle | None = None
+    matrix: tuple[Row, Row, Row] | None = None
+
+
+class Initial(_Part, frozen=True):
+    """How the arm starts (RMSIST): joint angles and rates, or a pose, reached by the branch nearest to `near`."""
+
+    joints: SixAngles | None = None
+    rates: SixRates | None = None
+    pose: PoseSpec | None = None
+    near: SixAngles | None = None
+
+
+class PorOverride(_Part, frozen=True):
+    """Limits of the point of resolution in place of the arm's, whatever the payload."""
+
+    translation: Speed | None = None
+    vernier_translation: Speed | None = None
+    rotation: AngularRate | None = None
+    vernier_rotation: AngularRate | None = None
+    reached_in: Time | None = None
+
+
+class LimitsOverride(_Part, frozen=True):
+    """Limits in place of the arm's."""
+
+    hard: SixRanges | None = None
+    soft: SixRanges | None = None
+    reach: SixRanges | None = None
+    servo: SixRates | None = None
+    coarse: SixRates | None = None
+    vernier: SixRates | None = None
+    por: PorOverride = PorOverride()
+
+
+class PayloadSpec(_Part, frozen=True):
+    """What the end effector holds.
+
+    `position` is r_87, the payload's centre in its own axes as seen from the tip; `roll`, `pitch`, `yaw`
+    (azimuth first, as ENDORI) or `matrix` turn frame 7 into the payload's axes (T_78). `por` is the payload's
+    point of resolution in its axes, from its centre. Its `shape` entries are how it looks, about its centre.
+    """
+
+    mass: Mass
+    position: Point = (Length(0.0), Length(0.0), Length(0.0))
+    roll: Angle = Angle(0.0)
+    pitch: Angle = Angle(0.0)
+    yaw: Angle = Angle(0.0)
+    matrix: tuple[Row, Row, Row] | None = None
+    por: Point = (Length(0.0), Length(0.0), Length(0.0))
+    shape: tuple[Shape, ...] = ()
+
+
+class Phase(_Part, frozen=True):
+    """One phase of the script: a mode, what the operator does in it, and how it ends.
+
+    The mode is a panel position or the report's number, 1 to 8; `law` chooses among modes 1 to 3 in OPR CMD and
+    AUTO 1-4, `payload_axes` between 4 and 7 in ORB LD. Automatic modes take a `target` (AUTO 1-4 have their
+    points); they end on arrival, a sequence at its last point, with PROCEED given at every pause; `duration` is
+    then the longest time allowed.
+    Manual modes take stick positions and end after `duration`. SINGLE takes a `joint` and either `drive` with
+    a `duration`, or `joint_at`, the angle to bring the joint to.
+    """
+
+    mode: int | Text
+    name: str = ""
+    rate: Rate = "coarse"
+    translation: Sticks = (0.0, 0.0, 0.0)
+    rotation: Sticks = (0.0, 0.0, 0.0)
+    joint: str | None = None
+    drive: Stick = 0.0
+    joint_at: Angle | None = None
+    target: PoseSpec | None = None
+    law: Literal["position", "closed loop", "open loop"] | None = None
+    payload_axes: bool | None = None
+    duration: Time | None = None
+
+
+class PointSpec(_Part, frozen=True):
+    """A prestored point of AUTO 1-4: a pause point waits there for PROCEED, a fly-by point is only come near."""
+
+    target: PoseSpec
+    pause: bool = False
+
+
+class SequenceSpec(_Part, frozen=True):
+    """The points of one of AUTO 1-4."""
+
+    slot: Annotated[int, msgspec.Meta(ge=1, le=4)]
+    point: Annotated[tuple[PointSpec, ...], msgspec.Meta(min_length=1)]
+
+
+class ScenarioFile(_Part, frozen=True):
+    """A scenario file, decoded; `scenario.build` checks what types cannot say."""
+
+    title: Text
+    initial: Initial
+    text: str = ""
+    arm: Text = "srms"
+    worksite: Text = "orbiter"
+    seed: Annotated[int, msgspec.Meta(ge=0, le=2**53)] = 0
+    duration: Time = Time(600.0)
+    control_period: Time = Time(0.02)
+    command_delay: Time = Time(0.0)
+    plant: Literal["kinematic"] = "kinematic"
+    mode: int | Text = "ORB UNL"
+    rate: Rate = "coarse"
+    soft_stops: Literal["mended", "as-flown"] = "mended"
+    strict: bool = False
+    arrive_within: Length = Length(1e-4)
+    arrive_within_angle: Angle = Angle(2e-5)
+    fly_by_within: Length = Length(0.5)
+    fly_by_angle: Angle = Angle(0.2)
+    law: Literal["position", "closed loop", "open loop"] = "closed loop"
+    position_hold: bool = False
+    limits: LimitsOverride = LimitsOverride()
+    sequence: tuple[SequenceSpec, ...] = ()
+    payload: PayloadSpec | None = None
+    phase: tuple[Phase, ...] = ()

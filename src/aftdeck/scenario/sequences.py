@@ -1,0 +1,25 @@
+"""The prestored points of AUTO 1-4."""
+
+from __future__ import annotations
+
+from aftdeck.kinematics.arm import Arm
+from aftdeck.scenario.model import Point, Sequences
+from aftdeck.scenario.poses import target
+from aftdeck.scenario.problems import Problems
+from aftdeck.scenario.schema import SequenceSpec
+
+
+def stored_points(problems: Problems, arm: Arm, specs: tuple[SequenceSpec, ...]) -> Sequences:
+    """The points of each slot, by panel position; points that are wrong are left out."""
+    found: Sequences = {}
+    for i, sequence in enumerate(specs):
+        position = f"AUTO {sequence.slot}"
+        if position in found:
+            problems.wrong(("sequence", i, "slot"), f"{position} has its points already: each slot is given once")
+        points = []
+        for k, point in enumerate(sequence.point):
+            there = target(problems, arm, point.target, ("sequence", i, "point", k, "target"))
+            if there is not None:
+                points.append(Point(there, point.pause))
+        found[position] = tuple(points)
+    return found

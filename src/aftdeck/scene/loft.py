@@ -1,0 +1,37 @@
+"""Skin over cross-sections, closed at both ends, as triangles."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.scene.mesh import Mesh, mesh
+from aftdeck.shapes import Loft, Section
+
+Array = NDArray[np.float64]
+
+
+def loft(shape: Loft, points: int) -> Mesh:
+    """A loft in its own frame; `points` round each section."""
+    vertices = np.concatenate([ring(section, points) for section in shape.sections])
+    last = len(vertices) - points
+    faces: list[tuple[int, int, int]] = []
+    for first in range(0, last, points):
+        for k in range(points):
+            a, b = first + k, first + (k + 1) % points
+            faces += [(a, b, a + points), (a + points, b, b + points)]
+    for k in range(2, points):
+        faces += [(0, k, k - 1), (last, last + k - 1, last + k)]
+    return mesh(vertices, faces)
+
+
+def ring(section: Section, points: int) -> Array:
+    """(points, 3) a section's points, from its lowest one round by starboard, top and port."""
+    angles = 2.0 * np.pi * np.arange(points) / points - np.pi / 2.0
+    c, s = (np.where(np.abs(x) < 1e-12, 0.0, x) for x in (np.cos(angles), np.sin(angles)))
+    upper, lower = section.exponents
+    power = np.where(s > 0.0, 2.0 / upper, 2.0 / lower)
+    height = np.where(s > 0.0, section.top - section.middle, section.middle - section.bottom)
+    y = section.half_width * np.sign(c) * np.abs(c) ** power
+    z = section.middle + height * np.sign(s) * np.abs(s) ** power
+    return np.stack([np.full(points, section.x), y, z], axis=1)

@@ -1,0 +1,62 @@
+"""Triangles: the one form in which every shape can be drawn, weighed or sent on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.frames import Pose
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+
+class Mesh(NamedTuple):
+    """A surface of triangles.
+
+    A closed one has each edge in two triangles, which pass it in opposite directions; a few triangles may be empty.
+
+    Attributes:
+        vertices: (n, 3) [m].
+        faces: (m, 3) numbers of vertices, counter-clockwise as seen from outside.
+    """
+
+    vertices: Array
+    faces: Indices
+
+
+def mesh(vertices: Array, faces: Iterable[tuple[int, int, int]]) -> Mesh:
+    """A mesh of vertices (n, 3) and faces, without those that use a vertex twice."""
+    kept = [face for face in faces if len(set(face)) == 3]
+    return Mesh(np.asarray(vertices, dtype=np.float64), np.array(kept, dtype=np.int64).reshape(-1, 3))
+
+
+def moved(surface: Mesh, motion: Pose) -> Mesh:
+    """The surface in the frame in which its own has the pose `motion`, which may be a reflected one."""
+    faces = surface.faces if np.linalg.det(motion.rotation) > 0.0 else surface.faces[:, ::-1]
+    return Mesh(surface.vertices @ motion.rotation.T + motion.position, faces)
+
+
+def joined(surfaces: Iterable[Mesh]) -> Mesh:
+    """All surfaces as one; their vertices stay apart."""
+    vertices, faces, first = [np.empty((0, 3))], [np.empty((0, 3), dtype=np.int64)], 0
+    for surface in surfaces:
+        vertices.append(surface.vertices)
+        faces.append(surface.faces + first)
+        first += len(surface.vertices)
+    return Mesh(np.concatenate(vertices), np.concatenate(faces))
+
+
+def area(surface: Mesh) -> float:
+    """Of all triangles [m^2]."""
+    a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
+    return 0.5 * float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+
+
+def volume(surface: Mesh) -> float:
+    """Inside a closed surface [m^3], by the divergence theorem; below zero where its faces look inwards."""
+    a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
+    return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6.0

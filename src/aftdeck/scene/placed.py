@@ -1,0 +1,46 @@
+"""Groups taken apart: every shape as often as it is drawn, and where."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from aftdeck.frames import Pose, endori
+from aftdeck.shapes import Box, Cylinder, Group, Light, Loft, Plate, Ring, Shape, Shell, Sphere, Vec3
+
+Leaf = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Light
+"""A shape that is no group."""
+
+_HERE = Pose(np.zeros(3), np.eye(3))
+_MIRROR = Pose(np.zeros(3), np.diag([1.0, -1.0, 1.0]))
+
+
+def placed(shapes: Iterable[Shape], frame: Pose = _HERE) -> Iterator[tuple[Leaf, Pose]]:
+    """All shapes of all groups, each with its pose in the frame that they are listed in.
+
+    A pose's matrix is a reflection where the shape stands in a mirrored group.
+    """
+    for shape in shapes:
+        own = _pose(shape.position, shape.rotation)
+        if not isinstance(shape, Group):
+            yield shape, carried(frame, own)
+            continue
+        for side in (frame, carried(frame, _MIRROR)) if shape.mirror else (frame,):
+            for i in range(shape.count):
+                yield from placed(shape.shapes, carried(carried(side, own), _step(shape, i)))
+
+
+def carried(outer: Pose, inner: Pose) -> Pose:
+    """A pose given in a frame, in the frame in which that one has the pose `outer`."""
+    return Pose(outer.rotation @ inner.position + outer.position, outer.rotation @ inner.rotation)
+
+
+def _step(group: Group, i: int) -> Pose:
+    (x, y, z), (roll, pitch, yaw) = group.step, group.turn
+    return _pose((x * i, y * i, z * i), (roll * i, pitch * i, yaw * i))
+
+
+def _pose(position: Vec3, rotation: Vec3) -> Pose:
+    roll, pitch, yaw = rotation
+    return Pose(np.array(position), endori(roll, pitch, yaw))

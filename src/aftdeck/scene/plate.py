@@ -1,0 +1,50 @@
+"""A flat outline with thickness and rounded rims, as triangles."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from aftdeck.scene.mesh import Mesh, mesh
+from aftdeck.scene.polygon import inwards, signed_area, triangles
+from aftdeck.shapes import Axis, Plate, Vec2
+
+RIM_STEPS = 2
+"""A rim's quarter round is drawn in this many, as on the page."""
+_PLACE: dict[Axis, tuple[tuple[int, int, int], bool]] = {
+    "x": ((2, 0, 1), False),
+    "y": ((0, 2, 1), True),
+    "z": ((0, 1, 2), False),
+}
+"""Which of (first, second, across) is x, y and z, and whether that is a reflection."""
+
+
+def plate(shape: Plate) -> Mesh:
+    """A plate about its own origin."""
+    outline = shape.outline if signed_area(shape.outline) > 0.0 else shape.outline[::-1]
+    corners, ways = np.array(outline), inwards(outline)
+    levels = _levels(shape)
+    layers = [np.column_stack([corners + inset * ways, np.full(len(outline), z)]) for inset, z in levels]
+    order, reflected = _PLACE[shape.normal]
+    vertices = np.concatenate(layers)[:, order]
+    n, top = len(outline), (len(levels) - 1) * len(outline)
+    fill = triangles(outline)
+    faces = [(c, b, a) for a, b, c in fill] + [(top + a, top + b, top + c) for a, b, c in fill]
+    for first in range(0, top, n):
+        for k in range(n):
+            a, b = first + k, first + (k + 1) % n
+            faces += [(a, b, b + n), (a, b + n, a + n)]
+    return mesh(vertices, [(c, b, a) for a, b, c in faces] if reflected else faces)
+
+
+def _levels(shape: Plate) -> list[Vec2]:
+    """(how far inside the outline, how far across) [m], from the lower face to the upper one."""
+    half, bevel = shape.thickness / 2.0, shape.bevel
+    if bevel == 0.0:
+        return [(0.0, -half), (0.0, half)]
+    turns = [math.pi / 2.0 * k / RIM_STEPS for k in range(RIM_STEPS + 1)]
+    rim = [(bevel * (1.0 - math.sin(t)), half - bevel * (1.0 - math.cos(t))) for t in turns]
+    lower = [(inset, -z) for inset, z in rim]
+    upper = rim[::-1] if half > bevel else rim[-2::-1]
+    return lower + upper

@@ -1,0 +1,65 @@
+"""Flat outlines: which way they go round, corners moved inwards, and the triangles that fill them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.shapes import Vec2
+
+Array = NDArray[np.float64]
+
+SHARPEST = 2.0**0.5
+"""A corner moves inwards by this many times its edges' own way at most, as on the page."""
+
+
+def signed_area(outline: Sequence[Vec2]) -> float:
+    """Area inside an outline [m^2]; below zero where it goes round clockwise."""
+    ends = (*outline[1:], outline[0])
+    return 0.5 * sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(outline, ends, strict=True))
+
+
+def inwards(outline: Sequence[Vec2]) -> Array:
+    """(n, 2) how each corner of a counter-clockwise outline moves when all edges move inwards by one."""
+    corners = np.array(outline, dtype=np.float64)
+    edges = np.roll(corners, -1, axis=0) - corners
+    lengths = np.linalg.norm(edges, axis=1, keepdims=True)
+    normals = np.stack([-edges[:, 1], edges[:, 0]], axis=1) / np.where(lengths > 0.0, lengths, 1.0)
+    both = normals + np.roll(normals, 1, axis=0)
+    ways = both / np.maximum(0.5 * (both**2).sum(axis=1, keepdims=True), 1e-12)
+    sizes = np.linalg.norm(ways, axis=1, keepdims=True)
+    return np.asarray(ways * np.minimum(1.0, SHARPEST / np.maximum(sizes, SHARPEST)))
+
+
+def triangles(outline: Sequence[Vec2]) -> list[tuple[int, int, int]]:
+    """The n - 2 triangles, counter-clockwise, that fill an outline of that sense: ears are cut off one by one.
+
+    Every edge of the outline is an edge of one triangle, also where corners lie on a line or the outline crosses
+    itself; then some triangles are empty or overlap.
+    """
+    left = list(range(len(outline)))
+    found = []
+    while len(left) > 3:
+        ears = (i for i in range(len(left)) if _is_ear(outline, left, i))
+        i = next(ears, 0)
+        found.append((left[i - 1], left[i], left[(i + 1) % len(left)]))
+        del left[i]
+    return [*found, (left[0], left[1], left[2])]
+
+
+def _is_ear(outline: Sequence[Vec2], left: list[int], i: int) -> bool:
+    """Whether the corner stands out and no other corner lies in its triangle."""
+    a, b, c = (outline[left[k % len(left)]] for k in (i - 1, i, i + 1))
+    if _turn(a, b, c) <= 0.0:
+        return False
+    others = (outline[k] for k in left)
+    return not any(
+        p not in (a, b, c) and _turn(a, b, p) >= 0.0 and _turn(b, c, p) >= 0.0 and _turn(c, a, p) >= 0.0 for p in others
+    )
+
+
+def _turn(a: Vec2, b: Vec2, c: Vec2) -> float:
+    """Twice the signed area of a triangle."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

@@ -1,0 +1,68 @@
+"""Surfaces of a profile turned about an axis: cylinders, shells, rings, spheres, a lamp's face."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.scene.mesh import Mesh, mesh
+from aftdeck.shapes import Axis, Vec2
+
+Array = NDArray[np.float64]
+
+ON_AXIS = 1e-9
+"""A profile's point this near to the axis [m] lies on it."""
+FULL = math.tau - 1e-3
+"""From this sweep on [rad] a turn is a whole one."""
+_ORDER: dict[Axis, tuple[int, int, int]] = {"x": (0, 1, 2), "y": (2, 0, 1), "z": (1, 2, 0)}
+"""Which of (along, first, second) is x, y and z: angles run from y to z about x, and so round."""
+
+
+def revolve(
+    profile: list[Vec2],
+    axis: Axis,
+    segments: int,
+    start: float = 0.0,
+    sweep: float = math.tau,
+    *,
+    closed: bool = False,
+) -> Mesh:
+    """Surface swept by a profile.
+
+    A closed profile, or one that begins and ends on the axis, gives a closed surface.
+
+    Args:
+        profile: points (along the axis, away from it) [m] with the outside to the left.
+        axis: about which it turns.
+        segments: into how many pieces the sweep is cut.
+        start: angle at which the sweep begins [rad].
+        sweep: how far it goes [rad].
+        closed: whether the last point is joined to the first.
+    """
+    whole = sweep >= FULL
+    columns = segments if whole else segments + 1
+    angles = start + (math.tau if whole else sweep) * np.arange(columns) / segments
+    vertices: list[Array] = []
+    rows: list[list[int]] = []
+    count = 0
+    for along, away in profile:
+        single = abs(away) < ON_AXIS
+        turned = angles[:1] if single else angles
+        radius = 0.0 if single else away
+        flat = np.stack([np.full(len(turned), along), radius * np.cos(turned), radius * np.sin(turned)], axis=1)
+        vertices.append(flat[:, _ORDER[axis]])
+        rows.append([count] * columns if single else list(range(count, count + columns)))
+        count += len(turned)
+    faces: list[tuple[int, int, int]] = []
+    after = [*rows[1:], rows[0]] if closed else rows[1:]
+    for row, following in zip(rows, after, strict=False):
+        for k in range(segments):
+            n = (k + 1) % columns
+            faces += [(row[k], row[n], following[k]), (following[k], row[n], following[n])]
+    if not whole:
+        for i in range(2, len(rows)):
+            (a, b, c), (d, e, f) = ((rows[0][k], rows[i - 1][k], rows[i][k]) for k in (0, -1))
+            faces += [(a, b, c), (d, f, e)]
+    return mesh(np.concatenate(vertices), faces)

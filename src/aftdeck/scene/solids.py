@@ -1,0 +1,87 @@
+"""Each shape as triangles, about its own origin, with the corners that the page's low profile gives it."""
+
+from __future__ import annotations
+
+import math
+from itertools import product
+from typing import assert_never
+
+import numpy as np
+
+from aftdeck.scene.loft import loft
+from aftdeck.scene.mesh import Mesh, mesh
+from aftdeck.scene.placed import Leaf
+from aftdeck.scene.plate import plate
+from aftdeck.scene.revolve import revolve
+from aftdeck.shapes import Box, Cylinder, Light, Loft, Plate, Ring, Shell, Sphere, Vec2
+
+SIDES = 16
+"""Of a round body, unless more are asked for."""
+LARGE = 1.0
+"""From this radius on [m] a round body has twice as many."""
+FEWEST_PIECES = 4
+"""Of a part of a turn."""
+
+
+def solid(shape: Leaf, sides: int = SIDES) -> Mesh:
+    """A shape's surface: closed, but for a lamp's face.
+
+    Args:
+        shape: what is drawn; its own place and turn are left to `placed`.
+        sides: of a small round body, 8 or more; its surface comes as near to the true one as there are many.
+    """
+    match shape:
+        case Box():
+            return _box(shape)
+        case Cylinder():
+            half, end = shape.length / 2.0, shape.radius if shape.radius_end is None else shape.radius_end
+            profile = [(-half, 0.0), (-half, shape.radius), (half, end), (half, 0.0)]
+            return revolve(profile, shape.axis, _round(max(shape.radius, end), sides))
+        case Shell():
+            return _shell(shape, sides)
+        case Ring():
+            bar = [math.tau * k / max(6, sides // 4) for k in range(max(6, sides // 4))]
+            profile = [(shape.bar * math.sin(t), shape.radius + shape.bar * math.cos(t)) for t in bar]
+            pieces = _part(shape.sweep, shape.radius, sides)
+            return revolve(profile, shape.axis, pieces, shape.start, shape.sweep, closed=True)
+        case Sphere():
+            around = _round(shape.radius, sides)
+            arc = [math.pi * k / (around // 2) for k in range(around // 2 + 1)]
+            profile = [(-shape.radius * math.cos(t), shape.radius * math.sin(t)) for t in arc]
+            return revolve(profile, "x", around)
+        case Plate():
+            return plate(shape)
+        case Loft():
+            return loft(shape, 2 * sides)
+        case Light():
+            return revolve([(0.0, shape.radius), (0.0, 0.0)], "x", _round(shape.radius, sides))
+        case _:
+            assert_never(shape)
+
+
+def _box(shape: Box) -> Mesh:
+    corners = np.array(list(product((-0.5, 0.5), repeat=3))) * shape.size
+    quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+    return mesh(corners, [face for a, b, c, d in quads for face in ((a, b, c), (a, c, d))])
+
+
+def _shell(shape: Shell, sides: int) -> Mesh:
+    half, end = shape.length / 2.0, shape.radius if shape.radius_end is None else shape.radius_end
+    profile: list[Vec2] = [
+        (-half, shape.radius),
+        (half, end),
+        (half, end - shape.thickness),
+        (-half, shape.radius - shape.thickness),
+    ]
+    pieces = _part(shape.sweep, max(shape.radius, end), sides)
+    return revolve(profile, shape.axis, pieces, shape.start, shape.sweep, closed=True)
+
+
+def _round(radius: float, sides: int) -> int:
+    """How many sides a full turn is drawn with."""
+    return sides if radius < LARGE else 2 * sides
+
+
+def _part(sweep: float, radius: float, sides: int) -> int:
+    """How many sides a part of a turn is drawn with."""
+    return max(FEWEST_PIECES, math.ceil(_round(radius, sides) * min(sweep / math.tau, 1.0)))

@@ -1,0 +1,161 @@
+"""All that a reader may know of one instant: the station, a recording, a study, a policy."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+Vec3 = tuple[float, float, float]
+Six = tuple[float, float, float, float, float, float]
+Level = Literal["info", "caution", "warning"]
+Sequence = Literal["idle", "ready", "in progress"]
+
+FREE, PAST_REACH, PAST_SOFT, AT_HARD = 0, 1, 2, 3
+"""Zones of a joint."""
+
+
+class Event(msgspec.Struct, frozen=True):
+    """Something that happened, for the log."""
+
+    time_s: float
+    kind: str
+    level: Level
+    text: str
+
+
+class Limit(msgspec.Struct, frozen=True):
+    """A limit that acted in a step."""
+
+    kind: Literal[
+        "joint rate",
+        "soft stop",
+        "hard stop",
+        "singularity",
+        "POR translation",
+        "POR rotation",
+        "POR acceleration",
+    ]
+    joint: int
+    """0 to 5; -1 where no single joint is concerned."""
+    text: str
+
+
+class Check(msgspec.Struct, frozen=True):
+    """CMD CK: what a rehearsal of the way to a target found."""
+
+    good: bool
+    text: str
+    """``GOOD: 83 s`` or ``FAIL: elbow pitch meets its soft stop after 12 s``."""
+
+
+class WayOut(msgspec.Struct, frozen=True):
+    """How to leave a singularity or a joint's stop."""
+
+    cause: str
+    """``elbow`` (a singularity) or a joint's name."""
+    text: str
+    """For people: ``THC -X``, ``RHC +pitch``, ``SINGLE elbow pitch -``."""
+    stick: Literal["translation", "rotation", "joint"]
+    axis: int
+    """Axis 0 to 2 of the stick, or the joint."""
+    sign: int
+
+
+class Goal(msgspec.Struct, frozen=True):
+    """An automatic mode's target, frame 7 in L, and what is left to it."""
+
+    position: Vec3
+    """[m]"""
+    rotation: tuple[Vec3, Vec3, Vec3]
+    """Rows."""
+    distance: float
+    """[m]"""
+    angle: float
+    """[rad]"""
+    remaining_s: float
+    """ETA - TP [s]; 0 when not under way, and while modes 1 and 3 still bring the arm to rest."""
+
+
+class Frame(msgspec.Struct, frozen=True):
+    """The state after a control step, the inputs that it flew and what acted in it.
+
+    Vectors are in L, the longeron frame, unless said otherwise; the tip is frame 7.
+    """
+
+    tick: int
+    """Control steps done."""
+    time_s: float
+    """tick * control period."""
+    phase: str
+    """The script's phase; empty when flown by hand."""
+    by: Literal["hand", "script"]
+    mode: str
+    """Panel position entered."""
+    law: int
+    """The report's mode number flown, 1 to 8; 0 TEST, 9 DIRECT."""
+    law_choice: Literal["position", "closed loop", "open loop"]
+    """Switch beside OPR CMD and AUTO 1-4."""
+    payload_axes: bool
+    """Switch beside ORB LD."""
+    rate_hold: bool
+    """RATE HOLD keeps a stick command."""
+    position_hold: bool
+    """POSITION HOLD is on."""
+    joint: int
+    """Selected joint, 0 to 5."""
+    rate: Literal["coarse", "vernier"]
+    sequence: Sequence
+    """READY and IN PROG of the automatic modes."""
+    point: int
+    """AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes."""
+    points: int
+    """AUTO 1-4: how many there are."""
+    check: Check | None
+    """CMD CK of the present target."""
+    translation: Vec3
+    """THC as flown."""
+    rotation: Vec3
+    """RHC as flown."""
+    drive: float
+    angles: Six
+    """Measured [rad]."""
+    rates: Six
+    """Measured [rad/s]."""
+    angles_commanded: Six
+    """Where the commanded rates would have brought the arm [rad]."""
+    rates_commanded: Six
+    """[rad/s]"""
+    rate_limits: Six
+    """In force [rad/s]."""
+    zones: tuple[int, int, int, int, int, int]
+    """Per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop."""
+    position: Vec3
+    """Tip [m]."""
+    orientation: tuple[Vec3, Vec3, Vec3]
+    """Rows of the matrix whose columns are frame 7's axes."""
+    resolution: Vec3
+    """The point of resolution [m]: the payload's in ORB LD and PL, else the tip."""
+    payload: tuple[Vec3, tuple[Vec3, Vec3, Vec3]] | None
+    """Centre [m] and axes (rows) of the payload in the grasp."""
+    twist: Six
+    """Angular velocity [rad/s], then velocity of the point of resolution [m/s]."""
+    twist_commanded: Six
+    """What RATLMT left of the commanded twist."""
+    twist_demanded: Six
+    """What the mode asked for, before every limit."""
+    por_limits: tuple[float, float]
+    """Speed [m/s] and angular rate [rad/s] of the point of resolution, in force."""
+    ratio: float
+    """What RATLMT left of the demand, 0 to 1."""
+    limits: tuple[Limit, ...]
+    """Limits that acted in this step."""
+    singularity: Vec3
+    """Signed distances: shoulder, elbow, wrist."""
+    singular: tuple[str, ...]
+    """Names of the singularities nearer than the arm's threshold."""
+    ways_out: tuple[WayOut, ...]
+    """For each singularity that is near and each joint past a limit: what leads away from it."""
+    goal: Goal | None
+    events: tuple[Event, ...]
+    """What happened in this step."""

@@ -1,0 +1,57 @@
+"""RATE HOLD and POSITION HOLD: what keeps going, or keeps still, when the sticks are let go."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.scenario.target import target_at
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import GO, LAW, TARGET, TWIST
+from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
+
+AT_REST = 1e-3
+"""Tip speed [m/s] and angular rate [rad/s] under which POSITION HOLD takes the present pose to keep."""
+
+
+def held_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[float, ...]:
+    """Rotation and translation as flown: the sticks', or what RATE HOLD keeps."""
+    panel = state.panel
+    given = (*inputs.rotation, *inputs.translation)
+    if inputs.rate_hold:
+        if MODES[panel.mode].kind != "manual":
+            refuse(
+                flight,
+                state,
+                f"RATE HOLD refused: it works in the manual modes, not in {panel.mode}",
+            )
+        elif panel.held is not None:
+            panel.held = None
+            log(flight, state, "rate hold", "info", "RATE HOLD off")
+        elif any(given):
+            panel.held = given
+            log(flight, state, "rate hold", "info", "RATE HOLD: the present rates are kept; press again to let go")
+        else:
+            refuse(
+                flight,
+                state,
+                "RATE HOLD refused: the sticks are at rest, there is no rate to keep",
+            )
+    return given if panel.held is None else panel.held
+
+
+def hold_position(flight: Flight, state: State, moving: bool) -> None:
+    """POHS: with sticks at rest in a manual mode, mode 2 keeps the pose at which the arm came to rest."""
+    panel = state.panel
+    if not panel.position_hold or MODES[panel.mode].kind != "manual" or moving:
+        panel.holding = None
+        return
+    if panel.holding is None and np.abs(state.steering[TWIST : TWIST + 6]).max() < AT_REST:
+        tip = flight.scenario.arm.forward(state.plant.angles)
+        panel.holding = target_at(tip)
+        state.command[TARGET : TARGET + 3] = tip.position
+        state.command[TARGET + 3 : TARGET + 12] = tip.rotation.ravel()
+    if panel.holding is not None:
+        state.command[LAW], state.command[GO] = AUTOMATIC_LAWS["closed loop"], 1.0

@@ -1,0 +1,97 @@
+"""What an operator does in one control step, whoever the operator is: a person, a script, a policy."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+import msgspec
+
+from aftdeck.errors import InputError
+from aftdeck.kinematics.arm import Arm
+from aftdeck.scenario.target import Target
+from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
+
+Vec3 = tuple[float, float, float]
+
+AGREED, AGREED_TURN = 1e-3, math.radians(0.01)
+"""How far a target's joint angles may put the tip from its pose [m], [rad]: what angles rounded to a thousandth of a
+degree may do (assumed)."""
+
+
+class Inputs(msgspec.Struct, frozen=True):
+    """Sticks and switches of one step; None leaves a switch as it is. `Inputs()` is hands off.
+
+    Sticks act along and about the axes of the mode entered, full deflection being the limit in force.
+    """
+
+    translation: Vec3 = (0.0, 0.0, 0.0)
+    """THC along axes 1, 2, 3, each in [-1, 1]."""
+    rotation: Vec3 = (0.0, 0.0, 0.0)
+    """RHC about axes 1 (roll), 2 (pitch), 3 (yaw), each in [-1, 1]."""
+    drive: float = 0.0
+    """SINGLE/DIRECT DRIVE switch in [-1, 1]."""
+    mode: str | None = None
+    """MODE rotary: a panel position."""
+    joint: int | None = None
+    """JOINT rotary, 0 to 5."""
+    rate: Literal["coarse", "vernier"] | None = None
+    target: Target | None = None
+    """Key in the final pose of OPR CMD."""
+    law: LawChoice | None = None
+    """Switch beside OPR CMD and AUTO 1-4: which of the report's modes 1 to 3 they fly."""
+    payload_axes: bool | None = None
+    """Switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4)."""
+    rate_hold: bool = False
+    """RATE HOLD pressed in this step: keep the present stick command; pressed again: let it go."""
+    position_hold: bool | None = None
+    """POSITION HOLD: with sticks at rest, keep the tip's position and attitude."""
+    proceed: bool = False
+    """AUTO SEQ switch to PROCEED, in this step."""
+    stop: bool = False
+    """AUTO SEQ switch to STOP, in this step."""
+
+    def check(self, arm: Arm) -> None:
+        """Refuse what no hand controller can give.
+
+        Raises:
+            InputError: a stick outside [-1, 1] or not finite, a joint that does not exist, a target that is
+                no pose, or whose joint angles put the tip of `arm` elsewhere.
+        """
+        sticks = (*self.translation, *self.rotation, self.drive)
+        if (len(self.translation), len(self.rotation)) != (3, 3) or not all(
+            math.isfinite(s) and -1.0 <= s <= 1.0 for s in sticks
+        ):
+            raise InputError(
+                f"sticks lie in [-1, 1], got translation {self.translation}, rotation {self.rotation}, "
+                f"drive {self.drive}"
+            )
+        if self.joint is not None and self.joint not in range(6):
+            raise InputError(f"joints are numbered 0 to 5, got {self.joint}")
+        if self.rate not in (None, "coarse", "vernier"):
+            raise InputError(f"the rate switch stands at coarse or vernier, got {self.rate!r}")
+        if self.law is not None and self.law not in AUTOMATIC_LAWS:
+            raise InputError(f"the law is one of {', '.join(AUTOMATIC_LAWS)}, got {self.law!r}")
+        if self.target is not None:
+            _check_target(arm, self.target)
+
+
+def _check_target(arm: Arm, target: Target) -> None:
+    """Refuse a target that is none, whatever the types say, or whose two halves are two targets."""
+    position, rotation, joints = target.position, target.rotation, target.joints
+    sizes = (len(position), *(len(row) for row in rotation), 6 if joints is None else len(joints))
+    if sizes != (3, 3, 3, 3, 6):
+        raise InputError(f"a target has a position (3), a rotation (3, 3) and six joint angles or none, got {target}")
+    if not all(math.isfinite(x) for x in (*position, *(x for row in rotation for x in row), *(joints or ()))):
+        raise InputError(f"a target has finite numbers, got {target}")
+    if joints is None:
+        return
+    tip = arm.forward(joints)
+    distance = math.dist(tip.position, position)
+    chord = math.dist(tip.rotation.ravel(), [x for row in rotation for x in row])  # sees what is no rotation, too
+    angle = 2.0 * math.asin(min(1.0, chord / math.sqrt(8.0)))
+    if not (distance <= AGREED and angle <= AGREED_TURN):  # an overflow agrees with nothing
+        raise InputError(
+            f"a target's joint angles put the tip at its pose, these {distance:.4g} m and "
+            f"{math.degrees(angle):.4g} deg beside it; {AGREED:g} m and {math.degrees(AGREED_TURN):g} deg are allowed"
+        )

@@ -1,0 +1,168 @@
+"""Looking at the arm after a step: the frame, and the log's lines about stops and singularities."""
+
+from __future__ import annotations
+
+import math
+from typing import cast
+
+import numpy as np
+
+from aftdeck.frames import Pose, Rows, angle_between
+from aftdeck.kinematics.observe import OBSERVED, observe
+from aftdeck.kinematics.singular import NAMES
+from aftdeck.simulation.acting import acting_limits
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Frame, Goal, Level, Six, Vec3
+from aftdeck.simulation.log import log, spoken
+from aftdeck.simulation.panel import law_of
+from aftdeck.simulation.state import State
+from aftdeck.simulation.ways_out import ways_out
+from aftdeck.steering.layout import (
+    DEMAND,
+    RATE,
+    RATIO,
+    REMAINING,
+    SPEED,
+    TURN,
+)
+from aftdeck.steering.mode import MODES
+
+TOUCHING = 1e-6
+"""How near to a hard stop counts as at it [rad]."""
+_BACK_TEXTS = {PAST_REACH: "back inside its soft stop", PAST_SOFT: "off its hard stop"}
+_ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", PAST_SOFT: "past its soft stop",
+               AT_HARD: "at its hard stop"}  # fmt: skip
+
+
+def look(flight: Flight, state: State, by_script: bool, phase: str) -> Frame:
+    """The frame after the step just made, with its log lines; `state.events` is taken up in it."""
+    scenario, panel = flight.scenario, state.panel
+    seen_array = np.empty(OBSERVED)
+    observe(scenario.arm.model.links, state.plant.angles, state.plant.rates, seen_array)
+    seen = seen_array.tolist()
+    angles = state.plant.angles.tolist()
+    zones = _zones(flight, angles)
+    singular = tuple(name for name, d in zip(NAMES, seen[18:], strict=True) if abs(d) < scenario.arm.model.singular)
+    _tell_changes(flight, state, zones, singular, seen[18:])
+    rules = flight.rules[panel.mode, panel.rate]
+    sticks, drive = state.sticks
+    steering = state.steering.tolist()
+    points = len(scenario.sequences.get(panel.mode, ()))
+    position = _vec3(seen[:3])
+    orientation = (_vec3(seen[3:6]), _vec3(seen[6:9]), _vec3(seen[9:12]))
+    resolution, twist, payload = _carried(flight, state, position, orientation, seen[12:18])
+    return Frame(
+        tick=state.tick,
+        time_s=round(state.tick * scenario.control_period, 9),
+        phase=phase,
+        by="script" if by_script else "hand",
+        mode=panel.mode,
+        law=law_of(panel),
+        law_choice=panel.law,
+        payload_axes=panel.payload_axes,
+        rate_hold=panel.held is not None,
+        position_hold=panel.position_hold,
+        joint=panel.joint,
+        rate=panel.rate,
+        sequence=panel.sequence,
+        point=min(panel.point + 1, points) if points else 0,
+        points=points,
+        check=panel.check,
+        translation=_vec3(sticks[3:]),
+        rotation=_vec3(sticks[:3]),
+        drive=drive,
+        angles=_six(angles),
+        rates=_six(state.plant.rates.tolist()),
+        angles_commanded=_six(state.commanded.tolist()),
+        rates_commanded=_six(steering[6:12]),
+        rate_limits=_six(rules[RATE : RATE + 6].tolist()),
+        zones=cast("tuple[int, int, int, int, int, int]", zones),
+        position=position,
+        orientation=orientation,
+        resolution=resolution,
+        payload=payload,
+        twist=twist,
+        twist_commanded=_six(steering[12:18]),
+        twist_demanded=_six(state.report[DEMAND : DEMAND + 6].tolist()),
+        por_limits=(float(rules[SPEED]), float(rules[TURN])),
+        ratio=float(state.report[RATIO]),
+        limits=acting_limits(flight, state),
+        singularity=_vec3(seen[18:]),
+        singular=singular,
+        ways_out=ways_out(flight, state, zones, singular),
+        goal=_goal(state, position, orientation),
+        events=tuple(state.events),
+    )
+
+
+def _carried(
+    flight: Flight, state: State, position: Vec3, orientation: Rows, tip_twist: list[float]
+) -> tuple[Vec3, Six, tuple[Vec3, Rows] | None]:
+    """The point of resolution, its twist, and the payload in the grasp, if any."""
+    held = flight.scenario.payload
+    if held is None:
+        return position, _six(tip_twist), None
+    tip = Pose(np.array(position), np.array(orientation))
+    centre = held.pose(tip)
+    a, b, c = (_vec3(row) for row in centre.rotation.tolist())
+    payload = (_vec3(centre.position.tolist()), (a, b, c))
+    if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # the source moves the tip in every mode
+        return position, _six(tip_twist), payload
+    point = held.resolution(tip)
+    velocity = np.array(tip_twist[3:]) + np.cross(tip_twist[:3], point - tip.position)
+    return _vec3(point.tolist()), _six([*tip_twist[:3], *velocity.tolist()]), payload
+
+
+def _vec3(values: list[float]) -> Vec3:
+    return cast("Vec3", tuple(values))
+
+
+def _six(values: list[float]) -> Six:
+    return cast("Six", tuple(values))
+
+
+def _zones(flight: Flight, angles: list[float]) -> tuple[int, ...]:
+    return tuple(
+        FREE
+        if reach[0] <= q <= reach[1]
+        else PAST_REACH
+        if soft[0] <= q <= soft[1]
+        else PAST_SOFT
+        if hard[0] + TOUCHING < q < hard[1] - TOUCHING
+        else AT_HARD
+        for q, reach, soft, hard in zip(angles, flight.reach, flight.soft, flight.hard, strict=True)
+    )
+
+
+def _tell_changes(
+    flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...], distances: list[float]
+) -> None:
+    """Log what has changed: joints that pass a limit, singularities that come near."""
+    panel, joints = state.panel, flight.scenario.arm.joints
+    if zones != panel.zones:
+        for joint, old, new in zip(joints, panel.zones, zones, strict=True):
+            if new != old:
+                level: Level = "caution" if new > old else "info"
+                text = _ZONE_TEXTS[new] if new > old or new == FREE else _BACK_TEXTS[new]
+                log(flight, state, "limit", level, f"{spoken(joint)} {text}")
+        panel.zones = zones
+    if singular != panel.singular:
+        for name, distance in zip(NAMES, distances, strict=True):
+            if name in singular and name not in panel.singular:
+                log(flight, state, "singular", "caution", f"{name} singularity near: {abs(distance):.2f} of 1")
+            elif name in panel.singular and name not in singular:
+                log(flight, state, "singular", "info", f"{name} singularity left behind")
+        panel.singular = singular
+
+
+def _goal(state: State, position: Vec3, orientation: Rows) -> Goal | None:
+    target = state.panel.target
+    if target is None:
+        return None
+    return Goal(
+        target.position,
+        target.rotation,
+        math.dist(target.position, position),
+        angle_between(target.rotation, orientation),
+        float(state.report[REMAINING]) if state.panel.sequence == "in progress" else 0.0,
+    )

@@ -1,0 +1,148 @@
+"""What the operator's switches do: entering modes, keying in targets, PROCEED and STOP.
+
+Commands that cannot be taken are refused in the log and change nothing.
+"""
+
+from __future__ import annotations
+
+from aftdeck.scenario.target import Target
+from aftdeck.simulation.check import command_check
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.holds import held_sticks, hold_position
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.sequence import begin, finish, next_target
+from aftdeck.simulation.state import Panel, State
+from aftdeck.steering.course import may_start, set_off
+from aftdeck.steering.layout import DRIVE, GO, JOINT, LAW, STICKS
+from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
+
+
+def operate(flight: Flight, state: State, inputs: Inputs) -> None:
+    """Take one step's inputs: the panel's switches change, and `state.command` is set."""
+    panel = state.panel
+    if state.tick == 1:
+        make_ready(flight, state)
+    finish(flight, state)
+    _set_switches(flight, state, inputs)
+    if inputs.mode is not None and inputs.mode != panel.mode:
+        _enter(flight, state, inputs.mode)
+    if inputs.target is not None:
+        _key_in(flight, state, inputs.target)
+    if inputs.stop:
+        _stop(flight, state)
+    if inputs.proceed:
+        _proceed(flight, state)
+    command = state.command
+    sticks = held_sticks(flight, state, inputs)
+    command[LAW] = law_of(panel)
+    command[STICKS : STICKS + 6] = sticks
+    command[JOINT], command[DRIVE] = panel.joint, inputs.drive
+    if panel.sequence != "in progress":
+        command[GO] = 0.0
+    elif command[GO] == 0.0:
+        set_off(flight.rules[panel.mode, panel.rate], command, state.steering)
+    hold_position(flight, state, any(sticks))
+
+
+def law_of(panel: Panel) -> int:
+    """The report's mode number that the panel's switches choose."""
+    mode = MODES[panel.mode]
+    if mode.kind == "automatic":
+        return AUTOMATIC_LAWS[panel.law]
+    return mode.laws[-1] if panel.payload_axes else mode.laws[0]
+
+
+def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
+    panel = state.panel
+    if inputs.joint is not None:
+        panel.joint = inputs.joint
+    if inputs.rate is not None:
+        panel.rate = inputs.rate
+    if inputs.payload_axes is not None and inputs.payload_axes != panel.payload_axes:
+        panel.payload_axes = inputs.payload_axes
+        axes = "payload axes (mode 7)" if panel.payload_axes else "the orbiter's axes (mode 4)"
+        log(flight, state, "payload axes", "info", f"ORB LD rotates in {axes}")
+    if inputs.position_hold is not None:
+        panel.position_hold, panel.holding = inputs.position_hold, None
+    if inputs.law is not None and inputs.law != panel.law:
+        if panel.sequence == "in progress":
+            refuse(
+                flight,
+                state,
+                "the law cannot be changed while a motion is in progress: STOP first",
+            )
+        else:
+            panel.law = inputs.law
+            make_ready(flight, state)
+
+
+def _enter(flight: Flight, state: State, position: str) -> None:
+    mode = MODES.get(position)
+    if mode is None:
+        refuse(flight, state, f"no mode {position!r}: there are {', '.join(MODES)}")
+        return
+    if mode.loaded and flight.scenario.payload is None:
+        refuse(flight, state, f"{position} refused: it moves a payload, and none is in the grasp")
+        return
+    if position.startswith("AUTO") and position not in flight.scenario.sequences:
+        refuse(flight, state, f"{position} refused: no points are stored for it in this scenario")
+        return
+    panel = state.panel
+    panel.mode, panel.held, panel.holding, panel.sequence, panel.point = position, None, None, "idle", 0
+    log(flight, state, "mode", "info", f"{position} entered: {mode.title}")
+    make_ready(flight, state)
+
+
+def make_ready(flight: Flight, state: State, *, tell: bool = True, keyed: bool = False) -> None:
+    """CMD CK for the target that comes next, or that was just keyed in; READY where it is GOOD in an automatic mode."""
+    panel = state.panel
+    panel.sequence, panel.check, panel.target = "idle", None, next_target(flight, panel)
+    automatic = MODES[panel.mode].kind == "automatic"
+    if panel.target is None or not (automatic or keyed):
+        return
+    panel.check = command_check(flight, state, panel.target)
+    panel.sequence = "ready" if automatic and panel.check.good else "idle"
+    if tell:
+        log(flight, state, "check", "info" if panel.check.good else "caution", f"CMD CK {panel.check.text}")
+
+
+def _key_in(flight: Flight, state: State, target: Target) -> None:
+    panel = state.panel
+    if panel.sequence == "in progress":
+        refuse(flight, state, "no target can be keyed in while a motion is in progress: STOP first")
+        return
+    panel.keyed = target
+    log(flight, state, "target", "info", "target keyed in")
+    make_ready(flight, state, keyed=True)
+
+
+def _stop(flight: Flight, state: State) -> None:
+    panel = state.panel
+    panel.held = None
+    if panel.sequence == "in progress":
+        panel.sequence = "ready"
+        log(flight, state, "stop", "info", "STOP: the arm slows to rest; PROCEED goes on")
+
+
+def _proceed(flight: Flight, state: State) -> None:
+    panel = state.panel
+    if MODES[panel.mode].kind != "automatic":
+        refuse(
+            flight,
+            state,
+            f"PROCEED does nothing in {panel.mode}: enter OPR CMD or AUTO 1-4 first",
+        )
+    elif panel.sequence != "in progress":
+        if panel.point >= len(flight.scenario.sequences.get(panel.mode, ())):
+            panel.point = 0  # a sequence that is complete begins again
+        make_ready(flight, state, tell=False)  # the arm may have moved since the last check
+        if panel.target is None:
+            refuse(flight, state, "PROCEED refused: no target is keyed in")
+        elif panel.check is not None and not panel.check.good:
+            refuse(flight, state, f"PROCEED refused: CMD CK {panel.check.text}")
+        else:
+            begin(flight, state, panel.target)
+            at_once = may_start(flight.rules[panel.mode, panel.rate], state.command, state.steering)
+            way = "flies to its target" if at_once else "comes to rest, then flies to its target"
+            log(flight, state, "proceed", "info", f"PROCEED: the arm {way}")

@@ -1,0 +1,143 @@
+"""A simulation that callers step, and a run without a screen from first frame to summary."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Literal
+
+import msgspec
+
+from aftdeck.errors import InputError, SimulationError
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.flight import first_state, prepare
+from aftdeck.simulation.frame import Event, Frame
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.state import Saved
+from aftdeck.simulation.step import step
+from aftdeck.simulation.summary import Summary, summarise
+
+_encoder = msgspec.msgpack.Encoder()
+
+
+class SavedSimulation(msgspec.Struct, frozen=True):
+    """A simulation's state at an instant, with the scenario and seed that it belongs to."""
+
+    scenario: str
+    """SHA-256 of the scenario's text and the arm's constants."""
+    seed: int
+    state: Saved
+
+
+class Simulation:
+    """One flight of a scenario, stepped by its caller.
+
+    Attributes:
+        scenario: what is flown.
+        seed: of everything random (nothing is, on the kinematic plant).
+        frame: the last step's frame; None before the first.
+    """
+
+    def __init__(self, scenario: Scenario | str | Path, seed: int | None = None) -> None:
+        self.scenario = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
+        self.seed = self.scenario.seed if seed is None else seed
+        self.frame: Frame | None = None
+        self._flight = prepare(self.scenario)
+        self._state = first_state(self.scenario)
+        constants = f"{self.scenario.text}\n{self.scenario.arm.model.source}"
+        self._digest = hashlib.sha256(constants.encode()).hexdigest()
+
+    @property
+    def ended(self) -> Literal["", "completed", "time", "fault"]:
+        """How the scenario's script ended; empty while it has not. Flying by hand never ends it."""
+        return self._state.script.ended
+
+    def step(self, inputs: Inputs | None = None) -> Frame:
+        """Advance by one control period.
+
+        Args:
+            inputs: sticks and switches; None lets the scenario's script fly.
+
+        Raises:
+            InputError: inputs that no hand controller can give, a target that is none or contradicts itself;
+                nothing has changed.
+            SimulationError: the state is no longer finite.
+        """
+        if inputs is not None:
+            inputs.check(self.scenario.arm)
+        frame = step(self._flight, self._state, inputs)
+        if not math.isfinite(sum(frame.angles)):
+            raise SimulationError(f"the arm's state is no longer finite at {frame.time_s:g} s: {frame.angles}")
+        self.frame = frame
+        return frame
+
+    def save(self) -> SavedSimulation:
+        """Everything that the next step depends on; plain values, msgspec encodes them."""
+        return SavedSimulation(self._digest, self.seed, self._state.save())
+
+    def restore(self, saved: SavedSimulation) -> None:
+        """Go on from what `save` gave, in this or in another simulation of the same scenario.
+
+        Raises:
+            InputError: it was saved from another scenario.
+        """
+        if saved.scenario != self._digest:
+            raise InputError(
+                f"the saved state belongs to a scenario with digest {saved.scenario[:12]}, this one is "
+                f"{self.scenario.name!r} with {self._digest[:12]}"
+            )
+        self.seed = saved.seed
+        self._state.restore(saved.state)
+        self.frame = None
+
+
+class Run(msgspec.Struct, frozen=True):
+    """A run from its first frame to its end."""
+
+    scenario: Scenario
+    frames: tuple[Frame, ...]
+    events: tuple[Event, ...]
+    summary: Summary
+
+
+def run(
+    scenario: Scenario | str | Path,
+    seed: int | None = None,
+    *,
+    keep_frames: bool = True,
+    progress: Callable[[float], None] | None = None,
+    seen: Callable[[Frame], None] | None = None,
+) -> Run:
+    """Fly a scenario's script to its end without a screen.
+
+    Args:
+        scenario: a scenario, a built-in name or a path.
+        seed: in place of the scenario's.
+        keep_frames: False keeps only the last frame, for long runs.
+        progress: told now and then how much of the longest duration has gone, 0 to 1.
+        seen: told of every frame.
+    """
+    sim = Simulation(scenario, seed)
+    frames: list[Frame] = []
+    events: list[Event] = []
+    digest = hashlib.sha256()
+    worst = 0.0
+    while True:
+        frame = sim.step()
+        digest.update(_encoder.encode(frame))
+        if keep_frames:
+            frames.append(frame)
+        if seen is not None:
+            seen(frame)
+        events += frame.events
+        worst = max(worst, *(abs(r) / m for r, m in zip(frame.rates_commanded, frame.rate_limits, strict=True)))
+        if progress is not None and frame.tick % 256 == 0:
+            progress(frame.tick / sim.scenario.ticks)
+        ended = sim.ended
+        if ended:
+            break
+    summary = summarise(sim.scenario, sim.seed, ended, frame, worst, tuple(events), digest.hexdigest())
+    return Run(sim.scenario, tuple(frames) if keep_frames else (frame,), tuple(events), summary)

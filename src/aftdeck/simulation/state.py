@@ -1,0 +1,148 @@
+"""Everything that the next step depends on."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.plant.kinematic import KinematicPlant
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.target import Target
+from aftdeck.simulation.frame import Check, Event, Sequence, Six
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.steering.layout import COMMAND, DRIVE, RATES, REPORT, STATE, STICKS, TWIST
+from aftdeck.steering.mode import LawChoice
+from aftdeck.steering.rules import Rate
+
+Array = NDArray[np.float64]
+
+
+class Panel(msgspec.Struct):
+    """How the panel's switches stand, and the lamps that the log has already told of."""
+
+    mode: str
+    joint: int
+    rate: Rate
+    law: LawChoice = "closed loop"
+    """What OPR CMD and AUTO 1-4 fly."""
+    payload_axes: bool = False
+    """ORB LD rotates in payload axes."""
+    held: Six | None = None
+    """Sticks (rotation, translation) that RATE HOLD keeps."""
+    position_hold: bool = False
+    """POSITION HOLD switch."""
+    holding: Target | None = None
+    """The pose that POSITION HOLD keeps; None while sticks move."""
+    keyed: Target | None = None
+    """OPR CMD's keyed-in pose."""
+    target: Target | None = None
+    """Where the present automatic mode goes next."""
+    point: int = 0
+    """AUTO 1-4: the point, from 0, that comes next."""
+    check: Check | None = None
+    """CMD CK: whether the way to the target is clear."""
+    sequence: Sequence = "idle"
+    blocked: int = 0
+    """Steps for which an automatic motion has been held at a standstill."""
+    zones: tuple[int, ...] = (0, 0, 0, 0, 0, 0)
+    singular: tuple[str, ...] = ()
+    advice: dict[str, int] = msgspec.field(default_factory=dict)
+    """The stick that was named last as the way out, by its cause."""
+
+
+class Script(msgspec.Struct):
+    """Where the scenario's script stands."""
+
+    phase: int = 0
+    """Index of the phase; the number of phases once the last has ended."""
+    began: int = -1
+    """Tick at which the phase began; -1 before that."""
+    ended: Literal["", "completed", "time", "fault"] = ""
+
+
+class State:
+    """The simulation's whole state. Arrays are those of `steering.layout`.
+
+    Attributes:
+        tick: control steps done, with the one under way.
+        panel: switches.
+        script: where the script stands.
+        under_way: a person's inputs that the command delay holds back, oldest first.
+        plant: what moves.
+        steering: (18,) measured angles, commanded rates, commanded twist.
+        commanded: (6,) integral of the commanded rates from the initial angles [rad].
+        command: what the steering laws are told in this step.
+        report: what they said of it.
+        events: of the step under way.
+    """
+
+    def __init__(self, scenario: Scenario, first_twist: Array) -> None:
+        self.tick = 0
+        self.panel = Panel(
+            scenario.mode,
+            0,
+            scenario.rate,
+            law=scenario.law,
+            payload_axes=scenario.payload_axes,
+            position_hold=scenario.position_hold,
+        )
+        self.script = Script()
+        self.under_way = [Inputs()] * scenario.delay
+        self.plant = KinematicPlant(scenario.initial_angles, scenario.initial_rates)
+        self.steering = np.zeros(STATE)
+        self.steering[:6] = scenario.initial_angles
+        self.steering[RATES : RATES + 6] = scenario.initial_rates
+        self.steering[TWIST : TWIST + 6] = first_twist
+        self.commanded = np.array(scenario.initial_angles)
+        self.command = np.zeros(COMMAND)
+        self.report = np.zeros(REPORT)
+        self.events: list[Event] = []
+
+    def save(self) -> Saved:
+        """A copy that nothing changes."""
+        return Saved(
+            self.tick,
+            msgspec.structs.replace(self.panel, advice=dict(self.panel.advice)),
+            msgspec.structs.replace(self.script),
+            tuple(self.under_way),
+            self.plant.save(),
+            self.steering.tolist(),
+            self.commanded.tolist(),
+            self.command.tolist(),
+            self.report.tolist(),
+        )
+
+    def restore(self, saved: Saved) -> None:
+        """Go on from what `save` gave."""
+        self.tick = saved.tick
+        self.panel = msgspec.structs.replace(saved.panel, advice=dict(saved.panel.advice))
+        self.script = msgspec.structs.replace(saved.script)
+        self.under_way = list(saved.under_way)
+        self.plant.restore(saved.plant)
+        self.steering[:] = saved.steering
+        self.commanded[:] = saved.commanded
+        self.command[:] = saved.command
+        self.report[:] = saved.report
+        self.events.clear()
+
+    @property
+    def sticks(self) -> tuple[list[float], float]:
+        """The sticks as this step flew them: RHC then THC, and the drive switch."""
+        return self.command[STICKS : STICKS + 6].tolist(), float(self.command[DRIVE])
+
+
+class Saved(msgspec.Struct, frozen=True):
+    """A state as plain values; `simulation.run.Simulation` wraps it with the scenario it belongs to."""
+
+    tick: int
+    panel: Panel
+    script: Script
+    under_way: tuple[Inputs, ...]
+    plant: tuple[list[float], ...]
+    steering: list[float]
+    commanded: list[float]
+    command: list[float]
+    report: list[float]

@@ -1,0 +1,93 @@
+"""The way out: for each singularity that is near and each joint past a limit, the stick that leads away."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.kinematics.singular import NAMES
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.frame import WayOut
+from aftdeck.simulation.log import spoken
+from aftdeck.simulation.panel import law_of
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import COMMAND, LAW
+from aftdeck.steering.mode import MODES
+from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
+
+LEAST = 1e-3
+"""A stick that takes the arm away more slowly than this [1/s] or [rad/s] is no way out."""
+NEARLY = 0.6
+"""Advice stays while its stick leads away at least this much as fast as the fastest one [1]."""
+_STICKS = ("RHC +roll", "RHC −roll", "RHC +pitch", "RHC −pitch", "RHC +yaw", "RHC −yaw",
+           "THC +X", "THC −X", "THC +Y", "THC −Y", "THC +Z", "THC −Z")  # fmt: skip
+
+
+def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...]) -> tuple[WayOut, ...]:
+    """What leads away from everything that holds or is about to hold the arm."""
+    if not singular and not any(zones):
+        state.panel.advice.clear()
+        return ()
+    found = [_from_singularity(flight, state, NAMES.index(name), zones) for name in singular]
+    found += [_from_limit(flight, state, joint) for joint, zone in enumerate(zones) if zone]
+    return tuple(found)
+
+
+def _tried(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
+    """How fast each stick direction of the present mode (ORB UNL where it takes no sticks) leads away."""
+    panel = state.panel
+    manual = MODES[panel.mode].kind == "manual"
+    command = np.zeros(COMMAND)
+    command[LAW] = law_of(panel) if manual else 4
+    rules = flight.rules[panel.mode if manual else "ORB UNL", panel.rate]
+    steering = state.steering.copy()
+    steering[:6] = state.plant.angles
+    tried = np.zeros(DIRECTIONS)
+    way_out(rules, command, steering, singularity, joint, inward, tried)
+    return tried
+
+
+def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:
+    """The stick that leads away fastest; the one named before, while it is nearly as fast."""
+    advice = state.panel.advice
+    best = int(tried.argmax())
+    if tried[best] < LEAST:
+        return None
+    before = advice.get(cause, best)
+    if tried[before] >= NEARLY * tried[best]:
+        best = before
+    advice[cause] = best
+    stick, sign = best // 2, 1 if best % 2 == 0 else -1
+    return WayOut(cause, _STICKS[best], "rotation" if stick in range(3) else "translation", stick % 3, sign)
+
+
+def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int, ...]) -> WayOut:
+    name = NAMES[which]
+    if state.panel.mode not in ("SINGLE", "DIRECT") and (
+        out := _best(state, name, _tried(flight, state, which, -1, 0.0))
+    ):
+        return out
+    arm = flight.scenario.arm
+    joint, sign = joint_out(arm.model.links, state.plant.angles, arm.limits.reach, which, arm.model.singular)
+    return _by_joint(flight, state, name, joint, _inward(flight, state, joint) if zones[joint] else sign)
+
+
+def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
+    name = flight.scenario.arm.joints[joint]
+    inward = _inward(flight, state, joint)
+    if state.panel.mode not in ("SINGLE", "DIRECT") and (
+        out := _best(state, name, _tried(flight, state, -1, joint, inward))
+    ):
+        return out
+    return _by_joint(flight, state, name, joint, inward)
+
+
+def _inward(flight: Flight, state: State, joint: int) -> int:
+    """Which way a joint turns from its nearer limit."""
+    low, high = flight.reach[joint]
+    return 1 if state.plant.angles[joint] < 0.5 * (low + high) else -1
+
+
+def _by_joint(flight: Flight, state: State, cause: str, joint: int, sign: int) -> WayOut:
+    position = state.panel.mode if state.panel.mode in ("SINGLE", "DIRECT") else "SINGLE"
+    named = spoken(flight.scenario.arm.joints[joint])
+    return WayOut(cause, f"{position} {named} {'+' if sign > 0 else '−'}", "joint", joint, sign)

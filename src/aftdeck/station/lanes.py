@@ -1,0 +1,50 @@
+"""A replay's lanes: what was so from when to when."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from aftdeck.simulation.frame import Frame
+from aftdeck.station.playback import Lane, Stretch
+from aftdeck.station.protocol import Lamp, Level
+
+
+class Lanes:
+    """Phase, mode, alarms and limits of a run, collected frame by frame."""
+
+    def __init__(self, period_s: float) -> None:
+        self._period_s = period_s
+        self._lanes: dict[str, list[tuple[int, str, Level]]] = {"Phase": [], "Mode": [], "Alarms": [], "Limits": []}
+        self._ticks = 0
+
+    def add(self, frame: Frame, lamps: Iterable[Lamp]) -> None:
+        """The next frame and the lamps lit in it."""
+        alarms = [lamp.name for lamp in lamps if lamp.level != "info"]
+        self._put("Phase", frame.phase, "info")
+        self._put("Mode", frame.mode, "info")
+        self._put("Alarms", " · ".join(alarms), "caution" if alarms else "info")
+        self._put("Limits", " · ".join(sorted({limit.kind for limit in frame.limits})), "info")
+        self._ticks = frame.tick
+
+    def _put(self, lane: str, label: str, level: Level) -> None:
+        stretches = self._lanes[lane]
+        if not stretches or stretches[-1][1] != label:
+            stretches.append((self._ticks, label, level))
+
+    def lanes(self) -> tuple[Lane, ...]:
+        """The lanes, their stretches without a gap from zero to the last frame; phases only where a script flew."""
+        return tuple(
+            Lane(name, self._stretches(stretches))
+            for name, stretches in self._lanes.items()
+            if name != "Phase" or any(label for _, label, _ in stretches)
+        )
+
+    def _stretches(self, stretches: list[tuple[int, str, Level]]) -> tuple[Stretch, ...]:
+        ends = [*(start for start, _, _ in stretches[1:]), self._ticks]
+        return tuple(
+            Stretch(self._seconds(start), self._seconds(end), label, level)
+            for (start, label, level), end in zip(stretches, ends, strict=True)
+        )
+
+    def _seconds(self, ticks: int) -> float:
+        return round(ticks * self._period_s, 9)

@@ -1,0 +1,139 @@
+"""A recording as the page plays it: what is known of the whole run, and its frames in blocks.
+
+The replay's server and the page in one file hand over the same two things: a `PlaybackIndex` at first, a `Block`
+whenever the playhead comes near it. The page's TypeScript is generated from these types. All quantities are SI and
+radians; times are simulated ones, from the run's beginning.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+from aftdeck.station.protocol import Event, Frame, Level, Welcome
+
+BLOCK = 256
+"""Moments in a block, but the last one: 5 s of a recording at 50 steps a second."""
+
+Quantity = Literal[
+    "time",
+    "count",
+    "share",
+    "part of limit",
+    "ratio",
+    "length",
+    "distance",
+    "angle",
+    "speed",
+    "turn rate",
+    "milliseconds",
+    "words",
+]
+"""What a number is, from which the page takes its unit: a length in inches where the operator reads inches, a
+distance in feet; a share in per cent."""
+
+
+class Stretch(msgspec.Struct, frozen=True):
+    """A part of a lane through which one thing was so."""
+
+    start_s: float
+    end_s: float
+    label: str
+    """What was so; empty: nothing that this lane tells of."""
+    level: Level
+
+
+class Lane(msgspec.Struct, frozen=True):
+    """A row of stretches that follow one another from the run's beginning to its end."""
+
+    name: str
+    stretches: tuple[Stretch, ...]
+
+
+class Curve(msgspec.Struct, frozen=True):
+    """A line of a strip, thinned so that no peak is lost."""
+
+    role: Literal["actual", "commanded"]
+    times_s: tuple[float, ...]
+    values: tuple[float | None, ...]
+    """None: there was no such thing."""
+
+
+class Strip(msgspec.Struct, frozen=True):
+    """A quantity over the run."""
+
+    name: str
+    quantity: Quantity
+    curves: tuple[Curve, ...]
+    low: float
+    high: float
+    """Range of all values, with zero in it where zero means rest."""
+    limit: float | None
+    """A bound to draw across it."""
+    shown: bool
+    """Drawn until the reader chooses others."""
+
+
+class Measure(msgspec.Struct, frozen=True):
+    """A figure of the whole run."""
+
+    name: str
+    quantity: Quantity
+    value: float | None
+    text: str
+    """In words, where the quantity is such."""
+    about: str
+    """How it is reckoned, in a sentence."""
+
+
+class Verdict(msgspec.Struct, frozen=True):
+    """Whether the recomputed frames are equal to the recorded ones."""
+
+    state: Literal["checking", "equal", "different", "impossible"]
+    text: str
+    """For people: ``all 2002 frames equal``."""
+
+
+class PlaybackIndex(msgspec.Struct, frozen=True):
+    """All that is known of a recording before its first frame is drawn."""
+
+    welcome: Welcome
+    file: str
+    """The file's name, without its folder."""
+    began: str
+    """Wall time at which the run began, ISO 8601, UTC."""
+    version: str
+    """Of the Aftdeck that recorded it."""
+    seed: int
+    changes: tuple[str, ...]
+    """KEY=VALUE, where a replay changed the scenario."""
+    period_s: float
+    """A control step."""
+    ticks: int
+    """Steps that the recording holds."""
+    stride: int
+    """Steps from one drawn frame to the next; 1: every frame is drawn."""
+    block: int
+    """Moments in each block but the last."""
+    ended: str
+    """How the run ended; empty where the recording was cut short."""
+    verdict: Verdict
+    events: tuple[Event, ...]
+    lanes: tuple[Lane, ...]
+    strips: tuple[Strip, ...]
+    measures: tuple[Measure, ...]
+
+
+class Moment(msgspec.Struct, frozen=True):
+    """One recorded frame, with each curve's exact value in it."""
+
+    frame: Frame
+    values: tuple[float | None, ...]
+    """Of every curve, strip after strip."""
+    worst: str
+    """The joint that is nearest to its rate limit; empty at rest."""
+
+
+Block = tuple[Moment, ...]
+"""Moments that follow one another, `PlaybackIndex.stride` steps apart."""

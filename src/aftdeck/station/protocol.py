@@ -1,0 +1,398 @@
+"""The station's wire protocol: every message between server and page, defined here and nowhere else.
+
+Messages are JSON objects whose ``type`` names the struct; the page's TypeScript is generated from these
+types (``make generate``). All quantities are SI and radians. *panel* components are X = -Xo, Y = Yo,
+Z = -Zo with pitch, yaw, roll applied in that order; *scene* is x aft, y starboard, z up with its origin at
+Xo 942, Yo 0, Zo 400 in. Quaternions are wxyz.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+
+from aftdeck.bodies.cameras import Camera
+from aftdeck.shapes import Shape
+
+PROTOCOL = 1
+"""Version of this protocol; a page that speaks another one is refused in the handshake."""
+
+MAX_MESSAGE_BYTES = 4096
+"""Longest message accepted from a page [bytes]; the longest legal one has under 400."""
+
+Vec3 = tuple[float, float, float]
+Six = tuple[float, float, float, float, float, float]
+Quat = tuple[float, float, float, float]
+Rate = Literal["coarse", "vernier"]
+LawChoice = Literal["position", "closed loop", "open loop"]
+Level = Literal["info", "caution", "warning"]
+Seq = Annotated[int, msgspec.Meta(ge=0, le=2**53 - 1)]
+"""Number of a page's message: a whole number that JavaScript carries exactly."""
+
+
+class _Message(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="type"):
+    """A frozen, tagged message that refuses unknown fields."""
+
+
+# --- page to server ---------------------------------------------------------------------------------------
+
+
+class Hello(_Message, frozen=True, tag="hello"):
+    """First message of a page: the protocol that it speaks."""
+
+    protocol: int
+
+
+class Sticks(_Message, frozen=True, tag="sticks"):
+    """Where the hand controllers stand, after deadband and expo, each axis in [-1, 1].
+
+    Sent whenever they change and at least every 0.2 s while deflected: the server lets sticks that have
+    been silent for 0.5 s return to zero.
+    """
+
+    seq: Seq
+    """Grows with every message of a page; an older one is refused."""
+    translation: Vec3
+    """THC: +X, +Y, +Z of the present control frame."""
+    rotation: Vec3
+    """RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame."""
+    drive: float
+    """SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT)."""
+
+
+class EnterMode(_Message, frozen=True, tag="enter_mode"):
+    """Turn the MODE rotary to a position and press ENTER."""
+
+    seq: Seq
+    mode: str
+    """A panel position, as `ModeInfo.position`."""
+
+
+class SelectJoint(_Message, frozen=True, tag="select_joint"):
+    """Turn the JOINT rotary."""
+
+    seq: Seq
+    joint: int
+    """0 to 5, in the order of `Welcome.joints`."""
+
+
+class SelectRate(_Message, frozen=True, tag="select_rate"):
+    """Set the COARSE/VERNIER switch."""
+
+    seq: Seq
+    rate: Rate
+
+
+class SetTarget(_Message, frozen=True, tag="set_target"):
+    """Key in the end position and attitude of OPR CMD (SPEC 94 items 18-23), in panel components."""
+
+    seq: Seq
+    position: Vec3
+    """X, Y, Z [m]."""
+    attitude: Vec3
+    """Pitch, yaw, roll [rad]."""
+
+
+class SelectLaw(_Message, frozen=True, tag="select_law"):
+    """Set the switch beside OPR CMD and AUTO 1-4: which of the report's modes 1 to 3 they fly."""
+
+    seq: int
+    law: LawChoice
+
+
+class PayloadAxes(_Message, frozen=True, tag="payload_axes"):
+    """Set the switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4)."""
+
+    seq: int
+    on: bool
+
+
+class RateHold(_Message, frozen=True, tag="rate_hold"):
+    """Press RATE HOLD: keep the present stick command; pressed again, let it go."""
+
+    seq: int
+
+
+class PositionHold(_Message, frozen=True, tag="position_hold"):
+    """Set POSITION HOLD: with sticks at rest, keep position and attitude."""
+
+    seq: int
+    on: bool
+
+
+class Proceed(_Message, frozen=True, tag="proceed"):
+    """AUTO SEQ switch to PROCEED."""
+
+    seq: Seq
+
+
+class Stop(_Message, frozen=True, tag="stop"):
+    """AUTO SEQ switch to STOP; sticks go to zero too."""
+
+    seq: Seq
+
+
+class Restart(_Message, frozen=True, tag="restart"):
+    """Put the scenario back to its first instant."""
+
+    seq: Seq
+
+
+class Shown(_Message, frozen=True, tag="shown"):
+    """What the page measures of itself, told once a second where it has anything to tell; for the recording."""
+
+    seq: Seq
+    latency_ms: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] | None
+    """Stick to picture, 95th percentile of the last 10 s [ms]."""
+
+
+FromPage = (
+    Sticks
+    | Shown
+    | EnterMode
+    | SelectJoint
+    | SelectRate
+    | SelectLaw
+    | PayloadAxes
+    | RateHold
+    | PositionHold
+    | SetTarget
+    | Proceed
+    | Stop
+    | Restart
+)
+
+
+# --- server to page ---------------------------------------------------------------------------------------
+
+
+class JointInfo(msgspec.Struct, frozen=True):
+    """One joint of the arm flown: names, limits [rad] and rate limits [rad/s]."""
+
+    name: str
+    """As in the arm file: ``shoulder_yaw``."""
+    label: str
+    """As on the page: ``Sho yaw``."""
+    hard: tuple[float, float]
+    soft: tuple[float, float]
+    reach: tuple[float, float]
+    coarse: float
+    vernier: float
+    servo: float
+
+
+class ModeInfo(msgspec.Struct, frozen=True):
+    """One position of the MODE rotary that this scenario can enter."""
+
+    position: str
+    """As printed on the panel: ``ORB UNL``."""
+    laws: tuple[int, ...]
+    """The report's mode numbers that it can fly, the default first; 0 TEST, 9 DIRECT."""
+    title: str
+    """What it flies, in a few words."""
+    kind: Literal["automatic", "manual", "single", "test"]
+    point: str
+    """The point that it moves: ``tip``, ``payload``."""
+    enabled: bool
+    """Whether this scenario can enter it; ORB LD and PL need a payload, AUTO 1-4 their points."""
+    axes: str
+    """The axes that the sticks act along: ``orbiter axes``."""
+    axis_names: tuple[str, str, str]
+    """What + means for the THC: ``+X fwd``, ``+Y stbd``, ``+Z down``."""
+
+
+class BodyInfo(msgspec.Struct, frozen=True):
+    """A rigid body to draw; its pose is found in `Frame.poses` at its index in `Welcome.bodies`."""
+
+    name: str
+    shapes: tuple[Shape, ...]
+
+
+class Welcome(_Message, frozen=True, tag="welcome"):
+    """Answer to `Hello`: all that a page needs to know once."""
+
+    protocol: int
+    version: str
+    scenario: str
+    title: str
+    text: str
+    """What the scenario asks of the operator, a sentence or two."""
+    arm: str
+    control_period_s: float
+    command_delay_s: float
+    """How long a command is under way before the arm has it [s]."""
+    units: Literal["ft-in", "SI"]
+    """The arm file's preference for the panel's read-outs."""
+    joints: tuple[JointInfo, ...]
+    modes: tuple[ModeInfo, ...]
+    bodies: tuple[BodyInfo, ...]
+    cameras: tuple[Camera, ...]
+    phases: tuple[str, ...] = ()
+    """Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none."""
+
+
+class Role(_Message, frozen=True, tag="role"):
+    """Who flies: sent on connection and whenever it changes."""
+
+    flying: bool
+    watchers: int
+    """Pages that watch, besides the one that flies."""
+
+
+class Limit(msgspec.Struct, frozen=True):
+    """A limit that acted in this step."""
+
+    kind: Literal[
+        "joint rate",
+        "soft stop",
+        "hard stop",
+        "singularity",
+        "POR translation",
+        "POR rotation",
+        "POR acceleration",
+    ]
+    joint: int
+    """0 to 5, or -1 where no single joint is concerned."""
+    text: str
+    """For people: ``elbow pitch at its rate limit``."""
+
+
+class Lamp(msgspec.Struct, frozen=True):
+    """A lit lamp and its cause."""
+
+    name: str
+    """``SINGULAR``, ``REACH LIM``, ``SOFT STOP``, ``RATE LIM`` ..., as on the spine."""
+    level: Level
+    text: str
+    """The cause: ``elbow 0.12 from straight``."""
+
+
+class Check(msgspec.Struct, frozen=True):
+    """CMD CK: what a rehearsal of the way to a target found."""
+
+    good: bool
+    text: str
+
+
+class WayOut(msgspec.Struct, frozen=True):
+    """How to leave a singularity or a joint's stop."""
+
+    cause: str
+    """``shoulder``, ``elbow``, ``wrist`` (a singularity) or a joint's name."""
+    text: str
+    """For people: ``THC −X``, ``RHC +pitch``, ``SINGLE elbow pitch −``."""
+    stick: Literal["translation", "rotation", "joint"]
+    axis: int
+    sign: int
+
+
+class Resolution(msgspec.Struct, frozen=True):
+    """The point of resolution, panel components."""
+
+    position: Vec3
+    """X, Y, Z [m]."""
+    attitude: Vec3
+    """Pitch, yaw, roll [rad], each in [0, 2 pi)."""
+    velocity: Vec3
+    """Rate of X, Y, Z [m/s]."""
+    turn_rate: Vec3
+    """Angular velocity about panel pitch, yaw, roll axes [rad/s]."""
+
+
+class Aim(msgspec.Struct, frozen=True):
+    """The keyed-in target of an automatic mode and what is left to it."""
+
+    position: Vec3
+    attitude: Vec3
+    distance: float
+    """[m]"""
+    angle: float
+    """[rad]"""
+    remaining_s: float
+    """Estimated time to go [s]; 0 when not under way."""
+
+
+class Frame(_Message, frozen=True, tag="frame"):
+    """All that the page shows of one instant; newest wins, frames may be skipped."""
+
+    tick: int
+    time_s: float
+    stick_seq: int
+    """`seq` of the last `Sticks` that this step has flown; the page times stick-to-picture by it."""
+    recording_s: float | None
+    """How long the recording goes on already [s]; null: nothing is recorded."""
+    phase: str
+    """Name of the script's phase; empty when flown by hand."""
+    by: Literal["hand", "script"]
+    mode: str
+    law: int
+    """The report's mode number flown; 0 TEST, 9 DIRECT."""
+    law_choice: LawChoice
+    payload_axes: bool
+    rate_hold: bool
+    position_hold: bool
+    joint: int
+    rate: Rate
+    sequence: Literal["idle", "ready", "in progress"]
+    """READY and IN PROG of the automatic modes."""
+    point: int
+    """AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes."""
+    points: int
+    check: Check | None
+    """CMD CK of the present target."""
+    translation: Vec3
+    rotation: Vec3
+    drive: float
+    """Sticks as this step has flown them."""
+    joints: Six
+    """[rad]"""
+    rates: Six
+    """Actual [rad/s]."""
+    rates_commanded: Six
+    rate_limits: Six
+    """In force in this mode [rad/s]."""
+    zones: tuple[int, int, int, int, int, int]
+    """Per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop."""
+    actual: Resolution
+    commanded: Resolution
+    por_limits: tuple[float, float]
+    """POR translation [m/s] and rotation [rad/s] limits in force."""
+    limits: tuple[Limit, ...]
+    """Limits acting in this step."""
+    singularity: Vec3
+    """Shoulder, elbow, wrist: signed normalised distances, 0 at the singularity."""
+    ways_out: tuple[WayOut, ...]
+    """For each singularity that is near and each joint past a limit: what leads away from it."""
+    lamps: tuple[Lamp, ...]
+    aim: Aim | None
+    axes: Quat
+    """The control frame's axes in the scene, for the frame axes in the pictures."""
+    poses: tuple[float, ...]
+    """Seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene."""
+
+
+class Event(msgspec.Struct, frozen=True):
+    """One line of the log."""
+
+    time_s: float
+    kind: str
+    level: Level
+    text: str
+
+
+class Events(_Message, frozen=True, tag="events"):
+    """New log lines, oldest first; none is ever skipped."""
+
+    events: tuple[Event, ...]
+
+
+class Refused(_Message, frozen=True, tag="refused"):
+    """A message or command that was not taken, and why, in a sentence for the operator."""
+
+    seq: int
+    """`seq` of the message, or -1 where it could not be read."""
+    text: str
+
+
+FromServer = Welcome | Role | Frame | Events | Refused

@@ -1,0 +1,180 @@
+"""A recording made ready to be played: read once from beginning to end, its frames kept aside in blocks.
+
+A recording is read forwards only and may be hours long, so its frames wait in a temporary file, packed block by
+block, until the page asks for them; what is known of the whole run is collected on the way.
+"""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from tempfile import TemporaryFile, gettempdir
+from threading import Lock
+from types import TracebackType
+
+import msgspec
+
+from aftdeck.errors import RecordingError
+from aftdeck.recording.bundle import scenario_of
+from aftdeck.recording.convert import frame_of
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import EventRecord, FrameRecord, Note
+from aftdeck.simulation.log import spoken
+from aftdeck.station.lanes import Lanes
+from aftdeck.station.measures import Measures
+from aftdeck.station.playback import BLOCK, Block, Moment, PlaybackIndex, Verdict
+from aftdeck.station.protocol import Event
+from aftdeck.station.strips import Strips, readings, worst_rate
+from aftdeck.station.verdict import CHECKING
+from aftdeck.station.wire import Translator
+
+_QUICK = 1
+"""Level of the temporary file's compression."""
+
+_encoder = msgspec.msgpack.Encoder()
+_records = msgspec.msgpack.Decoder(tuple[FrameRecord, ...])
+
+
+class Reel:
+    """A recording, ready to be played; close it after use."""
+
+    def __init__(self, path: Path) -> None:
+        """Read a recording as far as it goes.
+
+        Raises:
+            RecordingError: no recording, a damaged one, or one without a step.
+        """
+        recording = Recording(path)
+        scenario = scenario_of(recording.opening)
+        self._arm = scenario.arm
+        self._translator = Translator(scenario, demo=True)
+        self._readings = readings(scenario.arm)
+        self._ends, self._lock = [0], Lock()
+        with ExitStack() as opened:
+            self._file = opened.enter_context(TemporaryFile(prefix="aftdeck-"))
+            self._index = self._read(recording)
+            self._opened = opened.pop_all()
+
+    def __enter__(self) -> Reel:
+        """Itself."""
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Close it."""
+        self.close()
+
+    def close(self) -> None:
+        """Let the temporary file go."""
+        self._opened.close()
+
+    @property
+    def ticks(self) -> int:
+        """Steps that it holds."""
+        return self._index.ticks
+
+    @property
+    def blocks(self) -> int:
+        """How many blocks there are, each of `BLOCK` frames but the last."""
+        return len(self._ends) - 1
+
+    def index(self, verdict: Verdict, stride: int = 1) -> PlaybackIndex:
+        """What is known of the whole run.
+
+        Args:
+            verdict: of the recomputation.
+            stride: steps from one frame that is handed over to the next.
+        """
+        return msgspec.structs.replace(self._index, verdict=verdict, stride=stride)
+
+    def block(self, number: int) -> Block:
+        """A block's moments, every step of them; may be called from any thread.
+
+        Raises:
+            IndexError: there is no such block.
+        """
+        return tuple([self._moment(record) for record in self._unpack(number)])
+
+    def moments(self, stride: int) -> Iterator[Moment]:
+        """Every stride-th moment of the run, from the first."""
+        for number in range(self.blocks):
+            for record in self._unpack(number):
+                if (record.tick - 1) % stride == 0:
+                    yield self._moment(record)
+
+    def _read(self, recording: Recording) -> PlaybackIndex:
+        opening = recording.opening
+        period = opening.control_period_s
+        lanes, strips, measures = Lanes(period), Strips(self._arm, period), Measures(period)
+        events: list[Event] = []
+        waiting: list[FrameRecord] = []
+        ticks = 0
+        for message in recording.messages():
+            if isinstance(message, Note):
+                events.append(_event(message))
+            elif isinstance(message, FrameRecord):
+                frame = frame_of(message)
+                lamps = self._translator.lamps(frame)
+                lanes.add(frame, lamps)
+                strips.add(self._readings(frame, message.latency_ms))
+                measures.add(frame, lamps)
+                events += [_event(event) for event in message.events]
+                ticks = message.tick
+                waiting.append(message)
+                if len(waiting) == BLOCK:
+                    self._pack(waiting)
+                    waiting = []
+        if not ticks:
+            raise RecordingError(f"{recording.path}: ends before its first step; there is nothing in it to play")
+        if waiting:
+            self._pack(waiting)
+        return PlaybackIndex(
+            welcome=self._translator.welcome,
+            file=recording.path.name,
+            began=opening.began,
+            version=opening.version,
+            seed=opening.seed,
+            changes=opening.changes,
+            period_s=period,
+            ticks=ticks,
+            stride=1,
+            block=BLOCK,
+            ended=recording.ended,
+            verdict=CHECKING,
+            events=tuple(sorted(events, key=lambda event: event.time_s)),
+            lanes=lanes.lanes(),
+            strips=strips.strips(),
+            measures=measures.measures(recording.ended),
+        )
+
+    def _pack(self, records: list[FrameRecord]) -> None:
+        try:
+            self._file.write(zlib.compress(_encoder.encode(records), _QUICK))
+        except OSError as error:
+            why = error.strerror or str(error)
+            raise RecordingError(f"the recording's frames cannot be kept in {gettempdir()}: {why}") from None
+        self._ends.append(self._file.tell())
+
+    def _unpack(self, number: int) -> tuple[FrameRecord, ...]:
+        if not 0 <= number < self.blocks:
+            raise IndexError(f"blocks are numbered 0 to {self.blocks - 1}, got {number}")
+        with self._lock:
+            self._file.seek(self._ends[number])
+            packed = self._file.read(self._ends[number + 1] - self._ends[number])
+        return _records.decode(zlib.decompress(packed))
+
+    def _moment(self, record: FrameRecord) -> Moment:
+        frame = frame_of(record)
+        _, joint = worst_rate(frame.rates, frame.rate_limits)
+        return Moment(
+            self._translator.frame(frame, -1),
+            self._readings(frame, record.latency_ms),
+            spoken(self._arm.joints[joint]) if joint >= 0 else "",
+        )
+
+
+def _event(record: EventRecord) -> Event:
+    return Event(record.time_s, record.kind, record.level, record.text)

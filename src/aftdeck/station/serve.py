@@ -1,0 +1,133 @@
+"""Starting the station: a socket, the address for the user, the browser, the server."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import socket
+import webbrowser
+from pathlib import Path
+
+import uvicorn
+from starlette.applications import Starlette
+
+from aftdeck.errors import AftdeckError
+from aftdeck.law import compiled_before
+from aftdeck.recording.live import Live
+from aftdeck.scenario.model import Scenario
+from aftdeck.station.app import STATIC, make_app
+from aftdeck.station.protocol import MAX_MESSAGE_BYTES
+from aftdeck.station.session import Session
+
+LAST_PORT = 65535
+
+
+class StationError(AftdeckError):
+    """The station cannot be started."""
+
+
+def serve(
+    scenario: Scenario,
+    seed: int | None,
+    *,
+    host: str,
+    port: int,
+    open_browser: bool,
+    demo: bool,
+    record: Path | None = None,
+    viewers: int | None = None,
+) -> None:
+    """Serve a flight until interrupted; prints the page's address first.
+
+    Args:
+        scenario: what is flown.
+        seed: in place of the scenario's.
+        host: address to listen on.
+        port: port to listen on; 0 takes any free one.
+        open_browser: open the page.
+        demo: let the script fly until a stick moves.
+        record: folder to record each flight into.
+        viewers: port at which Foxglove may attach; None: it may not.
+
+    Raises:
+        StationError: the page was not built, or the address cannot be had.
+        RecordingError: the viewers' port cannot be had.
+    """
+    built_page()
+    listener = listen(host, port)
+    address = address_of(listener, host)
+    print(f"Aftdeck station: {address}", flush=True)
+    print(f"Flying {scenario.title!r}. End with Ctrl+C.", flush=True)
+    if not compiled_before():
+        print("Compiling the steering laws, this once: half a minute or so.", flush=True)
+    live = None if viewers is None else Live(viewers)
+    if live is not None:
+        print(f"Foxglove attaches at {live.address}", flush=True)
+    session = Session(scenario, seed, demo=demo, record=record, live=live)
+    run_server(make_server(make_app(session, host)), listener, address if open_browser else None)
+    if live is not None:
+        live.close()
+
+
+def built_page() -> str:
+    """The page's HTML as built.
+
+    Raises:
+        StationError: it was not built.
+    """
+    page = STATIC / "index.html"
+    if not page.is_file():
+        raise StationError(
+            f"the station's page is missing ({page}): build it with `make fly` in the source tree, or install "
+            "Aftdeck from a wheel, which brings it"
+        )
+    return page.read_text(encoding="utf-8")
+
+
+def address_of(listener: socket.socket, host: str) -> str:
+    """The page's address for the user."""
+    shown = f"[{host}]" if ":" in host else host
+    return f"http://{shown}:{listener.getsockname()[1]}/"
+
+
+def run_server(server: uvicorn.Server, listener: socket.socket, opened: str | None) -> None:
+    """Run a server until interrupted; `opened` is the address to open a browser on."""
+    if opened is not None:
+        webbrowser.open(opened)
+    with contextlib.suppress(KeyboardInterrupt):  # uvicorn passes Ctrl+C on after an orderly end
+        server.run(sockets=[listener])
+
+
+def make_server(app: Starlette) -> uvicorn.Server:
+    """The web server of an app; the length of a page's messages is bounded."""
+    return uvicorn.Server(
+        uvicorn.Config(
+            app,
+            log_level="warning",
+            ws="websockets-sansio",
+            ws_max_size=MAX_MESSAGE_BYTES,
+            ws_per_message_deflate=False,
+            timeout_graceful_shutdown=2,
+        )
+    )
+
+
+def listen(host: str, port: int) -> socket.socket:
+    """A listening socket; port 0 takes a free one."""
+    if not 0 <= port <= LAST_PORT:
+        raise StationError(f"ports are numbered 0 to {LAST_PORT}, got {port}")
+    try:
+        family, kind, protocol, _, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+    except (OSError, UnicodeError) as error:
+        raise StationError(f"the host {host!r} is not known: {error}") from None
+    listener = socket.socket(family, kind, protocol)  # asyncio sends without delay only where TCP is named
+    try:
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind(place)
+        listener.listen(64)
+    except OSError as error:
+        listener.close()
+        if error.errno == errno.EADDRINUSE:
+            raise StationError(f"port {port} on {host} is in use: give another with --port, or 0 for any") from None
+        raise StationError(f"cannot listen on {host}, port {port}: {error.strerror}") from None
+    return listener

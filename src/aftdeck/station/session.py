@@ -1,0 +1,266 @@
+"""A flight that pages share: one thread steps the simulation, pages send commands and get its frames.
+
+The thread never waits for a page: frames are handed over newest first, commands wait in a bounded queue, one
+a step. One page flies, the others watch; the first comes first, and when it leaves the next one takes over.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from enum import Enum
+from pathlib import Path
+
+import msgspec
+
+from aftdeck.errors import CommandError
+from aftdeck.recording.index import Index
+from aftdeck.recording.live import Live
+from aftdeck.recording.tape import Tape
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.target import target_at
+from aftdeck.simulation.frame import Event, Level
+from aftdeck.simulation.frame import Frame as SimFrame
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.warm import warm_up
+from aftdeck.station import protocol as wire
+from aftdeck.station.wire import Translator
+
+SILENCE = 0.5
+"""Sticks not heard of for this long [s] go to zero."""
+MOST_WAITING = 32
+"""Commands that may wait to be flown; one is taken a step."""
+MOST_BEHIND = 0.25
+"""A step this late [s] is not caught up on: the clock starts afresh from there."""
+MOVED = 1e-3
+"""Stick deflection from which a person takes over from the demonstration."""
+FARTHEST = 1000.0
+"""Greatest component of a keyed-in position that is looked at [m]; the arm itself reaches 16 m."""
+MOST_TURNED = 100.0
+"""Greatest angle of a keyed-in attitude that is looked at [rad]."""
+HANDS_OFF = wire.Sticks(-1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
+
+_encoder = msgspec.json.Encoder()
+
+
+class Phase(Enum):
+    """Life of a session."""
+
+    READY = "ready"
+    FLYING = "flying"
+    FAILED = "failed"
+    CLOSED = "closed"
+
+
+class Session:
+    """One scenario in flight.
+
+    Attributes:
+        phase: where in its life the session is.
+        failure: why it failed, in a sentence.
+        welcome: what a new page is told.
+    """
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        seed: int | None = None,
+        *,
+        demo: bool = False,
+        record: Path | None = None,
+        live: Live | None = None,
+    ) -> None:
+        self.phase = Phase.READY
+        self.failure = ""
+        self._scenario, self._seed = scenario, seed
+        self._translator = Translator(scenario, demo=demo)
+        self.welcome = self._translator.welcome
+        self._start_demo = demo
+        self._demo = demo
+        warm_up(scenario)
+        self._sim = Simulation(scenario, seed)
+        self._translator.frame(Simulation(scenario, seed).step(Inputs()), -1)  # its own laws too
+        self._lock = threading.Lock()
+        self._tape = Tape(record, Index(), live)
+        self._latency_ms: float | None = None
+        self._commands: deque[wire.FromPage] = deque()
+        self._sticks = HANDS_OFF
+        self._heard = 0.0
+        self._log: list[Event] = []
+        self._newest = b""
+        self._told: Callable[[], None] = lambda: None
+        self._stop = threading.Event()
+        self._thread = threading.Thread(target=self._fly, name="simulation", daemon=True)
+
+    # --- called by the server -----------------------------------------------------------------------------
+
+    def start(self, told: Callable[[], None]) -> None:
+        """Begin to fly; `told` is called from the simulation's thread after each step."""
+        self._told = told
+        self.phase = Phase.FLYING
+        self._thread.start()
+
+    def close(self) -> None:
+        """Stop flying and wait for the thread."""
+        self._stop.set()
+        if self._thread.is_alive():
+            self._thread.join(timeout=5.0)
+        self._tape.close()
+        self.phase = Phase.CLOSED
+
+    @property
+    def newest(self) -> bytes:
+        """The newest frame, encoded; empty before the first."""
+        return self._newest
+
+    def log_since(self, index: int) -> tuple[Event, ...]:
+        """The log's lines from an index on."""
+        with self._lock:
+            return tuple(self._log[index:])
+
+    def steer(self, sticks: wire.Sticks) -> None:
+        """Where the sticks of the page that flies stand.
+
+        Raises:
+            CommandError: a stick beyond its travel.
+        """
+        if not all(-1.0 <= s <= 1.0 for s in (*sticks.translation, *sticks.rotation, sticks.drive)):
+            raise CommandError("sticks lie between -1 and 1; this message was not flown")
+        with self._lock:
+            self._sticks, self._heard = sticks, time.monotonic()
+
+    def shown(self, message: wire.Shown) -> None:
+        """What the page that flies measures of itself."""
+        self._latency_ms = message.latency_ms
+
+    def let_go(self) -> None:
+        """Sticks to zero and commands forgotten: the page that flew is gone."""
+        with self._lock:
+            self._sticks = HANDS_OFF
+            self._commands.clear()
+        self._latency_ms = None
+
+    def command(self, message: wire.FromPage) -> None:
+        """Queue a switch's movement for one of the next steps.
+
+        STOP overtakes: what waits is forgotten, so that it is never refused and never late.
+
+        Raises:
+            CommandError: a switch position that does not exist, a target beyond all reason, or too many
+                commands at once.
+        """
+        if isinstance(message, wire.SelectJoint) and not 0 <= message.joint < len(self.welcome.joints):
+            raise CommandError(f"joints are numbered 0 to {len(self.welcome.joints) - 1}, got {message.joint}")
+        if isinstance(message, wire.EnterMode) and message.mode not in {m.position for m in self.welcome.modes}:
+            known = ", ".join(m.position for m in self.welcome.modes)
+            raise CommandError(f"no mode {message.mode!r} can be entered here: there are {known}")
+        if isinstance(message, wire.SetTarget) and not all(
+            abs(x) <= most
+            for values, most in ((message.position, FARTHEST), (message.attitude, MOST_TURNED))
+            for x in values
+        ):
+            raise CommandError(
+                f"a target lies within {FARTHEST:g} m of the panel's origin and is turned by {MOST_TURNED:g} rad at "
+                f"most, got {message.position} m, {message.attitude} rad"
+            )
+        with self._lock:
+            if isinstance(message, wire.Stop):
+                self._commands.clear()
+                self._sticks = msgspec.structs.replace(HANDS_OFF, seq=self._sticks.seq)
+            if len(self._commands) >= MOST_WAITING:
+                raise CommandError(f"{MOST_WAITING} commands are waiting already; this one was not taken")
+            self._commands.append(message)
+
+    # --- the simulation's thread --------------------------------------------------------------------------
+
+    def _fly(self) -> None:
+        """Step at the control period until told to stop."""
+        try:
+            self._tape.begin(self._scenario, self._sim.seed)
+            due = time.perf_counter()
+            while not self._stop.is_set():
+                self._step()
+                self._told()
+                due += self._scenario.control_period
+                late = time.perf_counter() - due
+                if late > MOST_BEHIND:
+                    due += late
+                elif late < 0.0:
+                    self._stop.wait(-late)
+        except Exception as error:  # the pages must hear of it, whatever it was
+            self.failure = f"the simulation stopped at {self._time():.2f} s: {error}"
+            self.phase = Phase.FAILED
+            self._told()
+            raise
+
+    def _time(self) -> float:
+        return self._sim.frame.time_s if self._sim.frame else 0.0
+
+    def _step(self) -> None:
+        with self._lock:
+            sticks = self._sticks
+            if time.monotonic() - self._heard > SILENCE:
+                sticks = msgspec.structs.replace(HANDS_OFF, seq=sticks.seq)
+            message = self._commands.popleft() if self._commands else None
+        if isinstance(message, wire.Restart):
+            self._restart()
+            message = None
+        moved = any(abs(s) > MOVED for s in (*sticks.translation, *sticks.rotation, sticks.drive))
+        if self._demo and (moved or message is not None or self._sim.ended):
+            self._demo = False
+            self._note("hand", "you have the sticks")
+        inputs = None if self._demo else self._inputs(sticks, message)
+        frame = self._sim.step(inputs)
+        self._tape.step(inputs, frame, self._latency_ms)
+        for text in self._tape.complaints():
+            self._note("recording", text, "warning")
+        self._newest = _encoder.encode(self._translator.frame(frame, sticks.seq, self._tape.running_s))
+        self._note_all(frame)
+
+    def _inputs(self, sticks: wire.Sticks, message: wire.FromPage | None) -> Inputs:
+        inputs = Inputs(translation=sticks.translation, rotation=sticks.rotation, drive=sticks.drive)
+        match message:
+            case wire.EnterMode(mode=mode):
+                return msgspec.structs.replace(inputs, mode=mode)
+            case wire.SelectJoint(joint=joint):
+                return msgspec.structs.replace(inputs, joint=joint)
+            case wire.SelectLaw(law=law):
+                return msgspec.structs.replace(inputs, law=law)
+            case wire.PayloadAxes(on=on):
+                return msgspec.structs.replace(inputs, payload_axes=on)
+            case wire.RateHold():
+                return msgspec.structs.replace(inputs, rate_hold=True)
+            case wire.PositionHold(on=on):
+                return msgspec.structs.replace(inputs, position_hold=on)
+            case wire.SelectRate(rate=rate):
+                return msgspec.structs.replace(inputs, rate=rate)
+            case wire.SetTarget():
+                pose = self._translator.target(message)
+                return msgspec.structs.replace(inputs, target=target_at(pose))
+            case wire.Proceed():
+                return msgspec.structs.replace(inputs, proceed=True)
+            case wire.Stop():
+                return Inputs(stop=True)
+            case _:
+                return inputs
+
+    def _restart(self) -> None:
+        self._tape.end("restarted")
+        self._sim = Simulation(self._scenario, self._seed)
+        self._demo = self._start_demo
+        self._tape.begin(self._scenario, self._sim.seed)
+        self._note("restart", f"{self._scenario.title}: from the beginning")
+
+    def _note(self, kind: str, text: str, level: Level = "info") -> None:
+        event = Event(self._time(), kind, level, text)
+        self._tape.note(event)
+        with self._lock:
+            self._log.append(event)
+
+    def _note_all(self, frame: SimFrame) -> None:
+        if frame.events:
+            with self._lock:
+                self._log.extend(frame.events)

@@ -1,0 +1,165 @@
+"""A replay's strips: quantities over the run, thinned for drawing so that no peak is lost."""
+
+from __future__ import annotations
+
+import math
+from array import array
+from collections.abc import Callable, Sequence
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.arm import Arm
+from aftdeck.simulation.frame import Frame, Six
+from aftdeck.station.playback import Curve, Quantity, Strip
+
+BUCKETS = 1000
+"""Equal parts of a run, of each of which a curve keeps its least and greatest value: two to a pixel's width."""
+
+Role = Literal["actual", "commanded"]
+Value = Callable[[Frame, float | None], float | None]
+"""Of a frame and of the latency that its page showed [ms]."""
+
+
+class Source(NamedTuple):
+    """Where a strip's curves come from."""
+
+    name: str
+    quantity: Quantity
+    curves: tuple[tuple[Role, Value], ...]
+    limit: float | None = None
+    shown: bool = False
+    rests: bool = True
+    """Zero means rest, and belongs into the picture."""
+
+
+def sources(arm: Arm) -> tuple[Source, ...]:
+    """Every strip that a recording of this arm can show."""
+    return (
+        Source(
+            "POR speed",
+            "speed",
+            (("commanded", lambda f, _: _size(f.twist_demanded[3:])), ("actual", lambda f, _: _size(f.twist[3:]))),
+            shown=True,
+        ),
+        Source(
+            "Joint rate",
+            "part of limit",
+            (
+                ("commanded", lambda f, _: worst_rate(f.rates_commanded, f.rate_limits)[0]),
+                ("actual", lambda f, _: worst_rate(f.rates, f.rate_limits)[0]),
+            ),
+            limit=1.0,
+            shown=True,
+        ),
+        Source(
+            "POR turn rate",
+            "turn rate",
+            (("commanded", lambda f, _: _size(f.twist_demanded[:3])), ("actual", lambda f, _: _size(f.twist[:3]))),
+        ),
+        Source("Left to target", "distance", (("actual", lambda f, _: f.goal.distance if f.goal else None),)),
+        Source("RATLMT ratio", "ratio", (("actual", lambda f, _: f.ratio),)),
+        *(_singularity(i, name) for i, name in enumerate(("shoulder", "elbow", "wrist"))),
+        *(_angle(i, label) for i, label in enumerate(arm.model.labels)),
+        Source("THC", "share", (("commanded", lambda f, _: _deflection(f.translation)),)),
+        Source("RHC", "share", (("commanded", lambda f, _: _deflection(f.rotation)),)),
+        Source("Stick to picture", "milliseconds", (("actual", lambda _, latency: latency),)),
+    )
+
+
+def readings(arm: Arm) -> Callable[[Frame, float | None], tuple[float | None, ...]]:
+    """What reads every curve's value, strip after strip, of a frame and the latency that its page showed [ms]."""
+    values = [value for source in sources(arm) for _, value in source.curves]
+    return lambda frame, latency_ms: tuple([value(frame, latency_ms) for value in values])
+
+
+class Strips:
+    """Every curve of a run, collected frame by frame."""
+
+    def __init__(self, arm: Arm, period_s: float) -> None:
+        self._sources = sources(arm)
+        self._curves = [array("d") for source in self._sources for _ in source.curves]
+        self._period_s = period_s
+
+    def add(self, values: Sequence[float | None]) -> None:
+        """The next frame's readings."""
+        for curve, value in zip(self._curves, values, strict=True):
+            curve.append(math.nan if value is None else value)
+
+    def strips(self) -> tuple[Strip, ...]:
+        """All strips, thinned; one that never had a value has no points."""
+        curves = iter(self._curves)
+        return tuple(self._strip(source, [next(curves) for _ in source.curves]) for source in self._sources)
+
+    def _strip(self, source: Source, columns: Sequence[array[float]]) -> Strip:
+        curves, ends = [], [0.0] if source.rests else []
+        for (role, _), column in zip(source.curves, columns, strict=True):
+            values = np.asarray(column)
+            if np.isnan(values).all():
+                curves.append(Curve(role, (), ()))
+                continue
+            ends += [float(np.nanmin(values)), float(np.nanmax(values))]
+            kept = thin(values)
+            times = [round((i + 1) * self._period_s, 9) for i in kept.tolist()]
+            shown = [None if math.isnan(value) else value for value in values[kept].tolist()]
+            curves.append(Curve(role, tuple(times), tuple(shown)))
+        return Strip(
+            source.name,
+            source.quantity,
+            tuple(curves),
+            min(ends, default=0.0),
+            max(ends, default=0.0),
+            source.limit,
+            source.shown,
+        )
+
+
+def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Which of the values to draw: ends, and the least and greatest of each part; inside a level line, none.
+
+    Args:
+        values: one a step, not empty; NaN where there is none.
+
+    Returns:
+        Their places, ascending.
+    """
+    last = len(values) - 1
+    width = -(-len(values) // BUCKETS)
+    parts = np.full((-(-len(values) // width), width), math.nan)
+    parts.flat[: len(values)] = values
+    nothing = np.isnan(parts)
+    starts = np.arange(len(parts)) * width
+    least = starts + np.where(nothing, math.inf, parts).argmin(axis=1)
+    greatest = starts + np.where(nothing, -math.inf, parts).argmax(axis=1)
+    breaks = np.flatnonzero(np.diff(np.isnan(values)))  # on both sides of a gap's edge
+    places = np.unique(np.concatenate([[0, last], least, greatest, breaks, breaks + 1]))
+    places = places[places <= last]
+    shown = np.nan_to_num(values[places], nan=math.inf)
+    level = np.zeros(len(places), dtype=bool)
+    level[1:-1] = (shown[1:-1] == shown[:-2]) & (shown[1:-1] == shown[2:])
+    return places[~level]
+
+
+def worst_rate(rates: Six, limits: Six) -> tuple[float, int]:
+    """Largest |rate| of a limit in force, and its joint; -1 at rest."""
+    parts = [abs(rate) / limit for rate, limit in zip(rates, limits, strict=True)]
+    worst = max(parts)
+    return worst, parts.index(worst) if worst > 0 else -1
+
+
+def _singularity(i: int, name: str) -> Source:
+    return Source(f"{name.capitalize()} singularity", "ratio", (("actual", lambda f, _: abs(f.singularity[i])),))
+
+
+def _angle(i: int, label: str) -> Source:
+    commanded: tuple[Role, Value] = ("commanded", lambda f, _: f.angles_commanded[i])
+    return Source(label, "angle", (commanded, ("actual", lambda f, _: f.angles[i])), rests=False)
+
+
+def _size(vector: Sequence[float]) -> float:
+    return math.hypot(*vector)
+
+
+def _deflection(stick: Sequence[float]) -> float:
+    return max(abs(axis) for axis in stick)

@@ -1,0 +1,145 @@
+"""TypeScript of wire and playback: ``python -m aftdeck.station.typescript`` prints ``web/src/protocol.ts``.
+
+Every struct becomes an interface, every alias of theirs and of the shapes (tuple, literal or union) a
+type of the same name, docstrings of structs and fields their comments. The encoder writes every field, even
+one at its default, so that no field is optional.
+"""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import itertools
+import sys
+import textwrap
+import types
+import typing
+
+import msgspec
+
+from aftdeck import shapes
+from aftdeck.station import playback, protocol
+
+HEADER = """\
+// Generated from station/protocol.py and station/playback.py by `make generate`; do not edit.
+// All quantities are SI and radians; see there for frames.
+"""
+
+_PLAIN: dict[object, str] = {
+    float: "number",
+    int: "number",
+    str: "string",
+    bool: "boolean",
+    type(None): "null",
+}
+
+
+def typescript() -> str:
+    """The whole file, ending in a newline.
+
+    Raises:
+        TypeError: A field has a type that JSON cannot carry, or two structs have one name.
+    """
+    return _Writer().file()
+
+
+class _Writer:
+    """Collects both modules' structs and all that they hold, in order of need."""
+
+    def __init__(self) -> None:
+        self.aliases: dict[object, str] = {}
+        for module in (shapes, protocol, playback):
+            for name, value in vars(module).items():
+                if typing.get_origin(value) in (tuple, typing.Literal, typing.Union, types.UnionType):
+                    self.aliases[value] = name
+        self.interfaces: dict[type[msgspec.Struct], str] = {}
+
+    def file(self) -> str:
+        named = [f"export type {name} = {self.structure(alias)};" for alias, name in self.aliases.items()]
+        for value in (*vars(protocol).values(), *vars(playback).values()):
+            if isinstance(value, type) and issubclass(value, msgspec.Struct) and value.__name__[0] != "_":
+                self.structure(value)
+        parts = [
+            HEADER,
+            f"export const PROTOCOL = {protocol.PROTOCOL};\n",
+            "\n".join(named) + "\n",
+            *self.interfaces.values(),
+        ]
+        return "\n".join(parts)
+
+    def name(self, hint: object) -> str:
+        """The hint in TypeScript, by its alias where it has one."""
+        alias = self.aliases.get(hint)
+        return self.structure(hint) if alias is None else alias
+
+    def structure(self, hint: object) -> str:
+        """The hint in TypeScript, spelt out."""
+        plain = _PLAIN.get(hint)
+        if plain is not None:
+            return plain
+        origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+        if origin is typing.Literal:
+            return " | ".join(_literal(value) for value in arguments)
+        if origin in (typing.Union, types.UnionType):
+            return " | ".join(self.name(part) for part in arguments)
+        if origin is tuple and arguments[-1] is Ellipsis:
+            item = self.name(arguments[0])
+            return f"readonly ({item})[]" if " " in item else f"readonly {item}[]"
+        if origin is tuple:
+            return f"readonly [{', '.join(self.name(part) for part in arguments)}]"
+        if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
+            if hint not in self.interfaces:
+                if any(known.__name__ == hint.__name__ for known in self.interfaces):
+                    raise TypeError(f"two structs are called {hint.__name__}; the page needs a name for each")
+                self.interfaces[hint] = ""  # reserves its place, and ends recursion
+                self.interfaces[hint] = self.interface(hint)
+            return hint.__name__
+        raise TypeError(
+            f"{hint} has no TypeScript here; use numbers, strings, booleans, tuples, literals, structs and their unions"
+        )
+
+    def interface(self, struct: type[msgspec.Struct]) -> str:
+        hints, comments = typing.get_type_hints(struct), _field_comments(struct)
+        lines = [*_comment(inspect.getdoc(struct), ""), f"export interface {struct.__name__} {{"]
+        config = struct.__struct_config__
+        if config.tag_field is not None:
+            lines.append(f"  readonly {config.tag_field}: {_literal(config.tag)};")
+        for field, wire in zip(struct.__struct_fields__, struct.__struct_encode_fields__, strict=True):
+            lines += _comment(comments.get(field), "  ")
+            lines.append(f"  readonly {wire}: {self.name(hints[field])};")
+        return "\n".join([*lines, "}", ""])
+
+
+def _literal(value: object) -> str:
+    return f"'{value}'" if isinstance(value, str) else str(value)
+
+
+def _field_comments(struct: type) -> dict[str, str]:
+    """The string that follows each field in the class's source, base classes' fields included."""
+    comments: dict[str, str] = {}
+    for cls in reversed(struct.__mro__):
+        if not issubclass(cls, msgspec.Struct) or cls is msgspec.Struct:
+            continue
+        body = typing.cast(ast.ClassDef, ast.parse(textwrap.dedent(inspect.getsource(cls))).body[0]).body
+        for field, after in itertools.pairwise(body):
+            if (
+                isinstance(field, ast.AnnAssign)
+                and isinstance(field.target, ast.Name)
+                and isinstance(after, ast.Expr)
+                and isinstance(after.value, ast.Constant)
+            ):
+                comments[field.target.id] = inspect.cleandoc(str(after.value.value))
+    return comments
+
+
+def _comment(text: str | None, indent: str) -> list[str]:
+    if not text:
+        return []
+    lines = text.replace("``", "`").splitlines()
+    if len(lines) == 1:
+        return [f"{indent}/** {lines[0]} */"]
+    return [f"{indent}/**", *(f"{indent} * {line}".rstrip() for line in lines), f"{indent} */"]
+
+
+if __name__ == "__main__":
+    sys.stdout.write(typescript())

@@ -1,0 +1,26 @@
+"""Whether a recording's recomputed frames are equal to the recorded ones, as the page tells it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from aftdeck.errors import AftdeckError
+from aftdeck.recording.replay import verify
+from aftdeck.station.playback import Verdict
+
+CHECKING = Verdict("checking", "checking")
+
+
+def verdict(path: Path) -> Verdict:
+    """Simulate a recording's inputs anew and compare; takes its time, and never raises: what cannot be is told."""
+    try:
+        found = verify(path)
+    except AftdeckError as error:
+        return Verdict("impossible", str(error))
+    if found.equal:
+        return Verdict("equal", f"all {found.frames} frames equal")
+    where = f", the first at {found.first.time_s:.2f} s" if found.first else ""
+    made = "" if found.same_laws else "; the laws have changed since"
+    if found.recorded_by != found.version:
+        made = f"; made by Aftdeck {found.recorded_by}"
+    return Verdict("different", f"{found.different} of {found.frames} frames differ{where}{made}")

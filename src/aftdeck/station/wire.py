@@ -1,0 +1,221 @@
+"""From the simulation's values to the page's: the welcome, and each frame with its lamps."""
+
+from __future__ import annotations
+
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.shapes import shapes_of
+from aftdeck.bodies.cameras import Camera
+from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
+from aftdeck.scenario.model import Scenario
+from aftdeck.scene.bodies import bodies_of
+from aftdeck.scene.poses import ArmPoses, point_in_scene
+from aftdeck.simulation import frame as sim
+from aftdeck.simulation.log import spoken
+from aftdeck.station import protocol as wire
+from aftdeck.steering.mode import MODES, Mode
+from aftdeck.version import __version__
+
+Array = NDArray[np.float64]
+
+END_EFFECTOR, PAYLOAD = 5, 6
+"""The report's numbers of the modes whose axes move with the arm."""
+_STILL = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+"""Pose of a body that stands in the scene's own frame."""
+
+
+class Translator:
+    """Turns one scenario's frames into the page's."""
+
+    def __init__(self, scenario: Scenario, *, demo: bool) -> None:
+        self._scenario = scenario
+        self._arm = scenario.arm
+        self._mount = scenario.arm.model.mount
+        self._hand = rotation_x(scenario.arm.model.end_effector_roll)
+        self._arm_poses = ArmPoses(scenario.arm.model)
+        worksite = scenario.worksite
+        bodies = tuple(wire.BodyInfo(body.name, body.shapes) for body in bodies_of(scenario))
+        self._still = [*_STILL] * len(worksite.bodies)
+        cameras = worksite.cameras
+        model = scenario.arm.model
+        if model.shapes is not None:
+            cameras += shapes_of(model.shapes, model.linkage.frames).cameras
+        phases = tuple(phase.name for phase in scenario.phases) if demo else ()
+        self.welcome = self._welcome(bodies, cameras, phases)
+
+    def _welcome(
+        self, bodies: tuple[wire.BodyInfo, ...], cameras: tuple[Camera, ...], phases: tuple[str, ...]
+    ) -> wire.Welcome:
+        scenario, model = self._scenario, self._arm.model
+        joints = tuple(
+            wire.JointInfo(
+                name,
+                label,
+                hard=_pair(model.limits.hard[i]),
+                soft=_pair(model.limits.soft[i]),
+                reach=_pair(model.limits.reach[i]),
+                coarse=float(model.rates.coarse[i]),
+                vernier=float(model.rates.vernier[i]),
+                servo=float(model.rates.servo[i]),
+            )
+            for i, (name, label) in enumerate(zip(model.joints, model.labels, strict=True))
+        )
+        modes = tuple(
+            wire.ModeInfo(m.position, m.laws, m.title, m.kind, m.point, self._can_enter(m), m.axes, m.axis_names)
+            for m in MODES.values()
+        )
+        return wire.Welcome(
+            protocol=wire.PROTOCOL,
+            version=__version__,
+            scenario=scenario.name,
+            title=scenario.title,
+            text=scenario.description,
+            arm=model.title,
+            control_period_s=scenario.control_period,
+            command_delay_s=scenario.delay * scenario.control_period,
+            units=model.units,
+            joints=joints,
+            modes=modes,
+            bodies=bodies,
+            cameras=cameras,
+            phases=phases,
+        )
+
+    def _can_enter(self, mode: Mode) -> bool:
+        scenario = self._scenario
+        if mode.loaded:
+            return scenario.payload is not None
+        return not mode.position.startswith("AUTO") or mode.position in scenario.sequences
+
+    def frame(self, frame: sim.Frame, stick_seq: int, recording_s: float | None = None) -> wire.Frame:
+        """A frame of the simulation as the page takes it."""
+        tip = Pose(np.array(frame.position), np.array(frame.orientation))
+        loaded = MODES[frame.mode].loaded and not self._scenario.strict
+        shown = self._commanded(frame, loaded)
+        poses = self._still + self._arm_poses.at(np.array(frame.angles))
+        if frame.payload is not None:
+            centre, axes = frame.payload
+            poses += self._in_scene(Pose(np.array(centre), np.array(axes)))
+        return wire.Frame(
+            tick=frame.tick,
+            time_s=frame.time_s,
+            stick_seq=stick_seq,
+            recording_s=recording_s,
+            phase=frame.phase,
+            by=frame.by,
+            mode=frame.mode,
+            law=frame.law,
+            law_choice=frame.law_choice,
+            payload_axes=frame.payload_axes,
+            rate_hold=frame.rate_hold,
+            position_hold=frame.position_hold,
+            joint=frame.joint,
+            rate=frame.rate,
+            sequence=frame.sequence,
+            point=frame.point,
+            points=frame.points,
+            check=None if frame.check is None else wire.Check(frame.check.good, frame.check.text),
+            translation=frame.translation,
+            rotation=frame.rotation,
+            drive=frame.drive,
+            joints=frame.angles,
+            rates=frame.rates,
+            rates_commanded=frame.rates_commanded,
+            rate_limits=frame.rate_limits,
+            zones=frame.zones,
+            actual=self._resolution(Pose(np.array(frame.resolution), self._shown_axes(tip, loaded)), frame.twist),
+            commanded=self._resolution(shown, frame.twist_demanded),
+            por_limits=frame.por_limits,
+            limits=tuple(wire.Limit(limit.kind, limit.joint, limit.text) for limit in frame.limits),
+            singularity=frame.singularity,
+            ways_out=tuple(wire.WayOut(w.cause, w.text, w.stick, w.axis, w.sign) for w in frame.ways_out),
+            lamps=self.lamps(frame),
+            aim=self._aim(frame.goal),
+            axes=quaternion(SCENE_FROM_PANEL_AXES @ self._control_axes(frame.law, tip)),
+            poses=tuple(poses),
+        )
+
+    def target(self, message: wire.SetTarget) -> Pose:
+        """A keyed-in target, panel components, as frame 7 in L."""
+        return self._arm.from_panel(message.position, message.attitude)
+
+    def _shown_axes(self, tip: Pose, loaded: bool) -> Array:
+        """Axes in L whose attitude the panel shows: the payload's in the payload's modes, else the end effector's."""
+        payload = self._scenario.payload
+        return tip.rotation @ payload.rotation if loaded and payload is not None else tip.rotation @ self._hand
+
+    def _commanded(self, frame: sim.Frame, loaded: bool) -> Pose:
+        """The point of resolution where the commanded rates would have brought it, in L."""
+        tip = self._arm.forward(frame.angles_commanded)
+        payload = self._scenario.payload
+        point = payload.resolution(tip) if loaded and payload is not None else tip.position
+        return Pose(point, self._shown_axes(tip, loaded))
+
+    def _control_axes(self, law: int, tip: Pose) -> Array:
+        """The axes that the sticks act along, in panel components."""
+        payload = self._scenario.payload
+        if law == END_EFFECTOR:
+            hand = tip.rotation if self._scenario.strict else tip.rotation @ self._hand
+            return np.asarray(self._mount.rotation @ hand)
+        if law == PAYLOAD and payload is not None:
+            return np.asarray(self._mount.rotation @ tip.rotation @ payload.rotation)
+        return np.eye(3)
+
+    def _in_scene(self, pose: Pose) -> list[float]:
+        """Seven numbers of a pose given in L: x, y, z [m], w, x, y, z."""
+        shown = self._mount.to("panel", pose)
+        return [*point_in_scene(shown.position).tolist(), *quaternion(SCENE_FROM_PANEL_AXES @ shown.rotation)]
+
+    def _resolution(self, pose: Pose, twist: sim.Six) -> wire.Resolution:
+        """A point with axes in L and its twist, panel components."""
+        shown = self._mount.to("panel", pose)
+        turn = self._mount.rotation @ np.array(twist[:3])
+        velocity = self._mount.rotation @ np.array(twist[3:])
+        return wire.Resolution(
+            _vec3(shown.position.tolist()),
+            panel_attitude(shown.rotation),
+            _vec3(velocity.tolist()),
+            (float(turn[1]), float(turn[2]), float(turn[0])),
+        )
+
+    def _aim(self, goal: sim.Goal | None) -> wire.Aim | None:
+        if goal is None:
+            return None
+        goal_pose = Pose(np.array(goal.position), np.array(goal.rotation) @ self._hand)
+        shown = self._mount.to("panel", goal_pose)
+        position = _vec3(shown.position.tolist())
+        return wire.Aim(position, panel_attitude(shown.rotation), goal.distance, goal.angle, goal.remaining_s)
+
+    def lamps(self, frame: sim.Frame) -> tuple[wire.Lamp, ...]:
+        """The lit lamps, each with its cause."""
+        joints = [spoken(name) for name in self._arm.joints]
+        lamps = []
+        if frame.singular:
+            shown = ", ".join(
+                f"{name} {abs(d):.2f}"
+                for name, d in zip(("shoulder", "elbow", "wrist"), frame.singularity, strict=True)
+                if name in frame.singular
+            )
+            lamps.append(wire.Lamp("SINGULAR", "caution", shown))
+        for name, zone in (("REACH LIM", sim.PAST_REACH), ("SOFT STOP", sim.PAST_SOFT)):
+            past = [joint for joint, z in zip(joints, frame.zones, strict=True) if z >= zone]
+            if past:
+                lamps.append(wire.Lamp(name, "caution", ", ".join(past)))
+        held = [limit.text for limit in frame.limits if limit.kind == "soft stop"]
+        if held and not any(lamp.name == "SOFT STOP" for lamp in lamps):
+            lamps.append(wire.Lamp("SOFT STOP", "caution", held[0]))
+        rate = [limit.text for limit in frame.limits if limit.kind == "joint rate"]
+        if rate:
+            lamps.append(wire.Lamp("RATE LIM", "info", rate[0]))
+        return tuple(lamps)
+
+
+def _vec3(values: list[float]) -> wire.Vec3:
+    return cast("wire.Vec3", tuple(values))
+
+
+def _pair(values: Array) -> tuple[float, float]:
+    return float(values[0]), float(values[1])

@@ -1,0 +1,79 @@
+"""LATRAJ: line of sight and angle of sight from a pose to a target.
+
+JSC-12628, subroutine LATRAJ, with the angle from an arc tangent, which keeps its digits at small angles, and
+the axis beyond 90 deg from the symmetric part, which keeps them up to and at 180 deg.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.linkage import Tip
+from aftdeck.law import law
+
+Array = NDArray[np.float64]
+
+
+class Aim(NamedTuple):
+    """The way to a target: how far and which way, in translation and in rotation, in L."""
+
+    distance: float
+    ux: float
+    uy: float
+    uz: float
+    angle: float
+    ax: float
+    ay: float
+    az: float
+
+
+@law
+def latraj(tip: Tip, target: Array) -> Aim:
+    """LATRAJ: from the tip to a target (12,): position [m], then rotation row by row."""
+    dx, dy, dz = target[0] - tip.x, target[1] - tip.y, target[2] - tip.z
+    distance = math.sqrt(dx * dx + dy * dy + dz * dz)
+    per = 1.0 / distance if distance > 0.0 else 0.0
+    b11 = target[3] * tip.r11 + target[4] * tip.r12 + target[5] * tip.r13
+    b12 = target[3] * tip.r21 + target[4] * tip.r22 + target[5] * tip.r23
+    b13 = target[3] * tip.r31 + target[4] * tip.r32 + target[5] * tip.r33
+    b21 = target[6] * tip.r11 + target[7] * tip.r12 + target[8] * tip.r13
+    b22 = target[6] * tip.r21 + target[7] * tip.r22 + target[8] * tip.r23
+    b23 = target[6] * tip.r31 + target[7] * tip.r32 + target[8] * tip.r33
+    b31 = target[9] * tip.r11 + target[10] * tip.r12 + target[11] * tip.r13
+    b32 = target[9] * tip.r21 + target[10] * tip.r22 + target[11] * tip.r23
+    b33 = target[9] * tip.r31 + target[10] * tip.r32 + target[11] * tip.r33
+    sx, sy, sz = 0.5 * (b32 - b23), 0.5 * (b13 - b31), 0.5 * (b21 - b12)
+    sine = math.sqrt(sx * sx + sy * sy + sz * sz)
+    cosine = 0.5 * (b11 + b22 + b33 - 1.0)
+    angle = math.atan2(sine, cosine)
+    if cosine >= 0.0:
+        turn = 1.0 / sine if sine > 0.0 else 0.0
+        ax, ay, az = turn * sx, turn * sy, turn * sz
+    else:
+        ax, ay, az = _axis_of_large_turn(b11, b22, b33, b12 + b21, b13 + b31, b23 + b32, cosine)
+        if ax * sx + ay * sy + az * sz < 0.0:
+            ax, ay, az = -ax, -ay, -az
+    return Aim(distance, per * dx, per * dy, per * dz, angle, ax, ay, az)
+
+
+@law
+def _axis_of_large_turn(
+    b11: float, b22: float, b33: float, b12: float, b13: float, b23: float, cosine: float
+) -> tuple[float, float, float]:
+    """The axis, but for its sign, of a turn beyond 90 deg, from the matrix's diagonal and symmetric sums.
+
+    The largest component is taken first, the others from its column (LATRAJ's 180 deg case).
+    """
+    xx, yy, zz = b11 - cosine, b22 - cosine, b33 - cosine
+    if xx >= yy and xx >= zz:
+        ax, ay, az = xx, 0.5 * b12, 0.5 * b13
+    elif yy >= zz:
+        ax, ay, az = 0.5 * b12, yy, 0.5 * b23
+    else:
+        ax, ay, az = 0.5 * b13, 0.5 * b23, zz
+    per = 1.0 / math.sqrt(ax * ax + ay * ay + az * az)
+    return per * ax, per * ay, per * az

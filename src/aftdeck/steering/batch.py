@@ -1,0 +1,176 @@
+"""Closed-loop steering of many arms at once: each arm straight towards a target of its own.
+
+Not modelled: profiles and limits of the point of resolution, joint stops, and slowing before singularities, near
+which the rate law divides by a floor.
+"""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from aftdeck.errors import InputError
+from aftdeck.frames import Pose
+from aftdeck.kinematics.arm import Arm
+from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blocks
+
+Array = NDArray[np.float64]
+
+_HAIR = 1.0 + 1e-15
+"""Keeps the fastest joint's rate, after rounding, at or under its limit."""
+_THREADED = 20_000
+"""Arm-steps from which a second thread is worth its start."""
+LINE = 64
+"""A cache line [bytes]."""
+_SHARES = 8
+"""Shares of the blocks for each thread: one whose processor others use too takes fewer of them."""
+_ROTATION_TOLERANCE = 1e-6
+"""How far from orthonormal a target's rotation may be [1]."""
+
+
+class Steered(NamedTuple):
+    """Where the arms are after the last step, and what is left to their targets.
+
+    Attributes:
+        angles: (..., 6) joint angles [rad].
+        position_error: (..., 3) target less tip position, in L [m].
+        rotation_error: (..., 3) axis of the turn that is left times the sine of its angle, in L [1].
+    """
+
+    angles: Array
+    position_error: Array
+    rotation_error: Array
+
+
+def pace_of(arm: Arm, period: float, gain: float) -> Array:
+    """The pace (8,) of an arm whose joints are held to its servo maxima.
+
+    Raises:
+        InputError: a period or gain that goes nowhere, or past the target.
+    """
+    if not period > 0.0:
+        raise InputError(f"the control period is above 0 s, got {period:g}")
+    if not 0.0 < gain * period <= 1.0:
+        raise InputError(f"gain times control period is above 0 and at most 1, got {gain:g} x {period:g}")
+    return np.array([period, gain, *(_HAIR / arm.rate_limits)])
+
+
+def steer_batch(
+    arm: Arm, angles: ArrayLike, targets: Pose | ArrayLike, *, steps: int = 1, period: float, gain: float
+) -> Steered:
+    """Fly many arms in closed loop, on every processor that this process may use.
+
+    Args:
+        arm: which arm they all are.
+        angles: (..., 6) joint angles [rad].
+        targets: tip poses in L, with the leading shape of `angles` or one for all: a Pose, or (..., 12), position
+            [m], then rotation row by row.
+        steps: control periods to fly.
+        period: of a step [s].
+        gain: twist per way and turn left [1/s].
+
+    Raises:
+        InputError: numbers of the wrong shape or range.
+    """
+    pace = pace_of(arm, period, gain)
+    if steps < 0 or steps != int(steps):
+        raise InputError(f"steps is a whole number, 0 or more, got {steps}")
+    start = _finite(angles, "joint angles", 6)
+    lead = start.shape[:-1]
+    goal = _targets(targets, lead)
+    count = start.size // 6
+    blocks = _aligned(-(-count // LANES) * FIELDS * LANES).reshape(-1, FIELDS, LANES)
+    _scatter(blocks[:, :TARGET], start.reshape(count, 6))
+    _scatter(blocks[:, TARGET:LEFT], goal.reshape(count, 12))
+    _fly(arm, pace, blocks.reshape(len(blocks), FIELDS * LANES), int(steps))
+    end, left = _gathered(blocks[:, :TARGET], count), _gathered(blocks[:, LEFT:], count)
+    return Steered(end.reshape(*lead, 6), left[:, 3:].reshape(*lead, 3), left[:, :3].reshape(*lead, 3))
+
+
+def _fly(arm: Arm, pace: Array, blocks: Array, steps: int) -> None:
+    """`steer_blocks`, the blocks shared out among threads, each of which takes the next share when it is done."""
+    links, pace_tuple = tuple(arm.model.links.tolist()), tuple(pace.tolist())
+    workers = min(_processors(), len(blocks)) if len(blocks) * LANES * steps >= _THREADED else 1
+    if workers <= 1:
+        steer_blocks(links, pace_tuple, blocks, _aligned(WORK * LANES), steps)
+        return
+    shares = min(_SHARES * workers, len(blocks))
+
+    def share(cut: tuple[int, int]) -> None:
+        steer_blocks(links, pace_tuple, blocks[slice(*cut)], _aligned(WORK * LANES), steps)
+
+    cuts = [len(blocks) * k // shares for k in range(shares + 1)]
+    with ThreadPoolExecutor(workers) as pool:
+        list(pool.map(share, pairwise(cuts)))
+
+
+def _aligned(count: int) -> Array:
+    """Zeros that begin at a cache line: no vector of theirs lies across two."""
+    room = np.zeros(count + LINE // 8)
+    skip = -room.ctypes.data % LINE // 8
+    return room[skip : skip + count]
+
+
+def _processors() -> int:
+    """How many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def _finite(values: ArrayLike, what: str, width: int) -> Array:
+    """Checked (..., width) floats."""
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(f"{what}: expected numbers, got {values!r}") from None
+    if array.ndim == 0 or array.shape[-1] != width:
+        raise InputError(f"{what}: expected shape (..., {width}), got {array.shape}")
+    if not np.isfinite(array).all():
+        raise InputError(f"{what}: expected finite numbers")
+    return array
+
+
+def _targets(targets: Pose | ArrayLike, lead: tuple[int, ...]) -> Array:
+    """(*lead, 12) checked targets."""
+    if isinstance(targets, Pose):
+        position, rotation = _finite(targets.position, "positions", 3), _finite(targets.rotation, "rotations", 3)
+        if rotation.shape != (*position.shape, 3):
+            raise InputError(
+                f"targets have positions (..., 3) and rotations (..., 3, 3), got {position.shape} and {rotation.shape}"
+            )
+        targets = np.concatenate([position, rotation.reshape(*position.shape[:-1], 9)], axis=-1)
+    array = _finite(targets, "targets", 12)
+    x1, x2, x3, y1, y2, y3, z1, z2, z3 = np.ascontiguousarray(np.moveaxis(array[..., 3:], -1, 0))
+    lengths = [x1 * x1 + x2 * x2 + x3 * x3 - 1.0, y1 * y1 + y2 * y2 + y3 * y3 - 1.0, x1 * y1 + x2 * y2 + x3 * y3]
+    third = [x2 * y3 - x3 * y2 - z1, x3 * y1 - x1 * y3 - z2, x1 * y2 - x2 * y1 - z3]
+    off = np.abs(lengths + third).max(initial=0.0)
+    if off > _ROTATION_TOLERANCE:
+        raise InputError(
+            f"a target's rotation is no right-handed orthonormal matrix: it is off by {off:.3g}, "
+            f"{_ROTATION_TOLERANCE:g} is allowed"
+        )
+    try:
+        return np.broadcast_to(array, (*lead, 12))
+    except ValueError:
+        raise InputError(
+            f"targets: expected the leading shape of the joint angles, {lead}, or one for all, got {array.shape[:-1]}"
+        ) from None
+
+
+def _scatter(fields: Array, rows: Array) -> None:
+    """Rows (n, k) into the lanes of fields (blocks, k, LANES); lanes left over stay as they are."""
+    whole, rest = divmod(len(rows), LANES)
+    fields[:whole] = rows[: whole * LANES].reshape(whole, LANES, rows.shape[1]).swapaxes(1, 2)
+    if rest:
+        fields[whole, :, :rest] = rows[whole * LANES :].T
+
+
+def _gathered(fields: Array, count: int) -> Array:
+    """Rows (count, k) out of the lanes of fields (blocks, k, LANES)."""
+    return np.ascontiguousarray(fields.swapaxes(1, 2)).reshape(len(fields) * LANES, fields.shape[1])[:count]

@@ -1,0 +1,193 @@
+"""One closed-loop step towards a target, of one arm and of blocks of arms, from the same laws.
+
+A step: LNKAGE, what is left to the target, RMSRAT for a twist proportional to it, RATLMT (rates only), and the rates
+flown for one control period. In a block each field of `LANES` arms stands in a row, so that the processor takes
+several arms in one instruction; every arm comes out as it would alone, bit for bit.
+Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.jacobian import Rates, Twist
+from aftdeck.kinematics.linkage import (
+    HEADING_PITCH_ROLL,
+    PITCH_YAW_ROLL,
+    Floats,
+    Nine,
+    Sines,
+    Three,
+    axes,
+    link_angles,
+    place,
+    sines,
+)
+from aftdeck.kinematics.rates import per_distance, resolved, rmsrat
+from aftdeck.law import law, reduced, sincos_near_zero, turned_on
+from aftdeck.steering.msteer import FLOOR
+
+Array = NDArray[np.float64]
+Six = tuple[float, float, float, float, float, float]
+
+LANES = 40
+"""Arms in a block: a whole number of vectors and of cache lines, and rows that are no power of two apart in memory."""
+TARGET, LEFT, FIELDS = 6, 18, 24
+"""Rows of a block: joint angles (6) [rad], from TARGET target (12) as `latraj` takes it, from LEFT what is left (6)."""
+
+PER, QUARTERS, WORK = 12, 15, 21
+"""Rows of the work: sines (6) and cosines (6), from PER one over the rate law's denominators (3), from QUARTERS the
+whole quarters of a turn in each link's angle (6)."""
+
+PERIOD, GAIN, PER_RATE = 0, 1, 2
+"""Places in a pace: control period [s], gain [1/s], from PER_RATE one over each joint's greatest rate [s/rad]."""
+
+
+@law
+def turn_left(t: Nine, target: Floats) -> Three:
+    """What is left to turn from the tip's axes to those of a target (12,), in L: axis times sine of the angle.
+
+    Half the sum of the cross products of the axes, old with new: nothing at 180 deg, where it does not turn the tip.
+    """
+    r11, r12, r13, r21, r22, r23, r31, r32, r33 = t
+    return (
+        0.5 * ((r21 * target[9] - r31 * target[6]) + (r22 * target[10] - r32 * target[7])
+               + (r23 * target[11] - r33 * target[8])),
+        0.5 * ((r31 * target[3] - r11 * target[9]) + (r32 * target[4] - r12 * target[10])
+               + (r33 * target[5] - r13 * target[11])),
+        0.5 * ((r11 * target[6] - r21 * target[3]) + (r12 * target[7] - r22 * target[4])
+               + (r13 * target[8] - r23 * target[5])),
+    )  # fmt: skip
+
+
+@law
+def way_left(t: Three, target: Floats) -> Three:
+    """What is left to go from the tip's place to that of a target, whose first three numbers it is, in L [m]."""
+    return target[0] - t[0], target[1] - t[1], target[2] - t[2]
+
+
+@law
+def flown(pace: Floats, r: Rates, q: Floats) -> Six:
+    """Joint angles [rad] a control period on, at the rates (6,) for what is left times the gain, cut by RATLMT.
+
+    The rate law is linear: gain times its rates are its rates for gain times the way.
+    """
+    upper = max(abs(r.r1) * pace[PER_RATE], abs(r.r2) * pace[PER_RATE + 1], abs(r.r3) * pace[PER_RATE + 2])
+    lower = max(abs(r.r4) * pace[PER_RATE + 3], abs(r.r5) * pace[PER_RATE + 4], abs(r.r6) * pace[PER_RATE + 5])
+    k = pace[GAIN] * pace[PERIOD] / max(1.0, pace[GAIN] * max(upper, lower))
+    return q[0] + k * r.r1, q[1] + k * r.r2, q[2] + k * r.r3, q[3] + k * r.r4, q[4] + k * r.r5, q[5] + k * r.r6
+
+
+@law
+def steer_one(arm: Array, pace: Array, angles: Array, target: Array) -> None:
+    """One step of one arm: angles (6,) [rad], changed in place, towards a target (12,)."""
+    a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
+    wx, wy, wz = turn_left(axes(arm, a), target)
+    vx, vy, vz = way_left(place(arm, a), target)
+    rates = rmsrat(arm, a, Twist(wx, wy, wz, vx, vy, vz), FLOOR)
+    angles[0], angles[1], angles[2], angles[3], angles[4], angles[5] = flown(pace, rates, angles)
+
+
+@law
+def _three(rows: Array, first: int, i: int) -> Three:
+    """Three fields of one arm, from row `first` on."""
+    n = first * LANES + i
+    return rows[n], rows[n + LANES], rows[n + 2 * LANES]
+
+
+@law
+def _keep_three(rows: Array, first: int, i: int, values: Three) -> None:
+    """Write three fields of one arm, from row `first` on."""
+    n = first * LANES + i
+    rows[n], rows[n + LANES], rows[n + 2 * LANES] = values
+
+
+@law
+def _six(rows: Array, first: int, i: int) -> Six:
+    """Six fields of one arm, from row `first` on."""
+    return _three(rows, first, i) + _three(rows, first + 3, i)
+
+
+@law
+def _keep_six(rows: Array, first: int, i: int, values: Six) -> None:
+    """Write six fields of one arm, from row `first` on."""
+    _keep_three(rows, first, i, values[:3])
+    _keep_three(rows, first + 3, i, values[3:])
+
+
+@law
+def _sines_of(work: Array, i: int) -> Sines:
+    """One arm's sines and cosines."""
+    s1, s2, s23, sw, s5, s6 = _six(work, 0, i)
+    c1, c2, c23, cw, c5, c6 = _six(work, 6, i)
+    return Sines(s1, c1, s2, c2, s23, c23, sw, cw, s5, c5, s6, c6)
+
+
+@law
+def _look(arm: Floats, block: Array, work: Array) -> None:
+    """From a block's angles in `work` to sines and cosines, one over the denominators, and what is left.
+
+    `law.sincos` in three goes: each is short enough for the processor to have several vectors of arms under way.
+    """
+    for n in range(6 * LANES):
+        work[n], work[n + QUARTERS * LANES] = reduced(work[n])
+    for n in range(6 * LANES):
+        work[n], work[n + 6 * LANES] = sincos_near_zero(work[n])
+    for n in range(6 * LANES):
+        work[n], work[n + 6 * LANES] = turned_on(work[n], work[n + 6 * LANES], work[n + QUARTERS * LANES])
+    for i in range(LANES):
+        a = _sines_of(work, i)
+        _keep_three(work, PER, i, per_distance(arm, a, FLOOR))
+        _keep_three(block, LEFT + 3, i, way_left(place(arm, a), _three(block, TARGET, i)))
+    for i in range(LANES):
+        target = _six(block, TARGET, i) + _six(block, TARGET + 6, i)
+        _keep_three(block, LEFT, i, turn_left(axes(arm, _sines_of(work, i)), target))
+
+
+@law
+def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int) -> None:
+    """Many steps of many arms, in place.
+
+    Each family has loops of its own, in which its kind of wrist is a constant: the choice between families inside
+    the loops would cost a quarter more time.
+
+    Args:
+        arm: the arm's constants, a tuple.
+        pace: a tuple.
+        blocks: (blocks, FIELDS * LANES), field by field.
+        work: (WORK * LANES,) to be written over.
+        steps: control periods to fly.
+    """
+    l1, l2, l3, l4, l5, upper, lower, wrist = arm
+    if wrist == PITCH_YAW_ROLL:
+        _steer_family((l1, l2, l3, l4, l5, upper, lower, PITCH_YAW_ROLL), pace, blocks, work, steps)
+    else:
+        _steer_family((l1, l2, l3, l4, l5, upper, lower, HEADING_PITCH_ROLL), pace, blocks, work, steps)
+
+
+@law
+def _steer_family(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int) -> None:
+    """As `steer_blocks`, for a kind of wrist that the compiler knows.
+
+    A step goes over a block several times: in a short loop more arms are under way in the processor at once. Rows
+    are addressed in one array by strides that are constants, without which the compiler does not see that they
+    never overlap.
+    """
+    for b in range(blocks.shape[0]):
+        block = blocks[b]
+        for i in range(LANES):
+            q1, q2, q3, q4, q5, q6 = _six(block, 0, i)
+            _keep_six(work, 0, i, link_angles(arm, q1, q2, q3, q4, q5, q6))
+        _look(arm, block, work)
+        for _ in range(steps):
+            for i in range(LANES):
+                wx, wy, wz, vx, vy, vz = _six(block, LEFT, i)
+                twist = Twist(wx, wy, wz, vx, vy, vz)
+                _keep_six(block, LEFT, i, resolved(arm, _sines_of(work, i), twist, _three(work, PER, i)))
+            for i in range(LANES):
+                r1, r2, r3, r4, r5, r6 = _six(block, LEFT, i)
+                q = flown(pace, Rates(r1, r2, r3, r4, r5, r6), _six(block, 0, i))
+                _keep_six(block, 0, i, q)
+                _keep_six(work, 0, i, link_angles(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
+            _look(arm, block, work)

@@ -1,0 +1,33 @@
+"""The rate law for callers in Python: RMSRAT with RATLMT in one call, twelve numbers in, six out."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.jacobian import Twist
+from aftdeck.kinematics.linkage import sines
+from aftdeck.kinematics.rates import FLOOR, rmsrat
+from aftdeck.law import law
+from aftdeck.steering.layout import RATE
+
+Array = NDArray[np.float64]
+
+
+@law
+def limited_rates(rules: Array, numbers: Array, out: Array) -> None:
+    """RMSRAT and RATLMT: joint rates for a tip twist, cut by one ratio to within the rate limits.
+
+    Args:
+        rules: of a mode, as `steering.rules` makes them.
+        numbers: (12,) six joint angles [rad], then the tip's twist in L [rad/s], [m/s].
+        out: (6,) takes the joint rates [rad/s].
+    """
+    a = sines(rules, numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5])
+    twist = Twist(numbers[6], numbers[7], numbers[8], numbers[9], numbers[10], numbers[11])
+    rates = rmsrat(rules, a, twist, FLOOR)
+    ratio = 1.0
+    for i in range(6):
+        ratio = min(ratio, rules[RATE + i] / max(abs(rates[i]), rules[RATE + i]))
+    for i in range(6):
+        out[i] = ratio * rates[i]

@@ -1,0 +1,179 @@
+"""AVCLMT and RATLMT: what the tip and the joints are held to.
+
+JSC-12628, subroutines AVCLMT and RATLMT. RATLMT's one ratio for all joints keeps the direction of motion; here
+it also holds the joints before their stops and the arm before its singularities, by letting a rate grow only
+with the root of the way that is left, so that the same ratio slows the arm smoothly and to rest.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.jacobian import Rates, Twist
+from aftdeck.kinematics.linkage import L2, L3, L4, Sines
+from aftdeck.kinematics.singular import distances
+from aftdeck.law import law
+from aftdeck.steering.layout import (
+    ANGLES,
+    AS_FLOWN,
+    DT,
+    HIGH,
+    LOW,
+    RATE,
+    RATE_UP,
+    SPEED,
+    SPEED_UP,
+    STRICT,
+    TURN,
+    TURN_UP,
+)
+
+Array = NDArray[np.float64]
+
+CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop")
+"""What RATLMT can meet, by the number in a report; 4 is given by mode 8, whose stops are the hard ones."""
+BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP = 1, 2, 3, 4
+
+NEAREST = 0.02
+"""Normalised distance at which an approach to a singularity comes to rest (assumed: 1.1 deg of elbow)."""
+APPROACH = 0.5
+"""Rate of approach to a singularity per distance left [1/s] (assumed)."""
+OUTSIDE = 1e-9
+"""How far past a stop a joint has to be to count as past it [rad]."""
+
+
+class Ratio(NamedTuple):
+    """What RATLMT leaves of commanded rates, and why.
+
+    Attributes:
+        ratio: 0 to 1.
+        cause: a number of `CAUSES`; 0 where nothing limits.
+        culprit: the joint, or for a singularity 0 shoulder, 1 elbow, 2 wrist; -1 where nothing limits.
+    """
+
+    ratio: float
+    cause: int
+    culprit: int
+
+
+@law
+def braked(gap: float, deceleration: float, dt: float) -> float:
+    """Greatest rate from which steps of `dt` with this deceleration come to rest within `gap`; 0 beyond it.
+
+    With n the least number of steps that will do, n rates, each lower by deceleration * dt than the one before
+    and the last above zero, cover the gap exactly.
+    """
+    if gap <= 0.0:
+        return 0.0
+    change = deceleration * dt
+    n = max(math.ceil(math.sqrt(0.25 + 2.0 * gap / (change * dt)) - 0.5), 1.0)
+    return gap / (n * dt) + 0.5 * (n - 1.0) * change
+
+
+@law
+def avclmt(rules: Array, wanted: Twist, present: Twist) -> tuple[Twist, int]:
+    """AVCLMT: the tip twist that limits of speed and acceleration allow.
+
+    As restored, acceleration is limited first and speed after it. Mended, speed first: the two differ only
+    where the present speed is above its limit because the limit was just lowered, and then the source brakes
+    at once.
+
+    Returns:
+        The allowed twist and which limits were met, added up: acceleration 1 and speed 2 of translation,
+        acceleration 4 and rate 8 of rotation.
+    """
+    dt = rules[DT]
+    wx, wy, wz, turn_met = _held(
+        wanted.wx, wanted.wy, wanted.wz, present.wx, present.wy, present.wz,
+        rules[TURN], rules[TURN_UP] * dt, rules[STRICT],
+    )  # fmt: skip
+    vx, vy, vz, speed_met = _held(
+        wanted.vx, wanted.vy, wanted.vz, present.vx, present.vy, present.vz,
+        rules[SPEED], rules[SPEED_UP] * dt, rules[STRICT],
+    )  # fmt: skip
+    return Twist(wx, wy, wz, vx, vy, vz), speed_met + 4 * turn_met
+
+
+@law
+def _held(
+    x: float, y: float, z: float, px: float, py: float, pz: float, most: float, change: float, strict: float
+) -> tuple[float, float, float, int]:
+    """One vector of AVCLMT: wanted, present, its greatest length, its greatest change in a step."""
+    met = 0
+    if strict == 0.0:
+        k = _shortening(x, y, z, most)
+        met = _met(k, 2)
+        x, y, z = k * x, k * y, k * z
+    dx, dy, dz = x - px, y - py, z - pz
+    k = _shortening(dx, dy, dz, change)
+    met += _met(k, 1)
+    if k < 1.0:
+        x, y, z = px + k * dx, py + k * dy, pz + k * dz
+    if strict != 0.0:
+        k = _shortening(x, y, z, most)
+        met += _met(k, 2)
+        x, y, z = k * x, k * y, k * z
+    return x, y, z, met
+
+
+@law
+def _met(shortening: float, number: int) -> int:
+    """The number where a shortening is more than a rounding error, else 0."""
+    return number if shortening < 1.0 - 1e-9 else 0
+
+
+@law
+def _shortening(x: float, y: float, z: float, most: float) -> float:
+    """The factor, at most 1, that brings a vector's length down to `most`."""
+    length = math.sqrt(x * x + y * y + z * z)
+    return most / length if length > most else 1.0
+
+
+@law
+def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
+    """RATLMT: the ratio by which commanded joint rates are cut so that every one is within its limit."""
+    ratio, cause, culprit = 1.0, 0, -1
+    as_flown = rules[AS_FLOWN] != 0.0
+    for i in range(6):
+        rate, angle = rates[i], state[ANGLES + i]
+        past = angle > rules[HIGH + i] + OUTSIDE or angle < rules[LOW + i] - OUTSIDE
+        if as_flown and past:
+            return Ratio(0.0, BY_STOP, i)
+        most, here = rules[RATE + i], BY_RATE
+        if not as_flown:
+            gap = rules[HIGH + i] - angle if rate > 0.0 else angle - rules[LOW + i]
+            allowed = braked(gap, rules[RATE_UP + i], rules[DT])
+            if allowed < most:
+                most, here = allowed, BY_STOP
+        if abs(rate) > most * (1.0 + 1e-12):
+            left = most / abs(rate)
+            if left < ratio:
+                ratio, cause, culprit = left, here, i
+    for k in range(3):
+        distance, towards = closing(rules, a, rates, k)
+        allowed = APPROACH * max(abs(distance) - NEAREST, 0.0)
+        if towards > allowed * (1.0 + 1e-12) + 1e-12:
+            left = allowed / towards
+            if left < ratio:
+                ratio, cause, culprit = left, BY_SINGULARITY, k
+    return Ratio(ratio, cause, culprit)
+
+
+@law
+def closing(rules: Array, a: Sines, rates: Rates, which: int) -> tuple[float, float]:
+    """A singularity's signed distance and how fast its magnitude falls [1/s]."""
+    shoulder, elbow, wrist = distances(rules, a)
+    upper, lower, hand = rates.r2, rates.r2 + rates.r3, rates.r2 + rates.r3 + rates.r4
+    if which == 0:
+        reach = rules[L2] + rules[L3] + abs(rules[L4])
+        change = -(rules[L2] * a.s2 * upper + rules[L3] * a.s23 * lower + rules[L4] * a.sw * hand) / reach
+        return shoulder, -change if shoulder >= 0.0 else change
+    if which == 1:
+        change = -(a.c2 * a.c23 + a.s2 * a.s23) * rates.r3
+        return elbow, -change if elbow >= 0.0 else change
+    change = -a.s5 * rates.r5
+    return wrist, -change if wrist >= 0.0 else change

@@ -1,0 +1,87 @@
+"""The MODE rotary: its twelve positions, and which of the report's eight modes each one flies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from aftdeck.steering.layout import DIRECT_LAW, NO_LAW
+
+Kind = Literal["automatic", "manual", "single", "test"]
+LawChoice = Literal["position", "closed loop", "open loop"]
+PanelPosition = Literal[
+    "OPR CMD", "AUTO 1", "AUTO 2", "AUTO 3", "AUTO 4", "TEST", "ORB UNL", "END EFF", "ORB LD", "PL", "SINGLE", "DIRECT"
+]
+"""The twelve positions of the MODE rotary on panel A8."""
+
+AUTOMATIC_LAWS: dict[LawChoice, int] = {"position": 1, "closed loop": 2, "open loop": 3}
+"""The report's modes 1 to 3, as the switch beside OPR CMD and AUTO 1-4 names them."""
+
+
+@dataclass(frozen=True)
+class Mode:
+    """One position of the MODE rotary.
+
+    Attributes:
+        position: as printed.
+        laws: the report's mode numbers that it can fly, the default first.
+        title: what it flies, in a few words.
+        kind: how it is commanded: a target, sticks, one joint's drive switch, or not at all.
+        point: the point that it moves.
+        axes: the axes that the sticks act along.
+        axis_names: what + means for the THC's three axes.
+    """
+
+    position: PanelPosition
+    laws: tuple[int, ...]
+    title: str
+    kind: Kind
+    point: Literal["tip", "payload", "selected joint", "none"]
+    axes: str
+    axis_names: tuple[str, str, str]
+
+    @property
+    def loaded(self) -> bool:
+        """Whether it needs a payload in the grasp."""
+        return self.point == "payload"
+
+
+_ORBITER = ("+X fwd", "+Y stbd", "+Z down")
+_AUTO = (2, 1, 3)
+
+MODES: dict[str, Mode] = {
+    mode.position: mode
+    for mode in (
+        Mode("OPR CMD", _AUTO, "to the keyed-in point", "automatic", "tip", "orbiter axes", _ORBITER),
+        Mode("AUTO 1", _AUTO, "prestored points 1", "automatic", "tip", "orbiter axes", _ORBITER),
+        Mode("AUTO 2", _AUTO, "prestored points 2", "automatic", "tip", "orbiter axes", _ORBITER),
+        Mode("AUTO 3", _AUTO, "prestored points 3", "automatic", "tip", "orbiter axes", _ORBITER),
+        Mode("AUTO 4", _AUTO, "prestored points 4", "automatic", "tip", "orbiter axes", _ORBITER),
+        Mode("TEST", (int(NO_LAW),), "every lamp and segment lit", "test", "none", "none", ("", "", "")),
+        Mode("ORB UNL", (4,), "tip along the orbiter's axes", "manual", "tip", "orbiter axes", _ORBITER),
+        Mode(
+            "END EFF", (5,), "tip along its own axes", "manual", "tip", "end effector axes",
+            ("+X out", "+Y right", "+Z down"),
+        ),
+        Mode(
+            "ORB LD", (4, 7), "payload along the orbiter's axes", "manual", "payload", "orbiter axes", _ORBITER,
+        ),
+        Mode(
+            "PL", (6,), "payload along its own axes", "manual", "payload", "payload axes",
+            ("+X payload", "+Y payload", "+Z payload"),
+        ),
+        Mode("SINGLE", (8,), "one joint at a time", "single", "selected joint", "joint", ("+ joint", "", "")),
+        Mode(
+            "DIRECT", (int(DIRECT_LAW),), "one joint, no steering, no soft stops", "single", "selected joint", "joint",
+            ("+ joint", "", ""),
+        ),
+    )
+}  # fmt: skip
+"""Every position, by its name."""
+
+
+def position_of(law: int) -> tuple[PanelPosition, int] | None:
+    """The panel position that flies one of the report's modes 1 to 8 first, and the law; None for other numbers."""
+    first: dict[int, PanelPosition] = {1: "OPR CMD", 2: "OPR CMD", 3: "OPR CMD", 4: "ORB UNL", 5: "END EFF"}
+    first |= {6: "PL", 7: "ORB LD", 8: "SINGLE"}
+    return (first[law], law) if law in first else None

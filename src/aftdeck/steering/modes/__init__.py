@@ -1,0 +1,1 @@
+"""The report's steering modes, one file each, and DIRECT."""

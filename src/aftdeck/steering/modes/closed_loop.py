@@ -1,0 +1,63 @@
+"""Mode 2, automatic, closed-loop velocity: straight to the target, about one axis, both ending together.
+
+Inputs: the final tip pose; PROCEED and STOP.
+Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
+Ends: inside the end sphere and at rest; the phase's estimated end ETA is worked out anew every step.
+Source: JSC-12628, subroutines OPERIN (MODE = 2), LATRAJ, VCLOSE.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.jacobian import Twist
+from aftdeck.kinematics.linkage import Tip
+from aftdeck.law import law
+from aftdeck.steering.aim import latraj
+from aftdeck.steering.layout import (
+    ANGLE,
+    ARRIVED,
+    DISTANCE,
+    DT,
+    GO,
+    NEAR,
+    NEAR_TURN,
+    PLAN,
+    REMAINING,
+    SPEED_UP,
+    STRICT,
+    TARGET,
+    TURN_UP,
+    TWIST,
+)
+from aftdeck.steering.profiles import vclose
+
+Array = NDArray[np.float64]
+
+SLOW = 1.5
+"""In the end sphere the arm counts as at rest below this many steps' worth of its acceleration [1]."""
+
+
+@law
+def demand(rules: Array, command: Array, tip: Tip, report: Array) -> Twist:
+    """The twist in L that mode 2 asks for at this pose; at rest unless under way."""
+    aim = latraj(tip, command[TARGET:PLAN])
+    profile = vclose(rules, aim.distance, aim.angle)
+    report[DISTANCE], report[ANGLE], report[REMAINING] = aim.distance, aim.angle, profile.remaining
+    w, v = profile.turn * command[GO], profile.speed * command[GO]
+    return Twist(w * aim.ax, w * aim.ay, w * aim.az, v * aim.ux, v * aim.uy, v * aim.uz)
+
+
+@law
+def note_arrival(rules: Array, state: Array, report: Array) -> None:
+    """Write whether the tip is inside the end sphere and slow enough to stop within a step."""
+    w = math.sqrt(state[TWIST] ** 2 + state[TWIST + 1] ** 2 + state[TWIST + 2] ** 2)
+    v = math.sqrt(state[TWIST + 3] ** 2 + state[TWIST + 4] ** 2 + state[TWIST + 5] ** 2)
+    near = report[DISTANCE] <= rules[NEAR] and report[ANGLE] <= rules[NEAR_TURN]
+    if rules[STRICT] != 0.0:  # as restored, the phase ends when VCLOSE's time has run out
+        near = near or report[REMAINING] == 0.0
+    slow = v <= SLOW * rules[SPEED_UP] * rules[DT] and w <= SLOW * rules[TURN_UP] * rules[DT]
+    report[ARRIVED] = 1.0 if near and slow else 0.0

@@ -1,0 +1,39 @@
+"""DIRECT: one joint, hard-wired, no steering, no soft stops; the others stand at once.
+
+Inputs: the JOINT rotary and the SINGLE/DIRECT DRIVE switch, full deflection = the joint's coarse or vernier rate.
+Limits: that rate, without a ramp, and the hard stops.
+Ends: when the operator leaves it, or at a scripted phase's time.
+Source: the Shuttle Crew Operations Manual, section 2.21; JSC-12628 does not know it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.jacobian import Rates
+from aftdeck.law import law
+from aftdeck.steering.layout import ANGLES, CAUSE, CULPRIT, DRIVE, DT, HIGH, JOINT, LOW, RATE
+from aftdeck.steering.limiters import BY_HARD_STOP
+
+Array = NDArray[np.float64]
+
+
+@law
+def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
+    """The joint rates of this step; a hard stop that acts is written into the report."""
+    joint = int(command[JOINT])
+    asked = command[DRIVE] * rules[RATE + joint]
+    room = rules[HIGH + joint] - state[ANGLES + joint] if asked > 0.0 else state[ANGLES + joint] - rules[LOW + joint]
+    most = max(room, 0.0) / rules[DT]
+    if abs(asked) > most:
+        report[CAUSE], report[CULPRIT] = BY_HARD_STOP, joint
+        asked = most if asked > 0.0 else -most
+    return Rates(
+        asked if joint == 0 else 0.0,
+        asked if joint == 1 else 0.0,
+        asked if joint == 2 else 0.0,
+        asked if joint == 3 else 0.0,
+        asked if joint == 4 else 0.0,
+        asked if joint == 5 else 0.0,
+    )

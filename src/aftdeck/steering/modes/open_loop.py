@@ -1,0 +1,86 @@
+"""Mode 3, automatic, open-loop velocity: mode 2's first solution, flown without correction.
+
+Inputs: the final tip pose; PROCEED and STOP.
+Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
+Ends: when its clock has run to ETA. The clock runs at RATIO: where limits slow the arm, it follows the same
+path more slowly; `strict` lets the clock run on, as in the source, and the arm falls short.
+Source: JSC-12628, subroutines OPERIN (MODE = 3), LATRAJ, VTOPEN, VOTRAN.
+
+Its plan: velocity (3) [m/s] and angular velocity (3) [rad/s] at full speed, then ETA, t_v1 and t_w1 [s].
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.jacobian import Twist
+from aftdeck.kinematics.linkage import sines, tip
+from aftdeck.law import law
+from aftdeck.steering.aim import latraj
+from aftdeck.steering.layout import (
+    ANGLES,
+    ARRIVED,
+    CLOCK,
+    DT,
+    GO,
+    PACE,
+    PLAN,
+    REMAINING,
+    STRICT,
+    TARGET,
+)
+from aftdeck.steering.profiles import vtopen
+
+Array = NDArray[np.float64]
+
+_VELOCITY, _TURNING, _ETA, _T_V1, _T_W1 = PLAN, PLAN + 3, PLAN + 6, PLAN + 7, PLAN + 8
+
+
+@law
+def plan(rules: Array, command: Array, state: Array) -> None:
+    """OPERIN for mode 3: LATRAJ and VTOPEN once, from where the arm is; the clock starts."""
+    a = sines(
+        rules,
+        state[ANGLES],
+        state[ANGLES + 1],
+        state[ANGLES + 2],
+        state[ANGLES + 3],
+        state[ANGLES + 4],
+        state[ANGLES + 5],
+    )
+    aim = latraj(tip(rules, a), command[TARGET:PLAN])
+    profile = vtopen(rules, aim.distance, aim.angle)
+    v, w = profile.speed, profile.turn
+    command[_VELOCITY], command[_VELOCITY + 1], command[_VELOCITY + 2] = v * aim.ux, v * aim.uy, v * aim.uz
+    command[_TURNING], command[_TURNING + 1], command[_TURNING + 2] = w * aim.ax, w * aim.ay, w * aim.az
+    command[_ETA], command[_T_V1], command[_T_W1] = profile.eta, profile.t_v1, profile.t_w1
+    state[CLOCK], state[PACE] = 0.0, 1.0
+
+
+@law
+def _share(time: float, eta: float, ramp: float) -> float:
+    """VOTRAN's scaling during acceleration and deceleration, 0 to 1."""
+    if ramp <= 0.0:
+        return 0.0
+    return max(0.0, min(1.0, min(time, eta - time) / ramp))
+
+
+@law
+def demand(rules: Array, command: Array, state: Array, report: Array) -> Twist:
+    """The twist in L that mode 3 asks for at this phase time; at rest unless under way."""
+    eta = command[_ETA]
+    ahead = 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT] * state[PACE]
+    time = state[CLOCK] + ahead
+    v = command[GO] * _share(time, eta, command[_T_V1])
+    w = command[GO] * _share(time, eta, command[_T_W1])
+    report[REMAINING] = max(eta - state[CLOCK], 0.0)
+    report[ARRIVED] = 1.0 if command[GO] != 0.0 and state[CLOCK] >= eta - 1e-9 else 0.0
+    return Twist(
+        w * command[_TURNING],
+        w * command[_TURNING + 1],
+        w * command[_TURNING + 2],
+        v * command[_VELOCITY],
+        v * command[_VELOCITY + 1],
+        v * command[_VELOCITY + 2],
+    )

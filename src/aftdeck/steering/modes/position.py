@@ -1,0 +1,111 @@
+"""Mode 1, automatic, position: all joints start and stop together.
+
+Inputs: the final tip pose (the joint angles nearest to the present ones) or final joint angles; PROCEED, STOP.
+Limits: servo maxima for the joints, scaled together (RATLMT), soft stops, singularities. The tip's own limits
+do not act: the tip goes where the joints take it, as in the source.
+Ends: when its clock has run to ETA = 1/RATIO + V_L/dV_L; the clock runs at RATLMT's ratio.
+Source: JSC-12628, introduction (mode 1), subroutine OPERIN (MODE = 1). The ramps of V_L/dV_L at both ends, and
+the triangle where the move is too short for them, are ours; the source says that acceleration is accounted for.
+
+Its plan: the way of each joint (6) [rad], then ETA, ramp time and the share of the way made a second at full
+rate [1/s]. Until it is made, the joints' final angles stand in place of their ways.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.jacobian import Rates
+from aftdeck.law import law
+from aftdeck.steering.layout import (
+    ANGLES,
+    ARRIVED,
+    CLOCK,
+    DT,
+    GO,
+    PACE,
+    PLAN,
+    RATE,
+    RATES,
+    REMAINING,
+    SPEED,
+    SPEED_UP,
+)
+
+Array = NDArray[np.float64]
+
+_WAY, _ETA, _RAMP, _FULL = PLAN, PLAN + 6, PLAN + 7, PLAN + 8
+
+
+@law
+def plan(rules: Array, command: Array, state: Array) -> None:
+    """OPERIN for mode 1: ways to the final angles in the plan from where the arm is, and times; the clock starts."""
+    ratio = 1.0
+    moves = False
+    for i in range(6):
+        command[_WAY + i] -= state[ANGLES + i]
+        way = abs(command[_WAY + i])
+        moves = moves or way > 0.0
+        if way * ratio > rules[RATE + i]:
+            ratio = rules[RATE + i] / way
+    ramp = rules[SPEED] / rules[SPEED_UP]
+    if 1.0 / ratio >= ramp:
+        full, eta = ratio, 1.0 / ratio + ramp
+    else:
+        ramp = math.sqrt(ramp / ratio)
+        full, eta = 1.0 / ramp, 2.0 * ramp
+    command[_ETA] = eta if moves else 0.0
+    command[_RAMP], command[_FULL] = ramp, full
+    state[CLOCK], state[PACE] = 0.0, 1.0
+
+
+@law
+def _made(command: Array, time: float) -> float:
+    """The share of the way made by a phase time, 0 to 1."""
+    eta: float = command[_ETA]
+    ramp: float = command[_RAMP]
+    full: float = command[_FULL]
+    if time <= 0.0:
+        return 0.0
+    if time >= eta:
+        return 1.0
+    if time < ramp:
+        return 0.5 * full * time * time / ramp
+    if time > eta - ramp:
+        left = eta - time
+        return 1.0 - 0.5 * full * left * left / ramp
+    return full * (time - 0.5 * ramp)
+
+
+@law
+def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
+    """The joint rates that mode 1 asks for in this step; a ramp to rest, all joints together, unless under way."""
+    if command[GO] != 0.0:
+        time = state[CLOCK]
+        k = (_made(command, time + rules[DT]) - _made(command, time)) / rules[DT]
+        report[REMAINING] = max(command[_ETA] - time, 0.0)
+        report[ARRIVED] = 1.0 if time >= command[_ETA] - 1e-9 else 0.0
+        return Rates(
+            k * command[_WAY],
+            k * command[_WAY + 1],
+            k * command[_WAY + 2],
+            k * command[_WAY + 3],
+            k * command[_WAY + 4],
+            k * command[_WAY + 5],
+        )
+    share = 0.0
+    for i in range(6):
+        share = max(share, abs(state[RATES + i]) / rules[RATE + i])
+    slower = rules[DT] * rules[SPEED_UP] / rules[SPEED]
+    k = max(share - slower, 0.0) / share if share > 0.0 else 0.0
+    return Rates(
+        k * state[RATES],
+        k * state[RATES + 1],
+        k * state[RATES + 2],
+        k * state[RATES + 3],
+        k * state[RATES + 4],
+        k * state[RATES + 5],
+    )

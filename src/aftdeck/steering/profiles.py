@@ -1,0 +1,115 @@
+"""VCLOSE and VTOPEN: how fast towards a target, so that translation and rotation end together.
+
+JSC-12628, subroutines VCLOSE and VTOPEN. Three things of VCLOSE are mended (`strict` leaves them as they were):
+braking is that of finite steps, so that the last one ends on the target; the two estimates of the time left join
+without a jump; and the part that waits for the other never divides by a time that has run out.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.law import law
+from aftdeck.steering.layout import DT, SPEED, SPEED_UP, STRICT, TURN, TURN_UP
+from aftdeck.steering.limiters import braked
+
+Array = NDArray[np.float64]
+
+
+class Profile(NamedTuple):
+    """Speed [m/s] and angular rate [rad/s] towards the target, and the time left, ETA - TP [s]."""
+
+    speed: float
+    turn: float
+    remaining: float
+
+
+@law
+def vclose(rules: Array, distance: float, angle: float) -> Profile:
+    """VCLOSE: the demanded rates for what is left [m], [rad]."""
+    if rules[STRICT] != 0.0:
+        return _as_restored(rules, distance, angle)
+    dt = rules[DT]
+    speed, time, brake = _alone(distance, rules[SPEED], rules[SPEED_UP], dt)
+    turn, turn_time, turn_brake = _alone(angle, rules[TURN], rules[TURN_UP], dt)
+    if time >= turn_time:
+        if time > 0.0:
+            own = min(turn_brake, time)
+            turn = min(turn, angle / (time - 0.5 * (own - dt)))
+        return Profile(speed, turn, time)
+    own = min(brake, turn_time)
+    return Profile(min(speed, distance / (turn_time - 0.5 * (own - dt))), turn, turn_time)
+
+
+@law
+def _alone(left: float, most: float, up: float, dt: float) -> tuple[float, float, float]:
+    """Rate, time left and braking time of a motion that need not wait for another, in steps of dt.
+
+    Braking from n * up * dt takes n steps and covers half of (n + 1) * dt times that rate.
+    """
+    if left <= 0.0:
+        return 0.0, 0.0, 0.0
+    rate = braked(left, up, dt)
+    if rate < most:
+        time = 2.0 * left / rate - dt
+        return rate, time, time
+    brake = most / up
+    return most, left / most + 0.5 * (brake - dt), brake
+
+
+@law
+def _as_restored(rules: Array, distance: float, angle: float) -> Profile:
+    """VCLOSE as the source has it, with TP = 0."""
+    t_v, eta = rules[SPEED] / rules[SPEED_UP], distance / rules[SPEED]
+    if t_v <= eta:
+        eta += 0.5 * t_v
+    else:
+        t_v = math.sqrt(2.0 * distance / rules[SPEED_UP])
+        eta = t_v
+    t_w, etap = rules[TURN] / rules[TURN_UP], angle / rules[TURN]
+    if t_w <= etap:
+        etap += 0.5 * t_w
+    else:
+        t_w = math.sqrt(2.0 * angle / rules[TURN_UP])
+        etap = t_w
+    remaining = max(eta, etap)
+    if remaining < rules[DT]:
+        return Profile(0.0, 0.0, 0.0)
+    if eta >= etap:
+        return Profile(rules[SPEED_UP] * t_v, angle / max(eta - 0.5 * t_w, rules[DT]), remaining)
+    return Profile(distance / max(etap - 0.5 * t_v, rules[DT]), rules[TURN_UP] * t_w, remaining)
+
+
+class OpenProfile(NamedTuple):
+    """Greatest speed [m/s] and angular rate [rad/s], the phase's length ETA [s], and both acceleration times [s]."""
+
+    speed: float
+    turn: float
+    eta: float
+    t_v1: float
+    t_w1: float
+
+
+@law
+def vtopen(rules: Array, distance: float, angle: float) -> OpenProfile:
+    """VTOPEN: the open-loop profile of a way [m], [rad], worked out once."""
+    eta, t_v1 = _ramped_alone(distance, rules[SPEED], rules[SPEED_UP])
+    etap, t_w1 = _ramped_alone(angle, rules[TURN], rules[TURN_UP])
+    eta = max(eta, etap)
+    speed = distance / (eta - t_v1) if distance > 0.0 else 0.0
+    turn = angle / (eta - t_w1) if angle > 0.0 else 0.0
+    return OpenProfile(speed, turn, eta, t_v1, t_w1)
+
+
+@law
+def _ramped_alone(way: float, most: float, up: float) -> tuple[float, float]:
+    """Length of a motion that need not wait for another, and its acceleration time [s]."""
+    ramp, eta = most / up, way / most
+    if ramp <= eta:
+        return eta + ramp, ramp
+    ramp = math.sqrt(way / up)
+    return 2.0 * ramp, ramp

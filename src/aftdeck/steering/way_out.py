@@ -1,0 +1,121 @@
+"""Which stick direction leads out of a singularity or away from a stop.
+
+Every direction of the six stick axes is tried on the laws themselves: the joint rates that RMSRAT and RATLMT
+leave of it, and how fast they take the arm away. Where no stick does it, one joint in SINGLE does.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.linkage import sines, tip
+from aftdeck.kinematics.rates import rmsrat
+from aftdeck.kinematics.singular import distances
+from aftdeck.law import law
+from aftdeck.steering.layout import ANGLES, LAW, STICKS
+from aftdeck.steering.limiters import closing, ratlmt
+from aftdeck.steering.modes import end_effector, mixed, orbiter, payload
+from aftdeck.steering.msteer import FLOOR, carried_to_tip
+
+Array = NDArray[np.float64]
+
+DIRECTIONS = 12
+"""Stick directions tried: + and - of roll, pitch, yaw, X, Y, Z, in that order."""
+LOOK = math.radians(0.5)
+"""How finely the way of a joint out of a singularity is looked along [rad]."""
+
+
+@law
+def way_out(
+    rules: Array, command: Array, state: Array, singularity: int, joint: int, inward: float, tried: Array
+) -> None:
+    """How fast each stick direction leads away, into `tried` (12,).
+
+    Args:
+        rules: of a manual mode.
+        command: its law counts; its sticks are used up.
+        state: where the arm is.
+        singularity: 0 shoulder, 1 elbow, 2 wrist: rates of its distance [1/s]; or -1, and
+        joint: that joint's rate [rad/s] in the direction of
+        inward: +1 or -1.
+        tried: (12,) out; positive leads away.
+    """
+    a = sines(
+        rules,
+        state[ANGLES],
+        state[ANGLES + 1],
+        state[ANGLES + 2],
+        state[ANGLES + 3],
+        state[ANGLES + 4],
+        state[ANGLES + 5],
+    )
+    here = tip(rules, a)
+    for k in range(DIRECTIONS):
+        for i in range(6):
+            command[STICKS + i] = 0.0
+        command[STICKS + k // 2] = 1.0 if k % 2 == 0 else -1.0
+        number = command[LAW]
+        if number == 4.0:
+            wanted = orbiter.demand(rules, command)
+        elif number == 5.0:
+            wanted = end_effector.demand(rules, command, here)
+        elif number == 6.0:
+            wanted = payload.demand(rules, command, here)
+        else:
+            wanted = mixed.demand(rules, command, here)
+        rates = rmsrat(rules, a, carried_to_tip(rules, here, wanted), FLOOR)
+        ratio = ratlmt(rules, state, a, rates).ratio
+        if singularity >= 0:
+            tried[k] = -ratio * closing(rules, a, rates, singularity)[1]
+        else:
+            tried[k] = ratio * inward * rates[joint]
+
+
+@law
+def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, threshold: float) -> tuple[int, int]:
+    """The joint that leaves a singularity with the least turning inside its reach limits, and which way.
+
+    The whole way is looked at, not its beginning alone: what leads away at first may end at a limit.
+
+    Args:
+        arm: links, as `kinematics.linkage` packs them.
+        angles: (6,) where the arm is [rad].
+        reach: (6, 2) reach limits [rad].
+        singularity: 0 shoulder, 1 elbow, 2 wrist.
+        threshold: normalised distance from which it is left behind [1].
+
+    Returns:
+        The joint, 0 to 5, and +1 or -1; where no joint leads out, the first that changes the distance, and -1.
+    """
+    first, last = (1, 3) if singularity == 0 else (2, 2) if singularity == 1 else (4, 4)
+    found, which, least = first, -1, math.inf
+    for joint in range(first, last + 1):
+        for sign in (-1, 1):
+            room = reach[joint, 1] - angles[joint] if sign > 0 else angles[joint] - reach[joint, 0]
+            turned = LOOK
+            while turned < min(room, least):
+                if abs(_turned_distance(arm, angles, joint, sign * turned, singularity)) > threshold:
+                    found, which, least = joint, sign, turned
+                turned += LOOK
+    return found, which
+
+
+@law
+def _turned_distance(arm: Array, angles: Array, joint: int, by: float, singularity: int) -> float:
+    """The signed distance from a singularity with one joint turned by some angle [rad]."""
+    d = distances(
+        arm,
+        sines(
+            arm,
+            angles[0],
+            angles[1] + (by if joint == 1 else 0.0),
+            angles[2] + (by if joint == 2 else 0.0),
+            angles[3] + (by if joint == 3 else 0.0),
+            angles[4] + (by if joint == 4 else 0.0),
+            angles[5],
+        ),
+    )
+    return d[singularity]

@@ -1,0 +1,127 @@
+"""Quantities in files: a bare number is SI, a string carries its unit (``"2 ft/s"``, ``"19.48 deg"``).
+
+Each quantity is a float in SI once it is read; its class only says which dimension a file may give.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+import re
+import reprlib
+from typing import TYPE_CHECKING, Any, ClassVar
+
+if TYPE_CHECKING:
+    import pint
+
+INCH = 0.0254
+"""One inch [m], exact."""
+FOOT = 0.3048
+"""One foot [m], exact."""
+POUND = 0.45359237
+"""One pound [kg], exact."""
+
+
+_REPR = reprlib.Repr()
+_REPR.maxstring = _REPR.maxother = 100
+_NUMBER_AND_UNIT = re.compile(
+    r"\s*(?P<number>[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>[A-Za-z]+(\s*[/*]\s*[A-Za-z]+)*)\s*"
+)
+
+
+def short(given: object) -> str:
+    """What was given, for a message: its repr, cut where it is long or deep."""
+    return _REPR.repr(given)
+
+
+class Quantity(float):
+    """A number in SI whose unit a file may name. Subclasses fix the dimension."""
+
+    noun: ClassVar[str] = ""
+    unit: ClassVar[str] = ""
+    example: ClassVar[str] = ""
+
+    @classmethod
+    def read(cls, given: object) -> Quantity:
+        """The quantity that a file gives as a number (SI) or as a string with a unit.
+
+        Raises:
+            ValueError: in a sentence, for anything else, for NaN and for infinities.
+        """
+        if isinstance(given, bool) or not isinstance(given, int | float | str):
+            raise ValueError(f"expected a number in {cls.unit} or a string such as {cls.example!r}, got {short(given)}")
+        try:
+            value = cls._parse(given) if isinstance(given, str) else float(given)
+        except OverflowError:
+            value = math.inf
+        if not math.isfinite(value):
+            raise ValueError(f"expected a finite number in {cls.unit}, got {short(given)}")
+        return cls(value)
+
+    @classmethod
+    def _parse(cls, text: str) -> float:
+        import pint  # noqa: PLC0415  (0.3 s; only files with units pay for it)
+
+        match = _NUMBER_AND_UNIT.fullmatch(text)
+        try:
+            if match:
+                quantity = _registry().Quantity(float(match["number"]), match["unit"])
+                # pint lets 5 Hz pass for 5 rad/s: radians have no dimension, but they are a unit
+                if quantity.to_root_units().units == _registry().Quantity(1.0, cls.unit).to_root_units().units:
+                    return float(quantity.m_as(cls.unit))
+        except pint.PintError:
+            pass
+        raise ValueError(
+            f"{short(text)} is no {cls.noun}: write a number in {cls.unit}, or one with its unit "
+            f"such as {cls.example!r}"
+        )
+
+
+class Length(Quantity):
+    """In files any unit of its kind; in the program [m]."""
+
+    noun, unit, example = "length", "m", "12 in"
+
+
+class Angle(Quantity):
+    """In files any unit of its kind; in the program [rad]."""
+
+    noun, unit, example = "angle", "rad", "19.48 deg"
+
+
+class Speed(Quantity):
+    """In files any unit of its kind; in the program [m/s]."""
+
+    noun, unit, example = "speed", "m/s", "2 ft/s"
+
+
+class AngularRate(Quantity):
+    """In files any unit of its kind; in the program [rad/s]."""
+
+    noun, unit, example = "angular rate", "rad/s", "4.76 deg/s"
+
+
+class Mass(Quantity):
+    """In files any unit of its kind; in the program [kg]."""
+
+    noun, unit, example = "mass", "kg", "32000 lb"
+
+
+class Time(Quantity):
+    """In files any unit of its kind; in the program [s]."""
+
+    noun, unit, example = "time", "s", "20 ms"
+
+
+@functools.cache
+def _registry() -> pint.UnitRegistry[Any]:
+    import pint  # noqa: PLC0415
+
+    return pint.UnitRegistry()
+
+
+def decode_hook(kind: type, given: object) -> object:
+    """The hook of msgspec for the types that it does not know: quantities."""
+    if issubclass(kind, Quantity):
+        return kind.read(given)
+    raise NotImplementedError(f"no decoder for {kind.__name__}")

@@ -1,0 +1,103 @@
+"""Random hexahedra, and pairs of them near contact whose clearance is known from how they were placed."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+CUBE = np.array([(x, y, z) for y in (-1, 1) for x in (-1, 1) for z in (-1, 1)]) / 2.0
+"""(8, 3) unit cube about the origin, vertices 1 to 8."""
+FACES = np.array([(1, 2, 6, 5), (1, 3, 4, 2), (1, 5, 7, 3), (2, 4, 8, 6), (5, 6, 8, 7), (3, 7, 8, 4)]) - 1
+"""(6, 4) rims of faces a to f, seen from outside against the clock."""
+EDGES = (
+    np.array(
+        [(1, 2), (3, 4), (5, 6), (7, 8), (1, 3), (2, 4), (5, 7), (6, 8), (1, 5), (2, 6), (3, 7), (4, 8)],
+    )
+    - 1
+)
+
+
+def moved(body: Array, x: float, y: float, z: float) -> Array:
+    """A body (8, 3) moved by (x, y, z) [m]."""
+    return np.asarray(body + np.array([x, y, z]))
+
+
+def boxes(rng: np.random.Generator, count: int) -> Array:
+    """Boxes (count, 8, 3) with edges of 0.05 to 2 m."""
+    return CUBE * np.exp(rng.uniform(np.log(0.05), np.log(2.0), (count, 1, 3)))
+
+
+def skewed(rng: np.random.Generator, count: int) -> Array:
+    """Hexahedra (count, 8, 3) with each face of a box tilted by itself, so that they taper and lean."""
+    normals = np.zeros((count, 6, 3))
+    for face, (axis, sign) in enumerate([(0, -1), (1, -1), (2, -1), (2, 1), (1, 1), (0, 1)]):
+        normals[:, face] = rng.uniform(-0.25, 0.25, (count, 3))
+        normals[:, face, axis] = sign
+    vertices = np.empty((count, 8, 3))
+    for v, (x, y, z) in enumerate(CUBE > 0.0):
+        three = [5 if x else 0, 4 if y else 1, 3 if z else 2]
+        vertices[:, v] = np.linalg.solve(normals[:, three], np.ones((count, 3, 1)))[..., 0]
+    return vertices * np.exp(rng.uniform(np.log(0.05), np.log(2.0), (count, 1, 3))) / 2.0
+
+
+def rotations(rng: np.random.Generator, count: int) -> Array:
+    """Random rotations (count, 3, 3)."""
+    w, x, y, z = (q := rng.normal(size=(4, count))) / np.linalg.norm(q, axis=0)
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), 2, 0)
+
+
+def normals(bodies: Array) -> Array:
+    """Outward unit normals (n, 6, 3) of bodies (n, 8, 3)."""
+    p, q, r, s = np.moveaxis(bodies[:, FACES], 2, 0)
+    found = np.cross(r - p, s - q)
+    return np.asarray(found / np.linalg.norm(found, axis=2, keepdims=True))
+
+
+class Placing(NamedTuple):
+    """How to move the second bodies, (n, 3) [m], and the clearance that they then have, (n,): NaN where unknown [m]."""
+
+    shift: Array
+    clearance: Array
+
+
+def near_contact(rng: np.random.Generator, a: Array, b: Array) -> Placing:
+    """Places bodies b (n, 8, 3) 1e-10 to 0.3 m before or inside bodies a, an eighth of them anywhere about it.
+
+    Vertices meet vertices, a face or each other, and edges edges. Where the meeting points are apart, they lie on two
+    parallel planes with all of a before and all of b behind, and so at the bodies' distance.
+    """
+    n, rows = len(a), np.arange(len(a))
+    kind = rng.integers(8, size=n)
+    face, edge_a, edge_b = rng.integers(6, size=n), rng.integers(12, size=n), rng.integers(12, size=n)
+    along_a = a[rows, EDGES[edge_a, 1]] - a[rows, EDGES[edge_a, 0]]
+    along_b = b[rows, EDGES[edge_b, 1]] - b[rows, EDGES[edge_b, 0]]
+    square = np.cross(along_a, along_b)
+    middle = a[rows[:, None], EDGES[edge_a]].mean(axis=1) - a.mean(axis=1)
+    square *= np.where((square * middle).sum(axis=1) < 0.0, -1.0, 1.0)[:, None]
+    choices = [rng.normal(size=(n, 3)), normals(a)[rows, face], -normals(b)[rows, face], square]
+    way = np.choose(np.minimum(kind // 2, 3)[:, None], choices)
+    way /= np.linalg.norm(way, axis=1, keepdims=True)
+    start = _support(rng, a, way)
+    end = _support(rng, b, -way)
+    gap = 10.0 ** rng.uniform(-10.0, -0.5, n) * rng.choice([1.0, -1.0], n)
+    shift = start + gap[:, None] * way - end
+    anywhere = rng.random(n) < 0.125
+    shift[anywhere] = rng.normal(size=(n, 3))[anywhere]
+    return Placing(shift, np.where(anywhere | (gap < 0.0), np.nan, gap))
+
+
+def _support(rng: np.random.Generator, bodies: Array, way: Array) -> Array:
+    """A random point of each body's highest feature along a way (n, 3)."""
+    height = np.einsum("nvk,nk->nv", bodies, way)
+    share = rng.random(height.shape) * (height >= height.max(axis=1, keepdims=True) - 1e-12)
+    return np.asarray(np.einsum("nv,nvk->nk", share / share.sum(axis=1, keepdims=True), bodies))

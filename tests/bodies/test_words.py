@@ -1,0 +1,135 @@
+"""Location words and edge tests, against tables from the report's numbering."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from aftdeck.bodies.check import hexahedron
+from aftdeck.bodies.edges import piercing_edge
+from aftdeck.bodies.hexahedron import BESIDE, EDGES, ENDS, FACES, pack, place
+from aftdeck.bodies.words import heights, location_words
+from tests.bodies.shapes import CUBE, rotations, skewed
+
+Array = NDArray[np.float64]
+
+BIT = {"a": 1, "b": 2, "c": 4, "d": 8, "e": 16, "f": 32}
+PLACES = {
+    (0, 0, 0): "",
+    (-1, 0, 0): "a",
+    (0, -1, 0): "b",
+    (0, 0, -1): "c",
+    (0, 0, 1): "d",
+    (0, 1, 0): "e",
+    (1, 0, 0): "f",
+    (-1, -1, 0): "ab",
+    (1, -1, 0): "bf",
+    (0, -1, -1): "bc",
+    (0, 1, 1): "de",
+    (1, 0, 1): "df",
+    (-1, 1, 0): "ae",
+    (-1, -1, -1): "abc",
+    (1, 1, 1): "def",
+    (1, -1, 1): "bdf",
+    (-1, 1, -1): "ace",
+}
+"""Where a small body stands about a large one, and on which faces' TRUE sides all its vertices are."""
+
+
+def words(a: Array, b: Array) -> list[int]:
+    """The location words of body a against body b."""
+    above, found = np.empty((6, 8)), np.empty(8, dtype=np.int64)
+    heights(pack(a), pack(b), above)
+    location_words(above, found)
+    return [int(word) for word in found]
+
+
+def pierced(a: Array, b: Array) -> tuple[int, int]:
+    """Which edge of a pierces which face of b, from zero."""
+    above, found = np.empty((6, 8)), np.empty(8, dtype=np.int64)
+    heights(pack(a), pack(b), above)
+    location_words(above, found)
+    edge, face = piercing_edge(above, found)
+    return int(edge), int(face)
+
+
+@pytest.mark.parametrize(("place", "faces"), PLACES.items(), ids=str)
+def test_location_words_name_the_faces_whose_outside_a_vertex_is_on(place: tuple[int, int, int], faces: str) -> None:
+    word = sum(BIT[letter] for letter in faces)
+    turn = rotations(np.random.default_rng(21), 1)[0]
+    for rotation in (np.eye(3), turn):
+        small, large = (CUBE * 0.1 + place) @ rotation.T, CUBE @ rotation.T
+        assert words(small, large) == [word] * 8
+
+
+def test_location_words_of_a_body_round_another_are_those_of_its_corners() -> None:
+    assert words(CUBE * 3.0, CUBE) == [BIT[z] + BIT[x] + BIT[y] for y in "be" for x in "af" for z in "cd"]
+
+
+def test_a_vertex_on_a_face_is_on_its_false_side() -> None:
+    assert words(CUBE, CUBE) == [0] * 8
+
+
+def test_faces_and_edges_are_those_of_the_numbering() -> None:
+    assert {letter: "".join(map(str, face)) for letter, face in FACES.items()} == {
+        "a": "1256",
+        "b": "1234",
+        "c": "1357",
+        "d": "2468",
+        "e": "5678",
+        "f": "3478",
+    }
+    assert {f"{p}{q}" for p, q in EDGES} == {
+        *("12", "34", "56", "78"),
+        *("13", "24", "57", "68"),
+        *("15", "26", "37", "48"),
+    }
+
+
+def test_normals_turned_from_a_face_beside_an_edge_to_the_other_turn_along_the_edge() -> None:
+    for body in skewed(np.random.default_rng(22), 20):
+        normals = hexahedron(body)[24:42].reshape(3, 6).T
+        turns = np.cross(normals[BESIDE[:, 0]], normals[BESIDE[:, 1]])
+        assert ((body[ENDS[:, 1]] - body[ENDS[:, 0]]) * turns).sum(axis=1).min() > 0.0
+
+
+def test_every_vertex_lies_inside_the_faces_it_is_not_on() -> None:
+    for body in skewed(np.random.default_rng(23), 20):
+        packed, above = hexahedron(body), np.empty((6, 8))
+        heights(packed, packed, above)
+        for face, vertices in zip(above, FACES.values(), strict=True):
+            on = np.array(vertices) - 1
+            assert np.abs(face[on]).max() <= 1e-15
+            assert np.delete(face, on).max() < -1e-3
+
+
+@pytest.mark.parametrize("reach", [0.6, 1.5, 5.0])
+def test_an_edge_pierces_a_face_just_as_far_as_it_reaches(reach: float) -> None:
+    # Edges 12 and 56 of the needle run along z, through face c, where they are inside in x and y.
+    needle = CUBE * [0.02, 0.02, 2.0 * reach]
+    edge, face = pierced(needle, CUBE)
+    assert EDGES[edge] == (1, 2)
+    assert list(FACES)[face] == "c"
+
+
+def test_an_edge_whose_line_would_pierce_a_face_beyond_its_end_does_not() -> None:
+    turn = rotations(np.random.default_rng(24), 40)
+    for rotation in turn:
+        needle = (CUBE * [0.02, 0.02, 1.0]) @ rotation.T
+        beyond = needle + rotation[:, 2] * 1.6
+        assert pierced(beyond, CUBE)[0] == -1
+
+
+def test_a_plate_does_not_pierce_the_needle_through_it() -> None:
+    plate, needle = CUBE * [4.0, 4.0, 0.5], CUBE * [0.02, 0.02, 3.0]
+    assert pierced(plate, needle)[0] == -1
+    assert pierced(needle, plate)[0] >= 0
+
+
+def test_a_placed_body_is_the_one_packed_there() -> None:
+    rng = np.random.default_rng(25)
+    for body, rotation in zip(skewed(rng, 50), rotations(rng, 50), strict=True):
+        position, placed = rng.normal(size=3) * 5.0, np.empty(48)
+        place(hexahedron(body), position, rotation, placed)
+        assert placed == pytest.approx(hexahedron(body @ rotation.T + position), abs=1e-12)

@@ -1,0 +1,95 @@
+"""What a page shall look like: nothing scrolls, overlaps or is cut off, and every text can be read."""
+
+from __future__ import annotations
+
+from tests.browser.flight import Flight
+
+_CLASHES = """() => {
+    const box = (node) => node.getBoundingClientRect();
+    const parts = [...document.querySelectorAll('.rail, .monitor, .spine, .group, .transport, .timeline')];
+    const name = (node) => node.className;
+    const clashes = [];
+    for (const [i, a] of parts.entries()) {
+        const p = box(a);
+        if (p.left < 0 || p.top < 0 || p.right > innerWidth + .5 || p.bottom > innerHeight + .5)
+            clashes.push(`${name(a)} leaves the page`);
+        for (const b of parts.slice(i + 1)) {
+            const q = box(b);
+            const apart = p.right <= q.left + .5 || q.right <= p.left + .5
+                || p.bottom <= q.top + .5 || q.bottom <= p.top + .5;
+            if (!apart) clashes.push(`${name(a)} overlaps ${name(b)}`);
+        }
+        for (const node of a.querySelectorAll('button, input, td, th, h2, p, small, time')) {
+            const q = box(node);
+            if (q.width === 0 || node.closest('.unseen')) continue;
+            if (q.left < p.left - 1 || q.right > p.right + 1 || q.top < p.top - 1 || q.bottom > p.bottom + 1)
+                clashes.push(`“${node.textContent}” leaves ${name(a)}`);
+            if (node.matches('button') && (node.scrollWidth > node.clientWidth + 1))
+                clashes.push(`“${node.textContent}” is cut off`);
+        }
+        const cells = [...a.querySelectorAll('td, th')].filter((cell) => cell.textContent);
+        for (const cell of cells) {
+            const range = document.createRange();
+            range.selectNodeContents(cell);
+            if (range.getBoundingClientRect().width > box(cell).width + 1)
+                clashes.push(`“${cell.textContent}” is wider than its column`);
+        }
+    }
+    const { scrollHeight, scrollWidth } = document.documentElement;
+    if (scrollHeight > innerHeight || scrollWidth > innerWidth) clashes.push('the page scrolls');
+    return clashes;
+}"""
+
+_TEXTS = """() => {
+    const parse = (colour) => {
+        const [r, g, b, a = 1] = colour.match(/[\\d.]+/g).map(Number);
+        return { r, g, b, a };
+    };
+    const over = (top, under) => ({
+        r: top.r * top.a + under.r * (1 - top.a),
+        g: top.g * top.a + under.g * (1 - top.a),
+        b: top.b * top.a + under.b * (1 - top.a),
+        a: 1,
+    });
+    const light = ({ r, g, b }) => [r, g, b]
+        .map((v) => v / 255)
+        .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4))
+        .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const texts = [];
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+        const element = node.parentElement;
+        if (!node.textContent.trim() || !element.checkVisibility({ visibilityProperty: true })) continue;
+        if (element.closest('.picture, .unseen, svg')) continue;
+        const chain = [];
+        for (let up = element; up; up = up.parentElement) chain.unshift(getComputedStyle(up));
+        let under = { r: 12, g: 13, b: 14, a: 1 };
+        let opacity = 1;
+        for (const style of chain) {
+            under = over(parse(style.backgroundColor), under);
+            opacity *= Number(style.opacity);
+        }
+        const own = parse(getComputedStyle(element).color);
+        const ink = light(over({ ...own, a: own.a * opacity }, under));
+        const ground = light(under);
+        texts.push({
+            text: node.textContent.trim(),
+            contrast: (Math.max(ink, ground) + 0.05) / (Math.min(ink, ground) + 0.05),
+            size: parseFloat(getComputedStyle(element).fontSize),
+        });
+    }
+    return texts;
+}"""
+
+
+def assert_tidy(flight: Flight) -> None:
+    """Nothing scrolls, overlaps, leaves its group or is cut off."""
+    assert flight.script(_CLASHES) == []
+
+
+def assert_readable(flight: Flight) -> None:
+    """Every text has a contrast of 4.5 to what is behind it, and 10 px or more."""
+    texts = flight.script(_TEXTS)
+    assert len(texts) > 80
+    assert [text for text in texts if text["contrast"] < 4.5] == []
+    assert [text for text in texts if text["size"] < 10] == []

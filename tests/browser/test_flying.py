@@ -1,0 +1,159 @@
+"""The arm flown from the page: keyboard, pad, target, and what takes the sticks to zero."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from tests.browser.conftest import OpenPage
+from tests.browser.flight import Flight
+
+pytestmark = pytest.mark.browser
+
+AT_REST = "Math.hypot(...frame.actual.velocity, ...frame.actual.turn_rate) < 1e-4"
+STICKS_AT_ZERO = "[...frame.translation, ...frame.rotation, frame.drive].every((value) => value === 0)"
+INCH = 0.0254
+
+
+def test_w_flies_the_tip_forward_and_letting_go_stops_it(flight: Flight) -> None:
+    flight.enter("ORB UNL")
+    start = flight.frame().actual.position
+    flight.hold("w")
+    flight.until(f"frame.actual.position[0] > {start[0] + 0.10}")
+    flight.until("frame.translation[0] === 1")
+    flight.release("w")
+    flight.until(f"{STICKS_AT_ZERO} && {AT_REST}")
+    end = flight.frame().actual.position
+    assert math.dist(start[1:], end[1:]) < 0.01
+
+
+def test_i_pitches_the_end_effector_up_in_place(flight: Flight) -> None:
+    flight.enter("END EFF")
+    start = flight.frame().actual
+    flight.hold("i")
+    flight.until("frame.rotation[1] === 1 && Math.hypot(...frame.actual.turn_rate) > 0.005")
+    flight.release("i")
+    flight.until(f"{STICKS_AT_ZERO} && {AT_REST}")
+    assert math.dist(start.position, flight.frame().actual.position) < 0.02
+    assert math.dist(start.attitude, flight.frame().actual.attitude) > 0.001
+
+
+def test_a_pad_flies_both_hands_at_once(open_page: OpenPage) -> None:
+    flight = open_page(pad=True).from_the_start()
+    flight.enter("ORB UNL")
+    start = flight.frame().actual.position
+    flight.pad_axes(0, -1, 0.5, 0)
+    flight.until(f"frame.actual.position[0] > {start[0] + 0.05}")
+    flown = flight.frame()
+    assert flown.translation[0] == 1
+    assert 0 < flown.rotation[2] < 0.5, "expo makes half a stick less than half a rate"
+    flight.pad_axes(0.05, 0.05, 0.05, 0.05)
+    flight.until(STICKS_AT_ZERO)
+
+
+def test_a_lost_pad_zeroes_the_sticks_until_it_was_seen_at_zero(open_page: OpenPage) -> None:
+    flight = open_page(pad=True).from_the_start()
+    flight.pad_axes(0, -1, 0, 0)
+    flight.until("frame.translation[0] === 1")
+    flight.script("window.kept = window.testPad; window.testPad = null")
+    flight.until(STICKS_AT_ZERO)
+    flight.until_lit("CONTROLLER")
+
+    flight.script("window.testPad = window.kept")
+    flight.until("/Let go/.test(document.querySelector('.device').textContent)")
+    assert flight.frame().translation == (0, 0, 0)
+    flight.pad_axes(0, 0, 0, 0)
+    flight.until("!/Let go/.test(document.querySelector('.device').textContent)")
+    flight.pad_axes(0, -1, 0, 0)
+    flight.until("frame.translation[0] === 1")
+
+
+@pytest.mark.parametrize(
+    "leave",
+    [
+        "Object.defineProperty(document, 'hidden', { value: true, configurable: true });"
+        "document.dispatchEvent(new Event('visibilitychange'))",
+        "window.dispatchEvent(new Event('blur'))",
+    ],
+    ids=["hidden", "blurred"],
+)
+def test_a_page_that_is_left_zeroes_the_sticks_though_a_key_is_held(flight: Flight, leave: str) -> None:
+    flight.hold("w")
+    flight.until("frame.translation[0] === 1")
+    flight.script(leave)
+    flight.until(STICKS_AT_ZERO)
+
+
+def test_proceed_flies_to_the_keyed_in_target(flight: Flight) -> None:
+    flight.enter("OPR CMD")
+    goal = key_in_x(flight, 4 * INCH)
+    flight.until("frame.sequence === 'ready'")
+    flight.press("p")
+    flight.until("frame.sequence === 'in progress'")
+    flight.until(f"frame.sequence !== 'in progress' && {AT_REST}")
+    assert flight.frame().actual.position[0] == pytest.approx(goal, abs=0.01)
+
+
+def test_space_stops_a_sequence_on_its_way_though_a_button_has_focus(flight: Flight) -> None:
+    flight.enter("OPR CMD")
+    goal = key_in_x(flight, 60 * INCH)
+    flight.until("frame.sequence === 'ready'")
+    flight.page.get_by_role("button", name="Proceed").focus()
+    flight.press("Enter")
+    flight.until("frame.sequence === 'in progress' && Math.hypot(...frame.actual.velocity) > 0.01")
+    flight.press("Space")
+    flight.until(f"frame.sequence !== 'in progress' && {AT_REST}")
+    assert goal - flight.frame().actual.position[0] > 0.2
+
+
+def test_the_joint_rotary_chooses_a_joint_which_w_drives_alone(flight: Flight) -> None:
+    flight.enter("SINGLE")
+    joint = (flight.frame().joint + 1) % 6
+    flight.press("=")
+    flight.until(f"frame.joint === {joint}")
+    start = flight.frame().joints
+    flight.hold("w")
+    flight.until(f"Math.abs(frame.joints[{joint}] - {start[joint]}) > 0.005")
+    flight.release("w")
+    flight.until(f"{STICKS_AT_ZERO} && {AT_REST}")
+    moved = [abs(now - then) > 1e-6 for now, then in zip(flight.frame().joints, start, strict=True)]
+    assert moved == [index == joint for index in range(6)]
+
+
+def test_v_changes_between_coarse_and_vernier(flight: Flight) -> None:
+    before = flight.frame().rate
+    flight.press("v")
+    flight.until(f"frame.rate !== '{before}'")
+    flight.press("v")
+    flight.until(f"frame.rate === '{before}'")
+
+
+def test_keys_type_in_a_text_field_and_do_not_fly(flight: Flight) -> None:
+    field = flight.page.get_by_label("Target X", exact=True)
+    field.click()
+    flight.hold("w")
+    tick = flight.frame().tick
+    flight.until(f"frame.tick > {tick + 25}")
+    flight.release("w")
+    assert "w" in field.input_value()
+    assert flight.frame().translation == (0, 0, 0)
+    assert flight.script("document.body.classList.contains('typing')")
+
+
+def test_what_is_no_number_is_refused_in_a_sentence(flight: Flight) -> None:
+    field = flight.page.get_by_label("Target Y", exact=True)
+    field.fill("far")
+    field.press("Enter")
+    flight.page.get_by_text("Target Y: “far” is not a number.").first.wait_for()
+    assert flight.frame().aim is None
+
+
+def key_in_x(flight: Flight, by: float) -> float:
+    """Keys in the present point moved along X by so many metres; returns the new X [m]."""
+    flight.page.get_by_role("button", name="Present").click()
+    field = flight.page.get_by_label("Target X", exact=True)
+    goal = float(field.input_value().replace("−", "-")) + by / INCH
+    field.fill(f"{goal:.1f}")
+    field.press("Enter")
+    return goal * INCH

@@ -1,0 +1,52 @@
+"""A payload in the grasp: it is drawn, it moves, and its own point and axes are named."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.browser.flight import Flight
+
+pytestmark = pytest.mark.browser
+
+SCENARIO = "loaded"
+ABOUT = "document.querySelector('.resolution .about').textContent"
+PAYLOAD_Z = "frame.poses.at(-5)"
+"""Height of the payload, the last body of a frame, in the scene."""
+
+
+def test_orb_ld_lifts_the_payload(flight: Flight) -> None:
+    flight.enter("ORB LD")
+    flight.until(f"{ABOUT} === 'payload, orbiter axes'")
+    start = flight.script("window.__aftdeck.lastFrame.poses.at(-5)")
+    flight.hold("q")
+    flight.until(f"{PAYLOAD_Z} > {start + 0.05}")
+    flight.release("q")
+    assert flight.frame().actual.velocity[2] < 0
+
+
+def test_the_switch_rotates_it_in_its_own_axes(flight: Flight) -> None:
+    flight.enter("ORB LD")
+    flight.press_key("Rotate in payload axes")
+    flight.until("frame.payload_axes && frame.law === 7")
+    flight.until(f"{ABOUT} === 'payload; turns in payload axes'")
+    flight.press_key("Rotate in payload axes")
+    flight.until("!frame.payload_axes && frame.law === 4")
+
+
+def test_pl_moves_it_along_its_own_axes(flight: Flight) -> None:
+    flight.enter("PL")
+    flight.until(f"{ABOUT} === 'payload, payload axes'")
+    start = flight.frame().actual.position
+    flight.hold("w")
+    flight.until(f"Math.hypot(...frame.actual.position.map((x, i) => x - {list(start)}[i])) > 0.02")
+    flight.release("w")
+
+
+def test_the_payloads_point_is_not_keyed_in_as_the_tips(flight: Flight) -> None:
+    flight.enter("ORB LD")
+    flight.press_key("Present")
+    flight.until_logged("the point shown is the payload’s, and OPR CMD moves the tip")
+    flight.enter("ORB UNL")
+    flight.press_key("Present")
+    shown = flight.page.get_by_label("Target X", exact=True).input_value()
+    assert shown == flight.script("document.querySelector('.resolution td.actual').textContent")

@@ -1,0 +1,141 @@
+"""The switches of the modes: the rotary, the law, the holds, TEST, and what is refused."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.browser.conftest import OpenPage
+from tests.browser.flight import ENTERED, TURNED, Flight
+from tests.browser.looks import assert_tidy
+
+pytestmark = pytest.mark.browser
+
+HIDDEN = "document.querySelector('{}').checkVisibility() === false"
+SHOWN = "document.querySelector('{}').checkVisibility()"
+
+
+def test_brackets_turn_the_rotary_and_enter_enters_it(flight: Flight) -> None:
+    flight.enter("ORB UNL")
+    for mode in ("END EFF", "ORB LD", "PL", "SINGLE"):
+        flight.press("]")
+        flight.until(f"{TURNED} === '{mode}'")
+    assert flight.frame().mode == "ORB UNL", "turned is not entered"
+    flight.press("[", "[", "[")
+    flight.until(f"{TURNED} === 'END EFF'")
+    flight.press("Enter")
+    flight.until(f"frame.mode === 'END EFF' && {ENTERED} === 'END EFF' && !{TURNED}")
+
+
+def test_a_click_turns_the_rotary_and_a_second_one_enters(flight: Flight) -> None:
+    flight.enter("ORB UNL")
+    flight.turn_to("SINGLE")
+    flight.turn_to("DIRECT")
+    assert flight.frame().mode == "ORB UNL"
+    flight.enter("DIRECT")
+    assert flight.frame().law == 9
+
+
+def test_pl_without_a_payload_may_be_turned_to_but_is_refused_in_a_sentence(flight: Flight) -> None:
+    before = flight.frame().mode
+    flight.turn_to("PL")
+    flight.press("Enter")
+    flight.until_logged("PL refused: it moves a payload, and none is in the grasp")
+    flight.until_lit("CHECK CRT")
+    assert flight.frame().mode == before
+    flight.until(f"{TURNED} === 'PL'")
+
+
+def test_the_rotary_shows_only_the_switches_of_the_mode_in_view(flight: Flight) -> None:
+    flight.enter("ORB UNL")
+    flight.until(f"{HIDDEN.format('[aria-label=Law]')} && {HIDDEN.format('.joint-rotary')}")
+    flight.turn_to("SINGLE")
+    flight.until(f"{SHOWN.format('.joint-rotary')} && {HIDDEN.format('.sequence')}")
+    flight.turn_to("OPR CMD")
+    flight.until(f"{SHOWN.format('[aria-label=Law]')} && {SHOWN.format('.sequence')}")
+    flight.turn_to("ORB LD")
+    flight.until(f"{SHOWN.format('.axes')} && {HIDDEN.format('[aria-label=Law]')}")
+
+
+@pytest.mark.parametrize(("law", "number"), [("position", 1), ("open loop", 3), ("closed loop", 2)])
+def test_the_law_switch_chooses_what_opr_cmd_flies(flight: Flight, law: str, number: int) -> None:
+    flight.enter("OPR CMD")
+    flight.press_key(law)
+    flight.until(f"frame.law === {number} && frame.law_choice === '{law}'")
+    flight.until(f"document.querySelector('[aria-label=Law] [aria-pressed=true]').ariaLabel === '{law}'")
+
+
+def test_cmd_ck_says_good_or_what_is_in_the_way(flight: Flight) -> None:
+    flight.enter("OPR CMD")
+    flight.press_key("Present")
+    flight.press_key("Key in")
+    flight.until("/GOOD/.test(document.querySelector('.check.good')?.textContent ?? '')")
+    flight.until("document.querySelector('.sequence small').matches('.lit')")
+    flight.page.get_by_label("Target X", exact=True).fill("5000")
+    flight.press("Enter")
+    flight.until("/FAIL/.test(document.querySelector('.check.caution')?.textContent ?? '')")
+    assert_tidy(flight)
+
+
+def test_rate_hold_keeps_the_rates_until_it_is_pressed_again(flight: Flight) -> None:
+    flight.enter("ORB UNL")
+    flight.hold("w")
+    flight.until("frame.translation[0] === 1")
+    flight.press("h")
+    flight.until("frame.rate_hold")
+    flight.release("w")
+    held = "document.querySelector('.thc .held .mark')"
+    flight.until(f"document.querySelector('.thc').matches('.holding') && Number({held}.getAttribute('cy')) < -30")
+    hand = "document.querySelector('.thc g:not(.held) > .mark')"
+    flight.until(f"Number({hand}.getAttribute('cy')) === 0")
+    assert flight.frame().translation == (1, 0, 0)
+    flight.press_key("Rate hold")
+    flight.until("!frame.rate_hold && frame.translation[0] === 0")
+
+
+def test_rate_hold_with_the_sticks_at_rest_is_refused(flight: Flight) -> None:
+    flight.enter("ORB UNL")
+    flight.press("h")
+    flight.until_logged("RATE HOLD refused: the sticks are at rest, there is no rate to keep")
+
+
+def test_a_pads_west_button_holds_the_rates(open_page: OpenPage) -> None:
+    flight = open_page(pad=True).from_the_start()
+    flight.enter("ORB UNL")
+    flight.pad_axes(0, -1, 0, 0)
+    flight.until("frame.translation[0] === 1")
+    flight.script("window.testPad.buttons[2].pressed = true")
+    flight.until("frame.rate_hold")
+    flight.press("Space")
+    flight.until("!frame.rate_hold && frame.translation[0] === 0")
+
+
+def test_position_hold_is_a_switch(flight: Flight) -> None:
+    flight.enter("ORB UNL")
+    flight.press_key("Position hold")
+    flight.until("frame.position_hold")
+    flight.press_key("Position hold")
+    flight.until("!frame.position_hold")
+
+
+def test_test_lights_every_lamp_and_segment_while_entered(flight: Flight) -> None:
+    dark = "[...document.querySelectorAll('.lamp')].filter((lamp) => !lamp.matches('.caution')).length"
+    angle = "document.querySelector('.joints .angle').textContent"
+    flight.enter("TEST")
+    flight.until(f"{dark} === 0 && {angle} === '±888.8'")
+    flight.until("document.querySelectorAll('.sequence small.lit').length === 2")
+    flight.enter("ORB UNL")
+    flight.until(f"{dark} > 3 && !{angle}.includes('888')")
+
+
+def test_a_lamp_keeps_the_log_to_its_cause_and_outlines_what_it_speaks_of(flight: Flight) -> None:
+    flight.turn_to("PL")
+    flight.press("Enter")
+    flight.until_lit("CHECK CRT")
+    flight.enter("END EFF")
+    lines = "[...document.querySelectorAll('.log li:not(.hint)')].map((line) => line.textContent)"
+    flight.page.get_by_role("button", name="CHECK CRT").click()
+    flight.until("document.querySelector('.events').matches('.concerned')")
+    assert all("refused" in line for line in flight.script(lines))
+    flight.until("!document.querySelector('.concerned')")
+    flight.press_key("show all")
+    flight.until(f"{lines}.some((line) => line.includes('END EFF entered'))")

@@ -1,0 +1,147 @@
+"""A recording played in a real browser: from its server, and as one file without any."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser
+
+from aftdeck.recording.reader import Recording
+from aftdeck.station.one_file import write_html
+from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.flight import Flight
+from tests.browser.looks import assert_readable, assert_tidy
+from tests.station.recordings import playing, recorded
+
+pytestmark = pytest.mark.browser
+
+DURATION = 12.0
+"""Of the recording [s]."""
+MEGABYTES = 5_000_000
+
+
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("replay") / "flight.mcap"
+    recorded(path, 600)
+    return path
+
+
+@pytest.fixture(scope="module")
+def station(recording: Path) -> Iterator[str]:
+    """Address of the recording's server, for `open_page`."""
+    with playing(recording) as address:
+        yield address
+
+
+@pytest.fixture
+def replay(open_page: OpenPage) -> Flight:
+    """A page that has the recording open at its first frame."""
+    return open_page()
+
+
+def press(replay: Flight, name: str) -> None:
+    """Presses a button of the transport."""
+    replay.page.get_by_role("group", name="Playing").get_by_role("button", name=name, exact=True).first.click()
+
+
+def assert_values_are_those_recorded(replay: Flight, recording: Path) -> None:
+    """The frame drawn and the figures at the playhead are those of the file's frame of that tick."""
+    shown = replay.frame()
+    record = next(frame for _, frame in Recording(recording).steps() if frame.tick == shown.tick)
+    assert shown.joints == record.angles_rad
+    parts = [abs(rate) / limit for rate, limit in zip(record.rates_rad_s, record.rate_limits_rad_s, strict=True)]
+    joint = Recording(recording).opening.joints[parts.index(max(parts))].replace("_", " ")
+    tag = "[...document.querySelectorAll('.strip')].find((row) => row.textContent.startsWith('Joint rate'))"
+    replay.until(f"{tag}.querySelector('.tag').textContent === '{max(parts):.2f} {joint}'")
+    replay.until(f"document.querySelector('.picture .code').textContent.endsWith('{record.time_s:05.2f}')")
+
+
+def test_it_says_that_it_replays_plays_faster_pauses_and_ends_at_the_last_frame(replay: Flight) -> None:
+    assert replay.frame().tick == 1
+    words = replay.page.locator(".rail").inner_text()
+    assert "REPLAY" in words
+    assert "flight.mcap" in words
+    assert "First flight" in words
+    assert replay.page.locator(".burned.time").first.inner_text().endswith("recorded")
+    press(replay, "Play")
+    replay.until("frame.tick > 10")
+    replay.press(" ")
+    replay.until("document.querySelector('.play').textContent === 'Play'")
+    tick = replay.frame().tick
+    press(replay, "Speed 8")
+    drawn = replay.script("window.__aftdeck.frames")
+    assert replay.frame().tick == tick
+    replay.press(" ")
+    replay.until("frame.tick === 600")
+    assert replay.script("window.__aftdeck.frames") > drawn
+    replay.until("document.querySelector('.play').textContent === 'Play'")
+
+
+def test_it_seeks_by_click_and_keys_and_shows_what_was_recorded(replay: Flight, recording: Path) -> None:
+    box = replay.page.locator(".scrub").bounding_box()
+    assert box is not None
+    replay.page.mouse.click(box["x"] + box["width"] * 0.3, box["y"] + box["height"] / 2)
+    replay.until(f"Math.abs(frame.time_s - {0.3 * DURATION}) < 0.03")
+    assert_values_are_those_recorded(replay, recording)
+    before = replay.frame().tick
+    replay.press("ArrowRight")
+    replay.until(f"Math.abs(frame.tick - {before + 50}) <= 1")
+    before = replay.frame().tick
+    replay.press("Shift+ArrowLeft")
+    replay.until(f"frame.tick === {before - 1}")
+    replay.press("End")
+    replay.until("frame.tick === 600")
+    assert_values_are_those_recorded(replay, recording)
+    replay.press("[")
+    replay.until("frame.tick < 600")
+    replay.press("Home")
+    replay.until("frame.tick === 1")
+
+
+def test_the_desk_shows_what_was_flown_and_takes_nothing(replay: Flight) -> None:
+    replay.press("d")
+    replay.page.get_by_role("slider", name="Playhead").focus()
+    for _ in range(4):
+        replay.press("ArrowRight")
+    replay.until("frame.time_s > 4")
+    replay.until("document.querySelector('.thc .value').textContent === '+0.50'")
+    replay.until("document.querySelector('.thc [aria-pressed=true]').textContent === 'Vernier'")
+    assert replay.script("document.querySelector('.desk').inert")
+
+
+def test_nothing_scrolls_overlaps_or_fades(replay: Flight) -> None:
+    replay.press("End")
+    replay.until("frame.tick === 600")
+    for width, height in SIZES:
+        replay.page.set_viewport_size({"width": width, "height": height})
+        for _ in range(2):
+            assert_tidy(replay)
+            assert_readable(replay)
+            replay.press("d")
+
+
+def test_the_html_file_plays_without_a_server_a_request_or_an_error(
+    browser: Browser, recording: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "flight.html"
+    write_html(recording, out)
+    assert out.stat().st_size < MEGABYTES
+    page = browser.new_page(viewport={"width": 1280, "height": 720})
+    asked: list[str] = []
+    said: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    page.on("console", lambda message: said.append(message.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.goto(f"{out.as_uri()}?quality=low")
+    replay = Flight(page)
+    replay.press(" ")
+    replay.until("frame.tick > 5")
+    replay.press("End")
+    replay.until("frame.tick === 600")
+    assert_tidy(replay)
+    page.close()
+    assert [url for url in asked if not url.startswith("data:")] == [f"{out.as_uri()}?quality=low"]
+    assert [text for text in said if "GPU stall" not in text] == []

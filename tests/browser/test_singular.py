@@ -1,0 +1,61 @@
+"""Near all three singularities: the gauges, their lamp, and the way out that the page names."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.flight import Flight
+from tests.browser.looks import assert_readable, assert_tidy
+
+pytestmark = pytest.mark.browser
+
+SCENARIO = "singular"
+KEYS = {
+    ("translation", 0, 1): "w", ("translation", 0, -1): "s",
+    ("translation", 1, 1): "d", ("translation", 1, -1): "a",
+    ("translation", 2, 1): "e", ("translation", 2, -1): "q",
+    ("rotation", 0, 1): "o", ("rotation", 0, -1): "u",
+    ("rotation", 1, 1): "i", ("rotation", 1, -1): "k",
+    ("rotation", 2, 1): "l", ("rotation", 2, -1): "j",
+}  # fmt: skip
+"""The key that deflects a stick this way."""
+
+
+def test_each_gauge_names_its_way_out(flight: Flight) -> None:
+    flight.until_lit("SINGULAR")
+    flight.until("document.querySelectorAll('.distance.caution').length === 3")
+    flight.until("frame.ways_out.length === 3")
+    labels = "[...document.querySelectorAll('.distance .label')].map((label) => label.textContent)"
+    for name, label in zip(("Shoulder", "Elbow", "Wrist"), flight.script(labels), strict=True):
+        assert label.startswith((f"{name}: THC ", f"{name}: RHC ", f"{name}: SINGLE "))
+
+
+def test_the_way_out_that_is_named_leads_out(flight: Flight) -> None:
+    flight.until("frame.ways_out.some((way) => way.cause === 'elbow')")
+    start = flight.frame()
+    way = next(way for way in start.ways_out if way.cause == "elbow")
+    key = KEYS[way.stick, way.axis, way.sign]
+    flight.hold(key)
+    flight.until(f"Math.abs(frame.singularity[1]) > {abs(start.singularity[1]) + 0.01}")
+    flight.release(key)
+
+
+def test_pressing_the_lamp_keeps_the_log_to_singularities(flight: Flight) -> None:
+    flight.until_lit("SINGULAR")
+    flight.page.get_by_role("button", name="SINGULAR").click()
+    flight.until("document.querySelectorAll('.distance.concerned').length === 3")
+    flight.until("document.querySelector('.events .about').textContent === 'SINGULAR only'")
+    lines = flight.script("[...document.querySelectorAll('.log li:not(.hint)')].map((line) => line.textContent)")
+    assert len(lines) == 3
+    assert all("singularity" in line for line in lines)
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES)
+def test_the_ways_out_are_tidy_and_readable(open_page: OpenPage, width: int, height: int) -> None:
+    flight = open_page(width, height).from_the_start()
+    flight.enter("SINGLE")
+    flight.until("frame.ways_out.every((way) => way.stick === 'joint')")
+    flight.until_lit("SINGULAR")
+    assert_tidy(flight)
+    assert_readable(flight)

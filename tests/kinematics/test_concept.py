@@ -1,0 +1,262 @@
+"""The concept arm of 1972: its report's rotations, stand, branches, singularities, and the mission it was meant for."""
+
+from __future__ import annotations
+
+import math
+from functools import reduce
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import aftdeck
+from aftdeck.errors import InputError, SingularityError, UnreachableError
+from aftdeck.frames import Pose
+from tests.kinematics.poses import Array, apart, legal
+
+FOOT = 0.3048
+USUAL = np.radians([20.0, 60.0, -90.0, 10.0, -40.0, 15.0])
+
+
+@pytest.fixture(scope="module")
+def concept() -> aftdeck.Arm:
+    return aftdeck.load_arm("concept-1972")
+
+
+def by_the_report(q: Array) -> Array:
+    """R(-HO) R(-PO) R(-P1) R(-H2) R(-P2) R(-R2), each as the report prints it, its heading about Z."""
+
+    def heading(x: float) -> Array:
+        return np.array([[math.cos(x), -math.sin(x), 0], [math.sin(x), math.cos(x), 0], [0, 0, 1]])
+
+    def pitch(x: float) -> Array:
+        return np.array([[math.cos(x), 0, math.sin(x)], [0, 1, 0], [-math.sin(x), 0, math.cos(x)]])
+
+    def roll(x: float) -> Array:
+        return np.array([[1, 0, 0], [0, math.cos(x), -math.sin(x)], [0, math.sin(x), math.cos(x)]])
+
+    turns = (heading, pitch, pitch, heading, pitch, roll)
+    return reduce(np.matmul, [turn(float(x)) for turn, x in zip(turns, q, strict=True)])
+
+
+def test_system_2_stands_in_r_as_the_reports_rotations_say(concept: aftdeck.Arm) -> None:
+    for q in legal(concept, 50, 200):
+        assert concept.forward(q).rotation == pytest.approx(by_the_report(q), abs=1e-14)
+
+
+def test_at_zero_angles_the_arm_is_stretched_out_aft_at_the_stands_height(concept: aftdeck.Arm) -> None:
+    pose = concept.forward(np.zeros(6))
+    assert pose.position / FOOT == pytest.approx([25 + 25 + 2, 0, -12])
+    assert pose.rotation == pytest.approx(np.eye(3))
+
+
+@pytest.mark.parametrize(
+    ("joint", "axis", "sign"),
+    [(0, 1, 1), (1, 2, -1), (2, 2, -1), (3, 1, 1), (4, 2, -1)],
+    ids=["heading to port", "pitch up", "pitch up", "heading to port", "pitch up"],
+)
+def test_headings_swing_the_stretched_arm_to_port_and_pitches_lift_it(
+    concept: aftdeck.Arm, joint: int, axis: int, sign: int
+) -> None:
+    q = np.zeros(6)
+    q[joint] = 0.1
+    moved = concept.forward(q).position - concept.forward(np.zeros(6)).position
+    assert sign * moved[axis] > 0.0
+
+
+def test_roll_turns_the_hands_port_side_down(concept: aftdeck.Arm) -> None:
+    assert concept.forward([0, 0, 0, 0, 0, 0.1]).rotation[2, 1] > 0.0
+
+
+def test_the_hands_own_axes_are_those_of_system_2(concept: aftdeck.Arm) -> None:
+    rotation = concept.forward(USUAL).rotation
+    assert (concept.end_effector(rotation) == rotation).all()
+
+
+def test_a_longer_stand_lifts_the_whole_arm_and_changes_nothing_else(concept: aftdeck.Arm) -> None:
+    tall = concept.at(stand=16 * FOOT)
+    assert tall.stand == 16 * FOOT and concept.stand == pytest.approx(12 * FOOT)
+    q = legal(concept, 51, 100)
+    low, high = concept.forward(q), tall.forward(q)
+    assert high.position - low.position == pytest.approx(np.tile([0.0, 0.0, -4 * FOOT], (100, 1)), abs=1e-14)
+    assert (high.rotation == low.rotation).all()
+    assert (tall.jacobian(q) == concept.jacobian(q)).all()
+    assert tall.inverse(tall.forward(USUAL), near=USUAL)[0] == pytest.approx(USUAL, abs=1e-9)
+
+
+def test_a_stand_outside_its_limits_is_refused(concept: aftdeck.Arm) -> None:
+    for length in (8 * FOOT, 18 * FOOT):
+        assert concept.at(stand=length).stand == length
+    for length in (7.9 * FOOT, 18.1 * FOOT):
+        with pytest.raises(InputError, match=r"the stand of concept-1972 is 2\.4384 to 5\.4864 m long, got"):
+            concept.at(stand=length)
+    for given in (math.nan, [4.0, 5.0]):
+        with pytest.raises(InputError, match="stand: expected"):
+            concept.at(stand=given)  # type: ignore[arg-type]
+
+
+def test_an_arm_without_a_telescope_has_no_stand() -> None:
+    srms = aftdeck.load_arm("srms")
+    assert srms.stand is None
+    with pytest.raises(InputError, match="the arm srms stands on no telescope"):
+        srms.at(stand=4.0)
+
+
+# --- inverse ----------------------------------------------------------------------------------------------
+
+
+def test_a_pose_well_inside_reach_has_two_shoulders_two_elbows_and_two_wrists(concept: aftdeck.Arm) -> None:
+    found = concept.inverse(concept.forward(USUAL), limits=False)
+    assert len(found) == 8
+    turned = np.abs(apart(found[:, 0], USUAL[0])) > 1.0
+    up = found[:, 2] < 0.0
+    flipped = np.cos(found[:, 4]) < 0.0
+    assert len(set(zip(turned, up, flipped, strict=True))) == 8
+    assert np.abs(found[:, 2]) == pytest.approx(np.full(8, math.radians(90)))
+    # for each shoulder and elbow the flipped wrist is the other one's: heading and roll turned by half a turn
+    for one in found[~flipped]:
+        other = np.array([*one[:3], one[3] + math.pi, math.pi - one[4], one[5] + math.pi])
+        assert min(np.abs(apart(row, other)).max() for row in found[flipped]) < 1e-9
+
+
+def test_the_stretched_arm_is_within_reach_and_its_elbows_meet(concept: aftdeck.Arm) -> None:
+    found = concept.inverse(concept.forward([0.3, 0.5, 0.0, 0.2, -0.4, 0.1]), limits=False)
+    assert np.abs(found[:, 2]).max() < 1e-7
+
+
+def test_limits_leave_out_exactly_the_solutions_outside_the_hard_stops(concept: aftdeck.Arm) -> None:
+    low, high = concept.limits.hard.T
+    counts = set()
+    for q in legal(concept, 52, 300):
+        if np.abs(np.stack(concept.singularities(q))).min() < 1e-3 or np.abs(q[:5]).max() > math.pi - 1e-6:
+            continue
+        pose = concept.forward(q)
+        held = concept.inverse(pose, near=q)
+        turns = concept.inverse(pose, limits=False)[:, None, :] + math.tau * np.array([-1, 0, 1])[:, None]
+        inside = ((turns >= low - 1e-9) & (turns <= high + 1e-9)).any(axis=1).all(axis=1)
+        assert len(held) == inside.sum()
+        counts.add(len(held))
+    assert {1, 2} <= counts
+
+
+@pytest.mark.parametrize("beyond", [1e-3, 0.25, 20.0])
+def test_a_pose_out_of_reach_says_by_how_much(concept: aftdeck.Arm, beyond: float) -> None:
+    pose = concept.forward([0.4, 0.7, 0.0, -0.1, 0.15, 0.3])
+    along = by_the_report(np.array([0.4, 0.7, 0, 0, 0, 0]))[:, 0]
+    with pytest.raises(UnreachableError, match="too far out") as caught:
+        concept.inverse(Pose(pose.position + beyond * along, pose.rotation))
+    assert caught.value.excess == pytest.approx(beyond, abs=1e-9)
+
+
+def test_near_the_wrists_singularity_every_branch_still_maps_back(concept: aftdeck.Arm) -> None:
+    for off in (1e-3, 1e-5, 1e-7, 1e-8):
+        for sign in (1.0, -1.0):
+            q = np.array([0.2, 1.0, -1.0, 0.3, sign * (math.pi / 2 - off), 0.2])
+            pose = concept.forward(q)
+            for row in concept.inverse(pose, near=q, limits=False):
+                back = concept.forward(row)
+                assert back.position == pytest.approx(pose.position, abs=1e-12)
+                assert back.rotation == pytest.approx(pose.rotation, abs=1e-12)
+
+
+# --- singularities ----------------------------------------------------------------------------------------
+
+SINGULAR = {
+    "shoulder": np.radians([20.0, 110.0, -40.0, 10.0, -40.0, 15.0]),  # equal booms: wrist over the heading's axis
+    "elbow": np.radians([20.0, 60.0, 0.0, 10.0, -40.0, 15.0]),
+    "wrist": np.radians([20.0, 60.0, -90.0, 10.0, 90.0, 15.0]),
+    "wrist, down": np.radians([20.0, 60.0, -90.0, 10.0, -90.0, 15.0]),
+}
+
+
+@pytest.mark.parametrize("name", SINGULAR)
+def test_a_distance_is_zero_at_its_singularity_and_only_there(concept: aftdeck.Arm, name: str) -> None:
+    found = concept.singularities(SINGULAR[name])._asdict()
+    assert abs(float(found.pop(name.partition(",")[0]))) < 1e-15
+    assert min(abs(float(d)) for d in found.values()) > 0.1
+
+
+def test_the_product_of_the_three_is_the_jacobians_determinant_but_for_a_length(concept: aftdeck.Arm) -> None:
+    q = legal(concept, 53, 5000)
+    boom = 25 * FOOT
+    product = np.prod(np.stack(concept.singularities(q)), axis=0) * boom * boom * (boom + boom)
+    determinant = np.linalg.det(concept.jacobian(q))
+    assert np.abs(determinant) == pytest.approx(np.abs(product), abs=1e-9)
+    sign = np.sign(determinant * product)[np.abs(product) > 1e-6]
+    assert abs(sign.sum()) == len(sign)
+
+
+@pytest.mark.parametrize("name", SINGULAR)
+def test_a_singular_pose_gives_no_rates_but_finite_ones_under_mask(concept: aftdeck.Arm, name: str) -> None:
+    kind = name.partition(",")[0]
+    with pytest.raises(SingularityError, match=f"stands at its {kind} singularity") as caught:
+        concept.joint_rates(SINGULAR[name], np.ones(6))
+    assert caught.value.singularity == kind
+    rates, mask = concept.joint_rates([SINGULAR[name], USUAL], np.ones(6), singular="mask")
+    assert mask.tolist() == [True, False] and np.isfinite(rates).all()
+
+
+def test_a_pose_with_the_wrist_over_the_heading_axis_is_refused_by_name(concept: aftdeck.Arm) -> None:
+    with pytest.raises(SingularityError, match="from the shoulder heading axis: shoulder singularity") as caught:
+        concept.inverse(concept.forward(SINGULAR["shoulder"]))
+    assert caught.value.singularity == "shoulder"
+
+
+def test_a_singular_wrist_is_refused_where_it_is_among_the_solutions_and_not_where_it_is_left_out(
+    concept: aftdeck.Arm,
+) -> None:
+    # the mirror image of this arm, elbow down, would have its hand square to its lower arm
+    q = np.radians([20.0, 60.0, -60.0, 0.0, -30.0, 0.0])
+    pose = concept.forward(q)
+    assert concept.inverse(pose) == pytest.approx(q[None, :], abs=1e-9)
+    with pytest.raises(SingularityError, match=r"wrist pitch joint stands at \+-90 deg") as caught:
+        concept.inverse(pose, limits=False)
+    assert caught.value.singularity == "wrist"
+
+
+# --- the mission ------------------------------------------------------------------------------------------
+
+BAR = np.array([28.0, 0.0, 0.74])
+"""Centre of the top of the payload's bar in the bay [ft]: a prism 11.26 across flats, 7.12 deep, a bar 0.75 high."""
+DOCKED = np.array([-4.0 + 16.0, 16.0, -22.0 - (7.12 - 0.74)])
+"""The same with the probe's forward face, 16 ft ahead of the payload's centre, in the port (-4, 16, -22) [ft]."""
+DOWN = by_the_report(np.radians([0, 0, 0, 0, -90, 0]))
+"""The hand straight down, its fingers on the sides of a bar that lies along the bay."""
+WAY: list[Array] = [
+    BAR - [0, 0, 4.0],
+    BAR - [0, 0, 0.03],
+    np.array([BAR[0], BAR[1], DOCKED[2]]),
+    np.array([26.0, 0.0, DOCKED[2]]),
+    np.array([26.0, 16.0, DOCKED[2]]),
+    DOCKED,
+]
+"""Acquire, extract and lift, come forward, move sideways, dock: places of the tip [ft]."""
+
+
+def flown(arm: aftdeck.Arm) -> Array:
+    """(n, 6) angles [rad] along the way, each solution the nearest to the one before; the payload stays level."""
+    legs = [np.linspace(a, b, 50) for a, b in pairwise(WAY)]
+    near, found = np.radians([0.0, 40.0, -100.0, 0.0, -30.0, 0.0]), []
+    for place in np.concatenate(legs):
+        near = arm.inverse(Pose(place * FOOT, DOWN), near=near)[0]
+        found.append(near)
+    return np.array(found)
+
+
+@pytest.mark.parametrize("height", [9.0, 12.0, 16.0, 18.0])
+def test_the_mission_is_within_the_limits_on_one_branch_at_heights_of_the_stand(
+    concept: aftdeck.Arm, height: float
+) -> None:
+    arm = concept.at(stand=height * FOOT)
+    q = flown(arm)
+    low, high = arm.limits.soft.T
+    assert (q >= low).all() and (q <= high).all()
+    assert np.degrees(np.abs(np.diff(q, axis=0)).max()) < 5.0
+    assert (q[:, 2] < 0.0).all() and (np.cos(q[:, 4]) > 0.0).all()
+    assert np.abs(np.stack(arm.singularities(q))).min() > 0.1
+
+
+def test_at_16_ft_of_stand_the_mission_takes_the_angles_found_before(concept: aftdeck.Arm) -> None:
+    q = np.degrees(flown(concept.at(stand=16 * FOOT)))
+    expected = [(0, 53), (23, 96), (-121, -95), (0, 0), (-68, -11), (-53, 0)]
+    assert np.stack([q.min(axis=0), q.max(axis=0)], axis=1) == pytest.approx(np.array(expected), abs=1.0)

@@ -1,0 +1,96 @@
+"""Forward kinematics and Jacobian against MuJoCo and Pinocchio, each with its own model of the arm."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import aftdeck
+from tests.kinematics.poses import AXES, CENTRES, INCH, legal, structural, turned
+from tests.kinematics.witnesses import Chain, Witness, in_mujoco, in_pinocchio
+
+MADE_UP = Path(__file__).parents[1] / "arms" / "made-up.toml"
+X, Y, Z = AXES.T
+SHUTTLE = Chain(
+    np.array(
+        [
+            CENTRES[name]
+            for name in (
+                "shoulder_yaw", "shoulder_pitch", "elbow_pitch", "wrist_pitch", "wrist_yaw", "wrist_yaw", "tip",
+            )
+        ]
+    )
+    * INCH,
+    np.array([Z, Y, Y, Y, Z, X]),
+    AXES,
+)  # fmt: skip
+"""In structural coordinates, from the published joint centres."""
+OTHER = Chain(
+    np.array(
+        [
+            [0.0, 0.0, 0.0],
+            [0.0, 0.0, -0.4],
+            [3.0, 0.0, -0.65],
+            [5.5, 0.0, -0.55],
+            [5.8, 0.0, -0.55],
+            [5.8, 0.0, -0.55],
+            [6.6, 0.0, -0.55],
+        ]
+    ),
+    np.array([[0, 0, 1], [0, 1, 0], [0, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 0]], dtype=np.float64),
+    np.eye(3),
+)
+"""The arm of made-up.toml in its L, from its lengths."""
+
+
+def concept(height: float) -> Chain:
+    """The concept arm in R at a height of the shoulder [m]: booms of 25 ft, the tip 2 ft from the wrist."""
+    along = np.array([0.0, 0.0, 25.0, 50.0, 50.0, 50.0, 52.0]) * 12.0 * INCH
+    down = np.array([0.0, *[-height] * 6])
+    return Chain(np.stack([along, np.zeros(7), down], axis=1), np.eye(3)[[2, 1, 1, 2, 1, 0]], np.eye(3))
+
+
+engines = pytest.mark.parametrize("engine", [in_mujoco, in_pinocchio])
+
+
+@engines
+def test_the_shuttles_arm_stands_and_moves_as_one_built_from_its_joint_centres(
+    arm: aftdeck.Arm, engine: Callable[[Chain], Witness]
+) -> None:
+    # seven printed centres, each off by up to half a thousandth of an inch in three coordinates
+    most = 7 * 3**0.5 * CENTRES["tolerance"] * INCH
+    see = engine(SHUTTLE)
+    for q in legal(arm, 6, 300):
+        ours, theirs = arm.forward(q), see(q)
+        assert np.linalg.norm(structural(ours.position) - theirs.position) < most
+        assert np.abs(turned(AXES @ ours.rotation, theirs.rotation)).max() < 1e-12
+        turn = np.kron(np.eye(2), AXES)
+        assert np.abs(turn @ arm.jacobian(q) - theirs.jacobian).max() < most
+
+
+@engines
+def test_another_arm_of_the_family_stands_and_moves_as_its_lengths_say(engine: Callable[[Chain], Witness]) -> None:
+    other = aftdeck.load_arm(MADE_UP)
+    see = engine(OTHER)
+    for q in legal(other, 7, 300):
+        ours, theirs = other.forward(q), see(q)
+        assert ours.position == pytest.approx(theirs.position, abs=1e-12)
+        assert ours.rotation == pytest.approx(theirs.rotation, abs=1e-12)
+        assert other.jacobian(q) == pytest.approx(theirs.jacobian, abs=1e-12)
+
+
+@engines
+@pytest.mark.parametrize("height", [3.6576, 5.0])
+def test_the_concept_arm_stands_and_moves_as_its_lengths_and_axes_say(
+    height: float, engine: Callable[[Chain], Witness]
+) -> None:
+    ours = aftdeck.load_arm("concept-1972").at(stand=height)
+    see = engine(concept(height))
+    for q in legal(ours, 8, 300):
+        pose, theirs = ours.forward(q), see(q)
+        assert pose.position == pytest.approx(theirs.position, abs=1e-12)
+        assert pose.rotation == pytest.approx(theirs.rotation, abs=1e-12)
+        assert ours.jacobian(q) == pytest.approx(theirs.jacobian, abs=1e-12)

@@ -1,0 +1,227 @@
+"""The list of recordings."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import sqlite3
+import subprocess
+import sys
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from aftdeck.errors import RecordingError
+from aftdeck.recording.bundle import opening
+from aftdeck.recording.index import Entry, Index
+from aftdeck.recording.run import record
+from aftdeck.recording.tape import Tape
+from aftdeck.recording.writer import Recorder
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from tests.recording.flown import bay, recorded
+
+SCRIPT = '[[phase]]\nmode = "ORB UNL"\ntranslation = [0.6, 0, 0.2]\nduration = "0.2 s"'
+MADE = bay(extra=SCRIPT)
+
+
+@pytest.fixture
+def index(tmp_path: Path) -> Index:
+    return Index(tmp_path / "data" / "list.sqlite")
+
+
+def listed(index: Index, path: Path, name: str = "test", ended: str = "completed", day: int = 1) -> None:
+    """An entry for a file that may be there or not."""
+    start = opening(bay(name=name), 0, day * 86_400 * 10**9)
+    index.begin(path, start)
+    if ended:
+        index.end(path, ended, 1.5)
+
+
+def test_a_run_is_listed_with_its_end(index: Index, tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    summary = record(MADE, path, seed=4, index=index).summary
+    (entry,) = index.entries()
+    assert (entry.path, entry.scenario, entry.title, entry.seed) == (str(path), "test", "test", 4)
+    assert (entry.ended, entry.time_s, entry.state) == ("completed", summary.time_s, "here")
+    assert entry.bytes == path.stat().st_size
+
+
+def test_a_recording_under_way_is_listed_as_such(index: Index, tmp_path: Path) -> None:
+    path = tmp_path / "run.mcap"
+    recorder = Recorder(path, MADE, 0, index=index)
+    recorder.step(None, Simulation(MADE).step())
+    while not index.entries():
+        pass
+    (entry,) = index.entries()
+    assert (entry.ended, entry.state) == ("recording", "here")
+    with pytest.raises(RecordingError, match="is being recorded, and is not deleted"):
+        index.delete([entry])
+    assert path.exists()
+    recorder.close("stopped")
+    assert [e.ended for e in index.entries()] == ["stopped"]
+
+
+def left_behind(index: Index, path: Path, size: int) -> Entry:
+    """The entry of a recording whose program was killed, and whose file has so many of its bytes."""
+    recorded(path, MADE, itertools.repeat(Inputs()), 30)
+    path.write_bytes(path.read_bytes()[:size])
+    listed(index, path, ended="")
+    old = path.stat().st_mtime - 60.0
+    os.utime(path, (old, old))
+    (entry,) = index.entries()
+    return entry
+
+
+@pytest.mark.parametrize(
+    ("size", "ended", "state"),
+    [
+        (10**9, "stopped", "here"),
+        (13_000, "cut", "here"),
+        (3000, "recording", "unreadable"),
+        (0, "recording", "unreadable"),
+    ],
+)
+def test_a_killed_programs_file_is_looked_at(index: Index, tmp_path: Path, size: int, ended: str, state: str) -> None:
+    entry = left_behind(index, tmp_path / "run.mcap", size)
+    assert (entry.ended, entry.state) == (ended, state)
+    assert entry.bytes == (tmp_path / "run.mcap").stat().st_size
+
+
+def test_a_file_that_is_gone_is_listed_as_gone(index: Index, tmp_path: Path) -> None:
+    listed(index, tmp_path / "gone.mcap")
+    listed(index, tmp_path / ("n" * 300))
+    assert {e.state for e in index.entries()} == {"gone"}
+
+
+def test_filters_choose(index: Index, tmp_path: Path) -> None:
+    for day, (name, ended) in enumerate([("a", "time"), ("b", "fault"), ("a", "stopped"), ("a", "fault")], 1):
+        listed(index, tmp_path / f"{day}.mcap", name, ended, day)
+    assert [Path(e.path).stem for e in index.entries()] == ["4", "3", "2", "1"]
+    assert [Path(e.path).stem for e in index.entries(scenario="a")] == ["4", "3", "1"]
+    assert [Path(e.path).stem for e in index.entries(ended="fault")] == ["4", "2"]
+    assert [Path(e.path).stem for e in index.entries(since="1970-01-04")] == ["4", "3"]
+    assert [Path(e.path).stem for e in index.entries("a", "fault", "1970")] == ["4"]
+    assert index.entries("c") == []
+
+
+def test_forgetting_leaves_the_files(index: Index, tmp_path: Path) -> None:
+    record(MADE, tmp_path / "run.mcap", index=index)
+    index.forget(index.entries())
+    assert index.entries() == [] and (tmp_path / "run.mcap").exists()
+
+
+def test_deleting_takes_files_and_entries(index: Index, tmp_path: Path) -> None:
+    record(MADE, tmp_path / "run.mcap", index=index)
+    record(MADE, tmp_path / "kept.mcap", index=index)
+    listed(index, tmp_path / "gone.mcap")
+    index.delete([e for e in index.entries() if "kept" not in e.path])
+    assert [Path(e.path).name for e in index.entries()] == ["kept.mcap"]
+    assert sorted(p.name for p in tmp_path.glob("*.mcap")) == ["kept.mcap"]
+
+
+def test_what_cannot_be_deleted_is_told_and_stays_listed(index: Index, tmp_path: Path) -> None:
+    (tmp_path / "folder.mcap").mkdir()
+    listed(index, tmp_path / "folder.mcap")
+    with pytest.raises(RecordingError, match=r"folder\.mcap: cannot be deleted: "):
+        index.delete(index.entries())
+    assert len(index.entries()) == 1
+
+
+def test_a_path_recorded_anew_is_one_entry(index: Index, tmp_path: Path) -> None:
+    listed(index, tmp_path / "run.mcap", "a")
+    listed(index, tmp_path / "run.mcap", "b")
+    assert [e.scenario for e in index.entries()] == ["b"]
+
+
+def test_a_name_that_is_no_text_is_told_and_recorded_all_the_same(index: Index, tmp_path: Path) -> None:
+    path = tmp_path / os.fsdecode(b"\xff.mcap")
+    record(MADE, path, index=index)
+    assert path.exists()
+    assert index.entries() == []
+
+
+TEN = """
+import sys
+from pathlib import Path
+import msgspec
+from aftdeck.recording.index import Index
+from aftdeck.recording.records import Opening
+index, start = Index(Path(sys.argv[1])), msgspec.json.decode(sys.argv[3], type=Opening)
+for k in range(10):
+    path = Path(f"/{sys.argv[2]}/{k}.mcap")
+    index.begin(path, start)
+    index.end(path, "completed", float(k))
+"""
+
+
+def test_several_programs_write_at_once(index: Index) -> None:
+    start = msgspec.json.encode(msgspec.structs.replace(opening(MADE, 0, 0), shapes_text="", worksite_text=""))
+    programs = [
+        subprocess.Popen([sys.executable, "-c", TEN, str(index.path), str(n), start], stderr=subprocess.PIPE)
+        for n in range(3)
+    ]
+    for program in programs:
+        assert program.communicate(timeout=60.0)[1] == b""
+    entries = index.entries()
+    assert len(entries) == 30
+    assert all(e.ended == "completed" and e.time_s == float(Path(e.path).stem) for e in entries)
+
+
+def unusable(path: Path, how: str) -> None:
+    match how:
+        case "garbage":
+            path.write_bytes(b"no database at all, " * 100)
+        case "a folder":
+            path.mkdir()
+        case "another table":
+            with sqlite3.connect(path) as database:
+                database.execute("create table recordings (path text)")
+            database.close()
+        case _:
+            path.parent.rmdir()
+            path.parent.touch()
+
+
+@pytest.mark.parametrize("how", ["garbage", "a folder", "another table", "below a file"])
+def test_a_list_that_cannot_be_used_is_told_and_the_run_goes_on(tmp_path: Path, how: str) -> None:
+    (tmp_path / "data").mkdir()
+    index = Index(tmp_path / "data" / "list.sqlite")
+    unusable(index.path, how)
+    with pytest.raises(RecordingError, match=r"list\.sqlite: the list of recordings cannot be used: "):
+        index.entries()
+    path = tmp_path / "run.mcap"
+    assert record(MADE, path, index=index).summary.ended == "completed"
+    tape = Tape(tmp_path / "flights", index)
+    tape.begin(MADE, 0)
+    tape.step(Inputs(), Simulation(MADE).step(Inputs()), None)
+    tape.close()
+    assert [f.stat().st_size > 0 for f in (tmp_path / "flights").iterdir()] == [True]
+
+
+def test_a_list_held_by_another_program_holds_up_no_recording(
+    index: Index, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert index.entries() == []
+    monkeypatch.setattr("aftdeck.recording.index.BUSY_S", 0.5)
+    other = sqlite3.connect(index.path, isolation_level=None)
+    other.execute("begin exclusive")
+    try:
+        path = tmp_path / "run.mcap"
+        recorder = Recorder(path, MADE, 0, index=index)
+        recorder.step(Inputs(), Simulation(MADE).step(Inputs()))
+        recorder.close("stopped")
+    finally:
+        other.close()
+    assert recorder.failure == ""
+    assert "the list of recordings cannot be used: database is locked" in recorder.unlisted
+
+
+def test_a_list_with_more_columns_is_read(index: Index, tmp_path: Path) -> None:
+    listed(index, tmp_path / "a.mcap")
+    with sqlite3.connect(index.path) as database:
+        database.execute("alter table recordings add column weather text")
+    database.close()
+    listed(index, tmp_path / "b.mcap")
+    assert len(index.entries()) == 2

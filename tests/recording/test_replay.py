@@ -1,0 +1,298 @@
+"""A recording flown again gives the same frames, bit for bit."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from pathlib import Path
+
+import hypothesis.strategies as st
+import msgspec
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+import aftdeck
+from aftdeck.errors import InputError, RecordingError, ScenarioError
+from aftdeck.recording.changed import rerun
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import Closing, FrameRecord, Input, Opening
+from aftdeck.recording.replay import verify
+from aftdeck.recording.run import record
+from aftdeck.scenario.load import built_in
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.summary import Summary
+from tests.recording.flown import bay, messages, random_flight, recorded, rewritten
+
+QUICK = ("uncradle", "sequence")
+SCRIPT = """seed = 4
+[[phase]]
+name = "shoulder"
+mode = "SINGLE"
+joint = "shoulder_pitch"
+joint_at = "80 deg"
+
+[[phase]]
+name = "forward"
+mode = "ORB UNL"
+translation = [0.6, 0, 0.2]
+duration = "2 s"
+"""
+"""A script that takes the arm some seconds."""
+PUSH = Inputs((0.5, -0.2, 0.1), (0.0, 0.3, 0.0))
+
+
+@pytest.fixture(scope="module")
+def run_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("run") / "script.mcap"
+    record(bay(extra=SCRIPT, name="script"), path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def hand_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("hand") / "hand.mcap"
+    recorded(path, bay(), itertools.repeat(PUSH), 200)
+    return path
+
+
+def check_equal(name: str, path: Path) -> None:
+    summary = record(name, path).summary
+    verdict = verify(path)
+    assert verdict.equal and verdict.different == 0 and verdict.first is None and not verdict.cut
+    assert verdict.time_s == summary.time_s
+    closing = messages(path)[-1]
+    assert isinstance(closing, Closing)
+    assert (closing.ended, closing.frames_sha256) == (summary.ended, summary.frames_sha256)
+    assert msgspec.json.decode(closing.summary, type=Summary) == summary
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_a_scripted_run_repeats_itself(name: str, tmp_path: Path) -> None:
+    check_equal(name, tmp_path / "run.mcap")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [name for name in built_in() if name not in QUICK])
+def test_every_other_scripted_run_repeats_itself(name: str, tmp_path: Path) -> None:
+    check_equal(name, tmp_path / "run.mcap")
+
+
+def check_random_flight(path: Path, seed: int, steps: int, extra: str = "") -> None:
+    path.unlink(missing_ok=True)
+    flown = random_flight(path, seed, steps, extra)
+    verdict = verify(path)
+    assert verdict.equal and verdict.frames == steps
+    told = [(m.tick, m.translation) for m in messages(path) if isinstance(m, Input)]
+    assert told == [(k, i.translation) for k, (i, _) in enumerate(flown, 1) if i is not None]
+
+
+_hypothesis = settings(max_examples=5, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+@_hypothesis
+@given(
+    st.integers(0, 2**32), st.sampled_from(["", "command_delay = 0.3\n", 'soft_stops = "as-flown"\nstrict = true\n'])
+)
+def test_a_flight_with_random_sticks_and_switches_repeats_itself(tmp_path: Path, seed: int, extra: str) -> None:
+    check_random_flight(tmp_path / "random.mcap", seed, 150, extra)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(20))
+def test_a_long_flight_with_random_sticks_and_switches_repeats_itself(tmp_path: Path, seed: int) -> None:
+    check_random_flight(tmp_path / "random.mcap", seed, 2000)
+
+
+def test_a_demonstration_that_is_taken_over_by_hand_repeats_itself(tmp_path: Path) -> None:
+    path = tmp_path / "taken.mcap"
+    script: Iterator[Inputs | None] = itertools.chain(itertools.repeat(None, 100), itertools.repeat(PUSH))
+    recorded(path, aftdeck.load_scenario("first-flight"), script, 200)
+    assert verify(path).equal
+    assert [m.by for m in messages(path) if isinstance(m, FrameRecord)] == ["script"] * 100 + ["hand"] * 100
+
+
+def test_a_run_with_another_seed_is_repeated_with_that_seed(tmp_path: Path) -> None:
+    path = tmp_path / "seeded.mcap"
+    record(bay(extra=SCRIPT), path, seed=77)
+    assert Recording(path).opening.seed == 77
+    assert verify(path).equal
+
+
+def changed_frame(source: Path, out: Path) -> FrameRecord:
+    """A copy of a recording whose first frame is another."""
+    first = next(m for m in messages(source) if isinstance(m, FrameRecord))
+    angles = (first.angles_rad[0] + 1e-3, *first.angles_rad[1:])
+    wrong = msgspec.structs.replace(first, angles_rad=angles, sha256="0" * 16)
+    rewritten(source, out, {"/frames": msgspec.json.encode(wrong)})
+    return wrong
+
+
+def test_a_frame_that_differs_is_found_with_what_differs(hand_file: Path, tmp_path: Path) -> None:
+    wrong = changed_frame(hand_file, tmp_path / "wrong.mcap")
+    verdict = verify(tmp_path / "wrong.mcap")
+    assert (verdict.equal, verdict.different, verdict.frames) == (False, 1, 200)
+    assert verdict.first is not None and verdict.first.tick == wrong.tick == 1
+    assert [change.field for change in verdict.first.fields] == ["angles_rad"]
+
+
+def test_inputs_that_differ_are_found_where_they_were_flown(hand_file: Path, tmp_path: Path) -> None:
+    other = msgspec.json.encode(Input(1, translation=(-0.5, -0.2, 0.1)))
+    rewritten(hand_file, tmp_path / "wrong.mcap", {"/inputs": other})
+    verdict = verify(tmp_path / "wrong.mcap")
+    assert not verdict.equal and verdict.first is not None
+    assert verdict.first.tick == 1
+    assert "translation" in {change.field for change in verdict.first.fields}
+
+
+def test_a_sum_that_differs_is_found(hand_file: Path, tmp_path: Path) -> None:
+    closing = messages(hand_file)[-1]
+    assert isinstance(closing, Closing)
+    other = msgspec.json.encode(msgspec.structs.replace(closing, frames_sha256="0" * 64))
+    rewritten(hand_file, tmp_path / "wrong.mcap", {"/closing": other})
+    verdict = verify(tmp_path / "wrong.mcap")
+    assert (verdict.equal, verdict.different) == (False, 0)
+
+
+def opened_as(source: Path, out: Path, **changes: object) -> None:
+    """A copy of a recording whose first message says something else."""
+    start = msgspec.structs.replace(Recording(source).opening, **changes)
+    rewritten(source, out, {"/opening": msgspec.json.encode(start)})
+
+
+def test_a_file_of_another_version_says_so_and_is_tried(hand_file: Path, tmp_path: Path) -> None:
+    opened_as(hand_file, tmp_path / "old.mcap", version="0.0.1", machine="another")
+    verdict = verify(tmp_path / "old.mcap")
+    assert verdict.equal
+    assert (verdict.recorded_by, verdict.version) == ("0.0.1", aftdeck.__version__)
+    assert not verdict.same_machine
+
+
+def test_a_file_of_another_version_that_cannot_be_repeated_says_why(hand_file: Path, tmp_path: Path) -> None:
+    text = Recording(hand_file).opening.scenario_text
+    opened_as(hand_file, tmp_path / "new.mcap", version="9.0.0", scenario_text=f"gravity = 9.81\n{text}")
+    with pytest.raises(RecordingError, match=r"made by Aftdeck 9\.0\.0, which this one, .*does not repeat: .*gravity"):
+        verify(tmp_path / "new.mcap")
+
+
+def test_damage_in_a_file_of_another_version_is_called_damage(hand_file: Path, tmp_path: Path) -> None:
+    opened_as(hand_file, tmp_path / "old.mcap", version="0.0.1")
+    whole = bytearray((tmp_path / "old.mcap").read_bytes())
+    whole[len(whole) // 2] ^= 16
+    (tmp_path / "old.mcap").write_bytes(whole)
+    with pytest.raises(RecordingError, match=r"^[^:]*old\.mcap: is damaged after [0-9.]+ s"):
+        verify(tmp_path / "old.mcap")
+
+
+def test_progress_goes_from_nothing_to_all(run_file: Path) -> None:
+    shares: list[float] = []
+    assert verify(run_file, shares.append).equal
+    assert shares == sorted(shares) and 0.0 < shares[0] <= shares[-1] <= 1.0
+
+
+# --- with something changed -------------------------------------------------------------------------------
+
+
+def test_what_already_was_so_changes_nothing(hand_file: Path) -> None:
+    outcome = rerun(hand_file, ("rate=coarse", "control_period=0.02", "arm=srms"))
+    assert outcome.first is None and outcome.events == () and outcome.compared == 200
+    assert outcome.greatest_tip_m.value == outcome.greatest_joint_rad.value == outcome.tip_at_end_m == 0.0
+    closing = messages(hand_file)[-1]
+    assert isinstance(closing, Closing) and outcome.frames_sha256 == closing.frames_sha256
+
+
+def test_a_delay_parts_the_runs_when_the_sticks_move(tmp_path: Path) -> None:
+    path = tmp_path / "hand.mcap"
+    recorded(path, bay(), itertools.chain(itertools.repeat(Inputs(), 50), itertools.repeat(PUSH)), 100)
+    outcome = rerun(path, ("command_delay=0.5",))
+    assert outcome.first is not None and outcome.first.time_s == pytest.approx(51 * 0.02)
+    assert outcome.greatest_tip_m.value > 0.0
+
+
+def test_a_slower_arm_takes_longer_and_the_log_says_when(run_file: Path) -> None:
+    outcome = rerun(run_file, ("phase[0].rate=vernier",))
+    assert (outcome.ended_before, outcome.ended_after) == ("completed", "completed")
+    assert outcome.time_after_s > outcome.time_before_s
+    late = [event for event in outcome.events if event.before_s is not None and event.after_s is not None]
+    assert late and all(e.after_s > e.before_s for e in late if e.after_s is not None and e.before_s is not None)
+
+
+@pytest.mark.parametrize(
+    "changes", [("phase[0].rate=vernier",), ("command_delay=0.2", "seed=9"), ("control_period=0.04",)]
+)
+def test_a_changed_runs_own_recording_repeats_itself(run_file: Path, tmp_path: Path, changes: tuple[str, ...]) -> None:
+    out = tmp_path / "changed.mcap"
+    outcome = rerun(run_file, changes, out)
+    assert Recording(out).opening.changes == changes
+    assert verify(out).equal
+    closing = messages(out)[-1]
+    assert isinstance(closing, Closing) and closing.frames_sha256 == outcome.frames_sha256
+    assert Recording(out).opening.seed == (9 if "seed=9" in changes else 4)
+
+
+def test_a_changed_recording_is_changed_again(run_file: Path, tmp_path: Path) -> None:
+    one, two = tmp_path / "one.mcap", tmp_path / "two.mcap"
+    rerun(run_file, ("phase[0].rate=vernier",), one)
+    outcome = rerun(one, ("phase[0].rate=coarse",), two)
+    assert verify(two).equal
+    assert Recording(two).opening.changes == ("phase[0].rate=vernier", "phase[0].rate=coarse")
+    closing = messages(run_file)[-1]
+    assert isinstance(closing, Closing) and outcome.frames_sha256 == closing.frames_sha256
+
+
+@pytest.mark.parametrize("period", ["0.01", "0.005"])
+def test_a_finer_period_flies_a_script_from_its_first_step(run_file: Path, tmp_path: Path, period: str) -> None:
+    out = tmp_path / "fine.mcap"
+    rerun(run_file, (f"control_period={period}",), out)
+    assert {m.by for m in messages(out) if isinstance(m, FrameRecord)} == {"script"}
+    last = messages(out)[-1]
+    assert isinstance(last, Closing) and last.ended == "completed"
+
+
+@pytest.mark.parametrize("period", [0.01, 0.04])
+def test_another_period_flies_as_long_as_the_person_did(hand_file: Path, period: float) -> None:
+    outcome = rerun(hand_file, (f"control_period={period}",))
+    assert outcome.time_after_s == pytest.approx(outcome.time_before_s)
+    assert outcome.greatest_tip_m.value < 0.01
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "text"),
+    [
+        ("rate", InputError, "a change is KEY=VALUE"),
+        ("=5", InputError, "a change is KEY=VALUE"),
+        ("rate=fast", ScenarioError, "coarse, vernier"),
+        ("speed=3", ScenarioError, "unknown field; allowed here"),
+        ("command_delay=0.33", ScenarioError, "is a whole number of control periods"),
+        ("command_delay=nan", ScenarioError, "command_delay"),
+        ("control_period=1e-320", ScenarioError, r"lies between 0\.001 and 0\.2 s"),
+        ("phase[9].rate=vernier", InputError, "there is no item 9"),
+        ("title.rate=vernier", InputError, "is no table"),
+        ("arm=nowhere.toml", ScenarioError, "nowhere"),
+        ("arm=5", InputError, "a built-in name or a path"),
+        ("seed=-1", ScenarioError, "seed"),
+    ],
+)
+def test_a_wrong_change_is_refused_and_no_file_is_made(
+    run_file: Path, tmp_path: Path, change: str, error: type[Exception], text: str
+) -> None:
+    out = tmp_path / "out.mcap"
+    with pytest.raises(error, match=text):
+        rerun(run_file, (change, "command_delay=0.5") if change.startswith("control_period") else (change,), out)
+    assert not out.exists()
+
+
+def test_no_recording_is_written_over(run_file: Path) -> None:
+    before = run_file.read_bytes()
+    with pytest.raises(RecordingError, match="exists already, and no recording is written over"):
+        rerun(run_file, ("rate=vernier",), run_file)
+    with pytest.raises(RecordingError, match="exists already"):
+        record(bay(extra=SCRIPT), run_file)
+    assert run_file.read_bytes() == before
+
+
+def test_the_opening_tells_what_the_run_started_from(run_file: Path) -> None:
+    start = messages(run_file)[0]
+    made = bay(extra=SCRIPT, name="script")
+    assert isinstance(start, Opening)
+    assert (start.scenario, start.title, start.version) == ("script", "test", aftdeck.__version__)
+    assert (start.joints, start.control_period_s, start.scenario_text) == (made.arm.joints, 0.02, made.text)

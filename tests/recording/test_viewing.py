@@ -1,0 +1,189 @@
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.spatial.transform import RigidTransform, Rotation
+
+from aftdeck.kinematics.arm import load_arm
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scene.poses import ArmPoses
+from aftdeck.simulation.frame import Frame
+from aftdeck.station.wire import Translator
+from tests.recording.flights import Seen, fly, read
+
+ROUNDING = 1e-4
+"""Of what is shown: rounded numbers, added up along the arm [m, rad]."""
+
+SCHEMAS = {
+    "/tf": "foxglove.FrameTransforms",
+    "/tf_static": "foxglove.FrameTransforms",
+    "/scene": "foxglove.SceneUpdate",
+    "/joints": "foxglove.JointStates",
+    "/joints/commanded": "foxglove.JointStates",
+    "/tip": "foxglove.PoseInFrame",
+    "/log": "foxglove.Log",
+}
+
+
+CONCEPT = """title = "the concept arm with a payload, none of them drawn"
+arm = "concept-1972"
+
+[initial]
+joints = ["20 deg", "60 deg", "-100 deg", "5 deg", "-30 deg", "10 deg"]
+
+[payload]
+mass = "15000 lb"
+position = [0, 0, 1.5]
+"""
+
+
+class Flown(NamedTuple):
+    scenario: str
+    frames: list[Frame]
+    topics: dict[str, list[Seen]]
+
+
+@pytest.fixture(scope="module", params=["loaded", "concept"])
+def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Flown:
+    folder: Path = tmp_path_factory.mktemp("viewing")
+    path, name = folder / "run.mcap", str(request.param)
+    if name == "concept":
+        name = str(folder / "concept.toml")
+        Path(name).write_text(CONCEPT)
+    return Flown(name, fly(name, path, 203), read(path))
+
+
+def stamp(content: dict[str, Any]) -> int:
+    time = content["timestamp"]
+    return int(time["seconds"] * 1_000_000_000 + time["nanos"])
+
+
+def transform(position: dict[str, float], turn: dict[str, float]) -> RigidTransform:
+    rotation = Rotation.from_quat([turn[k] for k in "xyzw"])
+    return RigidTransform.from_components(np.array([position[k] for k in "xyz"]), rotation)
+
+
+def tree(*messages: Seen) -> dict[str, tuple[str, RigidTransform]]:
+    return {
+        t["child_frame_id"]: (t["parent_frame_id"], transform(t["translation"], t["rotation"]))
+        for message in messages
+        for t in message.content["transforms"]
+    }
+
+
+def in_root(frames: dict[str, tuple[str, RigidTransform]], name: str) -> RigidTransform:
+    pose = RigidTransform.identity()
+    while name in frames:
+        name, own = frames[name]
+        pose = own * pose
+    assert name == "scene"
+    return pose
+
+
+def drawn_frames(flown: Flown) -> list[tuple[Frame, int]]:
+    return [(frame, i) for i, frame in enumerate(flown.frames[::5])]
+
+
+def test_channels_have_foxgloves_schemas(flown: Flown) -> None:
+    for topic, schema in SCHEMAS.items():
+        assert {(m.schema, m.encoding) for m in flown.topics[topic]} == {(schema, "protobuf")}
+
+
+def test_what_moves_is_shown_ten_times_a_second_and_the_rest_once(flown: Flown) -> None:
+    for topic in ("/tf", "/joints", "/joints/commanded", "/tip"):
+        assert len(flown.topics[topic]) == 41
+    assert len(flown.topics["/tf_static"]) == len(flown.topics["/scene"]) == 1
+
+
+def test_times_are_those_of_the_frames(flown: Flown) -> None:
+    began = flown.topics["/opening"][0].time_ns
+    for topic in ("/joints", "/tip", "/joints/commanded"):
+        for (frame, _), message in zip(drawn_frames(flown), flown.topics[topic], strict=True):
+            assert message.time_ns == began + round(frame.time_s * 1e9)
+            assert stamp(message.content) == message.time_ns
+    for message in flown.topics["/tf"]:
+        assert {stamp(t) for t in message.content["transforms"]} == {message.time_ns}
+
+
+def test_joints_are_the_frames_joints(flown: Flown) -> None:
+    names = list(load_scenario(flown.scenario).arm.joints)
+    for (frame, _), measured, commanded in zip(
+        drawn_frames(flown), flown.topics["/joints"], flown.topics["/joints/commanded"], strict=True
+    ):
+        for message, angles, rates in (
+            (measured, frame.angles, frame.rates),
+            (commanded, frame.angles_commanded, frame.rates_commanded),
+        ):
+            joints = message.content["joints"]
+            assert [joint["name"] for joint in joints] == names
+            assert [joint["position"] for joint in joints] == pytest.approx(angles, abs=ROUNDING)
+            assert [joint["velocity"] for joint in joints] == pytest.approx(rates, abs=ROUNDING)
+
+
+def same(pose: RigidTransform, seven: NDArray[np.float64]) -> None:
+    assert pose.translation == pytest.approx(seven[:3], abs=ROUNDING)
+    turned = pose.rotation * Rotation.from_quat(seven[[4, 5, 6, 3]]).inv()
+    assert turned.magnitude() == pytest.approx(0.0, abs=ROUNDING)
+
+
+def test_every_body_stands_where_the_page_draws_it(flown: Flown) -> None:
+    translator = Translator(load_scenario(flown.scenario), demo=False)
+    names = [body.name for body in translator.welcome.bodies]
+    assert "payload" in names
+    for (frame, _), message in zip(drawn_frames(flown), flown.topics["/tf"], strict=True):
+        frames = tree(flown.topics["/tf_static"][0], message)
+        assert set(frames) == {*names, "L", "tip"}
+        poses = np.array(translator.frame(frame, -1).poses).reshape(-1, 7)
+        for name, seven in zip(names, poses, strict=True):
+            same(in_root(frames, name), seven)
+
+
+def test_the_tip_is_the_frames_tip_both_as_a_pose_in_L_and_as_a_frame(flown: Flown) -> None:
+    for (frame, i), message in zip(drawn_frames(flown), flown.topics["/tip"], strict=True):
+        assert message.content["frame_id"] == "L"
+        shown = message.content["pose"]
+        pose = transform(shown["position"], shown["orientation"])
+        assert pose.translation == pytest.approx(frame.position, abs=ROUNDING)
+        assert pose.rotation.as_matrix() == pytest.approx(np.array(frame.orientation), abs=ROUNDING)
+        frames = tree(flown.topics["/tf_static"][0], flown.topics["/tf"][i])
+        offset = (in_root(frames, "L") * pose).inv() * in_root(frames, "tip")
+        assert offset.as_exp_coords() == pytest.approx(np.zeros(6), abs=ROUNDING)
+
+
+def test_the_log_has_every_event_and_note(flown: Flown) -> None:
+    levels = {"info": 2, "caution": 3, "warning": 4}
+    told = [
+        (m.content["level"], m.content["name"], m.content["message"], m.time_ns - flown.topics["/opening"][0].time_ns)
+        for m in flown.topics["/log"]
+    ]
+    events = [
+        (levels[e.level], e.kind, e.text, round(frame.time_s * 1e9)) for frame in flown.frames for e in frame.events
+    ]
+    note = (3, "hand", "you have the sticks", round(flown.frames[-1].time_s * 1e9))
+    assert events
+    assert told == [*events, note]
+
+
+def test_the_scene_has_every_body_in_a_frame_that_is_told_of(flown: Flown) -> None:
+    (message,) = flown.topics["/scene"]
+    entities = message.content["entities"]
+    frames = tree(flown.topics["/tf_static"][0], flown.topics["/tf"][0])
+    assert all(entity["frame_id"] == entity["id"] and entity["frame_locked"] for entity in entities)
+    assert {entity["frame_id"] for entity in entities} == set(frames) - {"L", "tip"}
+
+
+@pytest.mark.parametrize("name", ["srms", "concept-1972"])
+def test_the_links_add_up_to_the_poses(name: str) -> None:
+    arm = load_arm(name)
+    poses = ArmPoses(arm.model)
+    for q in np.random.default_rng(2).uniform(-3.0, 3.0, (20, 6)):
+        rows = np.array(poses.at(q)).reshape(7, 7)
+        pose = RigidTransform.from_components(rows[0, :3], Rotation.from_quat(rows[0, [4, 5, 6, 3]]))
+        for link, row in zip(poses.links(q.tolist()), rows[1:], strict=True):
+            x, y, z, w, *turn = link
+            pose = pose * RigidTransform.from_components([x, y, z], Rotation.from_quat([*turn, w]))
+            same(pose, row)

@@ -1,0 +1,85 @@
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+import aftdeck
+from aftdeck.kinematics.linkage import L5
+from aftdeck.scene.poses import ArmPoses, point_in_scene
+
+Array = NDArray[np.float64]
+
+SCENE = np.diag([-1.0, 1.0, -1.0])
+"""Scene axes (aft, starboard, up) of panel components (forward, starboard, down)."""
+ORIGIN = np.array([942.0, 0.0, 400.0]) * 0.0254
+"""The scene's origin, structural (aft, starboard, up) [m]."""
+
+
+@pytest.fixture(scope="module")
+def arm() -> aftdeck.Arm:
+    return aftdeck.load_arm("srms")
+
+
+def random_angles(arm: aftdeck.Arm, count: int) -> Array:
+    hard = arm.limits.hard
+    return np.random.default_rng(5).uniform(hard[:, 0], hard[:, 1], (count, 6))
+
+
+def placed(arm: aftdeck.Arm, q: Array) -> tuple[Array, list[Rotation]]:
+    """Origins (7, 3) and orientations of the base and the six moving frames, in the scene."""
+    rows = np.array(ArmPoses(arm.model).at(q)).reshape(7, 7)
+    return rows[:, :3], [Rotation.from_quat(row[[4, 5, 6, 3]]) for row in rows]
+
+
+@pytest.mark.parametrize("name", ["srms", "concept-1972"])
+def test_the_tip_stands_where_forward_kinematics_puts_it(name: str) -> None:
+    arm = aftdeck.load_arm(name)
+    hand = arm.model.links[L5]
+    for q in random_angles(arm, 50):
+        places, turns = placed(arm, q)
+        tip = arm.model.mount.to("panel", arm.forward(q))
+        assert turns[6].as_matrix() == pytest.approx(SCENE @ tip.rotation, abs=1e-12)
+        # structural = -X aft, Y starboard, -Z up of the panel
+        assert places[6] + turns[6].apply([hand, 0.0, 0.0]) == pytest.approx(SCENE @ tip.position - ORIGIN, abs=1e-12)
+
+
+def test_every_quaternion_is_a_unit_one_and_every_link_keeps_its_length(arm: aftdeck.Arm) -> None:
+    at_rest, _ = placed(arm, np.zeros(6))
+    lengths = np.linalg.norm(np.diff(at_rest, axis=0), axis=1)
+    for q in random_angles(arm, 20):
+        rows = np.array(ArmPoses(arm.model).at(q)).reshape(7, 7)
+        assert np.linalg.norm(rows[:, 3:], axis=1) == pytest.approx(np.ones(7), abs=1e-12)
+        assert np.linalg.norm(np.diff(rows[:, :3], axis=0), axis=1) == pytest.approx(lengths, abs=1e-12)
+
+
+@pytest.mark.parametrize("joint", range(6))
+def test_a_joint_turns_what_lies_beyond_it_about_its_own_axis(arm: aftdeck.Arm, joint: int) -> None:
+    axis = {0: 2, 1: 1, 2: 1, 3: 1, 4: 2, 5: 0}[joint]
+    q = np.radians([20.0, 60.0, -80.0, 30.0, -40.0, 70.0])
+    turned = q.copy()
+    turned[joint] += math.radians(15.0)
+    _, before = placed(arm, q)
+    _, after = placed(arm, turned)
+    for k in range(joint + 1):
+        assert (after[k] * before[k].inv()).magnitude() == pytest.approx(0.0, abs=1e-12)
+    own = (before[joint + 1].inv() * after[joint + 1]).as_rotvec()
+    assert own == pytest.approx(math.radians(15.0) * np.eye(3)[axis], abs=1e-12)
+    for k in range(joint + 1, 7):
+        assert (after[k] * before[k].inv()).magnitude() == pytest.approx(math.radians(15.0), abs=1e-12)
+
+
+def test_at_zero_angles_every_frame_is_parallel_to_the_base(arm: aftdeck.Arm) -> None:
+    _, turns = placed(arm, np.zeros(6))
+    for turn in turns:
+        assert turn.as_matrix() == pytest.approx(SCENE @ arm.model.mount.rotation, abs=1e-12)
+
+
+def test_the_scenes_origin_is_the_bays_middle() -> None:
+    assert point_in_scene(np.array([-942.0, 0.0, -400.0]) * 0.0254) == pytest.approx([0.0, 0.0, 0.0], abs=1e-12)
+    # 1 m forward, 2 m to starboard, 3 m down of it
+    there = point_in_scene(np.array([-942.0, 0.0, -400.0]) * 0.0254 + [1.0, 2.0, 3.0])
+    assert there == pytest.approx([-1.0, 2.0, -3.0], abs=1e-12)

@@ -1,0 +1,244 @@
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from aftdeck.arms.shapes import shapes_of
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scene.mesh import area, joined, moved, volume
+from aftdeck.scene.placed import Leaf, placed
+from aftdeck.scene.solids import solid
+from aftdeck.shapes import (
+    Axis,
+    Box,
+    Cylinder,
+    Group,
+    Light,
+    Loft,
+    Plate,
+    Ring,
+    Section,
+    Shape,
+    Shell,
+    Sphere,
+)
+from tests.scene.surfaces import closed
+
+PI = math.pi
+HULL = (
+    Section(x=0.0, half_width=1.0, top=2.0, middle=0.5, bottom=0.0),
+    Section(x=3.0, half_width=1.0, top=2.0, middle=0.5, bottom=0.0),
+)
+EDGED = ((0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0))
+"""An L of area 4 and girth 10."""
+
+ROUND: list[tuple[Leaf, float, float]] = [
+    (Cylinder(material="metal", length=2.0, radius=0.5), PI * 0.5, PI * 2.5),
+    (
+        Cylinder(material="metal", axis="z", length=3.0, radius=2.0, radius_end=1.0),
+        PI * 7.0,
+        PI * (5.0 + 3.0 * math.sqrt(10.0)),
+    ),
+    (Sphere(material="metal", radius=0.7), 4.0 / 3.0 * PI * 0.343, 4.0 * PI * 0.49),
+    (Shell(material="metal", length=2.0, radius=1.5, thickness=0.5), PI * 2.5, PI * 12.5),
+    (Shell(material="metal", length=2.0, radius=1.5, thickness=0.5, start=0.4, sweep=2.0), 2.5, 6.0 + 4.0 + 2.5 + 2.0),
+    (
+        Shell(material="metal", length=0.1, radius=1.5, thickness=1.5, start=0.4, sweep=2.0),
+        0.225,
+        2.0 * 1.5**2 + 0.3 + 0.3,
+    ),
+    (Shell(material="metal", length=0.1, radius=1.5, thickness=1.5), PI * 0.225, PI * (4.5 + 0.3)),
+    (Ring(material="metal", axis="y", radius=1.2, bar=0.2), 2.0 * PI**2 * 0.048, 4.0 * PI**2 * 0.24),
+    (
+        Ring(material="metal", radius=1.2, bar=0.2, start=0.4, sweep=2.0),
+        2.0 * PI * 0.048,
+        2.4 * PI * 0.4 + 2.0 * PI * 0.04,
+    ),
+    (Loft(material="metal", sections=HULL), 1.5 * PI * 2.0, math.nan),
+]
+"""Shapes with what they hold [m^3] and show [m^2] in closed form."""
+
+CORNERED: list[tuple[Leaf, float, float]] = [
+    (Box(material="metal", size=(1.0, 2.0, 3.0)), 6.0, 22.0),
+    (Plate(material="metal", normal="x", outline=EDGED, thickness=0.5), 2.0, 13.0),
+    (Plate(material="metal", normal="y", outline=EDGED, thickness=0.5), 2.0, 13.0),
+    (Plate(material="metal", normal="z", outline=EDGED[::-1], thickness=0.5), 2.0, 13.0),
+]
+
+
+@pytest.mark.parametrize(("shape", "holds", "shows"), ROUND)
+def test_a_round_surface_is_closed_and_nears_its_true_size_as_its_sides_grow(
+    shape: Leaf, holds: float, shows: float
+) -> None:
+    surfaces = [solid(shape, sides) for sides in (32, 256)]
+    assert all(closed(surface) for surface in surfaces)
+    misses = [abs(volume(surface) - holds) for surface in surfaces]
+    assert misses[0] > 40.0 * misses[1], "of second order: about 64 times"
+    assert volume(surfaces[-1]) == pytest.approx(holds, rel=0.002)
+    if not math.isnan(shows):
+        assert area(surfaces[-1]) == pytest.approx(shows, rel=0.002)
+
+
+@pytest.mark.parametrize(("shape", "holds", "shows"), CORNERED)
+def test_a_cornered_surface_is_closed_and_exact(shape: Leaf, holds: float, shows: float) -> None:
+    surface = solid(shape)
+    assert closed(surface)
+    assert volume(surface) == pytest.approx(holds)
+    assert area(surface) == pytest.approx(shows)
+
+
+@pytest.mark.parametrize(
+    ("shape", "low", "high"),
+    [
+        (Box(material="metal", size=(1.0, 2.0, 3.0)), (-0.5, -1.0, -1.5), (0.5, 1.0, 1.5)),
+        (Cylinder(material="metal", axis="y", length=2.0, radius=0.5), (-0.5, -1.0, -0.5), (0.5, 1.0, 0.5)),
+        (Sphere(material="metal", radius=2.0), (-2.0, -2.0, -2.0), (2.0, 2.0, 2.0)),
+        (Ring(material="metal", axis="z", radius=1.0, bar=0.2), (-1.2, -1.2, -0.2), (1.2, 1.2, 0.2)),
+        (
+            Shell(material="metal", axis="x", length=2.0, radius=1.0, thickness=0.1, sweep=PI),
+            (-1.0, -1.0, 0.0),
+            (1.0, 1.0, 1.0),
+        ),
+        (Plate(material="metal", normal="x", outline=EDGED, thickness=0.5), (-0.25, 0.0, 0.0), (0.25, 2.0, 3.0)),
+        (Plate(material="metal", normal="y", outline=EDGED, thickness=0.5), (0.0, -0.25, 0.0), (2.0, 0.25, 3.0)),
+        (Plate(material="metal", normal="z", outline=EDGED, thickness=0.5, bevel=0.1), (0, 0, -0.25), (2, 3, 0.25)),
+        (Loft(material="metal", sections=HULL), (0.0, -1.0, 0.0), (3.0, 1.0, 2.0)),
+        (Light(radius=0.2, cone=1.0, reach=1.0, intensity=1.0), (0.0, -0.2, -0.2), (0.0, 0.2, 0.2)),
+    ],
+)
+def test_a_surface_fills_its_box(shape: Leaf, low: tuple[float, ...], high: tuple[float, ...]) -> None:
+    vertices = solid(shape, 32).vertices
+    assert vertices.min(axis=0) == pytest.approx(low, abs=0.01)
+    assert vertices.max(axis=0) == pytest.approx(high, abs=0.01)
+
+
+@pytest.mark.parametrize(("axis", "first", "second"), [("x", 1, 2), ("y", 2, 0), ("z", 0, 1)])
+def test_angles_run_from_an_axis_to_the_next(axis: Axis, first: int, second: int) -> None:
+    piece = Shell(material="metal", axis=axis, length=0.2, radius=1.0, thickness=0.1, sweep=PI / 2.0)
+    middle = solid(piece, 64).vertices.mean(axis=0)
+    assert middle[first] > 0.4
+    assert middle[second] > 0.4
+    assert middle[3 - first - second] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_lamps_face_looks_along_its_x() -> None:
+    face = solid(Light(radius=0.2, cone=1.0, reach=1.0, intensity=1.0), 64)
+    a, b, c = (face.vertices[face.faces[:, k]] for k in range(3))
+    assert (np.cross(b - a, c - a)[:, 0] > 0.0).all()
+    assert area(face) == pytest.approx(PI * 0.04, rel=0.01)
+
+
+@pytest.mark.parametrize("bevel", [0.1, 0.25])
+def test_a_bevel_takes_a_quarter_rounds_corner_off_every_rim(bevel: float) -> None:
+    square = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0))
+    surface = solid(Plate(material="metal", normal="z", outline=square, thickness=0.5, bevel=bevel))
+    assert closed(surface)
+    # two chords of the quarter round, between inscribed square and circle
+    off = 2.0 - volume(surface)
+    rims = 2 * 8.0 * bevel**2
+    assert rims * (1.0 - PI / 4.0) * 0.8 < off < rims * 0.5
+    assert surface.vertices.max() == pytest.approx(2.0)
+
+
+outlines = st.lists(st.floats(0.3, 3.0), min_size=3, max_size=14).map(
+    lambda radii: tuple(
+        (r * math.cos(math.tau * k / len(radii)), r * math.sin(math.tau * k / len(radii))) for k, r in enumerate(radii)
+    )
+)
+"""Star-shaped ones, with corners that stand in."""
+
+
+@settings(deadline=None)
+@given(outline=outlines, normal=st.sampled_from(["x", "y", "z"]), clockwise=st.booleans())
+def test_a_plate_of_any_outline_is_closed_and_holds_its_area_times_its_thickness(
+    outline: tuple[tuple[float, float], ...], normal: Axis, clockwise: bool
+) -> None:
+    x, y = np.array(outline).T
+    inside = 0.5 * abs(float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)))
+    given_outline = outline[::-1] if clockwise else outline
+    surface = solid(Plate(material="metal", normal=normal, outline=given_outline, thickness=0.4))
+    assert closed(surface)
+    assert volume(surface) == pytest.approx(0.4 * inside)
+    assert area(surface) == pytest.approx(2.0 * inside + 0.4 * np.hypot(x - np.roll(x, 1), y - np.roll(y, 1)).sum())
+
+
+@pytest.mark.parametrize(
+    "outline",
+    [
+        ((0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (0.0, 1.0)),
+        ((0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 2.0)),
+        ((0.0, 0.0), (1.0, 0.0), (2.0, 0.0)),
+        ((0.0, 0.0), (0.0, 0.0), (1.0, 0.0), (0.0, 1.0)),
+    ],
+    ids=["corners on a line", "crossing itself", "flat", "a corner twice"],
+)
+@pytest.mark.parametrize("bevel", [0.0, 0.05])
+def test_an_outline_beyond_reason_still_gives_numbers(outline: tuple[tuple[float, float], ...], bevel: float) -> None:
+    surface = solid(Plate(material="metal", normal="z", outline=outline, thickness=0.2, bevel=bevel))
+    assert np.isfinite(surface.vertices).all()
+    assert len(surface.faces) >= 2 * (len(outline) - 2)
+
+
+SIDED = Group(
+    shapes=(
+        Box(material="metal", size=(1.0, 0.5, 0.2), position=(0.0, 2.0, 0.0), rotation=(0.1, 0.2, 0.3)),
+        Plate(material="metal", normal="z", outline=EDGED, thickness=0.1, position=(0.0, 4.0, 0.0)),
+        Shell(material="metal", length=1.0, radius=1.0, thickness=0.1, sweep=1.0, position=(0.0, 6.0, 0.0)),
+    ),
+    mirror=True,
+    rotation=(0.0, 0.0, 0.1),
+)
+
+
+def test_a_mirrored_group_is_drawn_on_both_sides_and_looks_outwards_on_both() -> None:
+    surfaces = [moved(solid(shape), pose) for shape, pose in placed((SIDED,))]
+    assert len(surfaces) == 6
+    for one, other in zip(surfaces[:3], surfaces[3:], strict=True):
+        assert other.vertices == pytest.approx(one.vertices * [1.0, -1.0, 1.0])
+        assert volume(one) == pytest.approx(volume(other))
+        assert volume(one) > 0.0
+
+
+def test_copies_of_a_group_stand_in_even_steps_along_the_groups_own_axes() -> None:
+    ball = Sphere(material="metal", radius=0.1)
+    row = Group(shapes=(ball,), count=4, step=(1.0, 0.0, 0.0), position=(5.0, 0.0, 0.0), rotation=(0.0, 0.0, PI / 2))
+    places = [pose.position for _, pose in placed((row,))]
+    assert places == pytest.approx(np.array([[5.0, k, 0.0] for k in range(4)]), abs=1e-12)
+    wheel = Group(
+        shapes=(Sphere(material="metal", radius=0.1, position=(2.0, 0.0, 0.0)),), count=4, turn=(0, 0, PI / 2)
+    )
+    places = [pose.position for _, pose in placed((wheel,))]
+    assert places == pytest.approx(np.array([[2, 0, 0], [0, 2, 0], [-2, 0, 0], [0, -2, 0]]), abs=1e-12)
+
+
+def drawn() -> list[Shape]:
+    scenario = load_scenario("loaded")
+    assert scenario.payload is not None
+    assert scenario.arm.model.shapes is not None
+    bodies = [body.shapes for body in scenario.worksite.bodies]
+    bodies += [
+        *shapes_of(scenario.arm.model.shapes, scenario.arm.model.linkage.frames).bodies.values(),
+        scenario.payload.shapes,
+    ]
+    return [shape for shapes in bodies for shape in shapes]
+
+
+def test_everything_built_in_is_closed_and_looks_outwards() -> None:
+    for shape, pose in placed(drawn()):
+        if not isinstance(shape, Light):
+            surface = moved(solid(shape), pose)
+            assert closed(surface), shape
+            assert volume(surface) > 0.0, shape
+
+
+def test_joined_surfaces_hold_what_each_holds() -> None:
+    parts: list[Any] = [moved(solid(shape), pose) for shape, pose in placed((SIDED,))]
+    whole = joined(parts)
+    assert closed(whole)
+    assert volume(whole) == pytest.approx(sum(volume(part) for part in parts))
+    assert len(joined([]).faces) == 0

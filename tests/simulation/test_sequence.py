@@ -1,0 +1,176 @@
+"""AUTO 1-4: prestored points, pause and fly-by, PROCEED and STOP, READY and IN PROG."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import aftdeck
+from aftdeck.scenario.load import parse_scenario
+from aftdeck.simulation.frame import Frame
+from tests.steering.flying import BAY, disturbed, fly, log_of, scenario, speed
+
+LEGS = [(12.0, 0.0, 0.0), (12.0, -10.0, 0.0), (0.0, -10.0, 8.0), (0.0, 0.0, 0.0)]
+"""Points as angles [deg] of the first three joints from those over the bay."""
+
+
+def joints(leg: Sequence[float]) -> list[float]:
+    return [a + b for a, b in zip(BAY, (*leg, 0.0, 0.0, 0.0), strict=True)]
+
+
+def tour(pauses: Sequence[int], law: str = "closed loop", more: str = "") -> aftdeck.Simulation:
+    """A simulation in AUTO 1 whose points with these numbers (from 1) are pause points."""
+    points = "\n".join(
+        f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in joints(leg)]} }}\n"
+        f"pause = {'true' if k in pauses else 'false'}"
+        for k, leg in enumerate(LEGS, 1)
+    )
+    return aftdeck.Simulation(
+        scenario(BAY, f'mode = "AUTO 1"\nlaw = "{law}"\n{more}\n[[sequence]]\nslot = 1\n{points}\n')
+    )
+
+
+def until(sim: aftdeck.Simulation, sequence: str, first: aftdeck.Inputs, seconds: float = 120.0) -> list[Frame]:
+    """The frames up to the one that shows this state of the sequence."""
+    frames = [sim.step(first)]
+    while frames[-1].sequence != sequence and frames[-1].time_s - frames[0].time_s < seconds:
+        frames.append(sim.step(aftdeck.Inputs()))
+    assert frames[-1].sequence == sequence, log_of(frames)
+    return frames
+
+
+def away(sim: aftdeck.Simulation, frames: Sequence[Frame], leg: Sequence[float]) -> tuple[np.ndarray, np.ndarray]:
+    """Distances [m] and angles [rad] of the frames' tips from a point."""
+    pose = sim.scenario.arm.forward(np.radians(joints(leg)))
+    way = np.linalg.norm(np.array([f.position for f in frames]) - pose.position, axis=1)
+    cosine = [(np.trace(np.array(f.orientation).T @ pose.rotation) - 1.0) / 2.0 for f in frames]
+    return way, np.arccos(np.clip(cosine, -1.0, 1.0))
+
+
+PROCEED = aftdeck.Inputs(proceed=True)
+laws = pytest.mark.parametrize("law", ["position", "closed loop", "open loop"])
+
+
+@laws
+def test_it_waits_at_each_pause_point_for_proceed_and_is_complete_after_the_last(law: str) -> None:
+    sim = tour([2, 4], law)
+    first = until(sim, "ready", PROCEED)
+    assert {f.sequence for f in first[:-1]} == {"in progress"}
+    assert (first[0].point, first[0].points, first[-1].point) == (1, 4, 3)
+    assert "pause point: PROCEED goes on; CMD CK GOOD" in log_of(first)[-1]
+    way, turn = away(sim, fly(sim, 10.0, aftdeck.Inputs())[-1:], LEGS[1])
+    assert way[0] < 0.02 and turn[0] < 0.005  # waits there, however long
+    assert sim.frame is not None and sim.frame.sequence == "ready" and sim.frame.point == 3
+    rest = until(sim, "idle", PROCEED)
+    assert log_of(rest)[-2:] == ["AUTO 1, point 4 of 4 reached", "AUTO 1 complete"]
+    assert away(sim, rest[-1:], LEGS[3])[0][0] < 0.02 and rest[-1].goal is None and rest[-1].point == 4
+
+
+def test_a_fly_by_point_is_passed_within_its_sphere_without_slowing_to_rest() -> None:
+    sim = tour([4], more="fly_by_within = 0.4\nfly_by_angle = 0.15")
+    frames = until(sim, "idle", PROCEED)
+    assert [t.split(", ")[1] for t in log_of(frames) if "point" in t] == [
+        "point 1 of 4 passed", "point 2 of 4 passed", "point 3 of 4 passed", "point 4 of 4 reached",
+    ]  # fmt: skip
+    for number, leg in enumerate(LEGS[:3], 1):
+        way, turn = away(sim, frames, leg)
+        passed = next(k for k, f in enumerate(frames) if f"AUTO 1, point {number} of 4 passed" in log_of([f]))
+        # its sphere is judged a step before the line is written
+        assert way[passed - 1] <= 0.4 and turn[passed - 1] <= 0.15
+        assert min(speed(f) for f in frames[passed - 10 : passed + 200]) > 0.05
+    assert frames[-1].time_s < until(tour([1, 2, 3, 4]), "ready", PROCEED)[-1].time_s * 4
+
+
+def test_modes_1_and_3_come_to_each_fly_by_point_and_go_on_by_themselves() -> None:
+    for law in ("position", "open loop"):
+        sim = tour([4], law)
+        frames = until(sim, "idle", PROCEED)
+        for leg in LEGS:
+            way, turn = away(sim, frames, leg)
+            assert way.min() < 0.02 and turn[way.argmin()] < 0.005
+        assert {f.sequence for f in frames[:-1]} == {"in progress"}
+
+
+@laws
+def test_stop_in_mid_leg_brings_the_arm_to_rest_and_proceed_takes_up_the_same_point(law: str) -> None:
+    sim = tour([1, 2, 3, 4], law)
+    fly(sim, 3.0, PROCEED)
+    stopped = fly(sim, 6.0, aftdeck.Inputs(stop=True))
+    assert {(f.sequence, f.point) for f in stopped} == {("ready", 1)} and speed(stopped[-1]) == 0.0
+    assert away(sim, stopped[-1:], LEGS[0])[0][0] > 0.3
+    going = until(sim, "ready", PROCEED)
+    assert going[-1].point == 2 and away(sim, going[-1:], LEGS[0])[0][0] < 0.02
+
+
+def test_a_complete_sequence_begins_again_with_proceed() -> None:
+    sim = tour([4])
+    until(sim, "idle", PROCEED)
+    again = until(sim, "idle", PROCEED)
+    assert [t for t in log_of(again) if "reached" in t] and again[0].point == 1
+
+
+def test_leaving_and_entering_again_begins_at_the_first_point() -> None:
+    sim = tour([1, 2, 3, 4])
+    until(sim, "ready", PROCEED)
+    assert sim.step(aftdeck.Inputs(mode="ORB UNL")).sequence == "idle"
+    frame = sim.step(aftdeck.Inputs(mode="AUTO 1"))
+    assert (frame.point, frame.sequence) == (1, "ready") and frame.check is not None and frame.check.good
+
+
+def test_auto_without_points_is_refused_in_the_log() -> None:
+    frame = tour([4]).step(aftdeck.Inputs(mode="AUTO 2"))
+    assert frame.mode == "AUTO 1"
+    assert log_of([frame])[-1] == "AUTO 2 refused: no points are stored for it in this scenario"
+
+
+def test_a_disturbance_at_a_pause_point_is_flown_from_where_the_arm_then_is() -> None:
+    sim = tour([1, 2, 3, 4])
+    until(sim, "ready", PROCEED)
+    disturbed(sim, {0: BAY[0] + 9.0})
+    going = until(sim, "ready", PROCEED)
+    assert going[-1].point == 3 and away(sim, going[-1:], LEGS[1])[0][0] < 1e-3
+
+
+def test_a_point_that_cannot_be_flown_to_stops_the_sequence_and_the_log_says_why() -> None:
+    far = f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in (*BAY[:3], -118.5, *BAY[4:])]} }}\n"
+    near = f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in joints(LEGS[0])]} }}\npause = true\n"
+    for law in ("closed loop", "position", "open loop"):
+        sim = aftdeck.Simulation(scenario(BAY, f'mode = "AUTO 3"\nlaw = "{law}"\n[[sequence]]\nslot = 3\n{near}{far}'))
+        frames = until(sim, "idle", PROCEED)
+        assert log_of(frames)[-1].startswith("AUTO 3 stands: CMD CK FAIL: wrist pitch meets its soft stop")
+        assert speed(fly(sim, 6.0, aftdeck.Inputs())[-1]) == 0.0
+        frame = sim.step(PROCEED)
+        assert frame.sequence == "idle" and "PROCEED refused: CMD CK FAIL" in log_of([frame])[-1]
+
+
+def test_a_scripts_phase_gives_proceed_at_every_pause_point() -> None:
+    text = tour([2, 4]).scenario.text + '\n[[phase]]\nname = "tour"\nmode = "AUTO 1"\n'
+    done = aftdeck.run(parse_scenario(text, "t", "t.toml", Path(".")))
+    assert done.summary.ended == "completed"
+    assert sum(e.kind == "proceed" for e in done.summary.events) == 2
+
+
+def test_at_0_08_s_a_tour_ends_where_it_should() -> None:
+    for law in ("position", "closed loop", "open loop"):
+        sim = tour([4], law, "control_period = 0.08\nduration = 240")
+        frames = until(sim, "idle", PROCEED)
+        assert away(sim, frames[-1:], LEGS[3])[0][0] < 0.02
+        assert math.isfinite(frames[-1].time_s)
+
+
+@pytest.mark.parametrize("law", ["position", "open loop"])
+def test_a_point_that_is_missed_is_told_with_the_miss_and_the_next_one_is_flown_to_from_there(law: str) -> None:
+    sim = tour([4], law)
+    flown = fly(sim, 3.0, PROCEED)
+    disturbed(sim, {1: math.degrees(flown[-1].angles[1]) + 1.0})
+    frames = until(sim, "idle", aftdeck.Inputs())
+    told = [(e.level, e.text) for f in frames for e in f.events if e.kind == "arrived"]
+    level, text = told[0]
+    assert level == "caution"
+    assert re.fullmatch(r"AUTO 1, point 1 of 4 missed: the motion ended \d+ mm, [01]\.\d+° beside it", text), text
+    assert told[1:] == [("info", f"AUTO 1, point {k} of 4 reached") for k in (2, 3, 4)]

@@ -1,0 +1,153 @@
+"""A served session and pages that talk to it over real sockets."""
+
+from __future__ import annotations
+
+import functools
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from http.client import HTTPConnection
+from threading import Thread
+from typing import TypeVar
+
+import msgspec
+from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Origin
+
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.station import protocol as wire
+from aftdeck.station.app import make_app
+from aftdeck.station.serve import listen, make_server
+from aftdeck.station.session import Session
+
+WAIT_S = 10.0
+"""The longest that anything is waited for [s]."""
+STILL = (0.0, 0.0, 0.0)
+
+_messages: msgspec.json.Decoder[wire.FromServer] = msgspec.json.Decoder(wire.FromServer)
+_M = TypeVar("_M", bound=msgspec.Struct)
+
+
+@functools.cache
+def scenario(name: str = "first-flight") -> Scenario:
+    """A built-in scenario, loaded once."""
+    return load_scenario(name)
+
+
+def text_of(message: msgspec.Struct) -> str:
+    """A message as it goes over the wire."""
+    return msgspec.json.encode(message).decode()
+
+
+def until(met: Callable[[], bool], what: str) -> None:
+    """Wait until something is so."""
+    end = time.monotonic() + WAIT_S
+    while not met():
+        assert time.monotonic() < end, f"waited {WAIT_S:g} s in vain: {what}"
+        time.sleep(0.002)
+
+
+class Page:
+    """A page as the server sees one."""
+
+    def __init__(self, socket: ClientConnection) -> None:
+        self.socket = socket
+        self.seq = -1
+
+    def say(self, message: msgspec.Struct | str | bytes) -> None:
+        """Send a message, or anything else."""
+        self.socket.send(message if isinstance(message, str | bytes) else text_of(message))
+
+    def next_seq(self) -> int:
+        self.seq += 1
+        return self.seq
+
+    def push(self, translation: wire.Vec3 = STILL, rotation: wire.Vec3 = STILL, drive: float = 0.0) -> int:
+        """Move the sticks; returns the message's number."""
+        seq = self.next_seq()
+        self.say(wire.Sticks(seq, translation, rotation, drive))
+        return seq
+
+    def hear(self) -> wire.FromServer:
+        """The next message."""
+        return _messages.decode(self.socket.recv(timeout=WAIT_S))
+
+    def wait_for(self, kind: type[_M], met: Callable[[_M], bool] = lambda _: True) -> _M:
+        """The next message of a kind that is as wanted."""
+        end = time.monotonic() + WAIT_S
+        while True:
+            message = self.hear()
+            if isinstance(message, kind) and met(message):
+                return message
+            assert time.monotonic() < end, f"no {kind.__name__} as wanted came within {WAIT_S:g} s"
+
+    def flown(self, seq: int) -> wire.Frame:
+        """The first frame that has flown sticks of this number."""
+        return self.wait_for(wire.Frame, lambda frame: frame.stick_seq >= seq)
+
+    def refusal(self) -> str:
+        return self.wait_for(wire.Refused).text
+
+    def greet(self) -> wire.Welcome:
+        self.say(wire.Hello(wire.PROTOCOL))
+        return self.wait_for(wire.Welcome)
+
+
+class Station:
+    """A session served on a free port of this machine."""
+
+    def __init__(self, session: Session, port: int) -> None:
+        self.session, self.port = session, port
+        self.address = f"127.0.0.1:{port}"
+
+    def get(self, path: str, headers: dict[str, str] | None = None) -> tuple[int, str]:
+        """Status and text of an HTTP request, whose path is sent as it is."""
+        link = HTTPConnection("127.0.0.1", self.port, timeout=WAIT_S)
+        try:
+            link.request("GET", path, headers=headers or {})
+            answer = link.getresponse()
+            return answer.status, answer.read().decode()
+        finally:
+            link.close()
+
+    @contextmanager
+    def stranger(self, *, buffered: int | None = None, origin: str | None = None) -> Iterator[Page]:
+        """A connection that has not said hello; `buffered`: messages that it takes unread, None: all."""
+        url = f"ws://{self.address}/ws"
+        own = None if origin is None else Origin(origin)
+        with connect(url, compression=None, max_queue=buffered, origin=own, close_timeout=0.2) as socket:
+            yield Page(socket)
+
+    @contextmanager
+    def page(self) -> Iterator[Page]:
+        """A page that has been welcomed."""
+        with self.stranger() as page:
+            page.greet()
+            yield page
+
+    def is_unhurt(self, *, at_start: bool = True) -> None:
+        """Check that frames come at the control period, and that the arm stands where it started."""
+        with self.page() as page:
+            first, begun = page.wait_for(wire.Frame), time.monotonic()
+            last = page.wait_for(wire.Frame, lambda frame: frame.tick >= first.tick + 6)
+            took = time.monotonic() - begun
+            assert took < 6 * 0.02 + 0.5, f"6 frames took {took:.2f} s"
+            if at_start:
+                assert last.joints == tuple(scenario().initial_angles.tolist())
+
+
+@contextmanager
+def served(session: Session, host: str = "127.0.0.1") -> Iterator[Station]:
+    """Serve a session as `aftdeck fly` does, in a thread."""
+    listener = listen(host, 0)
+    server = make_server(make_app(session, host))
+    thread = Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
+    thread.start()
+    try:
+        until(lambda: server.started or not thread.is_alive(), "the server starts")
+        yield Station(session, listener.getsockname()[1])
+    finally:
+        server.should_exit = True
+        thread.join(WAIT_S)
+        assert not thread.is_alive(), "the server does not end"

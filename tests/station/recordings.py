@@ -1,0 +1,58 @@
+"""Recordings to play, and a server that plays one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from threading import Thread
+
+from aftdeck.recording.writer import Recorder
+from aftdeck.simulation.frame import Event, Frame
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.station.reel import Reel
+from aftdeck.station.replay import replay_app
+from aftdeck.station.serve import listen, make_server
+from tests.station.pages import WAIT_S, scenario, until
+
+NOTE = Event(0.5, "page", "caution", "a line of the station's")
+
+
+def recorded(path: Path, steps: int = 600, *, script: bool = True) -> list[Frame]:
+    """Record a flight by hand: forward at first, then turning as well, at last the script's; its frames."""
+    simulation = Simulation(scenario())
+    recorder = Recorder(path, simulation.scenario, 0)
+    frames = []
+    for i in range(steps):
+        turning = i > steps // 2
+        hand = Inputs(
+            translation=(0.5, 0.0, 0.0),
+            rotation=(0.0, 0.4 if turning else 0.0, 0.0),
+            rate="vernier" if i == steps // 4 else None,
+        )
+        flown = hand if i < steps * 3 // 4 or not script else None
+        frames.append(simulation.step(flown))
+        recorder.step(flown, frames[-1], latency_ms=40.0 if turning else None)
+        if i == steps // 2:
+            recorder.note(NOTE)
+    recorder.close("stopped")
+    assert not recorder.failure
+    return frames
+
+
+@contextmanager
+def playing(path: Path) -> Iterator[str]:
+    """The address at which a recording is served."""
+    listener = listen("127.0.0.1", 0)
+    with Reel(path) as reel:
+        server = make_server(replay_app(reel, path))
+        thread = Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
+        thread.start()
+        try:
+            until(lambda: server.started or not thread.is_alive(), "the server starts")
+            yield f"http://127.0.0.1:{listener.getsockname()[1]}/"
+        finally:
+            server.should_exit = True
+            thread.join(WAIT_S)
+            assert not thread.is_alive(), "the server does not end"

@@ -1,0 +1,114 @@
+"""A recording in one HTML file: complete, short enough, and in need of nothing."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import re
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from aftdeck.errors import RecordingError
+from aftdeck.station import one_file
+from aftdeck.station import serve as station_serve
+from aftdeck.station.one_file import write_html
+from aftdeck.station.playback import Block, PlaybackIndex
+from aftdeck.station.reel import Reel
+from aftdeck.station.verdict import CHECKING
+from tests.station.recordings import recorded
+
+PAGE = """<html><head><title>Aftdeck</title>
+    <script type="module" crossorigin src="./assets/a.js"></script>
+    <link rel="stylesheet" crossorigin href="./assets/a.css">
+</head><body><div id="page"></div></body></html>"""
+SCRIPT = "const text = '</script>';"
+STYLE = '@font-face{src:url(./f.woff2)format("woff2"),url(./f.woff)format("woff")}'
+
+
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("html") / "a<b.mcap"
+    recorded(path, 600)
+    return path
+
+
+@pytest.fixture(autouse=True)
+def page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A page as the build makes it, in small."""
+    assets = tmp_path / "static" / "assets"
+    assets.mkdir(parents=True)
+    (assets.parent / "index.html").write_text(PAGE, encoding="utf-8")
+    (assets / "a.js").write_text(SCRIPT, encoding="utf-8")
+    (assets / "a.css").write_text(STYLE, encoding="utf-8")
+    (assets / "f.woff2").write_bytes(b"font")
+    monkeypatch.setattr(station_serve, "STATIC", assets.parent)
+    monkeypatch.setattr(one_file, "STATIC", assets.parent)
+
+
+def parts(text: str) -> tuple[PlaybackIndex, Block]:
+    """Index and moments of a file's text."""
+    packed = re.findall(r'<script type="text/plain" id="recording-(?:index|\d+)">([^<]+)</script>', text)
+    plain = [gzip.decompress(base64.b64decode(part)) for part in packed]
+    blocks = [msgspec.json.decode(part, type=Block) for part in plain[1:]]
+    return msgspec.json.decode(plain[0], type=PlaybackIndex), sum(blocks, start=())
+
+
+def test_everything_is_inside(recording: Path, tmp_path: Path) -> None:
+    write_html(recording, tmp_path / "out.html")
+    text = (tmp_path / "out.html").read_text(encoding="utf-8")
+    assert not re.search(r'(src|href)="', text.replace('href="data:', ""))
+    assert f"url(data:font/woff2;base64,{base64.b64encode(b'font').decode()})" in text
+    assert ".woff)" not in text
+    assert r"const text = '<\/script>';" in text
+    assert "<title>a&lt;b.mcap · Aftdeck</title>" in text
+
+
+def test_all_frames_are_there_to_a_tenth_of_a_millimetre(recording: Path, tmp_path: Path) -> None:
+    write_html(recording, tmp_path / "out.html")
+    index, moments = parts((tmp_path / "out.html").read_text(encoding="utf-8"))
+    assert index.stride == 1
+    with Reel(recording) as reel:
+        for shown, exact in zip(moments, reel.moments(1), strict=True):
+            assert shown.frame.tick == exact.frame.tick
+            assert shown.frame.poses == pytest.approx(exact.frame.poses, abs=0.51e-4)
+            assert shown.frame.joints == pytest.approx(exact.frame.joints, abs=0.51e-4)
+
+
+def test_a_long_run_is_thinned_to_fit_and_its_lanes_strips_and_log_are_not(
+    recording: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_html(recording, tmp_path / "whole.html")
+    limit = 100_000
+    monkeypatch.setattr(one_file, "LIMIT", limit)
+    write_html(recording, tmp_path / "out.html")
+    text = (tmp_path / "out.html").read_text(encoding="utf-8")
+    assert limit * 0.5 < len(text.encode()) <= limit
+    index, moments = parts(text)
+    assert index.stride > 1
+    assert [moment.frame.tick for moment in moments] == list(range(1, 601, index.stride))
+    whole, _ = parts((tmp_path / "whole.html").read_text(encoding="utf-8"))
+    assert msgspec.structs.replace(index, stride=1) == whole
+    with Reel(recording) as reel:
+        assert index.events == reel.index(CHECKING).events
+
+
+def test_a_run_that_cannot_fit_is_told(recording: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(one_file, "LIMIT", 2000)
+    with pytest.raises(RecordingError, match=r"a<b\.mcap: does not fit into 2000 bytes"):
+        write_html(recording, tmp_path / "out.html")
+    assert not (tmp_path / "out.html").exists()
+
+
+def test_no_file_is_written_over(recording: Path, tmp_path: Path) -> None:
+    (tmp_path / "out.html").write_text("mine", encoding="utf-8")
+    with pytest.raises(RecordingError, match=r"out\.html: exists already, and is not written over; give another name"):
+        write_html(recording, tmp_path / "out.html")
+    assert (tmp_path / "out.html").read_text(encoding="utf-8") == "mine"
+
+
+def test_a_place_that_cannot_be_written_is_told(recording: Path, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("", encoding="utf-8")
+    with pytest.raises(RecordingError, match=r"out\.html: cannot be written: "):
+        write_html(recording, tmp_path / "file" / "out.html")

@@ -1,0 +1,201 @@
+"""What `fly --record` records: a file for each flight, and a warning where there can be none."""
+
+from __future__ import annotations
+
+import resource
+import threading
+from pathlib import Path
+
+import pytest
+
+from aftdeck.recording import writer
+from aftdeck.recording.index import Index
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import FrameRecord, Input
+from aftdeck.recording.replay import verify
+from aftdeck.recording.sink import Sink
+from aftdeck.station import protocol as wire
+from aftdeck.station.session import Session
+from tests.station.pages import STILL, scenario, until
+from tests.station.test_session import flying, shown
+
+ROOM = 90_000
+
+
+def goes_on(session: Session, steps: int = 10) -> wire.Frame:
+    """The frame some steps later."""
+    tick = shown(session).tick
+    until(lambda: shown(session).tick >= tick + steps, f"{steps} steps more")
+    return shown(session)
+
+
+def files(folder: Path) -> list[Path]:
+    """Recordings, in the order of their beginning."""
+    return sorted(folder.glob("*.mcap"), key=lambda path: Recording(path).opening.began)
+
+
+def ended(path: Path) -> str:
+    recording = Recording(path)
+    list(recording.messages())
+    return recording.ended
+
+
+def test_every_flight_has_its_file_and_repeats_itself(tmp_path: Path) -> None:
+    with flying(record=tmp_path) as session:
+        session.steer(wire.Sticks(0, (1.0, 0.0, 0.0), STILL, 0.0))
+        session.command(wire.SelectRate(1, "vernier"))
+        goes_on(session, 30)
+        session.command(wire.Restart(2))
+        until(lambda: shown(session).tick < 20, "the first instants again")
+        session.command(wire.EnterMode(3, "SINGLE"))
+        session.command(wire.SelectJoint(4, 2))
+        session.command(wire.Stop(5))
+        goes_on(session, 10)
+        session.command(wire.Restart(6))
+        until(lambda: shown(session).tick < 10, "the first instants once more")
+        goes_on(session, 5)
+    first, second, third = files(tmp_path)
+    assert [ended(path) for path in (first, second, third)] == ["restarted", "restarted", "stopped"]
+    assert all(verify(path).equal for path in (first, second, third))
+    assert all(path.name.startswith("first-flight-2") for path in (first, second, third))
+    flown = [m for m in Recording(first).messages() if isinstance(m, Input)]
+    assert {m.rate for m in flown} >= {"vernier"} and any(m.translation == (1.0, 0.0, 0.0) for m in flown)
+    (note,) = Recording(second).notes()
+    assert note.kind == "restart"
+
+
+def test_the_flights_are_listed(tmp_path: Path) -> None:
+    with flying(record=tmp_path) as session:
+        goes_on(session)
+    (path,) = files(tmp_path)
+    (entry,) = [entry for entry in Index().entries() if entry.path == str(path)]
+    assert (entry.ended, entry.scenario, entry.state) == ("stopped", "first-flight", "here")
+
+
+def test_a_demonstration_and_the_hand_that_takes_it_over_are_recorded(tmp_path: Path) -> None:
+    with flying(record=tmp_path, demo=True) as session:
+        goes_on(session)
+        session.steer(wire.Sticks(0, (0.0, 0.5, 0.0), STILL, 0.0))
+        until(lambda: shown(session).by == "hand", "the hand")
+    (path,) = files(tmp_path)
+    assert verify(path).equal
+    assert {m.script for m in Recording(path).messages() if isinstance(m, Input)} == {True, False}
+    assert [note.text for note in Recording(path).notes()] == ["you have the sticks"]
+
+
+def test_the_page_is_told_how_long_the_recording_is(tmp_path: Path) -> None:
+    with flying(record=tmp_path) as session:
+        frame = goes_on(session)
+        assert frame.recording_s == pytest.approx(frame.tick * 0.02)
+        session.command(wire.Restart(0))
+        until(lambda: shown(session).tick < 10, "the first instants again")
+        frame = goes_on(session, 1)
+        assert frame.recording_s == pytest.approx(frame.tick * 0.02)
+
+
+def test_a_session_that_records_nothing_says_so() -> None:
+    session = Session(scenario())
+    session.start(lambda: None)
+    try:
+        until(lambda: session.newest != b"", "the first frame")
+        assert shown(session).recording_s is None
+    finally:
+        session.close()
+
+
+def test_the_latency_that_the_page_shows_is_recorded_until_it_leaves(tmp_path: Path) -> None:
+    with flying(record=tmp_path) as session:
+        goes_on(session, 3)
+        session.shown(wire.Shown(0, 41.5))
+        goes_on(session, 5)
+        session.let_go()
+        goes_on(session, 5)
+    (path,) = files(tmp_path)
+    told = [m.latency_ms for m in Recording(path).messages() if isinstance(m, FrameRecord)]
+    assert told[0] is None and told[-1] is None and set(told) == {None, 41.5}
+    first = told.index(41.5)
+    assert set(told[first : first + told.count(41.5)]) == {41.5}
+
+
+def test_wall_and_simulated_time_go_alike(tmp_path: Path) -> None:
+    with flying(record=tmp_path) as session:
+        goes_on(session, 40)
+    (path,) = files(tmp_path)
+    frames = [m for m in Recording(path).messages() if isinstance(m, FrameRecord)]
+    walls = [frame.wall_s for frame in frames]
+    assert walls == sorted(walls)
+    assert walls[-1] - walls[0] == pytest.approx(frames[-1].time_s - frames[0].time_s, abs=0.3)
+
+
+def test_a_place_that_cannot_be_written_is_a_warning_and_the_flight_goes_on(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").touch()
+    with flying(record=tmp_path / "file") as session:
+        assert goes_on(session).recording_s is None
+        (line,) = [event for event in session.log_since(0) if event.kind == "recording"]
+    assert line.level == "warning" and "nothing is recorded: " in line.text and "cannot be written" in line.text
+    assert capsys.readouterr().err == f"aftdeck: {line.text}\n"
+
+
+def test_a_disk_that_becomes_full_is_a_warning_and_the_flight_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(writer, "FLUSH_S", 0.02)
+    session = Session(scenario(), record=tmp_path)
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (ROOM, hard))
+    try:
+        session.start(lambda: None)
+        until(lambda: any(event.kind == "recording" for event in session.log_since(0)), "the warning")
+        assert goes_on(session).recording_s is None
+    finally:
+        session.close()
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    (line,) = [event for event in session.log_since(0) if event.kind == "recording"]
+    assert line.level == "warning" and line.text.endswith("recording stopped, the flight goes on: File too large")
+    (path,) = files(tmp_path)
+    verdict = verify(path)
+    assert verdict.equal and verdict.cut and verdict.frames > 0
+
+
+def test_a_list_that_cannot_be_used_is_a_warning_and_the_flight_is_recorded(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "list").mkdir()
+    monkeypatch.setattr("aftdeck.station.session.Index", lambda: Index(tmp_path / "list"))
+    with flying(record=tmp_path / "flights") as session:
+        until(lambda: any(event.kind == "recording" for event in session.log_since(0)), "the warning")
+        assert goes_on(session).recording_s is not None
+    (line,) = [event for event in session.log_since(0) if event.kind == "recording"]
+    assert "the list of recordings cannot be used" in line.text
+    assert ended(files(tmp_path / "flights")[0]) == "stopped"
+
+
+def test_a_simulation_that_breaks_down_leaves_its_recording(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("threading.excepthook", lambda _: None)
+    session = Session(scenario(), record=tmp_path)
+    session.start(lambda: None)
+    until(lambda: session.newest != b"" and shown(session).tick > 5, "steps")
+    session._sim._state.plant.angles[:] = float("nan")
+    until(lambda: session.failure != "", "the failure")
+    session.close()
+    (path,) = files(tmp_path)
+    assert verify(path).equal and ended(path) == "stopped"
+
+
+def test_a_restart_waits_for_no_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    plain, freed = Sink.close, threading.Event()
+
+    def stuck(self: Sink) -> None:
+        assert freed.wait(20.0)
+        plain(self)
+
+    monkeypatch.setattr(Sink, "close", stuck)
+    with flying(record=tmp_path) as session:
+        goes_on(session)
+        session.command(wire.Restart(0))
+        until(lambda: shown(session).tick < 8, "the first instants again")
+        goes_on(session)
+        freed.set()
+    assert [ended(path) for path in files(tmp_path)] == ["restarted", "stopped"]

@@ -1,0 +1,103 @@
+"""A recording's server answers its own page with the recording, and nobody else."""
+
+from __future__ import annotations
+
+import json
+import webbrowser
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.error import HTTPError
+from urllib.request import Request, urlopen
+
+import msgspec
+import pytest
+import uvicorn
+
+from aftdeck.errors import RecordingError
+from aftdeck.station import replay as station_replay
+from aftdeck.station import serve as station_serve
+from aftdeck.station.playback import BLOCK, Block, PlaybackIndex, Verdict
+from aftdeck.station.replay import serve_recording
+from tests.station.pages import WAIT_S, until
+from tests.station.recordings import playing, recorded
+
+PAGE = "<html><head><title>Aftdeck</title></head><body></body></html>"
+
+
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("replay") / "flight.mcap"
+    recorded(path, 300)
+    return path
+
+
+@pytest.fixture
+def built(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A page, whether or not the real one was built."""
+    (tmp_path / "index.html").write_text(PAGE, encoding="utf-8")
+    monkeypatch.setattr(station_serve, "STATIC", tmp_path)
+    monkeypatch.setattr(station_replay, "STATIC", tmp_path)
+
+
+@pytest.fixture
+def address(recording: Path, built: None) -> Iterator[str]:
+    with playing(recording) as address:
+        yield address
+
+
+def get(address: str, headers: dict[str, str] | None = None) -> bytes:
+    with urlopen(Request(address, headers=headers or {}), timeout=WAIT_S) as answer:
+        body: bytes = answer.read()
+    return body
+
+
+def test_the_page_is_told_that_it_plays(address: str) -> None:
+    for page in (address, f"{address}index.html"):
+        assert '<meta name="recording" content="recording/" />\n</head>' in get(page).decode()
+
+
+def test_index_and_blocks_are_those_of_the_recording(address: str) -> None:
+    index = msgspec.json.decode(get(f"{address}recording/index.json"), type=PlaybackIndex)
+    assert (index.file, index.ticks, index.stride, index.ended) == ("flight.mcap", 300, 1, "stopped")
+    first, second = (msgspec.json.decode(get(f"{address}recording/blocks/{number}"), type=Block) for number in range(2))
+    assert [moment.frame.tick for moment in first + second] == list(range(1, 301))
+    assert len(first) == BLOCK
+
+
+def test_a_block_that_is_none_is_not_found(address: str) -> None:
+    with pytest.raises(HTTPError) as refused:
+        get(f"{address}recording/blocks/2")
+    assert (refused.value.code, refused.value.read()) == (404, b"blocks are numbered 0 to 1, got 2\n")
+    refused.value.close()
+
+
+def test_another_sites_page_is_turned_away(address: str) -> None:
+    with pytest.raises(HTTPError) as refused:
+        get(f"{address}recording/index.json", {"Origin": "http://elsewhere.example"})
+    assert refused.value.code == 403
+    refused.value.close()
+
+
+def test_the_verdict_comes_when_it_is_known(recording: Path, built: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(station_replay, "verdict", lambda _: Verdict("equal", "all 300 frames equal"))
+    with playing(recording) as address:
+        until(lambda: json.loads(get(f"{address}recording/verdict.json"))["state"] == "equal", "the verdict")
+        index = msgspec.json.decode(get(f"{address}recording/index.json"), type=PlaybackIndex)
+    assert index.verdict.text == "all 300 frames equal"
+
+
+def test_the_address_is_said_and_opened(
+    recording: Path, built: None, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr(webbrowser, "open", opened.append)
+    monkeypatch.setattr(uvicorn.Server, "run", lambda *_, **__: None)
+    serve_recording(recording, host="127.0.0.1", port=0, open_browser=True)
+    said = capsys.readouterr().out.splitlines()
+    assert said == [f"Aftdeck replay: {opened[0]}", "Playing flight.mcap. End with Ctrl+C."]
+
+
+def test_a_file_that_is_no_recording_is_refused_before_anything_is_served(built: None, tmp_path: Path) -> None:
+    (tmp_path / "notes.txt").write_text("no recording", encoding="utf-8")
+    with pytest.raises(RecordingError, match=r"notes\.txt: is no MCAP file"):
+        serve_recording(tmp_path / "notes.txt", host="127.0.0.1", port=0, open_browser=False)

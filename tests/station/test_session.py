@@ -1,0 +1,192 @@
+from __future__ import annotations
+
+import math
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from aftdeck.errors import CommandError
+from aftdeck.station import protocol as wire
+from aftdeck.station.session import MOST_WAITING, Phase, Session
+from tests.station.pages import STILL, scenario, until
+
+_frames = msgspec.json.Decoder(wire.Frame)
+
+
+@contextmanager
+def flying(*, demo: bool = False, name: str = "first-flight", record: Path | None = None) -> Iterator[Session]:
+    """A session in flight without a server."""
+    session = Session(scenario(name), demo=demo, record=record)
+    session.start(lambda: None)
+    try:
+        until(lambda: session.newest != b"", "the first frame")
+        yield session
+    finally:
+        session.close()
+
+
+def shown(session: Session) -> wire.Frame:
+    return _frames.decode(session.newest)
+
+
+def comes(session: Session, met: Callable[[wire.Frame], bool], what: str) -> wire.Frame:
+    """The first frame seen that is as wanted."""
+    seen: list[wire.Frame] = []
+
+    def look() -> bool:
+        if session.newest and met(frame := shown(session)):
+            seen.append(frame)
+        return bool(seen)
+
+    until(look, what)
+    return seen[0]
+
+
+def sticks(seq: int, forward: float = 0.0) -> wire.Sticks:
+    return wire.Sticks(seq, (forward, 0.0, 0.0), STILL, 0.0)
+
+
+def test_a_session_goes_from_ready_to_flying_to_closed() -> None:
+    session = Session(scenario())
+    phases = [session.phase]
+    session.start(lambda: None)
+    phases.append(session.phase)
+    session.close()
+    phases.append(session.phase)
+    assert phases == [Phase.READY, Phase.FLYING, Phase.CLOSED]
+    newest = session.newest
+    time.sleep(0.05)
+    assert session.newest is newest
+
+
+def test_it_steps_at_the_control_period() -> None:
+    with flying() as session:
+        first, begun = shown(session), time.perf_counter()
+        last = comes(session, lambda frame: frame.tick >= first.tick + 50, "50 steps")
+        took = time.perf_counter() - begun
+    assert (last.tick - first.tick) * 0.02 == pytest.approx(took, abs=0.3)
+
+
+def test_an_arm_that_nobody_flies_stands_still() -> None:
+    with flying() as session:
+        frame = comes(session, lambda frame: frame.tick > 20, "20 steps")
+    assert frame.joints == tuple(scenario().initial_angles.tolist())
+    assert frame.stick_seq == -1
+
+
+def test_sticks_move_the_tip_and_letting_go_stops_it() -> None:
+    with flying() as session:
+        before = shown(session).actual.position
+        session.steer(sticks(4, forward=1.0))
+        moving = comes(session, lambda frame: frame.actual.velocity[0] > 0.05, "the tip moves forward")
+        assert moving.stick_seq == 4
+        session.let_go()
+        held = comes(session, lambda frame: max(abs(rate) for rate in frame.rates) == 0.0, "it stops")
+        assert held.stick_seq == -1
+    assert held.actual.position[0] > before[0]
+
+
+def test_letting_go_forgets_the_commands_that_wait() -> None:
+    session = Session(scenario())
+    session.command(wire.SelectJoint(0, 5))
+    session.let_go()
+    session.start(lambda: None)
+    try:
+        assert comes(session, lambda frame: frame.tick > 3, "steps").joint == 0
+    finally:
+        session.close()
+
+
+def test_a_restart_begins_anew() -> None:
+    with flying() as session:
+        session.steer(sticks(0, forward=1.0))
+        comes(session, lambda frame: frame.tick > 30, "30 steps")
+        session.let_go()
+        session.command(wire.Restart(1))
+        frame = comes(session, lambda frame: frame.tick < 20, "the first instants again")
+        assert frame.joints == pytest.approx(tuple(scenario().initial_angles.tolist()), abs=1e-12)
+        assert [event.kind for event in session.log_since(0)][-1] == "restart"
+
+
+def test_a_demonstration_flies_until_a_stick_moves() -> None:
+    with flying(demo=True) as session:
+        assert shown(session).by == "script"
+        assert shown(session).phase == "up"
+        session.steer(sticks(0, forward=0.0005))
+        tick = shown(session).tick
+        assert comes(session, lambda frame: frame.tick > tick + 5, "steps").by == "script"
+        session.steer(sticks(1, forward=0.2))
+        assert comes(session, lambda frame: frame.by == "hand", "the hand").phase == ""
+        assert "you have the sticks" in [event.text for event in session.log_since(0)]
+
+
+def test_a_demonstration_ends_with_its_script() -> None:
+    with flying(demo=True) as session:
+        session._sim._state.script.ended = "completed"
+        assert comes(session, lambda frame: frame.by == "hand", "the hand").mode == "ORB UNL"
+
+
+def test_a_target_keyed_in_is_flown_to() -> None:
+    with flying() as session:
+        here = shown(session).actual
+        x, y, z = here.position
+        session.command(wire.EnterMode(0, "OPR CMD"))
+        session.command(wire.SetTarget(1, (x + 0.05, y, z), here.attitude))
+        session.command(wire.Proceed(2))
+        under_way = comes(session, lambda frame: frame.sequence == "in progress", "under way")
+        assert under_way.aim is not None
+        assert under_way.aim.position == pytest.approx((x + 0.05, y, z), abs=1e-9)
+        assert under_way.aim.distance == pytest.approx(0.05, abs=0.02)
+        there = comes(session, lambda frame: frame.sequence == "idle", "there")
+        assert math.dist(there.actual.position, (x + 0.05, y, z)) < 1e-3
+
+
+def test_more_commands_than_may_wait_are_refused() -> None:
+    session = Session(scenario())
+    for seq in range(MOST_WAITING):
+        session.command(wire.SelectJoint(seq, 1))
+    with pytest.raises(CommandError, match="32 commands are waiting already; this one was not taken"):
+        session.command(wire.SelectJoint(99, 1))
+    session.command(wire.Stop(100))
+
+
+def test_commands_from_many_threads_are_all_taken_or_refused() -> None:
+    with flying() as session:
+        refused: list[str] = []
+
+        def hammer() -> None:
+            for seq in range(2000):
+                session.steer(sticks(seq))
+                try:
+                    session.command(wire.SelectRate(seq, "vernier"))
+                except CommandError as error:
+                    refused.append(str(error))
+
+        threads = [threading.Thread(target=hammer) for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join(10.0)
+        tick = shown(session).tick
+        assert comes(session, lambda frame: frame.tick > tick + 3, "it flies on").rate == "vernier"
+    assert set(refused) <= {"32 commands are waiting already; this one was not taken"}
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
+def test_a_failing_step_is_told_with_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    with flying() as session:
+        told = threading.Event()
+        session._told = told.set
+
+        def fail(_: object = None) -> None:
+            raise FloatingPointError("no number")
+
+        monkeypatch.setattr(session._sim, "step", fail)
+        until(lambda: session.phase is Phase.FAILED, "the failure")
+        assert told.wait(1.0)
+        assert session.failure.endswith(" s: no number")

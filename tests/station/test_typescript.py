@@ -1,0 +1,66 @@
+"""The page's types are those of the protocol."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal
+
+import msgspec
+import pytest
+
+from aftdeck.station import protocol
+from aftdeck.station.typescript import _Writer, typescript
+
+GENERATED = Path(__file__).parents[2] / "web" / "src" / "protocol.ts"
+
+
+class Sample(msgspec.Struct, tag_field="kind", tag="sample"):
+    """A sample."""
+
+    pairs: tuple[tuple[float, str], ...]
+    """Length [m], name."""
+    level: Literal["low", "high"] | None = None
+
+
+def test_the_committed_file_is_the_generated_one() -> None:
+    assert GENERATED.read_text(encoding="utf-8") == typescript(), "run `make generate`"
+
+
+def test_every_message_becomes_an_interface_with_its_type() -> None:
+    text = typescript()
+    for union in (protocol.FromPage, protocol.FromServer):
+        for message in union.__args__:
+            tag = message.__struct_config__.tag
+            assert f"export interface {message.__name__} {{\n  readonly type: '{tag}';" in text
+
+
+def test_the_hello_which_no_union_holds_is_there_too() -> None:
+    assert "export interface Hello {\n  readonly type: 'hello';" in typescript()
+
+
+def test_the_version_of_the_protocol_is_the_pages_too() -> None:
+    assert f"export const PROTOCOL = {protocol.PROTOCOL};" in typescript()
+
+
+def test_a_struct_keeps_its_tag_its_fields_in_order_and_their_comments() -> None:
+    assert _Writer().interface(Sample) == (
+        "/** A sample. */\n"
+        "export interface Sample {\n"
+        "  readonly kind: 'sample';\n"
+        "  /** Length [m], name. */\n"
+        "  readonly pairs: readonly (readonly [number, string])[];\n"
+        "  readonly level: 'low' | 'high' | null;\n"
+        "}\n"
+    )
+
+
+def test_a_type_that_json_cannot_carry_is_refused() -> None:
+    with pytest.raises(TypeError, match=r"complex.* has no TypeScript here; use numbers"):
+        _Writer().structure(complex)
+
+
+def test_two_structs_of_one_name_are_refused() -> None:
+    writer = _Writer()
+    writer.structure(Sample)
+    with pytest.raises(TypeError, match="two structs are called Sample; the page needs a name for each"):
+        writer.structure(msgspec.defstruct("Sample", []))

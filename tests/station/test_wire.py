@@ -1,0 +1,110 @@
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from aftdeck.frames import Pose
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.station import protocol as wire
+from aftdeck.station.wire import Translator
+from tests.station.pages import scenario
+
+SCENE = np.diag([-1.0, 1.0, -1.0])
+
+
+def flown(inputs: Inputs, steps: int = 40, name: str = "first-flight") -> tuple[Simulation, wire.Frame]:
+    """A simulation after some steps, and its last frame for the page."""
+    sim = Simulation(scenario(name))
+    for _ in range(steps):
+        frame = sim.step(inputs)
+    return sim, Translator(scenario(name), demo=False).frame(frame, 7)
+
+
+def test_the_frames_panel_numbers_are_those_of_the_arm() -> None:
+    sim, shown = flown(Inputs(translation=(1.0, 0.5, 0.0), rotation=(0.0, 0.3, 0.0)))
+    arm = sim.scenario.arm
+    position, attitude = arm.panel(arm.forward(shown.joints))
+    assert np.array(shown.actual.position) / 0.0254 == pytest.approx(position, abs=1e-9)
+    assert np.degrees(shown.actual.attitude) == pytest.approx(attitude, abs=1e-9)
+
+
+def test_first_flight_starts_over_the_bays_middle_looking_down() -> None:
+    _, shown = flown(Inputs(), steps=1)
+    assert np.array(shown.actual.position) / 0.0254 == pytest.approx([-942.0, 0.0, -557.48], abs=1e-6)
+    assert np.degrees(shown.actual.attitude) == pytest.approx([270.0, 0.0, 0.0], abs=1e-6)
+
+
+def test_a_target_on_the_panel_is_the_pose_that_the_panel_shows() -> None:
+    sim, shown = flown(Inputs(rotation=(0.2, 0.4, -0.3)))
+    message = wire.SetTarget(0, shown.actual.position, shown.actual.attitude)
+    pose = Translator(sim.scenario, demo=False).target(message)
+    tip = sim.scenario.arm.forward(shown.joints)
+    assert pose.position == pytest.approx(tip.position, abs=1e-12)
+    assert pose.rotation == pytest.approx(tip.rotation, abs=1e-12)
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_velocities_are_the_rates_of_the_numbers_shown(axis: int) -> None:
+    push = [0.0, 0.0, 0.0]
+    push[axis] = 1.0
+    translator = Translator(scenario(), demo=False)
+    sim = Simulation(scenario())
+    for _ in range(100):
+        sim.step(Inputs(translation=(push[0], push[1], push[2])))
+    before = translator.frame(sim.step(Inputs(translation=(push[0], push[1], push[2]))), 0)
+    after = translator.frame(sim.step(Inputs(translation=(push[0], push[1], push[2]))), 0)
+    moved = (np.array(after.actual.position) - before.actual.position) / 0.02
+    assert moved == pytest.approx(after.actual.velocity, abs=2e-3)  # it turns within a step
+    assert moved[axis] > 0.01
+
+
+def test_turn_rates_stand_in_the_order_pitch_yaw_roll() -> None:
+    for axis, place in ((0, 2), (1, 0), (2, 1)):
+        turn = [0.0, 0.0, 0.0]
+        turn[axis] = 1.0
+        _, shown = flown(Inputs(rotation=(turn[0], turn[1], turn[2])), steps=100)
+        rates = shown.actual.turn_rate
+        assert rates[place] == max(rates, key=abs) > 0.001
+
+
+def test_the_control_axes_are_the_orbiters_or_the_end_effectors_own() -> None:
+    sim, shown = flown(Inputs())
+    w, x, y, z = shown.axes
+    assert Rotation.from_quat([x, y, z, w]).as_matrix() == pytest.approx(SCENE, abs=1e-12)
+    sim, shown = flown(Inputs(mode="END EFF"))
+    w, x, y, z = shown.axes
+    arm = sim.scenario.arm
+    tip = arm.forward(shown.joints)
+    own = arm.model.mount.to("panel", Pose(tip.position, arm.end_effector(tip.rotation)))
+    assert Rotation.from_quat([x, y, z, w]).as_matrix() == pytest.approx(SCENE @ own.rotation, abs=1e-12)
+
+
+def test_a_lamp_burns_with_its_cause() -> None:
+    _, cradled = flown(Inputs(), steps=1, name="uncradle")
+    lamps = {lamp.name: lamp.text for lamp in cradled.lamps}
+    assert {"REACH LIM", "SOFT STOP", "SINGULAR"} <= set(lamps)
+    assert all(lamps.values())
+    _, free = flown(Inputs(), steps=1)
+    assert free.lamps == ()
+
+
+def test_a_frame_and_the_welcome_come_back_from_json_as_they_went() -> None:
+    _, shown = flown(Inputs(translation=(1.0, 0.0, 0.0)))
+    welcome = Translator(scenario(), demo=True).welcome
+    for message in (shown, welcome):
+        assert msgspec.json.decode(msgspec.json.encode(message), type=type(message)) == message
+    assert welcome.phases[0] == "up"
+
+
+def test_the_longest_message_of_a_page_is_far_below_the_limit() -> None:
+    third, pi = -1.0 / 3.0, -math.pi * 1e-300
+    longest = [
+        wire.Sticks(2**53 - 1, (third, third, third), (pi, pi, pi), third),
+        wire.SetTarget(2**53 - 1, (third, third, third), (pi, pi, pi)),
+    ]
+    assert max(len(msgspec.json.encode(message)) for message in longest) < wire.MAX_MESSAGE_BYTES / 8

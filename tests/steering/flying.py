@@ -1,0 +1,113 @@
+"""Scenarios written in a line, and flights with given sticks, for tests."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+import aftdeck
+from aftdeck.scenario.load import parse_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.target import target_at
+from aftdeck.simulation.frame import Frame
+
+Array = NDArray[np.float64]
+
+FOOT = 0.3048
+BAY = (-31.0, 79.0, -103.0, -77.0, 17.0, -128.0)
+"""A pose over the payload bay, far from every limit [deg]."""
+QUICK = f"[limits]\nservo = {['20 deg/s'] * 6}"
+"""Joints so quick that only the limits of the point of resolution act; a scenario's `extra`."""
+PAYLOAD = """
+[payload]
+mass = "{mass}"
+roll = "19.48 deg"
+yaw = "30 deg"
+position = [0.5, 0.2, 2.6]
+por = [0.3, -0.4, 0.1]
+"""
+"""A payload whose axes are not the hand's, held off its centre; its `mass` is to be filled in."""
+LEAN = math.radians(19.48)
+BODY_FROM_L = np.diag([-1.0, 1.0, -1.0]) @ np.array(
+    [
+        [1.0, 0.0, 0.0],
+        [0.0, -math.cos(LEAN), math.sin(LEAN)],
+        [0.0, -math.sin(LEAN), -math.cos(LEAN)],
+    ]
+)
+"""Orbiter body axes (forward, starboard, down) from L's (aft, port, down, leaning 19.48 deg to port)."""
+
+
+def scenario(joints: Sequence[float] = BAY, extra: str = "", name: str = "test") -> Scenario:
+    """A scenario that starts at joint angles [deg], with more lines of TOML."""
+    head, _, tables = extra.partition("\n[")
+    text = f'title = "test"\n{head}\n[initial]\njoints = {[f"{q!r} deg" for q in map(float, joints)]}\n'
+    return parse_scenario(text + (f"[{tables}" if tables else ""), name, f"{name}.toml", Path("."))
+
+
+def fly(sim: aftdeck.Simulation, seconds: float, inputs: aftdeck.Inputs) -> list[Frame]:
+    """The frames of a flight with the same sticks held; switches act at its first step."""
+    first, held = inputs, aftdeck.Inputs(inputs.translation, inputs.rotation, inputs.drive)
+    steps = round(seconds / sim.scenario.control_period)
+    return [sim.step(first if k == 0 else held) for k in range(steps)]
+
+
+def disturbed(sim: aftdeck.Simulation, joints: Mapping[int, float]) -> None:
+    """Puts joints of the plant at angles [deg], unseen by the steering until it measures them."""
+    saved = sim.save()
+    angles, rates = (list(part) for part in saved.state.plant)
+    for joint, angle in joints.items():
+        angles[joint] = math.radians(angle)
+    state = msgspec.structs.replace(saved.state, plant=(angles, rates))
+    sim.restore(msgspec.structs.replace(saved, state=state))
+
+
+def joint_target(arm: aftdeck.Arm, joints: Sequence[float]) -> aftdeck.Target:
+    """A target given by joint angles [deg]."""
+    a, b, c, d, e, f = (math.radians(q) for q in joints)
+    return target_at(arm.forward((a, b, c, d, e, f)), (a, b, c, d, e, f))
+
+
+def log_of(frames: Sequence[Frame]) -> list[str]:
+    """The log's lines."""
+    return [event.text for frame in frames for event in frame.events]
+
+
+def finished(sim: aftdeck.Simulation, first: aftdeck.Inputs, seconds: float) -> list[Frame]:
+    """The frames of an automatic motion until it is no longer in progress, or for some time."""
+    frames = [sim.step(first)]
+    while frames[-1].sequence == "in progress" and frames[-1].time_s - frames[0].time_s < seconds:
+        frames.append(sim.step(aftdeck.Inputs()))
+    return frames
+
+
+def target(arm: aftdeck.Arm, joints: Sequence[float]) -> aftdeck.Target:
+    """The tip's pose at joint angles [deg]."""
+    pose = arm.forward(np.radians(joints))
+    rows = pose.rotation.tolist()
+    return aftdeck.Target(tuple(pose.position.tolist()), (tuple(rows[0]), tuple(rows[1]), tuple(rows[2])))
+
+
+def speed(frame: Frame) -> float:
+    """Commanded speed of the tip [m/s]."""
+    return math.hypot(*frame.twist_commanded[3:])
+
+
+def turning(frame: Frame) -> float:
+    """Commanded angular rate of the tip [rad/s]."""
+    return math.hypot(*frame.twist_commanded[:3])
+
+
+def kinds(frame: Frame) -> set[str]:
+    """Kinds of limits that acted."""
+    return {limit.kind for limit in frame.limits}
+
+
+def at_rate(frame: Frame) -> bool:
+    """Whether a joint is commanded at its rate limit."""
+    return any(abs(r) >= m * (1 - 1e-9) for r, m in zip(frame.rates_commanded, frame.rate_limits, strict=True))

@@ -1,0 +1,69 @@
+"""LATRAJ: distance, angle and axis, from nothing to half a turn, against SciPy."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from aftdeck.kinematics.linkage import Tip
+from aftdeck.steering.aim import Aim, latraj
+
+Array = NDArray[np.float64]
+
+RNG = np.random.default_rng(50)
+AXES = [*np.eye(3), *-np.eye(3), *(v / np.linalg.norm(v) for v in RNG.normal(size=(30, 3)))]
+AXES += [np.array([0.6, 0.8, 0.0]), np.array([0.0, -0.6, 0.8]), np.array([1.0, 1.0, 1.0]) / math.sqrt(3.0)]
+STARTS = [np.eye(3), Rotation.from_euler("zyx", [0.3, -0.7, 2.0]).as_matrix()]
+
+
+def aim(start: Array, goal: Array, way: Array | None = None) -> Aim:
+    place = np.array([1.0, -2.0, 3.0])
+    packed = np.concatenate([place + (np.zeros(3) if way is None else way), goal.ravel()])
+    return latraj(Tip(*place, *start.ravel()), packed)
+
+
+@pytest.mark.parametrize("start", STARTS, ids=["level", "turned"])
+@pytest.mark.parametrize(
+    "angle", [1e-12, 1e-9, 1e-6, 1e-3, 0.5, math.pi / 2, 2.0, 3.0, math.pi - 1e-3, math.pi - 1e-6, math.pi - 1e-9]
+)
+def test_a_turn_about_any_axis_is_seen_whole(start: Array, angle: float) -> None:
+    for axis in AXES:
+        seen = aim(start, Rotation.from_rotvec(angle * axis).as_matrix() @ start)
+        # matrices hold an angle to some 4e-16 rad, its axis to that over the angle
+        assert seen.angle == pytest.approx(angle, abs=2e-15)
+        assert np.array([seen.ax, seen.ay, seen.az]) == pytest.approx(axis, abs=1e-15 + 2e-15 / min(angle, 1.0))
+        assert np.linalg.norm([seen.ax, seen.ay, seen.az]) == pytest.approx(1.0, abs=1e-14)
+
+
+@pytest.mark.parametrize("start", STARTS, ids=["level", "turned"])
+def test_half_a_turn_is_seen_whole_about_its_axis_one_way_or_the_other(start: Array) -> None:
+    for axis in AXES:
+        seen = aim(start, (2.0 * np.outer(axis, axis) - np.eye(3)) @ start)
+        found = np.array([seen.ax, seen.ay, seen.az])
+        assert seen.angle == pytest.approx(math.pi, abs=2e-15)
+        assert abs(found @ axis) == pytest.approx(1.0, abs=1e-14)
+
+
+def test_turning_by_what_is_seen_arrives_for_random_attitudes() -> None:
+    for start, goal in zip(
+        Rotation.random(500, rng=51).as_matrix(), Rotation.random(500, rng=52).as_matrix(), strict=True
+    ):
+        seen = aim(start, goal)
+        turn = Rotation.from_rotvec(seen.angle * np.array([seen.ax, seen.ay, seen.az])).as_matrix()
+        assert turn @ start == pytest.approx(goal, abs=1e-12)
+        assert seen.angle == pytest.approx(Rotation.from_matrix(goal @ start.T).magnitude(), abs=1e-12)
+
+
+def test_no_turn_and_no_way_have_no_direction_and_no_nan() -> None:
+    seen = aim(STARTS[0], STARTS[0])
+    assert seen == Aim(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+def test_the_line_of_sight_is_the_unit_vector_to_the_target() -> None:
+    seen = aim(STARTS[0], STARTS[0], np.array([0.3, -0.4, 1.2]))
+    assert seen.distance == pytest.approx(1.3)
+    assert [seen.ux, seen.uy, seen.uz] == pytest.approx([0.3 / 1.3, -0.4 / 1.3, 1.2 / 1.3])

@@ -1,0 +1,171 @@
+"""Mode 3: planned once, never corrected; its clock runs at RATIO."""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import aftdeck
+from aftdeck.scenario.load import load_scenario, parse_scenario
+from aftdeck.steering.profiles import vtopen
+from aftdeck.steering.rules import rules_of
+from tests.reference.tables import table
+from tests.steering.flying import BAY, QUICK, disturbed, finished, fly, log_of, scenario, speed, target, turning
+
+STS_400 = table("sts-400")
+ARM = aftdeck.load_arm("srms")
+OPEN = 'mode = "OPR CMD"\nlaw = "open loop"'
+V, W = 2.0 * 0.3048, math.radians(4.76)
+"""Greatest speed [m/s] and angular rate [rad/s], each reached in 4 s."""
+
+
+def miss(frames: list[aftdeck.Frame]) -> tuple[float, float]:
+    goal = frames[-1].goal
+    assert goal is not None
+    return goal.distance, goal.angle
+
+
+@pytest.mark.parametrize(
+    ("distance", "angle", "speed_", "turn", "eta", "t_v1", "t_w1"),
+    [
+        # 20 s at 2 ft/s and a ramp of 4 s at both ends
+        (20.0 * V, 0.0, V, 0.0, 24.0, 4.0, None),
+        # 2 ft are too short for the ramps: 2 s up at 0.5 ft/s2, 2 s down
+        (V, 0.0, 0.5 * V, 0.0, 4.0, 2.0, None),
+        # the turn would take 10 + 4 s; it takes the way's 24 s, with its own ramps: 10 W over 24 - 4 s
+        (20.0 * V, 10.0 * W, V, 0.5 * W, 24.0, 4.0, 4.0),
+        # the way would take 4 s; it takes the turn's 14 s, with its own ramps: V over 14 - 2 s
+        (V, 10.0 * W, V / 12.0, W, 14.0, 2.0, 4.0),
+        (0.0, W, 0.0, 0.5 * W, 4.0, None, 2.0),
+    ],
+)
+def test_vtopens_times_and_rates_are_those_worked_out_by_hand(
+    distance: float, angle: float, speed_: float, turn: float, eta: float, t_v1: float | None, t_w1: float | None
+) -> None:
+    rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse"]
+    found = vtopen(rules, distance, angle)
+    assert (found.speed, found.turn, found.eta) == pytest.approx((speed_, turn, eta))
+    for wanted, given in ((t_v1, found.t_v1), (t_w1, found.t_w1)):
+        assert wanted is None or given == pytest.approx(wanted)
+
+
+def test_vtopen_of_no_way_at_all_takes_no_time_and_asks_for_nothing() -> None:
+    rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse"]
+    assert tuple(vtopen(rules, 0.0, 0.0)) == (0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("period", [0.02, 0.08])
+def test_the_tip_goes_as_the_plan_says_where_no_joint_limit_acts(period: float) -> None:
+    sim = aftdeck.Simulation(scenario(BAY, f"{OPEN}\ncontrol_period = {period}\nduration = 80\n{QUICK}"))
+    here = target(sim.scenario.arm, BAY)
+    x, y, z = here.position
+    goal = aftdeck.Target((x, y, z - 10.0 * V / 3.0), here.rotation)  # 10/3 s at full speed: too short for the ramps
+    frames = finished(sim, aftdeck.Inputs(target=goal, proceed=True), 60.0)
+    eta = 2.0 * math.sqrt(4.0 * 10.0 / 3.0)
+    assert frames[0].goal is not None and frames[0].goal.remaining_s == pytest.approx(eta, abs=1e-9)
+    assert [e.time_s for f in frames for e in f.events if e.kind == "arrived"] == pytest.approx([eta], abs=3 * period)
+    assert max(speed(f) for f in frames) == pytest.approx(V * eta / 8.0, rel=0.02)
+    assert max(turning(f) for f in frames) < 1e-9
+    assert miss(frames)[0] < 5e-3 and miss(frames)[1] < 1e-4
+
+
+def test_the_sts_400_move_misses_by_at_most_25_millimetres() -> None:
+    done = aftdeck.run("sts-400-open")
+    assert done.summary.ended == "completed"
+    assert done.summary.position_error_m is not None and done.summary.position_error_m <= 0.025
+    assert done.summary.rotation_error_rad is not None and done.summary.rotation_error_rad <= math.radians(0.1)
+    assert [e.text for e in done.summary.events if e.kind == "arrived"] == ["target reached"]
+
+
+def test_strict_misses_by_as_much_as_the_restored_laws_do() -> None:
+    text = f"strict = true\n{load_scenario('sts-400-open').text}"
+    done = aftdeck.run(parse_scenario(text, "strict", "strict.toml", Path(".")))
+    share = STS_400["tolerance"]
+    assert done.summary.position_error_m == pytest.approx(STS_400["open_loop_miss"], rel=share)
+    assert done.summary.rotation_error_rad == pytest.approx(math.radians(STS_400["open_loop_turn_miss"]), rel=share)
+    said = {e.kind: e.text for e in done.summary.events}
+    amount = r"10\.5\d m, 61\.\d° beside"
+    assert re.fullmatch(f"target missed: the motion ended {amount} it", said["arrived"])
+    assert re.fullmatch(rf"CMD CK GOOD: \d+ s, ends {amount} the target", said["check"])
+
+
+def ends_after_a_push(law: str) -> tuple[float, float]:
+    sim = aftdeck.Simulation(scenario(BAY, f'mode = "OPR CMD"\nlaw = "{law}"'))
+    goal = target(sim.scenario.arm, (BAY[0] + 25.0, BAY[1] - 10.0, *BAY[2:]))
+    flown = fly(sim, 6.0, aftdeck.Inputs(target=goal, proceed=True))
+    disturbed(sim, {1: math.degrees(flown[-1].angles[1]) + 0.5})
+    return miss(finished(sim, aftdeck.Inputs(), 90.0))
+
+
+def test_a_disturbance_is_corrected_by_mode_2_and_not_by_mode_3() -> None:
+    assert ends_after_a_push("closed loop") < (1e-4, 2e-5)
+    way, turn = ends_after_a_push("open loop")
+    # half a degree of shoulder pitch, 8 m and more from the tip
+    assert 0.05 < way < 0.2 and turn == pytest.approx(math.radians(0.5), rel=0.2)
+
+
+def test_stop_brings_the_arm_to_rest_and_proceed_plans_anew_to_the_target() -> None:
+    sim = aftdeck.Simulation(scenario(BAY, OPEN))
+    goal = target(sim.scenario.arm, (BAY[0] + 25.0, *BAY[1:]))
+    fly(sim, 6.0, aftdeck.Inputs(target=goal, proceed=True))
+    stopping = fly(sim, 5.0, aftdeck.Inputs(stop=True))
+    assert {f.sequence for f in stopping} == {"ready"} and speed(stopping[-1]) == 0.0
+    assert stopping[-1].goal is not None and stopping[-1].goal.remaining_s == 0.0
+    frames = finished(sim, aftdeck.Inputs(proceed=True), 90.0)
+    assert frames[-1].sequence == "idle" and miss(frames)[0] < 0.01
+    assert "PROCEED: the arm flies to its target" in log_of(frames)
+
+
+def test_limits_make_the_clock_slower_and_the_path_no_other() -> None:
+    ends = {}
+    for quick in (True, False):
+        sim = aftdeck.Simulation(scenario(BAY, f"{OPEN}\n{QUICK if quick else ''}"))
+        goal = target(sim.scenario.arm, (BAY[0] + 40.0, BAY[1] - 20.0, *BAY[2:]))
+        frames = finished(sim, aftdeck.Inputs(target=goal, proceed=True), 120.0)
+        a, b = np.array(frames[0].position), np.array(goal.position)
+        along = (b - a) / np.linalg.norm(b - a)
+        off = np.array([f.position for f in frames]) - a
+        assert np.linalg.norm(off - np.outer(off @ along, along), axis=1).max() < 5e-3
+        assert miss(frames)[0] < 0.01
+        ends[quick] = frames[-1].time_s
+    assert ends[False] > ends[True] + 1.0
+
+
+def test_proceed_at_speed_plans_from_where_the_arm_comes_to_rest() -> None:
+    sim = aftdeck.Simulation(scenario(BAY))
+    fly(sim, 5.0, aftdeck.Inputs((1.0, 0.0, 0.0)))
+    goal = target(sim.scenario.arm, (BAY[0] + 20.0, *BAY[1:]))
+    frames = finished(sim, aftdeck.Inputs(mode="OPR CMD", law="open loop", target=goal, proceed=True), 90.0)
+    assert miss(frames)[0] < 0.01
+
+
+def test_an_open_loop_motion_that_misses_says_by_how_much() -> None:
+    sim = aftdeck.Simulation(scenario(BAY, OPEN))
+    flown = fly(sim, 6.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 25.0, *BAY[1:])), proceed=True))
+    disturbed(sim, {1: math.degrees(flown[-1].angles[1]) + 2.0})
+    last = finished(sim, aftdeck.Inputs(), 90.0)[-1]
+    (said,) = log_of([last])
+    told = re.fullmatch(r"target missed: the motion ended (\d+) mm, (\d+\.\d)° beside it", said)
+    assert told, said
+    assert float(told[1]) == pytest.approx(1e3 * miss([last])[0], abs=1.0)
+    assert float(told[2]) == pytest.approx(math.degrees(miss([last])[1]), abs=0.06)
+    assert [e.level for e in last.events] == ["caution"]
+
+
+@pytest.mark.parametrize("law", ["open loop", "position"])
+def test_a_push_too_small_to_count_as_a_miss_leaves_the_target_reached(law: str) -> None:
+    sim = aftdeck.Simulation(scenario(BAY, f'mode = "OPR CMD"\nlaw = "{law}"'))
+    flown = fly(sim, 6.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 25.0, *BAY[1:])), proceed=True))
+    disturbed(sim, {5: math.degrees(flown[-1].angles[5]) + 0.2})
+    assert log_of(finished(sim, aftdeck.Inputs(), 90.0))[-1] == "target reached"
+    wider = aftdeck.Simulation(
+        scenario(BAY, f'mode = "OPR CMD"\nlaw = "{law}"\narrive_within = 1.0\narrive_within_angle = "5 deg"')
+    )
+    flown = fly(wider, 6.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 25.0, *BAY[1:])), proceed=True))
+    disturbed(wider, {1: math.degrees(flown[-1].angles[1]) + 2.0})
+    frames = finished(wider, aftdeck.Inputs(), 90.0)
+    assert log_of(frames)[-1] == "target reached" and miss(frames)[0] > 0.1

@@ -1,0 +1,90 @@
+"""VCLOSE: both motions end together, on the target, without a jump or a division by nothing."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import aftdeck
+from aftdeck.steering.profiles import vclose
+from aftdeck.steering.rules import rules_of
+
+ARM = aftdeck.load_arm("srms")
+PROVE = settings(derandomize=True, deadline=None, max_examples=100, database=None)
+SPEED, SPEED_UP = 2 * 0.3048, 2 * 0.3048 / 4
+TURN, TURN_UP = math.radians(4.76), math.radians(4.76) / 4
+
+
+def rules(dt: float, strict: bool = False) -> np.ndarray:
+    por = ARM.model.por_limits(0.0)
+    return rules_of(ARM.model, por, dt, strict=strict)["OPR CMD", "coarse"]
+
+
+distances = st.one_of(st.just(0.0), st.floats(1e-300, 1e-12), st.floats(1e-9, 40.0))
+angles = st.one_of(st.just(0.0), st.floats(1e-300, 1e-12), st.floats(1e-9, math.pi))
+
+
+@PROVE
+@given(distance=distances, angle=angles, dt=st.floats(0.001, 0.2), strict=st.booleans())
+def test_every_profile_is_finite_and_asks_for_no_more_than_the_limits(
+    distance: float, angle: float, dt: float, strict: bool
+) -> None:
+    found = vclose(rules(dt, strict), distance, angle)
+    assert all(math.isfinite(x) and x >= 0.0 for x in found)
+    if not strict:
+        assert found.speed <= SPEED * (1 + 1e-12) and found.turn <= TURN * (1 + 1e-12)
+
+
+@PROVE
+@given(distance=distances, angle=angles, dt=st.sampled_from([0.005, 0.02, 0.08]))
+def test_following_the_profile_from_speed_arrives_at_both_without_overshoot_or_hard_braking(
+    distance: float, angle: float, dt: float
+) -> None:
+    r = rules(dt)
+    v = w = math.nan
+    for _ in range(round(120.0 / dt)):
+        found = vclose(r, distance, angle)
+        if not math.isnan(v):
+            assert v - found.speed <= SPEED_UP * dt * (1 + 1e-6) + 1e-9
+            assert w - found.turn <= TURN_UP * dt * (1 + 1e-6) + 1e-9
+        v, w = found.speed, found.turn
+        distance, angle = distance - v * dt, angle - w * dt
+        assert distance >= -1e-12 and angle >= -1e-12
+        distance, angle = max(distance, 0.0), max(angle, 0.0)
+        if distance < 1e-9 and angle < 1e-9:
+            break
+    assert distance < 1e-9 and angle < 1e-9
+
+
+@PROVE
+@given(distance=st.floats(0.5, 40.0), angle=st.floats(0.1, math.pi))
+def test_both_motions_end_within_a_step_or_two_of_each_other(distance: float, angle: float) -> None:
+    dt, r = 0.02, rules(0.02)
+    ended = [0.0, 0.0]
+    for step in range(round(120.0 / dt)):
+        found = vclose(r, distance, angle)
+        distance, angle = distance - found.speed * dt, angle - found.turn * dt
+        ended = [
+            ended[0] or (step * dt if distance < 1e-4 else 0.0),
+            ended[1] or (step * dt if angle < 2e-5 else 0.0),
+        ]
+        if all(ended):
+            break
+    assert all(ended) and abs(ended[0] - ended[1]) <= 0.1
+
+
+def test_the_time_left_is_that_of_a_trapezoid_for_a_long_way() -> None:
+    # 12 m at 2 ft/s, then 4 s of braking, in which half as far is flown
+    assert vclose(rules(0.001), 12.0, 0.0).remaining == pytest.approx(12.0 / SPEED + 2.0, rel=1e-3)
+
+
+@pytest.mark.parametrize("tiny", [1e-15, 1e-18, 1e-22, 1e-30])
+def test_a_turn_too_small_to_matter_does_not_hold_up_the_way(tiny: float) -> None:
+    found = vclose(rules(0.02), 3.0, tiny)
+    assert found.speed == pytest.approx(SPEED)
+    found = vclose(rules(0.02), tiny, 1.0)
+    assert found.turn == pytest.approx(TURN)

@@ -1,0 +1,80 @@
+"""Mode 8: one joint moves, ramped, to its stops; the others are still."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import aftdeck
+from tests.reference.tables import table
+from tests.steering.flying import BAY, fly, kinds, scenario
+
+LIMITS = table("srms-limits")
+
+
+@pytest.mark.parametrize("joint", range(6))
+@pytest.mark.parametrize("rate", ["coarse", "vernier"])
+@pytest.mark.parametrize("drive", [1.0, -1.0, 0.5])
+def test_the_selected_joint_ramps_to_its_rate_and_back_and_no_other_moves(joint: int, rate: str, drive: float) -> None:
+    sim = aftdeck.Simulation(scenario())
+    switch = aftdeck.Inputs(mode="SINGLE", joint=joint, rate="coarse" if rate == "coarse" else "vernier", drive=drive)
+    frames = fly(sim, 6.0, switch) + fly(sim, 6.0, aftdeck.Inputs())
+    start = np.radians(BAY)
+    most = math.radians(LIMITS[rate][joint])
+    rates = np.array([f.rates_commanded for f in frames])
+    assert (np.delete(np.array([f.angles for f in frames]), joint, 1) == np.delete(start, joint)).all()
+    assert (np.delete(rates, joint, 1) == 0.0).all()
+    own = rates[:, joint]
+    assert own[299] == pytest.approx(drive * most)
+    assert own[-1] == 0.0
+    # coarse is reached in the POR's 4 s; no step changes more
+    change = math.radians(LIMITS["coarse"][joint]) / 4.0 * 0.02
+    assert np.abs(np.diff(own, prepend=0.0)).max() <= change * (1 + 1e-9)
+    ramp = abs(drive) * most / change
+    assert np.count_nonzero(np.abs(own[:300]) < abs(drive) * most * (1 - 1e-9)) == pytest.approx(ramp, abs=1.5)
+
+
+@pytest.mark.parametrize("joint", range(6))
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_a_joint_driven_on_comes_to_rest_at_its_hard_stop_and_leaves_it_again(joint: int, way: float) -> None:
+    low, high = LIMITS["hard"][joint]
+    start = [0.0, 70.0, -80.0, 10.0, 0.0, 0.0]
+    start[joint] = high - 8.0 if way > 0 else low + 8.0
+    sim = aftdeck.Simulation(scenario(start))
+    frames = fly(sim, 25.0, aftdeck.Inputs(mode="SINGLE", joint=joint, drive=way))
+    angles = np.degrees([f.angles[joint] for f in frames])
+    assert angles.max() <= high + 1e-9 and angles.min() >= low - 1e-9
+    assert angles[-1] == pytest.approx(high if way > 0 else low, abs=1e-6)
+    assert frames[-1].rates_commanded[joint] == pytest.approx(0.0, abs=1e-12)
+    assert frames[-1].zones[joint] == 3
+    held = next(f for f in frames if "hard stop" in kinds(f))
+    assert [limit.joint for limit in held.limits] == [joint]
+    back = fly(sim, 5.0, aftdeck.Inputs(drive=-way))
+    assert abs(back[-1].angles[joint] - frames[-1].angles[joint]) > math.radians(1.0)
+
+
+def test_changing_the_joint_at_speed_ramps_one_down_and_the_other_up() -> None:
+    sim = aftdeck.Simulation(scenario())
+    fly(sim, 5.0, aftdeck.Inputs(mode="SINGLE", joint=0, drive=1.0))
+    frames = fly(sim, 5.0, aftdeck.Inputs(joint=5, drive=1.0))
+    rates = np.array([f.rates_commanded for f in frames])
+    assert (np.diff(rates[:, 0]) <= 0.0).all() and rates[-1, 0] == 0.0
+    assert (np.diff(rates[:, 5]) >= 0.0).all() and rates[-1, 5] == pytest.approx(math.radians(2.64))
+
+
+def test_uncradle_ends_at_pre_cradle_to_a_ten_thousandth_of_a_degree() -> None:
+    done = aftdeck.run("uncradle")
+    assert done.summary.ended == "completed"
+    assert np.degrees(done.summary.joints_rad) == pytest.approx([0, 25, -25, 5, 0, 0], abs=1e-4)
+    assert np.abs(done.frames[-1].rates).max() < 1e-9
+    moving = [np.count_nonzero(f.rates_commanded) for f in done.frames]
+    assert max(moving) == 1
+
+
+def test_with_a_payload_the_joints_are_slower() -> None:
+    sim = aftdeck.Simulation(scenario(BAY, '[payload]\nmass = "32000 lb"'))
+    frames = fly(sim, 30.0, aftdeck.Inputs(mode="SINGLE", joint=0, drive=1.0))
+    # as much slower as the POR: 0.115 of 2 ft/s
+    assert frames[-1].rates_commanded[0] == pytest.approx(math.radians(1.27) * 0.115 / 2.0)

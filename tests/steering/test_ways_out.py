@@ -1,0 +1,193 @@
+"""Near singularities and limits: every mode stays bounded, and the way out that the frame names leads out."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import aftdeck
+from aftdeck.simulation.frame import Frame, WayOut
+from tests.kinematics.test_inverse import STRAIGHT
+from tests.reference.tables import table
+from tests.steering.flying import PAYLOAD, Array, fly, scenario
+from tests.steering.test_promises import flight
+
+LIMITS = table("srms-limits")
+HARD, SOFT = np.array(LIMITS["hard"], dtype=np.float64), np.array(LIMITS["soft"], dtype=np.float64)
+REACH = SOFT + np.array([1.0, -1.0]) * LIMITS["reach_inside_soft"]
+ARM = aftdeck.load_arm("srms")
+KINDS = ("shoulder", "elbow", "wrist", "reach", "soft", "hard")
+MODES = ("ORB UNL", "END EFF", "ORB LD", "PL")
+ZERO = (0.0, 0.0, 0.0)
+
+
+def anywhere(rng: np.random.Generator) -> Array:
+    """Angles [deg] inside the reach limits, the wrist within half a turn."""
+    return np.asarray(rng.uniform(np.maximum(REACH[:, 0], -180.0), np.minimum(REACH[:, 1], 180.0)))
+
+
+def near(kind: str, rng: np.random.Generator) -> Array:
+    """Angles [deg] at or near a singularity, or at or just past a limit of one joint."""
+    q = anywhere(rng)
+    off = float(np.clip(rng.normal() * rng.choice([0.0, 0.01, 1.0, 5.0]), -8.0, 8.0))
+    match kind:
+        case "shoulder":
+            while abs(float(ARM.singularities(np.radians(q))[0])) > 0.1:
+                q = anywhere(rng)
+        case "elbow":
+            q[2] = min(math.degrees(STRAIGHT) + off, HARD[2, 1])
+        case "wrist":
+            q[4] = float(rng.choice([-90.0, 90.0])) + off
+        case _:
+            joint, side = int(rng.integers(6)), int(rng.integers(2))
+            q[joint] = {"reach": REACH, "soft": SOFT, "hard": HARD}[kind][joint, side]
+            if kind != "hard":
+                q[joint] += rng.uniform(0.0, 1.0) * (1.0 if side else -1.0)
+    return np.asarray(np.clip(q, HARD[:, 0] + 1e-9, HARD[:, 1] - 1e-9))
+
+
+def taken(way: WayOut, mode: str) -> aftdeck.Inputs:
+    """The advice taken at its word: its text names the mode or the stick, the axis and the way."""
+    if way.stick == "joint":
+        position, *joint, sign = way.text.split(" ")
+        assert (position, sign) == ("SINGLE", "+" if way.sign > 0 else "−")
+        assert "_".join(joint) == ARM.joints[way.axis]
+        return aftdeck.Inputs(mode="SINGLE", joint=way.axis, drive=float(way.sign))
+    stick, axis = way.text.split(" ")
+    names = ("X", "Y", "Z") if stick == "THC" else ("roll", "pitch", "yaw")
+    assert (stick == "THC") == (way.stick == "translation")
+    assert axis == ("+" if way.sign > 0 else "−") + names[way.axis]
+    x, y, z = (float(way.sign) if k == way.axis else 0.0 for k in range(3))
+    return aftdeck.Inputs((x, y, z) if stick == "THC" else ZERO, ZERO if stick == "THC" else (x, y, z), mode=mode)
+
+
+def clear(cause: str, frame: Frame) -> bool:
+    """Whether a singularity is no longer near, or a joint is back inside its reach limits."""
+    if cause in ("shoulder", "elbow", "wrist"):
+        return abs(frame.singularity[("shoulder", "elbow", "wrist").index(cause)]) >= 0.2
+    joint = ARM.joints.index(cause)
+    return bool(REACH[joint, 0] <= math.degrees(frame.angles[joint]) <= REACH[joint, 1])
+
+
+def follow(start: Array, mode: str, extra: str, seconds: float) -> None:
+    """From each thing that holds the arm, follow what the frame advises, read anew every 2 s, until it is left."""
+    made = scenario(start.tolist(), f"control_period = 0.08\nduration = 80\n{extra}")
+    causes = [way.cause for way in aftdeck.Simulation(made).step(aftdeck.Inputs(mode=mode)).ways_out]
+    assert causes, start
+    for cause in causes:
+        sim = aftdeck.Simulation(made)
+        frame, read = sim.step(aftdeck.Inputs(mode=mode)), []
+        while not clear(cause, frame):
+            advice = next(way for way in frame.ways_out if way.cause == cause)
+            read.append(advice.text)
+            assert frame.time_s < seconds, (start.tolist(), mode, extra, cause, read)
+            if "as-flown" in extra and 2 in frame.zones:
+                assert advice.stick == "joint", frame.zones  # as flown, only SINGLE leads back
+            frame = fly(sim, 2.0, taken(advice, mode))[-1]
+            assert np.isfinite([*frame.angles, *frame.rates]).all()
+
+
+@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_way_out_that_the_frame_names_leads_out(kind: str, mode: str) -> None:
+    rng = np.random.default_rng([220, KINDS.index(kind)])
+    payload = PAYLOAD.format(mass="100 lb") if mode in ("ORB LD", "PL") else ""
+    for soft_stops in ("mended", "as-flown"):
+        follow(near(kind, rng), mode, f'soft_stops = "{soft_stops}"\n{payload}', 62.0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("seed", range(40))
+def test_nobody_is_stranded_from_many_poses(seed: int, mode: str) -> None:
+    rng = np.random.default_rng([221, seed])
+    payload = PAYLOAD.format(mass="1000 lb") if mode in ("ORB LD", "PL") else ""
+    for kind in KINDS:
+        soft_stops = "as-flown" if rng.random() < 0.3 else "mended"
+        follow(near(kind, rng), mode, f'soft_stops = "{soft_stops}"\n{payload}', 120.0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("mode", ["ORB LD", "PL"])
+@pytest.mark.parametrize("seed", range(6))
+def test_nobody_is_stranded_with_a_heavy_payload_if_they_are_patient(seed: int, mode: str) -> None:
+    rng = np.random.default_rng([222, seed])
+    for kind in KINDS:
+        follow(near(kind, rng), mode, PAYLOAD.format(mass="32000 lb"), 1200.0)
+
+
+@pytest.mark.parametrize(
+    "start",
+    [
+        # shoulder pitch alone does not lead out here: its way ends at its stop, or the folded arm is too short for it
+        (115.469, 88.788, -158.281, -96.997, -106.507, -89.65),
+        (-107.884, 130.465, -70.984, -73.09, -90.0, 50.966),
+        (26.557, 135.806, -85.422, 77.213, -101.794, -41.189),
+        # the elbow between straight and its upper stop, which is too near to be a way out
+        (142.0, 5.872, -1.589, -39.584, 98.826, 104.884),
+        (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    ],
+)
+@pytest.mark.parametrize("soft_stops", ["mended", "as-flown"])
+def test_a_way_that_ends_at_a_stop_is_not_named(start: tuple[float, ...], soft_stops: str) -> None:
+    for mode in ("ORB UNL", "END EFF"):
+        follow(np.array(start), mode, f'soft_stops = "{soft_stops}"', 62.0)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("seed", range(4))
+def test_near_a_singularity_or_a_limit_every_mode_keeps_its_promises(kind: str, seed: int) -> None:
+    flight(seed, first=near(kind, np.random.default_rng([223, KINDS.index(kind), seed])))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_strict_too_stays_bounded_near_a_singularity_or_a_limit(kind: str) -> None:
+    first = near(kind, np.random.default_rng([224, KINDS.index(kind)]))
+    flight(7, "strict = true\n", mended=False, first=first)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("seed", range(100, 140))
+def test_from_many_poses_near_them_every_mode_keeps_its_promises(kind: str, seed: int) -> None:
+    flight(seed, first=near(kind, np.random.default_rng([225, KINDS.index(kind), seed])))
+
+
+def test_in_single_and_direct_the_advice_is_for_the_joint_and_names_the_position() -> None:
+    sim = aftdeck.Simulation(scenario((0, 60, -80, 20, 85, 0)))
+    for mode in ("SINGLE", "DIRECT"):
+        (way,) = sim.step(aftdeck.Inputs(mode=mode)).ways_out
+        assert (way.cause, way.text) == ("wrist", f"{mode} wrist yaw −")
+
+
+def test_far_from_everything_there_is_no_advice() -> None:
+    assert aftdeck.Simulation(scenario()).step(aftdeck.Inputs()).ways_out == ()
+
+
+@pytest.mark.parametrize("kind", ["shoulder", "elbow", "wrist"])
+def test_the_joint_named_in_single_leaves_the_singularity_with_the_least_turning(kind: str) -> None:
+    rng = np.random.default_rng([226, KINDS.index(kind)])
+    which, leavers = KINDS.index(kind), {"shoulder": (1, 2, 3), "elbow": (2,), "wrist": (4,)}[kind]
+    ways = np.radians(np.arange(0.25, 320.0, 0.25))
+    tried = 0
+    while tried < 15:
+        q = np.clip(near(kind, rng), REACH[:, 0], REACH[:, 1])
+        ways_out = aftdeck.Simulation(scenario(q.tolist())).step(aftdeck.Inputs(mode="SINGLE")).ways_out
+        for way in ways_out:
+            if way.cause != kind:
+                continue
+            tried += 1
+            least = {}
+            for joint in leavers:
+                for sign in (-1, 1):
+                    there = np.tile(np.radians(q), (len(ways), 1))
+                    there[:, joint] += sign * ways
+                    inside = (there[:, joint] > np.radians(REACH[joint, 0])) & (
+                        there[:, joint] < np.radians(REACH[joint, 1])
+                    )
+                    clear = np.flatnonzero((np.abs(ARM.singularities(there)[which]) > 0.2) & inside)
+                    least[joint, sign] = ways[clear[0]] if len(clear) else math.inf
+            # ways are looked along in steps of half a degree
+            assert least[way.axis, way.sign] <= min(least.values()) + math.radians(0.8), (q.tolist(), way, least)

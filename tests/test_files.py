@@ -1,0 +1,163 @@
+"""Reading TOML into types: all errors at once, each with its line; nothing brings the reader down."""
+
+from __future__ import annotations
+
+import os
+import time
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from aftdeck.errors import ScenarioError
+from aftdeck.files import MOST_BYTES, Text, line_of, parse, read
+from aftdeck.units import Length
+
+
+class Inner(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    size: Length
+    names: tuple[str, ...] = ()
+
+
+class Outer(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    title: str
+    inner: Inner | None = None
+    part: tuple[Inner, ...] = ()
+    pair: tuple[Length, Length] = (Length(0.0), Length(0.0))
+
+
+def problems(text: str) -> list[str]:
+    with pytest.raises(ScenarioError) as caught:
+        parse(Outer, Text("a.toml", text))
+    assert str(caught.value) == "\n".join(caught.value.problems)
+    return list(caught.value.problems)
+
+
+def test_a_good_file_becomes_its_type(tmp_path: Path) -> None:
+    file = tmp_path / "good.toml"
+    file.write_text('title = "é"\npair = ["1 in", 2]\n[inner]\nsize = "1 ft"\n[[part]]\nsize = 3\n', encoding="utf-8")
+    found = parse(Outer, read(file))
+    assert found.title == "é" and found.pair == pytest.approx((0.0254, 2.0))
+    assert found.inner is not None and found.inner.size == pytest.approx(0.3048)
+    assert [part.size for part in found.part] == [3.0]
+
+
+def test_every_error_comes_at_once_with_its_line() -> None:
+    text = "\n".join(
+        ["titel = 'x'", "pair = [1]", "[inner]", "size = 'long'", "[[part]]", "size = 1", "[[part]]", "colour = 'red'"]
+    )
+    found = problems(text)
+    assert len(found) == 6
+    assert found[1] == "a.toml:1: titel: unknown field; allowed here: title, inner, part, pair"
+    assert any(p == "a.toml: the field 'title' is missing" for p in found)
+    assert any(p.startswith("a.toml:2: pair: ") and "length 2" in p for p in found)
+    assert any(p.startswith("a.toml:4: inner.size: 'long' is no length") for p in found)
+    assert any(p == "a.toml:8: part[1].colour: unknown field; allowed here: size, names" for p in found)
+    assert any(p == "a.toml:7: part[1]: the field 'size' is missing" for p in found)
+
+
+def test_wrong_toml_says_where() -> None:
+    assert problems("title = \n") == ["a.toml: Invalid value (at line 1, column 9)"]
+    assert "a.toml: Cannot overwrite a value" in problems("title = 'a'\ntitle = 'b'\n")[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        ("inner = 3", "expected a table, got 3"),
+        ("inner = [1, 2]", "expected a table, got [1, 2]"),
+        ("part = 3", "Expected `array`, got `int`"),
+        ("part = [3]", "part[0]: expected a table, got 3"),
+        ("title = 7", "Expected `str`, got `int`"),
+        ("title = 1979-05-27", "title"),
+    ],
+)
+def test_a_value_of_the_wrong_kind_says_what_was_expected(text: str, what: str) -> None:
+    head = "" if "title" in text else "title = 'x'\n"
+    assert any(what in problem for problem in problems(head + text))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a" + ".a" * 10_000 + " = 1",
+        "[inner" + ".a" * 10_000 + "]",
+        "[inner.size" + ".a" * 10_000 + "]",
+        "inner = [{" + "a." * 10_000 + "a = 1}]",
+        "part = " + "[" * 10_000 + "]" * 10_000,
+        "title = " + "{a = " * 10_000 + "1" + "}" * 10_000,
+        "title = " + "9" * 100_000,
+        "pair = [" + "9" * 4000 + ", 1]",
+        "title = '''" + "x" * 100_000,
+        "\x00",
+        "pair = ['" + "1" * 50_000 + "', '1" + " " * 50_000 + "']",
+    ],
+    ids=["dotted", "header", "in a number", "in a list", "lists", "tables", "int", "ints", "open", "nul", "spaces"],
+)
+def test_deep_and_long_files_are_refused_quickly_and_briefly(text: str) -> None:
+    began = time.perf_counter()
+    found = problems(text)
+    assert time.perf_counter() - began < 5.0
+    assert all(problem.startswith("a.toml") and "\n" not in problem for problem in found)
+
+
+def test_thousands_of_errors_are_told_in_a_second_or_two() -> None:
+    began = time.perf_counter()
+    assert len(problems("title = 'x'\n" + "".join(f"a{i} = 1\n" for i in range(5000)))) == 5000
+    assert time.perf_counter() - began < 3.0
+
+
+def test_a_missing_file_is_named_with_the_reason(tmp_path: Path) -> None:
+    with pytest.raises(ScenarioError, match=r"none\.toml: cannot be read: No such file or directory"):
+        read(tmp_path / "none.toml")
+
+
+def test_a_folder_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ScenarioError, match="cannot be read"):
+        read(tmp_path)
+
+
+def test_a_name_that_no_file_can_have_is_refused() -> None:
+    for name in ("a\0b.toml", "x" * 5000 + ".toml"):
+        with pytest.raises(ScenarioError, match="cannot be read"):
+            read(Path(name))
+
+
+def test_a_huge_file_is_refused_unread(tmp_path: Path) -> None:
+    file = tmp_path / "huge.toml"
+    with file.open("wb") as handle:
+        handle.seek(10_000_000_000)
+        handle.write(b"x")
+    with pytest.raises(ScenarioError, match=f"has 10000000001 bytes; at most {MOST_BYTES} are read"):
+        read(file)
+
+
+def test_a_binary_file_is_refused_with_the_byte(tmp_path: Path) -> None:
+    file = tmp_path / "binary.toml"
+    file.write_bytes(b"ok = 1\n" + bytes(range(256)))
+    with pytest.raises(ScenarioError, match=r"is not UTF-8 text \(byte 135\)"):
+        read(file)
+
+
+def test_what_is_no_file_is_refused_rather_than_read_for_ever() -> None:
+    with pytest.raises(ScenarioError, match="it is not a file"):
+        read(Path("/dev/zero"))
+
+
+def test_a_pipe_is_refused_rather_than_waited_for(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe.toml"
+    os.mkfifo(pipe)
+    with pytest.raises(ScenarioError, match="it is not a file"):
+        read(pipe)
+
+
+def test_line_of_finds_keys_headers_and_the_nearest_above() -> None:
+    text = "a = 1\n[t]\nb.c = 2\n[[l]]\nx = 1\n[[l]]\nx = 2\n[l.sub]\ny = 1\n"
+    assert line_of(("a",), text) == 1
+    assert line_of(("t",), text) == 2
+    assert line_of(("t", "b", "c"), text) == 3
+    assert line_of(("t", "missing"), text) == 2
+    assert line_of(("l", 1, "x"), text) == 7
+    assert line_of(("l", 1, "sub", "y"), text) == 9
+    assert line_of(("nowhere",), text) is None
+    assert line_of((), text) is None

@@ -1,0 +1,81 @@
+"""The shared sine and cosine, against the standard library's."""
+
+from __future__ import annotations
+
+import math
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import aftdeck
+from aftdeck.law import sincos
+
+OURS, THEIRS = 2e-16, 1.2e-16
+"""The error that sincos promises, and at most one unit in the last place of math's."""
+
+
+def off(angle: float) -> float:
+    s, c = sincos(angle)
+    return max(abs(s - math.sin(angle)), abs(c - math.cos(angle)))
+
+
+@settings(derandomize=True, deadline=None, max_examples=500, database=None)
+@given(st.floats(-1e5, 1e5))
+def test_sine_and_cosine_are_right_to_their_promise(angle: float) -> None:
+    assert off(angle) <= OURS + THEIRS
+
+
+@pytest.mark.parametrize("reach", [1e-8, 1.0, 10.0, 1e3, 1e5])
+def test_sine_and_cosine_are_right_over_many_angles(reach: float) -> None:
+    angles = np.random.default_rng(80).uniform(-reach, reach, 20_000)
+    assert max(off(float(a)) for a in angles) <= OURS + THEIRS
+
+
+def test_sine_and_cosine_are_right_about_multiples_of_an_eighth_turn() -> None:
+    for k in range(-4000, 4000):
+        middle = k * math.pi / 4
+        for angle in (math.nextafter(middle, -math.inf), middle, math.nextafter(middle, math.inf)):
+            assert off(angle) <= OURS + THEIRS
+
+
+def test_the_smallest_angles_are_their_own_sine() -> None:
+    for angle in (0.0, 5e-324, 1e-300, -1e-20, 1e-9):
+        assert sincos(angle) == (angle, 1.0)
+
+
+def test_squares_of_sine_and_cosine_add_up_to_one() -> None:
+    for angle in np.random.default_rng(81).uniform(-100, 100, 5000):
+        s, c = sincos(float(angle))
+        assert s * s + c * c == pytest.approx(1.0, abs=6e-16)
+
+
+def cache_folder(source: Path, home: Path) -> str:
+    """Where a copy of the package keeps its laws' machine code."""
+    code = "import aftdeck.law as law; print(law._cache())"
+    env = {**os.environ, "PYTHONPATH": str(source), "NUMBA_CACHE_DIR": str(home)}
+    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True, timeout=60)
+    return done.stdout.strip()
+
+
+@pytest.mark.parametrize(
+    "changed", ["law.py", "bodies/closest.py", "kinematics/linkage.py", "steering/layout.py", "steering/limiters.py"]
+)
+def test_machine_code_of_a_law_is_not_used_once_anything_it_is_made_of_has_changed(
+    tmp_path: Path, changed: str
+) -> None:
+    shutil.copytree(
+        Path(aftdeck.__file__).parent, tmp_path / "src" / "aftdeck", ignore=shutil.ignore_patterns("static")
+    )
+    before = cache_folder(tmp_path / "src", tmp_path / "cache")
+    assert before.startswith(str(tmp_path / "cache"))
+    assert cache_folder(tmp_path / "src", tmp_path / "cache") == before
+    with (tmp_path / "src" / "aftdeck" / changed).open("a") as file:
+        file.write("\nSURPLUS = 1\n")
+    assert cache_folder(tmp_path / "src", tmp_path / "cache") != before

@@ -1,0 +1,42 @@
+"""The package's face: what it offers, and that it costs nothing to import."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+import aftdeck
+
+
+@pytest.mark.parametrize("name", aftdeck.__all__)
+def test_every_public_name_exists(name: str) -> None:
+    assert getattr(aftdeck, name) is not None
+    assert name in dir(aftdeck)
+
+
+def test_a_name_that_is_not_there_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="module 'aftdeck' has no attribute 'teleport'"):
+        _ = aftdeck.teleport
+
+
+def loaded(statement: str) -> set[str]:
+    """Top-level packages in memory after a statement in a fresh interpreter."""
+    code = f"{statement}\nimport sys, json\nprint(json.dumps(sorted({{m.split('.')[0] for m in sys.modules}})))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
+    return set(json.loads(done.stdout))
+
+
+def test_importing_the_package_loads_no_library() -> None:
+    assert not loaded("import aftdeck") & {"numba", "numpy", "msgspec", "pint", "starlette", "rich", "typer"}
+
+
+def test_asking_for_the_version_loads_no_library() -> None:
+    assert not loaded("import aftdeck; aftdeck.__version__") & {"numba", "numpy", "msgspec", "pint"}
+
+
+def test_units_load_pint_only_for_a_number_with_a_unit() -> None:
+    assert "pint" not in loaded("from aftdeck.units import Length; Length.read(2)")
+    assert "pint" in loaded("from aftdeck.units import Length; Length.read('2 m')")

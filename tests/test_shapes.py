@@ -1,0 +1,192 @@
+"""Drawable shapes: what is refused and how, and the arm's looks against its surveyed measures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import cos, hypot, pi, radians, sin
+from pathlib import Path
+from typing import get_args
+
+import msgspec
+import pytest
+
+import aftdeck.arms.shapes as arm_shapes
+from aftdeck.arms.load import load_model
+from aftdeck.arms.shapes import ArmShapes, shapes_of
+from aftdeck.errors import ScenarioError
+from aftdeck.files import read
+from aftdeck.scenario.load import built_in, load_scenario
+from aftdeck.shapes import Cylinder, Group, Light, Material, Shape
+from aftdeck.worksite import load_worksite
+
+FRAMES = load_model("srms").linkage.frames
+SRMS = Path(arm_shapes.__file__).with_name("srms.shapes.toml")
+LEAN = radians(19.48)
+INCH = 0.0254
+SECTION = "x = 0, half_width = 1, top = 1, middle = 0, bottom = -1"
+
+
+@pytest.fixture(scope="module")
+def srms() -> ArmShapes:
+    return shapes_of(read(SRMS), FRAMES)
+
+
+def leaves(shapes: tuple[Shape, ...]) -> Iterator[Shape]:
+    """All shapes but groups, once each."""
+    for shape in shapes:
+        if isinstance(shape, Group):
+            yield from leaves(shape.shapes)
+        else:
+            yield shape
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (
+            'kind = "loft", material = "metal", sections = [{ ' + SECTION + " }]",
+            "the loft has 1 sections; it needs at least 2",
+        ),
+        (
+            'kind = "loft", material = "metal", sections = [{ ' + SECTION + " }, { " + SECTION + " }]",
+            "the loft's sections have to be listed in order of growing x",
+        ),
+        (
+            'kind = "loft", material = "metal", sections = [{ ' + SECTION.replace("width = 1", "width = 0") + " }]",
+            ".sections[0]: the section's half_width is 0; it has to be above 0",
+        ),
+        (
+            'kind = "cylinder", material = "metal", length = 1, radius = -0.1',
+            "the cylinder's radius is -0.1; it has to be above 0",
+        ),
+        (
+            'kind = "box", material = "metal", size = [1, 0, 1]',
+            "the box's size along y is 0; it has to be above 0",
+        ),
+        (
+            'kind = "plate", material = "metal", normal = "z", thickness = 0.1, outline = [[0, 0], [1, 0]]',
+            "the plate's outline has 2 corners; it needs at least 3",
+        ),
+        (
+            'kind = "plate", material = "metal", normal = "z", thickness = 0.1, bevel = 0.06, '
+            "outline = [[0, 0], [1, 0], [0, 1]]",
+            "the plate's bevel is 0.06; it has to be 0 to half the thickness",
+        ),
+        (
+            'kind = "shell", material = "metal", length = 1, radius = 1, thickness = 0.1, sweep = 7',
+            "the shell's sweep is 7; it has to be above 0 and at most 2 pi",
+        ),
+        (
+            'kind = "shell", material = "metal", length = 1, radius = 1, radius_end = 0.5, thickness = 0.6',
+            "the shell's thickness is 0.6; it has to be at most its radius",
+        ),
+        (
+            'kind = "ring", material = "metal", radius = 1, bar = 0',
+            "the ring's bar is 0; it has to be above 0",
+        ),
+        ('kind = "sphere", material = "metal", radius = inf', "the sphere's radius is inf"),
+        ('kind = "light", radius = 1, cone = 1, reach = 0, intensity = 1', "the light's reach is 0"),
+        ('kind = "group", shapes = []', "the group has no shapes; it needs at least 1"),
+        (
+            'kind = "group", shapes = [{ kind = "sphere", material = "metal", radius = -1 }]',
+            "the sphere's radius is -1; it has to be above 0",
+        ),
+        ('kind = "sphere", material = "cheese", radius = 1', "expected one of blanket, liner, tiles"),
+        (
+            'kind = "sphere", material = "metal", radius = 1, colour = "red"',
+            "colour: unknown field; allowed here: position",
+        ),
+        ('kind = "pyramid"', "kind: expected one of box, cylinder, shell"),
+    ],
+)
+def test_a_shape_that_cannot_be_drawn_is_refused_with_its_place(tmp_path: Path, text: str, message: str) -> None:
+    file = tmp_path / "bad.toml"
+    file.write_text(f'camera = []\n[[body]]\nname = "arm.base"\nshapes = [{{ {text} }}]\n')
+    with pytest.raises(ScenarioError) as caught:
+        shapes_of(read(file), FRAMES)
+    assert str(caught.value).startswith("bad.toml:4: body[0].shapes[0]")
+    assert message in str(caught.value)
+
+
+def test_an_arm_without_all_its_frames_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "short.toml"
+    file.write_text('camera = []\n[[body]]\nname = "arm.base"\nshapes = []\n')
+    with pytest.raises(ScenarioError, match=r"the frames are arm\.base; they have to be, in order, arm\.base, arm"):
+        shapes_of(read(file), FRAMES)
+
+
+def test_a_missing_shape_file_is_named(tmp_path: Path) -> None:
+    file = tmp_path / "arm.toml"
+    file.write_text(SRMS.with_name("srms.toml").read_text().replace("srms.shapes.toml", "none.toml"))
+    with pytest.raises(ScenarioError, match=r"none\.toml: cannot be read: No such file"):
+        load_model(file)
+
+
+def test_the_arm_has_its_seven_frames_in_order_and_each_is_seen(srms: ArmShapes) -> None:
+    assert tuple(srms.bodies) == FRAMES
+    assert all(srms.bodies.values())
+
+
+def test_shapes_survive_the_wire(srms: ArmShapes) -> None:
+    shapes = srms.bodies["arm.wrist_roll"]
+    assert msgspec.json.decode(msgspec.json.encode(shapes), type=tuple[Shape, ...]) == shapes
+
+
+def test_every_material_is_used(srms: ArmShapes) -> None:
+    bodies = [*srms.bodies.values(), *(body.shapes for body in load_worksite("orbiter").bodies)]
+    payloads = [load_scenario(name).payload for name in built_in()]
+    bodies += [payload.shapes for payload in payloads if payload is not None]
+    used = {
+        "glow" if isinstance(shape, Light) else shape.material
+        for shapes in bodies
+        for shape in leaves(shapes)
+        if not isinstance(shape, Group)
+    }
+    assert used == set(get_args(Material))
+
+
+@pytest.mark.parametrize(
+    ("frame", "length", "below"), [("arm.shoulder_pitch", 5.30, 0.0), ("arm.elbow_pitch", 5.75, -0.1524)]
+)
+def test_booms_are_15_inches_across_and_lie_on_the_boom_line(
+    srms: ArmShapes, frame: str, length: float, below: float
+) -> None:
+    shapes = leaves(srms.bodies[frame])
+    (boom,) = (shape for shape in shapes if isinstance(shape, Cylinder) and shape.material == "boom")
+    assert boom.length == pytest.approx(length)
+    assert 2 * boom.radius == pytest.approx(15 * INCH, abs=0.005)
+    assert boom.position[1:] == pytest.approx((0.0, below), abs=0.001)
+
+
+def in_arm_axes(structural: tuple[float, float, float]) -> tuple[float, float, float]:
+    """Structural inches (x aft, y starboard, z up) along L's axes [m]: x aft, y port, z down, leaning."""
+    x, y, z = (component * INCH for component in structural)
+    return x, -cos(LEAN) * y - sin(LEAN) * z, sin(LEAN) * y - cos(LEAN) * z
+
+
+def axis_of_camera(srms: ArmShapes, name: str) -> tuple[float, ...]:
+    """A camera's own place: 0.18 m behind its lens, along its boresight."""
+    (camera,) = (camera for camera in srms.cameras if camera.name == name)
+    length = hypot(*camera.boresight)
+    return tuple(p - 0.18 * b / length for p, b in zip(camera.position, camera.boresight, strict=True))
+
+
+def test_the_elbow_camera_stands_at_its_surveyed_place(srms: ArmShapes) -> None:
+    surveyed = in_arm_axes((953.03 - 930.55, -100.59 + 105.999, 468.44 - 439.108))
+    assert axis_of_camera(srms, "ELB") == pytest.approx(surveyed, abs=0.002)
+
+
+def test_the_wrist_camera_stands_straight_above_the_cradled_roll_axis(srms: ArmShapes) -> None:
+    surveyed = in_arm_axes((1253.7 - 1226.5, 0.0, 456.015 - 444.765))
+    assert axis_of_camera(srms, "WR") == pytest.approx(surveyed, abs=0.002)
+
+
+def test_the_wrist_camera_looks_along_the_roll_axis_past_the_rim(srms: ArmShapes) -> None:
+    (camera,) = (camera for camera in srms.cameras if camera.name == "WR")
+    assert camera.boresight == (1.0, 0.0, 0.0)
+    rim = 0.176
+    off_axis = hypot(*camera.position[1:])
+    down_to_rim = (off_axis - rim) / (1.4224 - camera.position[0])
+    assert off_axis > rim
+    assert down_to_rim < camera.field_of_view / 2 * 3 / 4, "the rim is in a 4:3 picture, below its middle"
+    assert camera.field_of_view < pi / 3

@@ -1,0 +1,124 @@
+"""Quantities in files: bare numbers are SI, strings carry units, everything else is refused in a sentence."""
+
+from __future__ import annotations
+
+import datetime
+import keyword
+import math
+import time
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from aftdeck.units import Angle, AngularRate, Length, Mass, Quantity, Speed, Time
+
+KINDS = (Length, Angle, Speed, AngularRate, Mass, Time)
+
+
+@pytest.mark.parametrize(
+    ("kind", "text", "value"),
+    [
+        (Length, "12 in", 0.3048),
+        (Length, "12in", 0.3048),
+        (Length, " 1 ft ", 0.3048),
+        (Length, "-2.5 mm", -0.0025),
+        (Length, "1e3 km", 1e6),
+        (Length, ".5 yd", 0.4572),
+        (Angle, "180 deg", math.pi),
+        (Angle, "-90 degree", -math.pi / 2),
+        (Angle, "1 rad", 1.0),
+        (Angle, "60 arcmin", math.pi / 180),
+        (Angle, "0.5 turn", math.pi),
+        (Speed, "2 ft/s", 0.6096),
+        (Speed, "36 km/hour", 10.0),
+        (Speed, "60 m / min", 1.0),
+        (AngularRate, "4.76 deg/s", math.radians(4.76)),
+        (Mass, "905 lb", 410.501),
+        (Mass, "1 t", 1000.0),
+        (Mass, "1 slug", 14.593903),
+        (Time, "20 ms", 0.02),
+        (Time, "2 min", 120.0),
+    ],
+)
+def test_a_number_with_a_unit_is_read_in_si(kind: type[Quantity], text: str, value: float) -> None:
+    assert kind.read(text) == pytest.approx(value, rel=1e-6)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_bare_number_is_si(kind: type[Quantity]) -> None:
+    assert kind.read(2.5) == 2.5
+    assert kind.read(-3) == -3.0
+    assert isinstance(kind.read(0), kind)
+
+
+@pytest.mark.parametrize(
+    ("kind", "given"),
+    [
+        (Length, "12 deg"),
+        (Length, "12 parsnip"),
+        (Length, "12"),
+        (Length, ""),
+        (Length, "m"),
+        (Length, "12 m 3 cm"),
+        (Length, "12 m^2"),
+        (Length, "twelve in"),
+        (Length, "1,5 m"),
+        (Length, "nan m"),
+        (Length, "1 m; 2 m"),
+        (Length, "__import__('os')"),
+        (Angle, "5 m"),
+        (Angle, "5 Hz"),
+        (Angle, "5 m/m"),
+        (Angle, "5 percent"),
+        (Speed, "2 ft"),
+        (AngularRate, "5 Hz"),
+        (AngularRate, "5 ft/s"),
+        (Mass, "5 lbf"),
+        (Mass, "5 degC"),
+        (Time, "5 dB"),
+    ],
+)
+def test_another_dimension_or_no_quantity_at_all_is_refused(kind: type[Quantity], given: str) -> None:
+    with pytest.raises(ValueError, match=f"is no {kind.noun}: write a number in {kind.unit}, or one with its unit"):
+        kind.read(given)
+
+
+@pytest.mark.parametrize(
+    "given", [True, None, [1.0], {"value": 1.0}, datetime.date(2020, 1, 1), b"1 m"], ids=lambda g: type(g).__name__
+)
+def test_what_is_neither_number_nor_text_is_refused(given: object) -> None:
+    with pytest.raises(ValueError, match="expected a number in m or a string such as '12 in', got"):
+        Length.read(given)
+
+
+@pytest.mark.parametrize("given", [math.nan, math.inf, -math.inf, "1e999 m", 10**400])
+def test_what_is_not_finite_is_refused(given: object) -> None:
+    with pytest.raises(ValueError, match="expected a finite number in m, got"):
+        Length.read(given)
+
+
+@pytest.mark.parametrize("word", [*keyword.kwlist, "degF", "dBm", "m/degF", "m/None", "in/in", "delta", "pH"])
+def test_words_that_mean_something_to_other_readers_are_refused_or_read(word: str) -> None:
+    try:
+        assert math.isfinite(Length.read(f"5 {word}"))
+    except ValueError as error:
+        assert "is no length" in str(error)
+
+
+@settings(derandomize=True, deadline=None, max_examples=150, database=None)
+@given(st.one_of(st.text(max_size=20), st.from_regex(r"[-+]?[0-9.eE]{1,6} ?[a-zA-Z/* ]{0,12}", fullmatch=True)))
+def test_no_text_brings_down_the_reader(text: str) -> None:
+    for kind in KINDS:
+        try:
+            assert math.isfinite(kind.read(text))
+        except ValueError as error:
+            assert str(error)
+
+
+def test_a_very_long_text_is_refused_at_once() -> None:
+    began = time.perf_counter()
+    with pytest.raises(ValueError, match="is no length") as caught:
+        Length.read("9" * 10_000 + "!")
+    assert time.perf_counter() - began < 0.5
+    assert len(str(caught.value)) < 500

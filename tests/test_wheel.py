@@ -1,0 +1,140 @@
+"""A built wheel installs, runs and flies on a machine with neither node nor the source."""
+
+import json
+import os
+import re
+import socket
+import subprocess
+import sys
+import tarfile
+import time
+import urllib.request
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from uv import find_uv_bin
+
+ROOT = Path(__file__).parents[1]
+UV = Path(find_uv_bin())
+PAGE = "aftdeck/station/static/index.html"
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the sdist of this tree, and the wheel that was built from that sdist alone."""
+    folder = tmp_path_factory.mktemp("packages")
+    build: list[str | Path] = [UV, "build", "--quiet", "--no-build-isolation", "--python", sys.executable]
+    run([*build, "--out-dir", folder, ROOT], dict(os.environ))
+    return folder
+
+
+@pytest.fixture(scope="module")
+def wheel(packages: Path) -> Path:
+    (found,) = packages.glob("*.whl")
+    return found
+
+
+@pytest.fixture(scope="module")
+def bare() -> dict[str, str]:
+    """An environment whose PATH holds nothing: no node, no npm, no other Python."""
+    return {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")} | {"PATH": ""}
+
+
+@pytest.fixture(scope="module")
+def command(wheel: Path, tmp_path_factory: pytest.TempPathFactory, bare: dict[str, str]) -> Path:
+    """The `aftdeck` command of a clean virtual environment that holds the wheel and what it requires."""
+    clean = tmp_path_factory.mktemp("clean") / "venv"
+    run([UV, "venv", "--quiet", "--python", sys.executable, clean], bare)
+    pins = ROOT / "requirements" / "fly.txt"
+    run([UV, "pip", "install", "--quiet", "--python", clean, "--constraint", pins, wheel], bare)
+    return clean / "bin" / "aftdeck"
+
+
+def run(arguments: list[str | Path], environment: dict[str, str], cwd: Path | None = None) -> str:
+    """Runs a command to its end and returns what it printed; fails with all it said."""
+    ended = subprocess.run(
+        arguments, env=environment, cwd=cwd, capture_output=True, text=True, timeout=240, check=False
+    )
+    assert ended.returncode == 0, f"{arguments} ended with {ended.returncode}:\n{ended.stdout}{ended.stderr}"
+    return ended.stdout
+
+
+def test_the_wheel_holds_the_page_and_no_node_modules(wheel: Path) -> None:
+    names = zipfile.ZipFile(wheel).namelist()
+    assert PAGE in names
+    assert any(name.startswith("aftdeck/station/static/") and name.endswith(".js") for name in names)
+    assert not [name for name in names if "node_modules" in name]
+
+
+def test_the_sdist_holds_the_page_with_its_sources_and_no_node_modules(packages: Path) -> None:
+    (sdist,) = packages.glob("*.tar.gz")
+    with tarfile.open(sdist) as archive:
+        names = [name.partition("/")[2] for name in archive.getnames()]
+    assert f"src/{PAGE}" in names
+    assert {"LICENSE", "README.md", "hatch_build.py", "web/package.json", "web/package-lock.json"} <= set(names)
+    assert not [name for name in names if "node_modules" in name]
+
+
+def test_the_installed_command_explains_itself(command: Path, bare: dict[str, str], tmp_path: Path) -> None:
+    assert "fly" in run([command, "--help"], bare, tmp_path)
+
+
+def test_the_installed_command_flies_a_scenario_without_a_screen(
+    command: Path, bare: dict[str, str], tmp_path: Path
+) -> None:
+    summary = json.loads(run([command, "run", "first-flight", "--json"], bare, tmp_path))
+    assert summary["scenario"] == "first-flight"
+    assert summary["ended"] in ("completed", "time")
+
+
+@pytest.fixture
+def station(command: Path, bare: dict[str, str], tmp_path: Path) -> Iterator[str]:
+    """The address of a station that the installed command serves."""
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    said = tmp_path / "said.txt"
+    with said.open("w") as output:
+        server = subprocess.Popen(
+            [command, "fly", "--no-browser", "--port", str(port)],
+            env=bare,
+            cwd=tmp_path,
+            stdin=subprocess.DEVNULL,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+        )
+        try:
+            address = f"http://127.0.0.1:{port}/"
+            assert wait_for(address, server, seconds=60), f"no answer from the station:\n{said.read_text()}"
+            yield address
+        finally:
+            server.terminate()
+            try:
+                server.wait(timeout=20)
+            except subprocess.TimeoutExpired:
+                server.kill()
+                server.wait(timeout=20)
+
+
+def wait_for(address: str, server: subprocess.Popen[bytes], seconds: float) -> bool:
+    """Returns whether ``address`` answers within ``seconds``, while ``server`` runs."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end and server.poll() is None:
+        try:
+            urllib.request.urlopen(address, timeout=5).close()
+            return True
+        except OSError:  # not there yet, or still compiling the laws
+            time.sleep(0.1)
+    return False
+
+
+def test_the_installed_station_serves_its_page(station: str) -> None:
+    with urllib.request.urlopen(station, timeout=10) as answer:
+        page = answer.read().decode()
+    script = re.search(r'<script type="module"[^>]* src="(?:\./|/)?([^"]+)"', page)
+    assert script is not None, page
+    with urllib.request.urlopen(station + script[1], timeout=10) as answer:
+        assert answer.headers.get_content_type() == "text/javascript"

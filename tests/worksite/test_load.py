@@ -1,0 +1,199 @@
+"""The worksite's file: what loads, what is refused, and the orbiter against its published measures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+from math import hypot
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from aftdeck.errors import ScenarioError
+from aftdeck.shapes import Box, Cylinder, Group, Light, Loft, Plate, Ring, Shape, Shell, Sphere, Vec3
+from aftdeck.worksite import Worksite, load_worksite, worksites
+
+Points = NDArray[np.float64]
+INCH = 0.0254
+
+
+@pytest.fixture(scope="module")
+def orbiter() -> Worksite:
+    return load_worksite("orbiter")
+
+
+def turned(points: Points, rotation: Vec3, position: Vec3) -> Points:
+    """Points turned by roll, pitch, yaw about fixed axes, then moved."""
+    for axis, angle in enumerate(rotation):
+        p, q = (axis + 1) % 3, (axis + 2) % 3
+        matrix = np.eye(3)
+        matrix[[p, p, q, q], [p, q, p, q]] = [np.cos(angle), -np.sin(angle), np.sin(angle), np.cos(angle)]
+        points = points @ matrix.T
+    moved: Points = points + np.array(position)
+    return moved
+
+
+def corners(half: tuple[float, float, float]) -> Points:
+    """The corners of a box about the origin."""
+    signs: Points = np.array(list(product((-1.0, 1.0), repeat=3)))
+    scaled: Points = signs * np.array(half)
+    return scaled
+
+
+def hull(shape: Shape) -> Points:
+    """Points in the frame that lists the shape; their box holds it."""
+    return turned(np.vstack(list(own_hull(shape))), shape.rotation, shape.position)
+
+
+def own_hull(shape: Shape) -> Iterator[Points]:
+    """Points in a shape's own frame; round bodies stand for the box round them."""
+    match shape:
+        case Box():
+            x, y, z = shape.size
+            yield corners((x / 2, y / 2, z / 2))
+        case Cylinder() | Shell():
+            radius = max(shape.radius, shape.radius_end or shape.radius)
+            half = [radius, radius, radius]
+            half["xyz".index(shape.axis)] = shape.length / 2
+            yield corners((half[0], half[1], half[2]))
+        case Ring():
+            yield corners((shape.radius, shape.radius, shape.radius))
+        case Sphere() | Light():
+            yield corners((shape.radius, shape.radius, shape.radius))
+        case Plate():
+            normal = "xyz".index(shape.normal)
+            for side in (-1, 1):
+                yield np.insert(np.array(shape.outline), normal, side * shape.thickness / 2, axis=1)
+        case Loft():
+            for section in shape.sections:
+                for y, z in product((-section.half_width, section.half_width), (section.bottom, section.top)):
+                    yield np.array([[section.x, y, z]])
+        case Group():
+            own = np.vstack([hull(child) for child in shape.shapes])
+            for i in range(shape.count):
+                dx, dy, dz = shape.step
+                roll, pitch, yaw = shape.turn
+                yield turned(own, (i * roll, i * pitch, i * yaw), (i * dx, i * dy, i * dz))
+
+
+def whole(worksite: Worksite) -> Points:
+    """Points round all that the orbiter shows, mirrored groups on both sides."""
+    points: list[Points] = []
+    for shape in worksite.bodies[0].shapes:
+        points.append(hull(shape))
+        if isinstance(shape, Group) and shape.mirror:
+            points.append(points[-1] * np.array([1.0, -1.0, 1.0]))
+    return np.vstack(points)
+
+
+def test_the_orbiter_is_built_in_and_gives_the_scene_frame(orbiter: Worksite) -> None:
+    assert "orbiter" in worksites()
+    assert orbiter.bodies[0].name == "orbiter"
+
+
+def test_it_loads_by_path_too(orbiter: Worksite, tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text(
+        'name = "mine"\ntitle = "Mine"\ncamera = []\n'
+        '[[body]]\nname = "rock"\nshapes = [{ kind = "sphere", material = "structure", radius = 2 }]\n'
+    )
+    assert load_worksite(file).bodies[0].shapes == (Sphere(material="structure", radius=2.0),)
+
+
+def test_the_orbiter_has_its_published_measures(orbiter: Worksite) -> None:
+    low, high = whole(orbiter).min(axis=0), whole(orbiter).max(axis=0)
+    assert high[0] - low[0] == pytest.approx(37.2, abs=0.4), "length over all"
+    assert high[1] - low[1] == pytest.approx(23.8, abs=0.2), "span"
+    assert high[2] == pytest.approx(10.6, abs=0.1), "tail tip above the origin"
+
+
+def test_port_and_starboard_match(orbiter: Worksite) -> None:
+    low, high = whole(orbiter).min(axis=0), whole(orbiter).max(axis=0)
+    assert low[1] == pytest.approx(-high[1])
+
+
+@pytest.mark.parametrize(
+    ("name", "place"),
+    [
+        ("A", (588.76, -71.5, 446.06)),
+        ("B", (1293.76, -87.0, 446.0)),
+        ("C", (1293.76, 87.0, 446.0)),
+        ("D", (588.76, 71.5, 446.06)),
+    ],
+)
+def test_bay_cameras_stand_at_their_surveyed_places(orbiter: Worksite, name: str, place: Vec3) -> None:
+    """Surveyed pan axes in structural inches; the lens is 0.18 m ahead, where its drawn body ends."""
+    (camera,) = (camera for camera in orbiter.cameras if camera.name == name)
+    length = hypot(*camera.boresight)
+    axis = [p - 0.18 * b / length for p, b in zip(camera.position, camera.boresight, strict=True)]
+    surveyed = [(place[0] - 942) * INCH, place[1] * INCH, (place[2] - 400) * INCH]
+    assert axis == pytest.approx(surveyed, abs=0.002)
+    (body,) = (
+        shape
+        for shape in orbiter.bodies[0].shapes
+        if isinstance(shape, Group) and shape.position == pytest.approx(surveyed, abs=0.002)
+    )
+    ahead = turned(np.array([[1.0, 0.0, 0.0]]), body.rotation, (0.0, 0.0, 0.0))[0]
+    assert ahead == pytest.approx(np.array(camera.boresight) / length, abs=0.002)
+
+
+@pytest.mark.parametrize("height", [3.0, 4.0, 5.0])
+@pytest.mark.parametrize("name", ["A", "B", "C", "D"])
+def test_a_tip_above_the_middle_of_the_bay_is_well_inside_every_bay_picture(
+    orbiter: Worksite, name: str, height: float
+) -> None:
+    (camera,) = (camera for camera in orbiter.cameras if camera.name == name)
+    ahead = np.array(camera.boresight) / hypot(*camera.boresight)
+    right = np.cross(ahead, camera.up)
+    right /= np.linalg.norm(right)
+    towards = np.array([0.0, 0.0, height]) - np.array(camera.position)
+    half_width = np.tan(camera.field_of_view / 2)
+    across = towards @ right / (towards @ ahead) / half_width
+    upwards = towards @ np.cross(right, ahead) / (towards @ ahead) / (half_width * 3 / 5)
+    assert abs(across) < 0.8
+    assert abs(upwards) < 0.8, "of the half height of a 5:3 picture"
+
+
+def test_an_unknown_worksite_names_those_that_are_built_in() -> None:
+    with pytest.raises(ScenarioError, match=r"no worksite 'moon'; give the path .* or one of: orbiter"):
+        load_worksite("moon")
+
+
+@pytest.mark.parametrize(
+    ("bodies", "camera", "message"),
+    [
+        ("", "", "bad.toml: body: none is listed"),
+        (
+            '[[body]]\nname = "a"\nshapes = []\n' * 2,
+            "",
+            "bad.toml: body: 'a' is listed 2 times; names have to differ",
+        ),
+        (
+            '[[body]]\nname = "a"\nshapes = []\n',
+            'body = "b"\nboresight = [1, 0, 0]\nfield_of_view = 1\n',
+            "bad.toml: camera[0].body: 'b' is no body; there are: a",
+        ),
+        (
+            '[[body]]\nname = "a"\nshapes = []\n',
+            'body = "a"\nboresight = [0, 0, -2]\nfield_of_view = 1\n',
+            "bad.toml:6: camera[0]: camera X's boresight and up have to be two different directions",
+        ),
+        (
+            '[[body]]\nname = "a"\nshapes = []\n',
+            'body = "a"\nboresight = [1, 0, 0]\nfield_of_view = 4\n',
+            "bad.toml:6: camera[0]: camera X's field_of_view is 4; it has to be between 0 and pi",
+        ),
+    ],
+)
+def test_a_bad_file_is_refused_in_a_sentence(tmp_path: Path, bodies: str, camera: str, message: str) -> None:
+    file = tmp_path / "bad.toml"
+    head = 'name = "bad"\ntitle = "Bad"\n'
+    rest = '[[camera]]\nname = "X"\ntitle = "X"\nposition = [0, 0, 0]\nup = [0, 0, 1]\n' + camera
+    empty = "" if camera else "camera = []\n"
+    none = "" if bodies else "body = []\n"
+    file.write_text(head + empty + none + bodies + (rest if camera else ""))
+    with pytest.raises(ScenarioError) as caught:
+        load_worksite(file)
+    assert str(caught.value).startswith(message)

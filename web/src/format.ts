@@ -1,0 +1,51 @@
+/** Numbers and times as the panel writes them. */
+
+const DEGREE = 180 / Math.PI;
+
+/** Fixed decimals with a true minus sign; never a negative zero. `+` is written where `signed`. */
+export function fixed(value: number, decimals: number, signed = true): string {
+  const digits = Math.abs(value).toFixed(decimals);
+  const zero = Number(digits) === 0;
+  if (value < 0 && !zero) return `−${digits}`;
+  return signed ? `+${digits}` : digits;
+}
+
+/** An attitude [rad] as 0.0 to 359.9 degrees. */
+export function attitude(radians: number): string {
+  const tenths = Math.round(radians * DEGREE * 10);
+  return ((((tenths % 3600) + 3600) % 3600) / 10).toFixed(1);
+}
+
+/** An angle or angular rate [rad] in signed degrees. */
+export function degrees(radians: number, decimals = 1, signed = true): string {
+  return fixed(radians * DEGREE, decimals, signed);
+}
+
+/** Mission elapsed time [s] as `ddd/hh:mm:ss`. */
+export function missionTime(seconds: number): string {
+  const whole = Math.max(0, Math.floor(seconds));
+  return `${pad(Math.floor(whole / 86400), 3)}/${clock(whole % 86400)}`;
+}
+
+/** A picture's time code: mission time and hundredths, `hh:mm:ss.cc`. */
+export function timeCode(seconds: number): string {
+  const hundredths = Math.max(0, Math.floor(seconds * 100 + 1e-6));
+  return `${clock(Math.floor(hundredths / 100))}.${pad(hundredths % 100, 2)}`;
+}
+
+/** Seconds as `hh:mm:ss`. */
+export function clock(seconds: number): string {
+  const whole = Math.max(0, Math.floor(seconds));
+  const minutes = Math.floor(whole / 60);
+  return `${pad(Math.floor(minutes / 60), 2)}:${pad(minutes % 60, 2)}:${pad(whole % 60, 2)}`;
+}
+
+/** A keyed-in number, with a true minus sign or a hyphen, or null where it is none. */
+export function parseNumber(text: string): number | null {
+  const plain = text.trim().replace('−', '-');
+  return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : null;
+}
+
+function pad(value: number, width: number): string {
+  return String(value).padStart(width, '0');
+}

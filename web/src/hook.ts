@@ -1,0 +1,46 @@
+/** What tests and measurements read: `window.__aftdeck`. */
+
+import type { Frame } from './protocol';
+
+export interface Hook {
+  /** Pictures drawn, and how many in the last whole second. */
+  frames: number;
+  fps: number;
+  lastFrame: Frame | null;
+  /** Stick to picture, 95th percentile of the last 10 s [ms]. */
+  latency95: number | null;
+  /** What draws, as WebGL names it. */
+  renderer: string;
+}
+
+declare global {
+  interface Window {
+    __aftdeck: Hook;
+  }
+}
+
+/** Publishes the hook; `read` is asked at every look. */
+export function publish(renderer: string, read: () => Omit<Hook, 'fps' | 'renderer'>): void {
+  let fps = 0;
+  let before = 0;
+  setInterval(() => {
+    const { frames } = read();
+    fps = Math.max(0, frames - before);
+    before = frames;
+  }, 1000);
+  window.__aftdeck = {
+    get frames() {
+      return read().frames;
+    },
+    get fps() {
+      return fps;
+    },
+    get lastFrame() {
+      return read().lastFrame;
+    },
+    get latency95() {
+      return read().latency95;
+    },
+    renderer,
+  };
+}

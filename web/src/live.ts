@@ -1,0 +1,75 @@
+/** Flying: connect, and hand every message to the station. */
+
+import { assertUnreachable } from './assert';
+import { publish } from './hook';
+import { notice } from './notice';
+import type { FromServer, Role, Welcome } from './protocol';
+import type { Drawing } from './quality';
+import { Link, type LinkState } from './socket';
+import { Station } from './station';
+
+export function fly(root: HTMLElement, drawing: Drawing): void {
+  let station: Station | null = null;
+  let welcomed: Welcome | null = null;
+  let role: Role | null = null;
+
+  function welcome(message: Welcome): void {
+    // A station that comes back as it was keeps its page, and tells its whole log anew.
+    if (station && JSON.stringify(message) === JSON.stringify(welcomed)) {
+      station.forgetEvents();
+      return;
+    }
+    station?.dispose();
+    welcomed = message;
+    station = new Station(root, message, drawing, (command) => link.send(command));
+    if (role) station.setRole(role);
+    document.title = `${message.title} · Aftdeck`;
+  }
+
+  function message(received: FromServer): void {
+    switch (received.type) {
+      case 'welcome':
+        welcome(received);
+        break;
+      case 'role':
+        role = received;
+        station?.setRole(received);
+        break;
+      case 'frame':
+        station?.setFrame(received);
+        break;
+      case 'events':
+        station?.addEvents(received.events);
+        break;
+      case 'refused':
+        station?.refuse(received.text);
+        break;
+      default:
+        assertUnreachable(received);
+    }
+  }
+
+  function state(now: LinkState): void {
+    station?.setLink(now);
+    if (now.kind === 'refused') {
+      station?.dispose();
+      station = null;
+      notice(root, now.sentence);
+    } else if (now.kind !== 'open' && !station) {
+      notice(
+        root,
+        now.kind === 'lost'
+          ? `No answer from the station, try ${now.attempt}.`
+          : 'Connecting to the station.',
+      );
+    }
+  }
+
+  const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
+  const link = new Link(`${scheme}://${location.host}/ws`, { message, state });
+  publish(drawing.renderer, () => ({
+    frames: station?.drawn ?? 0,
+    lastFrame: station?.frame ?? null,
+    latency95: station?.latency.percentile95(performance.now()) ?? null,
+  }));
+}

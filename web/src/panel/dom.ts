@@ -1,0 +1,70 @@
+/** Making and changing elements; nothing is written to the document that stands there already. */
+
+type Child = Node | string;
+type Attributes = Readonly<Record<string, string>>;
+
+export function el<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  node.append(...children);
+  return node;
+}
+
+export function svg<K extends keyof SVGElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): SVGElementTagNameMap[K] {
+  const node = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  node.append(...children);
+  return node;
+}
+
+/** A push button; a click by pointer gives the keys back to flying. */
+export function button(attributes: Attributes, children: Child[], pressed: () => void): HTMLButtonElement {
+  const node = el('button', { type: 'button', ...attributes }, ...children);
+  node.addEventListener('click', (event) => {
+    if (event.detail > 0) node.blur();
+    pressed();
+  });
+  return node;
+}
+
+/** A bracketed group of the desk. */
+export function group(name: string, title: string, ...children: Child[]): HTMLElement {
+  const id = `group-${name}`;
+  return el(
+    'section',
+    { class: `group ${name}`, 'aria-labelledby': id },
+    el('h2', { id }, el('b', {}, title), el('span', { class: 'about' })),
+    ...children,
+  );
+}
+
+/** The words after a group's title. */
+export function setAbout(section: HTMLElement, text: string): void {
+  const about = section.querySelector('h2 .about');
+  if (about) setText(about, text);
+}
+
+export function setText(node: Element, text: string): void {
+  if (node.textContent !== text) node.textContent = text;
+}
+
+export function setAttribute(node: Element, name: string, value: string): void {
+  if (node.getAttribute(name) !== value) node.setAttribute(name, value);
+}
+
+export function setClass(node: Element, name: string, on: boolean): void {
+  if (node.classList.contains(name) !== on) node.classList.toggle(name, on);
+}
+
+/** A switch that is set: a white key with black text. */
+export function setPressed(node: Element, on: boolean): void {
+  setAttribute(node, 'aria-pressed', String(on));
+}

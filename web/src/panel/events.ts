@@ -1,0 +1,81 @@
+/** The log, newest first; three lines, opened upwards to twenty; a lamp pressed keeps it to its cause. */
+
+import { clock } from '../format';
+import type { Event as LogEvent } from '../protocol';
+import { button, el, group, setAbout, setText } from './dom';
+
+const LINES = 3;
+const OPEN_LINES = 20;
+/** Lines kept, so that a filter finds older ones. */
+const KEPT = 200;
+
+export class EventsGroup {
+  readonly element: HTMLElement;
+  private readonly list = el('ol', { class: 'log' });
+  private readonly more: HTMLButtonElement;
+  private readonly all: HTMLButtonElement;
+  private events: readonly LogEvent[] = [];
+  private open = false;
+  private keptTo: { readonly name: string; readonly kinds: readonly string[] } | null = null;
+
+  /** `hints` stand under the oldest line. */
+  constructor(private readonly hints: readonly string[]) {
+    this.more = button({ class: 'more', 'aria-expanded': 'false' }, ['more'], () => this.toggle());
+    this.all = button({ class: 'all', hidden: '' }, ['show all'], () => this.keepTo('', []));
+    this.element = group('events', 'Events', this.list);
+    this.element.querySelector('h2')?.append(this.all, this.more);
+    this.draw();
+  }
+
+  /** New lines, oldest first. */
+  add(events: readonly LogEvent[]): void {
+    this.events = [...events].reverse().concat(this.events).slice(0, KEPT);
+    // Nothing new is hidden: a line that the filter would leave out ends it.
+    if (events.some((event) => !this.shows(event))) this.keptTo = null;
+    this.draw();
+  }
+
+  clear(): void {
+    this.events = [];
+    this.keptTo = null;
+    this.draw();
+  }
+
+  /** Shows only lines of these kinds, for the lamp of that name; all again when asked twice, or for no kind. */
+  keepTo(name: string, kinds: readonly string[]): void {
+    this.keptTo = kinds.length === 0 || this.keptTo?.name === name ? null : { name, kinds };
+    this.draw();
+  }
+
+  private shows({ kind }: LogEvent): boolean {
+    return this.keptTo === null || this.keptTo.kinds.includes(kind);
+  }
+
+  private toggle(): void {
+    this.open = !this.open;
+    this.element.classList.toggle('open', this.open);
+    this.more.setAttribute('aria-expanded', String(this.open));
+    setText(this.more, this.open ? 'less' : 'more');
+    this.draw();
+  }
+
+  private draw(): void {
+    const lines = this.open ? OPEN_LINES : LINES;
+    const { keptTo } = this;
+    setAbout(this.element, keptTo ? `${keptTo.name} only` : '');
+    this.all.hidden = keptTo === null;
+    const under = keptTo ? [`No older line is about ${keptTo.name}.`] : this.hints;
+    const hints = under.map((text) => el('li', { class: 'hint' }, el('span', { title: text }, text)));
+    const shown = this.events.filter((event) => this.shows(event));
+    const events = shown.map(({ time_s, level, text }) =>
+      el(
+        'li',
+        { class: level },
+        el('time', {}, clock(time_s)),
+        el('i', { class: 'sign', 'aria-label': level }),
+        el('span', { title: text }, text),
+      ),
+    );
+    this.list.replaceChildren(...[...events, ...hints].slice(0, lines));
+  }
+}

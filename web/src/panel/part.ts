@@ -1,0 +1,32 @@
+/** What the desk's groups have in common: they draw one frame, and hold nothing of the arm themselves. */
+
+import type { Deflection } from '../input/deflection';
+import type { Frame, Welcome } from '../protocol';
+import type { Command } from '../socket';
+import type { Units } from '../units';
+
+/** All that a part draws from. */
+export interface View {
+  readonly frame: Frame;
+  readonly units: Units;
+  /** Where this page's own sticks stand. */
+  readonly hand: Deflection;
+  /** This page holds the sticks. */
+  readonly flying: boolean;
+}
+
+export interface Part {
+  readonly element: HTMLElement;
+  /** Marks and bars, at picture rate. */
+  bars?(view: View): void;
+  /** Figures and legends, ten times a second. */
+  values?(view: View): void;
+}
+
+/** What the parts may do. */
+export interface Desk {
+  readonly welcome: Welcome;
+  send(command: Command): void;
+  /** A line of the page's own in the log. */
+  say(text: string): void;
+}

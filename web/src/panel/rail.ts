@@ -1,0 +1,77 @@
+/** The top rail: what is flown, how long, how quickly the picture answers, and who flies. */
+
+import { clock, missionTime } from '../format';
+import type { LinkState } from '../socket';
+import { button, el, setClass, setText } from './dom';
+import type { Desk, View } from './part';
+
+/** Slower than this, the picture lags behind the hand [ms]. */
+const SLOW_MS = 100;
+
+export interface RailListener {
+  units(): void;
+  restart(): void;
+  keys(): void;
+}
+
+export interface Rail {
+  readonly element: HTMLElement;
+  values(view: View, latency95: number | null, watchers: number, link: LinkState): void;
+}
+
+export function rail({ welcome }: Desk, software: boolean, listener: RailListener): Rail {
+  const phases = welcome.phases.map((name) => el('li', {}, name));
+  const lag = el('b');
+  const met = el('b');
+  const rec = el('b');
+  const recording = el('span', { class: 'rec', title: 'This flight is recorded' }, 'REC ', rec);
+  const who = el('span', { class: 'who', role: 'status' });
+  const units = button({ title: 'Units of the read-outs' }, [], () => listener.units());
+  const delay = welcome.command_delay_s;
+  const delays =
+    delay > 0 ? [el('span', { class: 'delay' }, 'Command delay ', el('b', {}, `${delay.toFixed(2)} s`))] : [];
+  const element = el(
+    'header',
+    { class: 'rail' },
+    el('h1', {}, 'Aftdeck'),
+    el('span', { class: 'scenario', title: welcome.text }, welcome.title),
+    el('ol', { class: 'phases', 'aria-label': 'Phases' }, ...phases),
+    el('span', { class: 'space' }),
+    ...(software ? [el('span', { class: 'note', title: SOFTWARE }, 'Software drawing, low detail')] : []),
+    el('span', { class: 'lag' }, 'Stick to picture ', lag),
+    ...delays,
+    recording,
+    el('span', { class: 'met' }, 'MET ', met),
+    who,
+    units,
+    button({ title: 'Puts the scenario back to its first instant' }, ['Restart'], () => listener.restart()),
+    button({ class: 'keys' }, ['Keys ?'], () => listener.keys()),
+  );
+  return {
+    element,
+    values({ frame, flying, units: shown }, latency95, watchers, link) {
+      const at = welcome.phases.indexOf(frame.phase);
+      phases.forEach((phase, i) => {
+        setClass(phase, 'done', at >= 0 && i < at);
+        setClass(phase, 'present', i === at);
+      });
+      setText(lag, latency95 === null ? '–' : `${Math.round(latency95)} ms`);
+      setClass(lag, 'caution', latency95 !== null && latency95 > SLOW_MS);
+      setText(met, missionTime(frame.time_s));
+      setClass(recording, 'absent', frame.recording_s === null);
+      setText(rec, clock(frame.recording_s ?? 0));
+      setText(units, shown.name === 'SI' ? 'SI' : 'ft · in');
+      const lost = link.kind === 'lost';
+      setText(who, lost ? `No connection, try ${link.attempt}` : roles(flying, watchers));
+      setClass(who, 'lost', lost);
+      setClass(who, 'flying', flying && !lost);
+    },
+  };
+}
+
+const SOFTWARE = 'This browser draws without a graphics card; add ?quality=full to the address to insist.';
+
+function roles(flying: boolean, watchers: number): string {
+  if (!flying) return 'You watch';
+  return watchers === 0 ? 'You fly' : `You fly · ${watchers} watch${watchers === 1 ? 'es' : ''}`;
+}

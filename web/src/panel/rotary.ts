@@ -1,0 +1,81 @@
+/** The MODE rotary: twelve positions; one is turned to, then entered. */
+
+import { button, el, setClass, setPressed } from './dom';
+import type { Desk } from './part';
+
+/** As printed on the panel, down its left column, then its right one. */
+const POSITIONS = [
+  'OPR CMD',
+  'AUTO 1',
+  'AUTO 2',
+  'AUTO 3',
+  'AUTO 4',
+  'TEST',
+  'ORB UNL',
+  'END EFF',
+  'ORB LD',
+  'PL',
+  'SINGLE',
+  'DIRECT',
+];
+
+export interface Rotary {
+  readonly element: HTMLElement;
+  /** The position turned to; the one entered where none is. */
+  shown(): string;
+  /** The position that the station has entered. */
+  set(position: string): void;
+  turn(by: number): void;
+  /** Enters the position turned to. */
+  enter(): void;
+}
+
+export function rotary(desk: Desk): Rotary {
+  const place = ({ position }: { position: string }) => POSITIONS.indexOf(position);
+  const modes = [...desk.welcome.modes].sort((a, b) => place(a) - place(b));
+  let entered = '';
+  let turned: string | null = null;
+
+  const enter = () => {
+    if (turned !== null) desk.send({ type: 'enter_mode', mode: turned });
+  };
+  const turnTo = (position: string) => {
+    turned = position === entered ? null : position;
+    draw();
+  };
+  const keys = modes.map(({ position, title, point, enabled }) => {
+    const missing = point === 'payload' ? 'needs a payload in the grasp' : 'no points are stored';
+    const about = enabled ? title : `${title}: ${missing}`;
+    const key = button({ title: about }, [el('i', { class: 'dot' }), position], () => {
+      if (turned === position) enter();
+      else turnTo(position);
+    });
+    setClass(key, 'absent', !enabled);
+    return key;
+  });
+  const element = el('div', { class: 'rotary', role: 'group', 'aria-label': 'Mode' }, ...keys);
+
+  function draw(): void {
+    modes.forEach(({ position }, i) => {
+      const key = keys[i];
+      if (!key) return;
+      setPressed(key, position === entered);
+      setClass(key, 'turned', position === turned);
+    });
+  }
+
+  return {
+    element,
+    shown: () => turned ?? entered,
+    set(position) {
+      if (position !== entered) turned = null;
+      entered = position;
+      draw();
+    },
+    turn(by) {
+      const at = modes.findIndex(({ position }) => position === (turned ?? entered));
+      turnTo(modes[(at + by + modes.length) % modes.length]?.position ?? entered);
+    },
+    enter,
+  };
+}

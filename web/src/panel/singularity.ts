@@ -1,0 +1,46 @@
+/** How far each singularity is: 0 at it, 1 farthest; caution below 0.20, with the way out. */
+
+import { fixed } from '../format';
+import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
+import type { Part } from './part';
+
+const CAUTION = 0.2;
+const LENGTH = 200;
+
+export function singularity(): Part {
+  const rows = ['Shoulder', 'Elbow', 'Wrist'].map((name) => {
+    const pointer = svg('rect', { class: 'pointer', y: '3', x: '-3', width: '6', height: '12' });
+    const label = el('span', { class: 'label' }, name);
+    const value = el('span', { class: 'value' });
+    const bar = svg(
+      'svg',
+      { viewBox: `-4 0 ${LENGTH + 8} 18`, preserveAspectRatio: 'none', 'aria-hidden': 'true' },
+      svg('rect', { class: 'track', x: '0', y: '7', width: String(LENGTH), height: '4' }),
+      svg('rect', { class: 'reach', x: '0', y: '7', width: String(CAUTION * LENGTH), height: '4' }),
+      pointer,
+    );
+    return { name, pointer, label, value, row: el('div', { class: 'distance' }, label, bar, value) };
+  });
+  const gauges = el('div', { class: 'gauges' }, ...rows.map(({ row }) => row));
+  const element = group('singularity', 'Singularity', gauges);
+  setAbout(element, 'caution below 0.20');
+  return {
+    element,
+    bars({ frame }) {
+      rows.forEach(({ pointer }, i) => {
+        const at = Math.min(1, Math.abs(frame.singularity[i] ?? 0)) * LENGTH;
+        setAttribute(pointer, 'transform', `translate(${at.toFixed(1)} 0)`);
+      });
+    },
+    values({ frame }) {
+      rows.forEach(({ name, label, value, row }, i) => {
+        const distance = Math.abs(frame.singularity[i] ?? 0);
+        const near = distance < CAUTION;
+        const out = frame.ways_out.find(({ cause }) => cause === name.toLowerCase());
+        setText(label, near && out ? `${name}: ${out.text}` : name);
+        setText(value, fixed(distance, 2, false));
+        setClass(row, 'caution', near);
+      });
+    },
+  };
+}

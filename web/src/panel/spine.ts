@@ -1,0 +1,88 @@
+/** The lamps between the monitors, each with its cause, under the master alarm. */
+
+import type { Lamp } from '../protocol';
+import { button, el, setAttribute, setClass, setText } from './dom';
+
+/** Lamps of the arm as on the panel, then those of the station. */
+const ARM = ['SINGULAR', 'REACH LIM', 'SOFT STOP', 'RATE LIM'];
+const STATION = ['CHECK CRT', 'LINK', 'CONTROLLER'];
+
+export interface SpineListener {
+  acknowledged(): void;
+  /** A lamp was pressed, by its name. */
+  pressed(lamp: string): void;
+}
+
+export class Spine {
+  readonly element: HTMLElement;
+  private readonly lamps = new Map<string, { key: HTMLButtonElement; cause: HTMLElement }>();
+  private readonly words = el('span');
+  private readonly master: HTMLButtonElement;
+  private readonly polite = el('p', { class: 'unseen', 'aria-live': 'polite' });
+  private readonly alert = el('p', { class: 'unseen', role: 'alert' });
+  private readonly arm = el('div', { class: 'lamps' });
+  private lit = new Map<string, Lamp>();
+  private unseen = new Set<string>();
+
+  constructor(private readonly listener: SpineListener) {
+    this.master = button({ class: 'master' }, [el('b', {}, 'Master alarm'), this.words], () =>
+      listener.acknowledged(),
+    );
+    this.arm.append(...ARM.map((name) => this.lamp(name)));
+    const station = el('div', { class: 'lamps' }, ...STATION.map((name) => this.lamp(name)));
+    this.element = el(
+      'section',
+      { class: 'spine', 'aria-label': 'Lamps' },
+      this.master,
+      this.arm,
+      station,
+      this.polite,
+      this.alert,
+    );
+    this.show([]);
+  }
+
+  /** Lights exactly these lamps; in a test all of them, which alarms nobody. */
+  show(lamps: readonly Lamp[], test = false): void {
+    const now = new Map(lamps.map((lamp) => [lamp.name, lamp]));
+    for (const [name, lamp] of now) {
+      if (!this.lamps.has(name)) this.arm.append(this.lamp(name));
+      if (!this.lit.has(name) && lamp.level !== 'info') this.raise(lamp);
+    }
+    this.lit = now;
+    for (const name of this.unseen) if (!now.has(name)) this.unseen.delete(name);
+    for (const [name, { key, cause }] of this.lamps) {
+      const lamp = now.get(name);
+      setClass(key, 'caution', lamp?.level === 'caution' || (test && lamp?.level !== 'warning'));
+      setClass(key, 'warning', lamp?.level === 'warning');
+      setClass(key, 'info', lamp?.level === 'info' && !test);
+      setText(cause, lamp?.text ?? '');
+      setAttribute(key, 'title', lamp?.text ?? '');
+    }
+    const cautions = lamps.filter(({ level }) => level !== 'info').length;
+    const warned = lamps.some(({ level, name }) => level === 'warning' && this.unseen.has(name));
+    setClass(this.master, 'caution', (test || this.unseen.size > 0) && !warned);
+    setClass(this.master, 'warning', warned);
+    const count = cautions === 1 ? '1 caution' : `${cautions} cautions`;
+    if (test) setText(this.words, 'lamp test');
+    else setText(this.words, cautions === 0 ? 'clear' : this.unseen.size > 0 ? `${count} · press M` : count);
+  }
+
+  /** The operator has seen what is lit. */
+  acknowledge(): void {
+    this.unseen.clear();
+    this.show([...this.lit.values()]);
+  }
+
+  private raise(lamp: Lamp): void {
+    this.unseen.add(lamp.name);
+    setText(lamp.level === 'warning' ? this.alert : this.polite, `${lamp.name}: ${lamp.text}`);
+  }
+
+  private lamp(name: string): HTMLButtonElement {
+    const cause = el('small');
+    const key = button({ class: 'lamp' }, [el('b', {}, name), cause], () => this.listener.pressed(name));
+    this.lamps.set(name, { key, cause });
+    return key;
+  }
+}

@@ -1,0 +1,53 @@
+/** Where the automatic modes fly to: OPR CMD's keyed-in pose, or the stored points of AUTO 1-4. */
+
+import { degrees, fixed } from '../format';
+import type { Frame } from '../protocol';
+import type { Units } from '../units';
+import { el, group, setAbout, setText } from './dom';
+import { entry } from './entry';
+import type { Desk, Part } from './part';
+import { route } from './route';
+import { verdict } from './verdict';
+
+export interface TargetGroup extends Part {
+  /** Keys in what was typed, then starts. */
+  proceed(): void;
+}
+
+export function targetGroup(desk: Desk): TargetGroup {
+  const keyed = entry(desk);
+  const stored = route();
+  const check = verdict();
+  const togo = el('p', { class: 'to-go' });
+  const element = group('target', 'Target', keyed.element, stored.element, check.element, togo);
+  let byPoints = false;
+  return {
+    element,
+    proceed() {
+      if (!byPoints && keyed.edited() && !keyed.keyIn()) return;
+      desk.send({ type: 'proceed' });
+    },
+    values({ frame, units }) {
+      byPoints = frame.mode.startsWith('AUTO');
+      keyed.element.hidden = byPoints;
+      togo.hidden = byPoints;
+      stored.element.hidden = !byPoints;
+      if (byPoints) {
+        stored.set(frame, units);
+        setAbout(element, frame.mode);
+      } else {
+        keyed.set(frame, units);
+        setAbout(element, keyed.edited() ? 'not keyed in yet' : frame.aim ? 'keyed in' : 'none keyed in');
+        setText(togo, remaining(frame, units));
+      }
+      check.set(frame.check);
+    },
+  };
+}
+
+function remaining({ aim, sequence, mode }: Frame, { length }: Units): string {
+  if (!aim) return 'OPR CMD flies the point there.';
+  const left = `${fixed(aim.distance * length.perSi, length.decimals, false)} ${length.name}, ${degrees(aim.angle, 1, false)}°`;
+  if (sequence === 'in progress') return `${left} to go, ${Math.ceil(aim.remaining_s)} s`;
+  return mode === 'OPR CMD' ? `${left} away` : `${left} away; OPR CMD flies there.`;
+}

@@ -1,0 +1,111 @@
+/** Translational hand controller, the switch of its rate, and RATE HOLD. */
+
+import { X, Y, Z } from '../input/deflection';
+import { button, el, group, setAttribute, setClass, setPressed, setText, svg } from './dom';
+import type { Desk, Part } from './part';
+import { mark, setHand, triple } from './sticks';
+
+export function thc(desk: Desk): Part {
+  const [up, down] = [el('span'), el('span')];
+  const [lift, drop] = [el('span'), el('span')];
+  const plane = mark();
+  const height = mark();
+  const heldPlane = mark(true);
+  const heldHeight = mark(true);
+  const numbers = triple(['X', 'Y', 'Z']);
+  const coarse = button({}, ['Coarse'], () => desk.send({ type: 'select_rate', rate: 'coarse' }));
+  const vernier = button({}, ['Vernier'], () => desk.send({ type: 'select_rate', rate: 'vernier' }));
+  const hold = button(
+    { class: 'hold', title: 'Keeps the present rates when the sticks let go' },
+    ['Rate hold'],
+    () => desk.send({ type: 'rate_hold' }),
+  );
+  const element = group(
+    'thc',
+    'THC',
+    el(
+      'div',
+      { class: 'sticks' },
+      el(
+        'div',
+        { class: 'stick' },
+        up,
+        svg(
+          'svg',
+          { viewBox: '-50 -50 100 100', 'aria-hidden': 'true' },
+          svg('rect', { class: 'well', x: '-49', y: '-49', width: '98', height: '98' }),
+          svg('path', { class: 'cross', d: 'M-40 0 H40 M0 -40 V40' }),
+          svg('circle', { class: 'dead', r: '3.2' }),
+          svg('path', { class: 'crossed', d: 'M-49 -49 L49 49 M-49 49 L49 -49' }),
+          heldPlane.element,
+          plane.element,
+        ),
+        down,
+      ),
+      el(
+        'div',
+        { class: 'stick slider' },
+        lift,
+        svg(
+          'svg',
+          { viewBox: '-12 -50 24 100', 'aria-hidden': 'true' },
+          svg('rect', { class: 'well', x: '-6', y: '-49', width: '12', height: '98' }),
+          svg('path', { class: 'cross', d: 'M-6 0 H6' }),
+          heldHeight.element,
+          height.element,
+        ),
+        drop,
+      ),
+    ),
+    numbers.element,
+    el('div', { class: 'switch', role: 'group', 'aria-label': 'Rate' }, coarse, vernier),
+    hold,
+  );
+  return {
+    element,
+    bars({ frame, hand, flying }) {
+      const [x, y, z] = frame.translation;
+      heldPlane.set(y, x);
+      heldHeight.set(0, -z);
+      const own = frame.rate_hold && flying;
+      plane.set(own ? hand[Y] : y, own ? hand[X] : x + frame.drive);
+      height.set(0, own ? -hand[Z] : -z);
+    },
+    values({ frame, flying }) {
+      const mode = desk.welcome.modes.find((each) => each.position === frame.mode);
+      const driving = mode?.kind === 'single';
+      const [x, , z] = mode?.axis_names ?? ['+X', '+Y', '+Z'];
+      setText(up, driving ? '+ drive' : x);
+      setText(down, driving ? '− drive' : opposite(x));
+      setText(lift, driving ? '' : opposite(z));
+      setText(drop, driving ? '' : z);
+      setClass(element, 'driving', driving);
+      setHand(element, 'left hand', frame, flying);
+      if (driving) numbers.set([frame.drive, 0, 0], 'Drive');
+      else numbers.set(frame.translation, 'X');
+      setAttribute(numbers.element, 'aria-label', 'Translation sticks');
+      setClass(element, 'holding', frame.rate_hold);
+      setPressed(hold, frame.rate_hold);
+      setPressed(coarse, frame.rate === 'coarse');
+      setPressed(vernier, frame.rate === 'vernier');
+    },
+  };
+}
+
+const OPPOSITES: Readonly<Record<string, string>> = {
+  fwd: 'aft',
+  aft: 'fwd',
+  out: 'back',
+  up: 'dn',
+  down: 'up',
+  dn: 'up',
+  left: 'right',
+  right: 'left',
+};
+
+/** `−X aft` for `+X fwd`; the letter alone where the word has no opposite here. */
+export function opposite(name: string): string {
+  const [axis = '', word = ''] = name.replace('+', '−').split(' ');
+  const other = OPPOSITES[word];
+  return other === undefined ? axis : `${axis} ${other}`;
+}

@@ -1,0 +1,611 @@
+// Generated from station/protocol.py and station/playback.py by `make generate`; do not edit.
+// All quantities are SI and radians; see there for frames.
+
+export const PROTOCOL = 1;
+
+export type Vec2 = readonly [number, number];
+export type Vec3 = readonly [number, number, number];
+export type Axis = 'x' | 'y' | 'z';
+export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'glow';
+export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Light | Group;
+export type Six = readonly [number, number, number, number, number, number];
+export type Quat = readonly [number, number, number, number];
+export type Rate = 'coarse' | 'vernier';
+export type LawChoice = 'position' | 'closed loop' | 'open loop';
+export type Level = 'info' | 'caution' | 'warning';
+export type FromPage = Sticks | Shown | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | SetTarget | Proceed | Stop | Restart;
+export type FromServer = Welcome | Role | Frame | Events | Refused;
+export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
+export type Block = readonly Moment[];
+
+/** A box about its centre. */
+export interface Box {
+  readonly kind: 'box';
+  /** [m] */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  /** Edges along x, y, z [m]. */
+  readonly size: Vec3;
+}
+
+/** A solid cylinder or truncated cone about its centre. */
+export interface Cylinder {
+  readonly kind: 'cylinder';
+  /** [m] */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  readonly axis: Axis;
+  readonly length: number;
+  /** At the end of smaller axis coordinate [m]. */
+  readonly radius: number;
+  /** At the other end [m]; as `radius` where not given. */
+  readonly radius_end: number | null;
+}
+
+/**
+ * A wall bent round an axis: tube, nozzle, door, or, where it is as thick as its radius, a piece of disc.
+ *
+ * Angles run from y to z about axis x, from z to x about y, from x to y about z.
+ */
+export interface Shell {
+  readonly kind: 'shell';
+  /** [m] */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  readonly axis: Axis;
+  readonly length: number;
+  /** Outer, at the end of smaller axis coordinate [m]. */
+  readonly radius: number;
+  /** Outer, at the other end [m]; as `radius` where not given. */
+  readonly radius_end: number | null;
+  readonly thickness: number;
+  readonly start: number;
+  readonly sweep: number;
+}
+
+/** A round bar bent about an axis, a full turn or part of one; angles as in `Shell`. */
+export interface Ring {
+  readonly kind: 'ring';
+  /** [m] */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  readonly axis: Axis;
+  /** Of the bar's middle line [m]. */
+  readonly radius: number;
+  /** Radius of the bar [m]. */
+  readonly bar: number;
+  readonly start: number;
+  readonly sweep: number;
+}
+
+/** A sphere. */
+export interface Sphere {
+  readonly kind: 'sphere';
+  /** [m] */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  readonly radius: number;
+}
+
+/** A flat outline given thickness, half to each side of the plane through its position. */
+export interface Plate {
+  readonly kind: 'plate';
+  /** [m] */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  readonly normal: Axis;
+  /** Corners in order, not closed, as (y, z), (x, z) or (x, y) for normal x, y or z [m]. */
+  readonly outline: readonly Vec2[];
+  readonly thickness: number;
+  /** How far the rims are cut back, at most half the thickness [m]. */
+  readonly bevel: number;
+}
+
+/** A skin over cross-sections along x, closed at both ends. */
+export interface Loft {
+  readonly kind: 'loft';
+  /** [m] */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  /** In order of growing x. */
+  readonly sections: readonly Section[];
+}
+
+/**
+ * A rounded cross-section of a loft: an upper and a lower half of a superellipse.
+ *
+ * Its points satisfy |y/half_width|^n + |z/height|^n = 1 about `middle`, n being the exponent of its half:
+ * 2 is an ellipse, 5 nearly a rectangle.
+ */
+export interface Section {
+  readonly x: number;
+  readonly half_width: number;
+  readonly top: number;
+  readonly middle: number;
+  readonly bottom: number;
+  /** Of the upper and of the lower half. */
+  readonly exponents: Vec2;
+}
+
+/** A lamp: a round face that looks along its own x and lights what lies before it. */
+export interface Light {
+  readonly kind: 'light';
+  /** [m] */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly radius: number;
+  /** Half angle of its beam [rad]; above pi/2 it shines all round. */
+  readonly cone: number;
+  /** How far it lights [m]. */
+  readonly reach: number;
+  /** On its axis [cd], in the scale in which the sun gives 4.1 lx. */
+  readonly intensity: number;
+}
+
+/** Shapes that share a place; drawn once, or several times in even steps, or also mirrored. */
+export interface Group {
+  readonly kind: 'group';
+  /** [m] */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly shapes: readonly Shape[];
+  /** How many copies. */
+  readonly count: number;
+  /** From a copy to the next, along the group's own axes [m]. */
+  readonly step: Vec3;
+  /** From a copy to the next, about the group's own axes, as a `rotation` [rad]. */
+  readonly turn: Vec3;
+  /** Draw all once more, reflected in the plane y = 0 of the frame that the group is listed in. */
+  readonly mirror: boolean;
+}
+
+/**
+ * Where the hand controllers stand, after deadband and expo, each axis in [-1, 1].
+ *
+ * Sent whenever they change and at least every 0.2 s while deflected: the server lets sticks that have
+ * been silent for 0.5 s return to zero.
+ */
+export interface Sticks {
+  readonly type: 'sticks';
+  /** Grows with every message of a page; an older one is refused. */
+  readonly seq: number;
+  /** THC: +X, +Y, +Z of the present control frame. */
+  readonly translation: Vec3;
+  /** RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame. */
+  readonly rotation: Vec3;
+  /** SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT). */
+  readonly drive: number;
+}
+
+/** What the page measures of itself, told once a second where it has anything to tell; for the recording. */
+export interface Shown {
+  readonly type: 'shown';
+  readonly seq: number;
+  /** Stick to picture, 95th percentile of the last 10 s [ms]. */
+  readonly latency_ms: number | null;
+}
+
+/** Turn the MODE rotary to a position and press ENTER. */
+export interface EnterMode {
+  readonly type: 'enter_mode';
+  readonly seq: number;
+  /** A panel position, as `ModeInfo.position`. */
+  readonly mode: string;
+}
+
+/** Turn the JOINT rotary. */
+export interface SelectJoint {
+  readonly type: 'select_joint';
+  readonly seq: number;
+  /** 0 to 5, in the order of `Welcome.joints`. */
+  readonly joint: number;
+}
+
+/** Set the COARSE/VERNIER switch. */
+export interface SelectRate {
+  readonly type: 'select_rate';
+  readonly seq: number;
+  readonly rate: Rate;
+}
+
+/** Set the switch beside OPR CMD and AUTO 1-4: which of the report's modes 1 to 3 they fly. */
+export interface SelectLaw {
+  readonly type: 'select_law';
+  readonly seq: number;
+  readonly law: LawChoice;
+}
+
+/** Set the switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4). */
+export interface PayloadAxes {
+  readonly type: 'payload_axes';
+  readonly seq: number;
+  readonly on: boolean;
+}
+
+/** Press RATE HOLD: keep the present stick command; pressed again, let it go. */
+export interface RateHold {
+  readonly type: 'rate_hold';
+  readonly seq: number;
+}
+
+/** Set POSITION HOLD: with sticks at rest, keep position and attitude. */
+export interface PositionHold {
+  readonly type: 'position_hold';
+  readonly seq: number;
+  readonly on: boolean;
+}
+
+/** Key in the end position and attitude of OPR CMD (SPEC 94 items 18-23), in panel components. */
+export interface SetTarget {
+  readonly type: 'set_target';
+  readonly seq: number;
+  /** X, Y, Z [m]. */
+  readonly position: Vec3;
+  /** Pitch, yaw, roll [rad]. */
+  readonly attitude: Vec3;
+}
+
+/** AUTO SEQ switch to PROCEED. */
+export interface Proceed {
+  readonly type: 'proceed';
+  readonly seq: number;
+}
+
+/** AUTO SEQ switch to STOP; sticks go to zero too. */
+export interface Stop {
+  readonly type: 'stop';
+  readonly seq: number;
+}
+
+/** Put the scenario back to its first instant. */
+export interface Restart {
+  readonly type: 'restart';
+  readonly seq: number;
+}
+
+/** Answer to `Hello`: all that a page needs to know once. */
+export interface Welcome {
+  readonly type: 'welcome';
+  readonly protocol: number;
+  readonly version: string;
+  readonly scenario: string;
+  readonly title: string;
+  /** What the scenario asks of the operator, a sentence or two. */
+  readonly text: string;
+  readonly arm: string;
+  readonly control_period_s: number;
+  /** How long a command is under way before the arm has it [s]. */
+  readonly command_delay_s: number;
+  /** The arm file's preference for the panel's read-outs. */
+  readonly units: 'ft-in' | 'SI';
+  readonly joints: readonly JointInfo[];
+  readonly modes: readonly ModeInfo[];
+  readonly bodies: readonly BodyInfo[];
+  readonly cameras: readonly Camera[];
+  /** Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none. */
+  readonly phases: readonly string[];
+}
+
+/** One joint of the arm flown: names, limits [rad] and rate limits [rad/s]. */
+export interface JointInfo {
+  /** As in the arm file: `shoulder_yaw`. */
+  readonly name: string;
+  /** As on the page: `Sho yaw`. */
+  readonly label: string;
+  readonly hard: Vec2;
+  readonly soft: Vec2;
+  readonly reach: Vec2;
+  readonly coarse: number;
+  readonly vernier: number;
+  readonly servo: number;
+}
+
+/** One position of the MODE rotary that this scenario can enter. */
+export interface ModeInfo {
+  /** As printed on the panel: `ORB UNL`. */
+  readonly position: string;
+  /** The report's mode numbers that it can fly, the default first; 0 TEST, 9 DIRECT. */
+  readonly laws: readonly number[];
+  /** What it flies, in a few words. */
+  readonly title: string;
+  readonly kind: 'automatic' | 'manual' | 'single' | 'test';
+  /** The point that it moves: `tip`, `payload`. */
+  readonly point: string;
+  /** Whether this scenario can enter it; ORB LD and PL need a payload, AUTO 1-4 their points. */
+  readonly enabled: boolean;
+  /** The axes that the sticks act along: `orbiter axes`. */
+  readonly axes: string;
+  /** What + means for the THC: `+X fwd`, `+Y stbd`, `+Z down`. */
+  readonly axis_names: readonly [string, string, string];
+}
+
+/** A rigid body to draw; its pose is found in `Frame.poses` at its index in `Welcome.bodies`. */
+export interface BodyInfo {
+  readonly name: string;
+  readonly shapes: readonly Shape[];
+}
+
+/**
+ * A television camera fixed to a body.
+ *
+ * Not modelled yet: pan, tilt and zoom drives; the fields give the fixed setting.
+ */
+export interface Camera {
+  /** Short name on the selector: `B`. */
+  readonly name: string;
+  /** `Aft bulkhead port`. */
+  readonly title: string;
+  /** Name of the body that carries it. */
+  readonly body: string;
+  /** Lens, in the body's frame [m]. */
+  readonly position: Vec3;
+  /** Direction of view in the body's frame (any length above zero). */
+  readonly boresight: Vec3;
+  /** Direction in the body's frame that is up in the picture, not along the boresight. */
+  readonly up: Vec3;
+  /** Horizontal field of view [rad]. */
+  readonly field_of_view: number;
+}
+
+/** Who flies: sent on connection and whenever it changes. */
+export interface Role {
+  readonly type: 'role';
+  readonly flying: boolean;
+  /** Pages that watch, besides the one that flies. */
+  readonly watchers: number;
+}
+
+/** All that the page shows of one instant; newest wins, frames may be skipped. */
+export interface Frame {
+  readonly type: 'frame';
+  readonly tick: number;
+  readonly time_s: number;
+  /** `seq` of the last `Sticks` that this step has flown; the page times stick-to-picture by it. */
+  readonly stick_seq: number;
+  /** How long the recording goes on already [s]; null: nothing is recorded. */
+  readonly recording_s: number | null;
+  /** Name of the script's phase; empty when flown by hand. */
+  readonly phase: string;
+  readonly by: 'hand' | 'script';
+  readonly mode: string;
+  /** The report's mode number flown; 0 TEST, 9 DIRECT. */
+  readonly law: number;
+  readonly law_choice: LawChoice;
+  readonly payload_axes: boolean;
+  readonly rate_hold: boolean;
+  readonly position_hold: boolean;
+  readonly joint: number;
+  readonly rate: Rate;
+  /** READY and IN PROG of the automatic modes. */
+  readonly sequence: 'idle' | 'ready' | 'in progress';
+  /** AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes. */
+  readonly point: number;
+  readonly points: number;
+  /** CMD CK of the present target. */
+  readonly check: Check | null;
+  readonly translation: Vec3;
+  readonly rotation: Vec3;
+  /** Sticks as this step has flown them. */
+  readonly drive: number;
+  /** [rad] */
+  readonly joints: Six;
+  /** Actual [rad/s]. */
+  readonly rates: Six;
+  readonly rates_commanded: Six;
+  /** In force in this mode [rad/s]. */
+  readonly rate_limits: Six;
+  /** Per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop. */
+  readonly zones: readonly [number, number, number, number, number, number];
+  readonly actual: Resolution;
+  readonly commanded: Resolution;
+  /** POR translation [m/s] and rotation [rad/s] limits in force. */
+  readonly por_limits: Vec2;
+  /** Limits acting in this step. */
+  readonly limits: readonly Limit[];
+  /** Shoulder, elbow, wrist: signed normalised distances, 0 at the singularity. */
+  readonly singularity: Vec3;
+  /** For each singularity that is near and each joint past a limit: what leads away from it. */
+  readonly ways_out: readonly WayOut[];
+  readonly lamps: readonly Lamp[];
+  readonly aim: Aim | null;
+  /** The control frame's axes in the scene, for the frame axes in the pictures. */
+  readonly axes: Quat;
+  /** Seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene. */
+  readonly poses: readonly number[];
+}
+
+/** CMD CK: what a rehearsal of the way to a target found. */
+export interface Check {
+  readonly good: boolean;
+  readonly text: string;
+}
+
+/** The point of resolution, panel components. */
+export interface Resolution {
+  /** X, Y, Z [m]. */
+  readonly position: Vec3;
+  /** Pitch, yaw, roll [rad], each in [0, 2 pi). */
+  readonly attitude: Vec3;
+  /** Rate of X, Y, Z [m/s]. */
+  readonly velocity: Vec3;
+  /** Angular velocity about panel pitch, yaw, roll axes [rad/s]. */
+  readonly turn_rate: Vec3;
+}
+
+/** A limit that acted in this step. */
+export interface Limit {
+  readonly kind: 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'POR translation' | 'POR rotation' | 'POR acceleration';
+  /** 0 to 5, or -1 where no single joint is concerned. */
+  readonly joint: number;
+  /** For people: `elbow pitch at its rate limit`. */
+  readonly text: string;
+}
+
+/** How to leave a singularity or a joint's stop. */
+export interface WayOut {
+  /** `shoulder`, `elbow`, `wrist` (a singularity) or a joint's name. */
+  readonly cause: string;
+  /** For people: `THC −X`, `RHC +pitch`, `SINGLE elbow pitch −`. */
+  readonly text: string;
+  readonly stick: 'translation' | 'rotation' | 'joint';
+  readonly axis: number;
+  readonly sign: number;
+}
+
+/** A lit lamp and its cause. */
+export interface Lamp {
+  /** `SINGULAR`, `REACH LIM`, `SOFT STOP`, `RATE LIM` ..., as on the spine. */
+  readonly name: string;
+  readonly level: Level;
+  /** The cause: `elbow 0.12 from straight`. */
+  readonly text: string;
+}
+
+/** The keyed-in target of an automatic mode and what is left to it. */
+export interface Aim {
+  readonly position: Vec3;
+  readonly attitude: Vec3;
+  /** [m] */
+  readonly distance: number;
+  /** [rad] */
+  readonly angle: number;
+  /** Estimated time to go [s]; 0 when not under way. */
+  readonly remaining_s: number;
+}
+
+/** New log lines, oldest first; none is ever skipped. */
+export interface Events {
+  readonly type: 'events';
+  readonly events: readonly Event[];
+}
+
+/** One line of the log. */
+export interface Event {
+  readonly time_s: number;
+  readonly kind: string;
+  readonly level: Level;
+  readonly text: string;
+}
+
+/** A message or command that was not taken, and why, in a sentence for the operator. */
+export interface Refused {
+  readonly type: 'refused';
+  /** `seq` of the message, or -1 where it could not be read. */
+  readonly seq: number;
+  readonly text: string;
+}
+
+/** One recorded frame, with each curve's exact value in it. */
+export interface Moment {
+  readonly frame: Frame;
+  /** Of every curve, strip after strip. */
+  readonly values: readonly (number | null)[];
+  /** The joint that is nearest to its rate limit; empty at rest. */
+  readonly worst: string;
+}
+
+/** First message of a page: the protocol that it speaks. */
+export interface Hello {
+  readonly type: 'hello';
+  readonly protocol: number;
+}
+
+/** A part of a lane through which one thing was so. */
+export interface Stretch {
+  readonly start_s: number;
+  readonly end_s: number;
+  /** What was so; empty: nothing that this lane tells of. */
+  readonly label: string;
+  readonly level: Level;
+}
+
+/** A row of stretches that follow one another from the run's beginning to its end. */
+export interface Lane {
+  readonly name: string;
+  readonly stretches: readonly Stretch[];
+}
+
+/** A line of a strip, thinned so that no peak is lost. */
+export interface Curve {
+  readonly role: 'actual' | 'commanded';
+  readonly times_s: readonly number[];
+  /** None: there was no such thing. */
+  readonly values: readonly (number | null)[];
+}
+
+/** A quantity over the run. */
+export interface Strip {
+  readonly name: string;
+  readonly quantity: Quantity;
+  readonly curves: readonly Curve[];
+  readonly low: number;
+  /** Range of all values, with zero in it where zero means rest. */
+  readonly high: number;
+  /** A bound to draw across it. */
+  readonly limit: number | null;
+  /** Drawn until the reader chooses others. */
+  readonly shown: boolean;
+}
+
+/** A figure of the whole run. */
+export interface Measure {
+  readonly name: string;
+  readonly quantity: Quantity;
+  readonly value: number | null;
+  /** In words, where the quantity is such. */
+  readonly text: string;
+  /** How it is reckoned, in a sentence. */
+  readonly about: string;
+}
+
+/** Whether the recomputed frames are equal to the recorded ones. */
+export interface Verdict {
+  readonly state: 'checking' | 'equal' | 'different' | 'impossible';
+  /** For people: `all 2002 frames equal`. */
+  readonly text: string;
+}
+
+/** All that is known of a recording before its first frame is drawn. */
+export interface PlaybackIndex {
+  readonly welcome: Welcome;
+  /** The file's name, without its folder. */
+  readonly file: string;
+  /** Wall time at which the run began, ISO 8601, UTC. */
+  readonly began: string;
+  /** Of the Aftdeck that recorded it. */
+  readonly version: string;
+  readonly seed: number;
+  /** KEY=VALUE, where a replay changed the scenario. */
+  readonly changes: readonly string[];
+  /** A control step. */
+  readonly period_s: number;
+  /** Steps that the recording holds. */
+  readonly ticks: number;
+  /** Steps from one drawn frame to the next; 1: every frame is drawn. */
+  readonly stride: number;
+  /** Moments in each block but the last. */
+  readonly block: number;
+  /** How the run ended; empty where the recording was cut short. */
+  readonly ended: string;
+  readonly verdict: Verdict;
+  readonly events: readonly Event[];
+  readonly lanes: readonly Lane[];
+  readonly strips: readonly Strip[];
+  readonly measures: readonly Measure[];
+}

@@ -1,0 +1,171 @@
+/** Playing a recording: the monitors, the run's figures, and time below them; drawn as the playhead moves. */
+
+import { publish } from '../hook';
+import { notice } from '../notice';
+import { el, setClass } from '../panel/dom';
+import { Pictures } from '../pictures';
+import type { Frame, PlaybackIndex } from '../protocol';
+import type { Drawing } from '../quality';
+import { type UnitName, unitsOf } from '../units';
+import { FlownDesk } from './desk';
+import { listen } from './keys';
+import { Player } from './player';
+import { replayRail } from './rail';
+import { RunColumn } from './run';
+import type { Source } from './source';
+import { Timeline } from './timeline';
+import { Transport } from './transport';
+
+/** Figures change this often [ms]. */
+const VALUES_MS = 100;
+/** A longer pause of the browser's is none of the recording's [s]. */
+const LONGEST_STEP_S = 0.25;
+const VERDICT_MS = 1000;
+/** An event this near to the playhead is the one it stands at [s]. */
+const AT = 1e-3;
+
+/** Fills the page with a recording, or says why it cannot be played. */
+export function play(root: HTMLElement, drawing: Drawing, source: Source): void {
+  notice(root, 'Opening the recording.');
+  source.index().then(
+    (index) => new Replay(root, drawing, source, index),
+    () => notice(root, 'The recording cannot be opened: its file or its server does not answer.'),
+  );
+}
+
+class Replay {
+  private drawn = 0;
+  private frame: Frame | null = null;
+  private units: UnitName;
+  private before = performance.now();
+  private valuesAt = 0;
+  private pictured = '';
+  private readonly player: Player;
+  private readonly pictures: Pictures;
+  private readonly timeline: Timeline;
+  private readonly transport: Transport;
+  private readonly run: RunColumn;
+  private readonly rail;
+  private readonly desk: FlownDesk;
+  private readonly band: HTMLElement;
+
+  constructor(
+    root: HTMLElement,
+    drawing: Drawing,
+    private readonly source: Source,
+    private readonly index: PlaybackIndex,
+  ) {
+    this.units = index.welcome.units;
+    this.player = new Player(index, (number) => source.block(number));
+    this.pictures = new Pictures(index.welcome, drawing);
+    this.timeline = new Timeline(index, (position) => this.player.seek(position));
+    this.transport = new Transport(index, this.player, {
+      event: (by) => this.toEvent(by),
+      strips: (names) => this.timeline.choose(names),
+      desk: () => this.showDesk(),
+    });
+    this.run = new RunColumn(index);
+    this.desk = new FlownDesk(index);
+    this.rail = replayRail(index, () => {
+      this.units = this.units === 'SI' ? 'ft-in' : 'SI';
+    });
+    const [first, second] = this.pictures.monitors;
+    this.band = el(
+      'section',
+      { class: 'band', 'aria-label': 'Time' },
+      this.transport.element,
+      this.timeline.element,
+      this.desk.element,
+    );
+    root.classList.add('replay');
+    root.replaceChildren(
+      this.pictures.canvas,
+      el('main', { class: 'monitors' }, first.element, second.element, this.run.element),
+      this.band,
+      this.rail.element,
+    );
+    document.title = `${index.file} · Aftdeck`;
+    listen(this.player, {
+      event: (by) => this.toEvent(by),
+      desk: () => this.showDesk(),
+      camera: (number) => this.pictures.hand.choose(number),
+      stepCamera: (by) => this.pictures.hand.step(by),
+      otherMonitor: () => this.pictures.takeOther(),
+      close: () => this.transport.open(false),
+    });
+    this.rail.setVerdict(index.verdict);
+    if (index.verdict.state === 'checking') this.judge();
+    publish(drawing.renderer, () => ({ frames: this.drawn, lastFrame: this.frame, latency95: null }));
+    this.tick();
+  }
+
+  private tick(): void {
+    requestAnimationFrame(() => this.tick());
+    const now = performance.now();
+    this.player.advance(Math.min((now - this.before) / 1000, LONGEST_STEP_S));
+    this.before = now;
+    const { moment, position } = this.player;
+    const units = unitsOf(this.units);
+    if (moment && this.isNew(moment.frame)) {
+      this.frame = moment.frame;
+      this.pictures.draw(moment.frame);
+      this.pictures.setTime(moment.frame, null);
+      this.desk.bars(moment.frame, units);
+      this.drawn += 1;
+    }
+    this.timeline.show(position, moment, units);
+    if (now - this.valuesAt >= VALUES_MS) {
+      this.valuesAt = now;
+      const past = this.past();
+      this.run.show(past, units);
+      this.rail.setUnits(units);
+      if (moment) this.desk.values(moment.frame, units, past);
+      const { failure } = this.player;
+      this.transport.show(failure, failure !== '');
+    }
+  }
+
+  /** Whether the pictures differ from those that stand: another frame, camera, or window. */
+  private isNew(frame: Frame): boolean {
+    const { canvas, monitors } = this.pictures;
+    const { clientWidth, clientHeight } = canvas;
+    const asked = [frame.tick, clientWidth, clientHeight, ...monitors.map(({ camera }) => camera)].join();
+    if (asked === this.pictured) return false;
+    this.pictured = asked;
+    return true;
+  }
+
+  /** Events up to the playhead. */
+  private past(): number {
+    const { events } = this.index;
+    const after = events.findIndex(({ time_s }) => time_s > this.player.position + AT);
+    return after < 0 ? events.length : after;
+  }
+
+  private toEvent(by: 1 | -1): void {
+    const { position } = this.player;
+    const { events } = this.index;
+    const next =
+      by > 0
+        ? events.find(({ time_s }) => time_s > position + AT)
+        : events.findLast(({ time_s }) => time_s < position - AT);
+    if (next) this.player.seek(next.time_s);
+  }
+
+  private showDesk(): void {
+    const on = !this.band.classList.contains('with-desk');
+    setClass(this.band, 'with-desk', on);
+    this.transport.setDesk(on);
+  }
+
+  /** Asks for the recomputation's result until it is known. */
+  private judge(): void {
+    this.source.verdict()?.then(
+      (verdict) => {
+        this.rail.setVerdict(verdict);
+        if (verdict.state === 'checking') setTimeout(() => this.judge(), VERDICT_MS);
+      },
+      () => setTimeout(() => this.judge(), VERDICT_MS),
+    );
+  }
+}

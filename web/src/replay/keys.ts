@@ -1,0 +1,60 @@
+/** The keys of a replay, by their place on the keyboard. */
+
+import type { Player } from './player';
+
+/** Arrow keys go this far [s]. */
+const SECOND = 1;
+const PAGE = 10;
+
+export interface ReplayKeys {
+  event(by: 1 | -1): void;
+  desk(): void;
+  camera(index: number): void;
+  stepCamera(by: 1 | -1): void;
+  otherMonitor(): void;
+  close(): void;
+}
+
+/** What a key does; undefined: it is not ours. */
+export function actionOf(player: Player, keys: ReplayKeys, event: Pick<KeyboardEvent, 'code' | 'shiftKey'>) {
+  const digit = /^Digit([1-9])$/.exec(event.code)?.[1];
+  if (digit) return () => keys.camera(Number(digit) - 1);
+  const by = (seconds: number) => () => player.seek(player.position + seconds);
+  const actions: Readonly<Record<string, () => void>> = {
+    Space: () => player.toggle(),
+    ArrowLeft: event.shiftKey ? () => player.step(-1) : by(-SECOND),
+    ArrowRight: event.shiftKey ? () => player.step(1) : by(SECOND),
+    PageUp: by(-PAGE),
+    PageDown: by(PAGE),
+    Home: () => player.seek(player.start),
+    End: () => player.seek(player.duration),
+    ArrowUp: () => player.faster(),
+    ArrowDown: () => player.slower(),
+    BracketLeft: () => keys.event(-1),
+    BracketRight: () => keys.event(1),
+    Comma: () => keys.stepCamera(-1),
+    Period: () => keys.stepCamera(1),
+    KeyX: () => keys.otherMonitor(),
+    KeyD: () => keys.desk(),
+    Escape: () => keys.close(),
+  };
+  return actions[event.code];
+}
+
+/** Listens from now on. */
+export function listen(player: Player, keys: ReplayKeys): void {
+  const options = { capture: true };
+  const down = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const act = actionOf(player, keys, event);
+    if (!act) return;
+    event.preventDefault();
+    act();
+  };
+  // A button takes the click of Space on release; Space plays and nothing else.
+  const up = (event: KeyboardEvent) => {
+    if (event.code === 'Space') event.preventDefault();
+  };
+  window.addEventListener('keydown', down, options);
+  window.addEventListener('keyup', up, options);
+}

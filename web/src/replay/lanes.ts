@@ -1,0 +1,110 @@
+/** Lanes: what was so from when to when, and the events as marks. */
+
+import { el, setAttribute, setClass, setText, svg } from '../panel/dom';
+import type { Lane, Event as LogEvent, Stretch } from '../protocol';
+
+/** A stretch shorter than this part of the run has no room for its name. */
+const ROOM = 0.035;
+
+/** Between two stretches, as parts of the run and of the stretch: a short one is not eaten up. */
+const GAP = 0.0008;
+const GAP_OF_STRETCH = 0.15;
+
+export interface Row {
+  readonly element: HTMLElement;
+  /** The playhead is at that time [s]. */
+  at(position: number): void;
+}
+
+/** A drawing over the run: time to the right [s], from 0 to 1 downwards, stretched to its place. */
+export function stretched(duration: number, ...drawn: SVGElement[]): SVGElement {
+  const attributes = { viewBox: `0 0 ${duration} 1`, preserveAspectRatio: 'none', 'aria-hidden': 'true' };
+  return svg('svg', attributes, ...drawn);
+}
+
+/** Index of the stretch at a time. */
+export function stretchAt(stretches: readonly Stretch[], position: number): number {
+  let [low, high] = [0, stretches.length - 1];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((stretches[middle]?.end_s ?? 0) < position) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** Where a stretch is drawn to, so that the next one stands apart. */
+function endOf({ start_s, end_s }: Stretch, duration: number): number {
+  return end_s - Math.min(GAP * duration, GAP_OF_STRETCH * (end_s - start_s));
+}
+
+export function laneRow({ name, stretches }: Lane, duration: number): Row {
+  const percent = (time: number) => `${((time / duration) * 100).toFixed(3)}%`;
+  const bars = (level: string) =>
+    stretches
+      .filter((each) => each.label && each.level === level)
+      .map((each) => `M${each.start_s} 0H${endOf(each, duration)}V1H${each.start_s}Z`)
+      .join('');
+  const present = svg('rect', { class: 'present', y: '0', height: '1' });
+  const names = stretches.map(({ start_s, end_s, label, level }) => {
+    const width = end_s - start_s;
+    if (!label || width < ROOM * duration) return null;
+    const place = `left: ${percent(start_s)}; width: ${percent(width)}`;
+    return el('span', { class: level, style: place, title: label }, label);
+  });
+  const now = el('b', { class: 'now' });
+  const plot = el(
+    'div',
+    { class: 'plot' },
+    stretched(
+      duration,
+      ...['info', 'caution', 'warning'].map((level) => svg('path', { class: level, d: bars(level) })),
+      present,
+    ),
+    ...names.filter((label) => label !== null),
+    now,
+  );
+  let shown = -1;
+  return {
+    element: el('div', { class: 'lane row' }, el('b', {}, name), plot),
+    at(position) {
+      const index = stretchAt(stretches, position);
+      const stretch = stretches[index];
+      if (!stretch) return;
+      const unnamed = stretch.label !== '' && names[index] === null;
+      setText(now, unnamed ? stretch.label : '');
+      if (unnamed) placeAt(now, position / duration);
+      if (index === shown) return;
+      names[shown]?.classList.remove('here');
+      names[index]?.classList.add('here');
+      shown = index;
+      setAttribute(present, 'x', String(stretch.start_s));
+      setAttribute(present, 'width', String(endOf(stretch, duration) - stretch.start_s));
+      setClass(present, 'off', stretch.label === '' || stretch.level !== 'info');
+    },
+  };
+}
+
+export function eventRow(events: readonly LogEvent[], duration: number): Row {
+  const ticks = (level: string) =>
+    events
+      .filter((event) => event.level === level)
+      .map(({ time_s }) => `M${time_s} .15V.85`)
+      .join('');
+  const plot = el(
+    'div',
+    { class: 'plot' },
+    stretched(
+      duration,
+      ...['info', 'caution', 'warning'].map((level) => svg('path', { class: level, d: ticks(level) })),
+    ),
+  );
+  return { element: el('div', { class: 'lane events-lane row' }, el('b', {}, 'Events'), plot), at() {} };
+}
+
+/** Puts a tag at the playhead, on the side where there is room. */
+export function placeAt(tag: HTMLElement, part: number): void {
+  setClass(tag, 'before', part > 0.8);
+  const percent = `${(part * 100).toFixed(3)}%`;
+  if (tag.style.left !== percent) tag.style.left = percent;
+}

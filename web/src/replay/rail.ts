@@ -1,0 +1,60 @@
+/** The top rail of a replay: what is played, how it was recorded, and whether it was recomputed. */
+
+import { button, el, setClass, setText } from '../panel/dom';
+import type { PlaybackIndex, Verdict } from '../protocol';
+import type { Units } from '../units';
+
+export interface ReplayRail {
+  readonly element: HTMLElement;
+  setVerdict(verdict: Verdict): void;
+  setUnits(units: Units): void;
+}
+
+const CUT = 'The recording ends before the run did; it plays as far as it goes.';
+const THINNED = 'So that the file stays small; lanes, strips and log are complete.';
+
+export function replayRail(index: PlaybackIndex, changeUnits: () => void): ReplayRail {
+  const verdict = el('b', { role: 'status' });
+  const units = button({ title: 'Units of the read-outs' }, [], changeUnits);
+  const fact = (name: string, value: string | HTMLElement, title = '') =>
+    el('span', { class: 'fact', title }, `${name} `, typeof value === 'string' ? el('b', {}, value) : value);
+  const note = (text: string, title: string, kind = 'note') => el('span', { class: kind, title }, text);
+  const notes: HTMLElement[] = [];
+  if (!index.ended) notes.push(note('Cut short', CUT, 'note caution'));
+  if (index.changes.length > 0) notes.push(note('Changed', index.changes.join('\n')));
+  if (index.stride > 1) notes.push(note(drawnRate(index), THINNED));
+  const element = el(
+    'header',
+    { class: 'rail' },
+    el('h1', {}, 'Aftdeck'),
+    el('b', { class: 'replay-tag' }, 'Replay'),
+    el('span', { class: 'file', title: index.file }, index.file),
+    el('span', { class: 'scenario', title: index.welcome.text }, index.welcome.title),
+    el('span', { class: 'space' }),
+    ...notes,
+    fact('Recorded', began(index.began), `Aftdeck ${index.version}, seed ${index.seed}`),
+    fact('Recomputed', verdict, 'Whether its inputs, flown anew, give the same frames.'),
+    units,
+  );
+  return {
+    element,
+    setVerdict({ state, text }) {
+      setText(verdict, text);
+      setClass(verdict, 'equal', state === 'equal');
+      setClass(verdict, 'caution', state === 'different' || state === 'impossible');
+    },
+    setUnits: ({ name }) => setText(units, name === 'SI' ? 'SI' : 'ft · in'),
+  };
+}
+
+/** `2026-03-01 14:05 UTC` of an ISO time. */
+export function began(iso: string): string {
+  return `${iso.slice(0, 16).replace('T', ' ')} UTC`;
+}
+
+/** How often a thinned recording is drawn. */
+export function drawnRate({ period_s, stride }: Pick<PlaybackIndex, 'period_s' | 'stride'>): string {
+  const rate = 1 / (period_s * stride);
+  if (rate < 1) return `Drawn every ${(1 / rate).toFixed(1)} s`;
+  return `Drawn ${rate < 10 ? rate.toFixed(1).replace('.0', '') : Math.round(rate)} times a second`;
+}

@@ -1,0 +1,62 @@
+/** At the right of the monitors: figures of the run, and its log up to the playhead. */
+
+import { clock } from '../format';
+import { el, group, setText } from '../panel/dom';
+import type { PlaybackIndex } from '../protocol';
+import type { Units } from '../units';
+import { figure } from './quantity';
+
+/** Height of a line [rem], as `.log li`. */
+const LINE = 1.28;
+const HINTS = [
+  'Space plays and pauses. Home, End.',
+  'Left, right: a second; with Shift a frame.',
+  'Up, down: speed. [ ] go from event to event.',
+  '1–9 , . cameras · X monitor · D desk',
+];
+
+export class RunColumn {
+  readonly element: HTMLElement;
+  private readonly log = el('ol', { class: 'log' });
+  private readonly figures;
+  private shown = '';
+
+  constructor(private readonly index: PlaybackIndex) {
+    this.figures = index.measures.map((measure) => {
+      const value = el('td');
+      const row = el('tr', { title: measure.about }, el('th', { scope: 'row' }, measure.name), value);
+      return { measure, row, value };
+    });
+    const table = el('table', {}, el('tbody', {}, ...this.figures.map(({ row }) => row)));
+    this.element = el(
+      'aside',
+      { class: 'run' },
+      group('measures', 'This run', table),
+      group('run-log', 'Log', this.log),
+    );
+  }
+
+  /** `past`: how many events lie behind the playhead. */
+  show(past: number, units: Units): void {
+    for (const { measure, value } of this.figures) setText(value, figure(measure, units));
+    const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
+    const room = Math.floor(this.log.clientHeight / (LINE * rem));
+    const asked = `${past} ${room}`;
+    if (asked === this.shown) return;
+    this.shown = asked;
+    const lines = this.index.events.slice(Math.max(0, past - room), past).reverse();
+    const hints = HINTS.slice(0, Math.max(0, room - lines.length));
+    this.log.replaceChildren(
+      ...lines.map(({ time_s, level, text }) =>
+        el(
+          'li',
+          { class: level },
+          el('time', {}, clock(time_s)),
+          el('i', { class: 'sign', 'aria-label': level }),
+          el('span', { title: text }, text),
+        ),
+      ),
+      ...hints.map((text) => el('li', { class: 'hint' }, el('span', { title: text }, text))),
+    );
+  }
+}

@@ -1,0 +1,41 @@
+/** Where a recording comes from: the server that `aftdeck replay --open` runs, or this very file. */
+
+import type { Block, PlaybackIndex, Verdict } from '../protocol';
+
+export interface Source {
+  index(): Promise<PlaybackIndex>;
+  block(number: number): Promise<Block>;
+  /** The recomputation's result as far as it is known now; null where nobody works on it. */
+  verdict(): Promise<Verdict> | null;
+}
+
+/** The recording that this page was made for; null: the page flies. */
+export function recordingHere(page: Document): Source | null {
+  const served = page.querySelector<HTMLMetaElement>('meta[name=recording]');
+  if (served) return fromServer(served.content);
+  return page.getElementById('recording-index') ? fromPage(page) : null;
+}
+
+function fromServer(where: string): Source {
+  async function get<T>(path: string): Promise<T> {
+    const answer = await fetch(`${where}${path}`);
+    if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
+    return answer.json();
+  }
+  return {
+    index: () => get('index.json'),
+    block: (number) => get(`blocks/${number}`),
+    verdict: () => get('verdict.json'),
+  };
+}
+
+function fromPage(page: Document): Source {
+  async function unpack<T>(name: string | number): Promise<T> {
+    const packed = page.getElementById(`recording-${name}`)?.textContent;
+    if (!packed) throw new Error(`Part ${name} of the recording is missing.`);
+    const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+    return new Response(stream).json();
+  }
+  return { index: () => unpack('index'), block: unpack, verdict: () => null };
+}

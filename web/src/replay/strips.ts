@@ -1,0 +1,93 @@
+/** Strips: quantities over the run, with their values at the playhead. */
+
+import { el, setAttribute, setText, svg } from '../panel/dom';
+import type { Curve, Strip } from '../protocol';
+import type { Units } from '../units';
+import { placeAt, stretched } from './lanes';
+import { shown, withUnit } from './quantity';
+
+/** Room above and below the curves, as a part of their range. */
+const MARGIN = 0.08;
+
+export interface StripRow {
+  readonly element: HTMLElement;
+  /** The playhead is at that time [s]; the curves' values there, and a word to the last one. */
+  at(position: number, values: readonly (number | null)[], word: string, units: Units): void;
+}
+
+/** A curve as an SVG path, time to the right [s] and from 1 (low) to 0 (high); gaps stay gaps. */
+export function path({ times_s, values }: Curve, height: (value: number) => number): string {
+  let pen = 'M';
+  let text = '';
+  values.forEach((value, i) => {
+    if (value === null) {
+      pen = 'M';
+      return;
+    }
+    text += `${pen}${times_s[i]} ${height(value).toFixed(4)}`;
+    pen = 'L';
+  });
+  return text;
+}
+
+/** Where a value lies between 0 at the top and 1 at the bottom. */
+export function heights({ low, high, limit }: Strip): (value: number) => number {
+  const top = limit !== null && high > limit / 2 ? Math.max(high, limit) : high;
+  const range = top - low || Math.abs(top) || 1;
+  return (value) => (1 + MARGIN - (value - low) / range) / (1 + 2 * MARGIN);
+}
+
+export function stripRow(strip: Strip, duration: number, numbersFrom: number): StripRow {
+  const height = heights(strip);
+  const line = (value: number) => `M0 ${height(value).toFixed(4)}H${duration}`;
+  const unit = el('small');
+  const [high, low] = [el('span', { class: 'high' }), el('span', { class: 'low' })];
+  const dots = strip.curves.map(({ role }) => el('i', { class: `dot ${role}` }));
+  const tag = el('b', { class: 'tag' });
+  const empty = strip.curves.every(({ values }) => values.length === 0);
+  const plot = el(
+    'div',
+    { class: 'plot' },
+    stretched(
+      duration,
+      svg('path', { class: 'bounds', d: line(strip.low) + line(strip.high) }),
+      ...(strip.limit === null ? [] : [svg('path', { class: 'limit', d: line(strip.limit) })]),
+      ...strip.curves.map((curve) => svg('path', { class: curve.role, d: path(curve, height) })),
+    ),
+    ...(empty ? [el('p', {}, 'nothing recorded')] : [...dots, tag]),
+  );
+  for (const [node, value] of [
+    [high, strip.high],
+    [low, strip.low],
+  ] as const)
+    node.style.top = `${height(value) * 100}%`;
+  const scale = el('div', { class: 'scale' }, ...(empty ? [] : [high, low]));
+  const element = el('div', { class: 'strip row' }, el('b', {}, strip.name, unit), scale, plot);
+  return {
+    element,
+    at(position, values, word, units) {
+      const { unit: name, text } = shown(strip.quantity, units);
+      setText(unit, name);
+      setText(high, text(strip.high));
+      setText(low, text(strip.low));
+      if (empty) return;
+      const part = position / duration;
+      strip.curves.forEach((_, i) => {
+        const value = values[numbersFrom + i] ?? null;
+        const dot = dots[i];
+        if (!dot) return;
+        dot.hidden = value === null;
+        if (value !== null) {
+          const place = `left: ${(part * 100).toFixed(3)}%; top: ${(height(value) * 100).toFixed(2)}%`;
+          setAttribute(dot, 'style', place);
+        }
+      });
+      const value = values[numbersFrom + strip.curves.length - 1] ?? null;
+      const reading = strip.limit === null ? withUnit(strip.quantity, value, units) : text(value ?? 0);
+      setText(tag, `${reading} ${word}`.trim());
+      placeAt(tag, part);
+      const top = value === null ? 0.5 : height(value);
+      tag.style.top = `${(Math.min(Math.max(top, 0.2), 0.8) * 100).toFixed(1)}%`;
+    },
+  };
+}

@@ -1,0 +1,99 @@
+/** One time axis and one playhead over lanes and strips; a click or a drag puts the playhead there. */
+
+import { el, setAttribute } from '../panel/dom';
+import type { Moment, PlaybackIndex } from '../protocol';
+import type { Units } from '../units';
+import { axis } from './axis';
+import { eventRow, laneRow } from './lanes';
+import { minutes } from './quantity';
+import { type StripRow, stripRow } from './strips';
+
+/** The strip that names the joint concerned. */
+const NAMES_JOINT = 'Joint rate';
+
+export class Timeline {
+  readonly element: HTMLElement;
+  private readonly lanes;
+  private readonly strips = el('div', { class: 'strips' });
+  private readonly rows = new Map<string, StripRow>();
+  private readonly firsts = new Map<string, number>();
+  private readonly duration: number;
+  private readonly future = el('div', { class: 'future' });
+  private readonly head = el('div', { class: 'playhead' });
+  private readonly slider: HTMLElement;
+
+  constructor(
+    private readonly index: PlaybackIndex,
+    sought: (position: number) => void,
+  ) {
+    this.duration = index.period_s * index.ticks;
+    let first = 0;
+    for (const { name, curves } of index.strips) {
+      this.firsts.set(name, first);
+      first += curves.length;
+    }
+    this.lanes = [
+      ...index.lanes.map((lane) => laneRow(lane, this.duration)),
+      eventRow(index.events, this.duration),
+    ];
+    this.slider = el(
+      'div',
+      {
+        class: 'scrub',
+        role: 'slider',
+        tabindex: '0',
+        'aria-label': 'Playhead',
+        'aria-valuemin': '0',
+        'aria-valuemax': this.duration.toFixed(2),
+      },
+      this.future,
+      this.head,
+    );
+    this.element = el(
+      'div',
+      { class: 'timeline' },
+      axis(this.duration),
+      el('div', { class: 'lanes' }, ...this.lanes.map(({ element }) => element)),
+      this.strips,
+      this.slider,
+    );
+    this.seekBy(sought);
+  }
+
+  /** Draws these strips, in this order. */
+  choose(names: readonly string[]): void {
+    this.rows.clear();
+    for (const name of names) {
+      const strip = this.index.strips.find((each) => each.name === name);
+      if (strip) this.rows.set(name, stripRow(strip, this.duration, this.firsts.get(name) ?? 0));
+    }
+    this.strips.replaceChildren(...[...this.rows.values()].map(({ element }) => element));
+  }
+
+  /** Puts the playhead; the moment there, where it has come. */
+  show(position: number, moment: Moment | null, units: Units): void {
+    const percent = `${((position / this.duration) * 100).toFixed(3)}%`;
+    this.future.style.left = percent;
+    this.head.style.left = percent;
+    setAttribute(this.slider, 'aria-valuenow', position.toFixed(2));
+    setAttribute(this.slider, 'aria-valuetext', minutes(position));
+    for (const lane of this.lanes) lane.at(position);
+    if (!moment) return;
+    for (const [name, row] of this.rows)
+      row.at(position, moment.values, name === NAMES_JOINT ? moment.worst : '', units);
+  }
+
+  private seekBy(sought: (position: number) => void): void {
+    const seek = (event: PointerEvent) => {
+      const { left, width } = this.slider.getBoundingClientRect();
+      sought(((event.clientX - left) / width) * this.duration);
+    };
+    this.slider.addEventListener('pointerdown', (event) => {
+      this.slider.setPointerCapture(event.pointerId);
+      seek(event);
+    });
+    this.slider.addEventListener('pointermove', (event) => {
+      if (this.slider.hasPointerCapture(event.pointerId)) seek(event);
+    });
+  }
+}

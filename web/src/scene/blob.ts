@@ -1,0 +1,110 @@
+import { type Matrix4, Mesh, type Scene, ShaderMaterial, Vector2, Vector3 } from 'three';
+import type { Body } from './bodies';
+import { TO_SUN } from './lights';
+
+/** Two directions across the sun's rays: a shadow is flat in their plane. */
+const ACROSS = new Vector3().crossVectors(TO_SUN, new Vector3(0, 1, 0)).normalize();
+const UP = new Vector3().crossVectors(ACROSS, TO_SUN);
+/** Shorter bodies cast no shadow worth its cost [m]. */
+const SHORTEST = 0.8;
+const point = new Vector3();
+
+const vertexShader = /* glsl */ `
+  uniform vec3 across, up;
+  varying vec2 place;
+  void main() {
+    vec4 world = modelMatrix * vec4(position, 1.0);
+    place = vec2(dot(world.xyz, across), dot(world.xyz, up));
+    gl_Position = projectionMatrix * viewMatrix * world;
+  }`;
+
+const fragmentShader = /* glsl */ `
+  uniform vec2 ends[2 * COUNT];
+  uniform float radii[COUNT];
+  varying vec2 place;
+  void main() {
+    float clear = 1.0;
+    for (int i = 0; i < COUNT; i++) {
+      vec2 a = ends[2 * i], along = ends[2 * i + 1] - a;
+      float t = clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0);
+      clear = min(clear, distance(place, a + t * along) / radii[i]);
+    }
+    gl_FragColor = vec4(0.0, 0.0, 0.02, 0.62 * (1.0 - smoothstep(0.5, 1.0, clear)));
+  }`;
+
+/** A moving body as a shadow sees it: a rod through the middle of its box. */
+interface Rod {
+  readonly body: Body;
+  readonly from: Vector3;
+  readonly to: Vector3;
+  readonly radius: number;
+}
+
+/** The low profile's shadow: soft rods for the moving bodies, along the sun's rays onto one surface. */
+export class Blob {
+  private readonly rods: Rod[];
+  private readonly ends: Vector2[];
+  private readonly mesh: Mesh;
+  private readonly material: ShaderMaterial;
+
+  /** Shadows of `casters` on the mesh `ground`, whose geometry stays its owner's. */
+  constructor(scene: Scene, ground: Mesh, casters: readonly Body[]) {
+    this.rods = casters.flatMap(rodOf);
+    this.ends = this.rods.flatMap(() => [new Vector2(), new Vector2()]);
+    this.material = new ShaderMaterial({
+      defines: { COUNT: this.rods.length },
+      uniforms: {
+        across: { value: ACROSS },
+        up: { value: UP },
+        ends: { value: this.ends },
+        radii: { value: this.rods.map(({ radius }) => radius) },
+      },
+      vertexShader,
+      fragmentShader,
+      transparent: true,
+      depthWrite: false,
+      polygonOffset: true,
+      polygonOffsetFactor: -1,
+      polygonOffsetUnits: -2,
+    });
+    this.mesh = new Mesh(ground.geometry, this.material);
+    this.mesh.matrixAutoUpdate = false;
+    this.mesh.matrixWorld = ground.matrixWorld;
+    this.mesh.matrixWorldAutoUpdate = false;
+    scene.add(this.mesh);
+  }
+
+  /** Follows the bodies. */
+  update(): void {
+    this.rods.forEach(({ body, from, to }, i) => {
+      flatten(from, body.group.matrixWorld, this.ends[2 * i]);
+      flatten(to, body.group.matrixWorld, this.ends[2 * i + 1]);
+    });
+  }
+
+  dispose(): void {
+    this.mesh.removeFromParent();
+    this.material.dispose();
+  }
+}
+
+function flatten(end: Vector3, world: Matrix4, onto: Vector2 | undefined): void {
+  point.copy(end).applyMatrix4(world);
+  onto?.set(point.dot(ACROSS), point.dot(UP));
+}
+
+/** The rod in a body's box; none for a body shorter than `SHORTEST`. */
+function rodOf(body: Body): Rod[] {
+  const { min, max } = body.box();
+  const size = new Vector3().subVectors(max, min);
+  const long = [0, 1, 2].reduce((best, axis) => {
+    return size.getComponent(axis) > size.getComponent(best) ? axis : best;
+  }, 0);
+  const radius = Math.min(size.x, size.y, size.z) * 0.6;
+  if (size.getComponent(long) < SHORTEST) return [];
+  const middle = new Vector3().addVectors(min, max).multiplyScalar(0.5);
+  const [from, to] = [middle.clone(), middle.clone()];
+  from.setComponent(long, min.getComponent(long) + radius / 2);
+  to.setComponent(long, max.getComponent(long) - radius / 2);
+  return [{ body, from, to, radius }];
+}

@@ -1,0 +1,134 @@
+import {
+  Box3,
+  BufferGeometry,
+  type Color,
+  Euler,
+  Float32BufferAttribute,
+  Matrix4,
+  Mesh,
+  Object3D,
+  Quaternion,
+  Vector3,
+} from 'three';
+import type { BodyInfo, Group, Light, Shape, Vec3 } from '../protocol';
+import type { Quality } from './index';
+import type { Materials } from './materials';
+import { surfaceOf } from './shapes';
+import { Surface } from './surface';
+
+const ONE = new Vector3(1, 1, 1);
+const MIRROR = new Matrix4().makeScale(1, -1, 1);
+const place = new Vector3();
+const turn = new Quaternion();
+
+/** A lamp and where it stands in its body's frame. */
+export interface PlacedLight {
+  readonly light: Light;
+  readonly place: Matrix4;
+}
+
+/** All of a body that one material draws. */
+class Batch {
+  readonly surface = new Surface();
+  readonly colours: number[] = [];
+
+  add(surface: Surface, motion: Matrix4, colour: Color): void {
+    this.surface.append(surface, motion);
+    for (let i = 0; i < surface.positions.length; i += 3) this.colours.push(colour.r, colour.g, colour.b);
+  }
+
+  geometry(): BufferGeometry {
+    const { positions, normals, uvs, indices } = this.surface;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new Float32BufferAttribute(positions, 3));
+    geometry.setAttribute('normal', new Float32BufferAttribute(normals, 3));
+    geometry.setAttribute('uv', new Float32BufferAttribute(uvs, 2));
+    geometry.setAttribute('color', new Float32BufferAttribute(this.colours, 3));
+    geometry.setIndex(indices);
+    geometry.computeBoundingBox();
+    return geometry;
+  }
+}
+
+/** One rigid body: its shapes merged into one mesh a material. */
+export class Body {
+  readonly group = new Object3D();
+  readonly lights: PlacedLight[] = [];
+
+  constructor(info: BodyInfo, materials: Materials, quality: Quality) {
+    this.group.name = info.name;
+    this.group.matrixAutoUpdate = false;
+    const batches = new Map<string, Batch>();
+    for (const [shape, motion] of placed(info.shapes, new Matrix4())) {
+      if (shape.kind === 'light') this.lights.push({ light: shape, place: motion });
+      const look = materials.look(shape.kind === 'light' ? 'glow' : shape.material);
+      const batch = batches.get(look.batch) ?? new Batch();
+      batches.set(look.batch, batch);
+      batch.add(surfaceOf(shape, quality), motion, look.colour);
+    }
+    for (const [name, batch] of batches) {
+      const mesh = new Mesh(batch.geometry(), materials.material(name));
+      mesh.name = name;
+      mesh.castShadow = mesh.receiveShadow = materials.solid(name);
+      mesh.matrixAutoUpdate = false;
+      this.group.add(mesh);
+    }
+  }
+
+  /** Pose in the scene: x, y, z, then the quaternion w, x, y, z, found in `poses` from `first` on. */
+  setPose(poses: readonly number[], first: number): void {
+    place.fromArray(poses, first);
+    turn.set(poses[first + 4] ?? 0, poses[first + 5] ?? 0, poses[first + 6] ?? 0, poses[first + 3] ?? 1);
+    this.group.matrix.compose(place, turn, ONE);
+    this.group.updateMatrixWorld(true);
+  }
+
+  /** The mesh of a batch, if the body has one. */
+  mesh(batch: string): Mesh | undefined {
+    return this.group.children.find((child): child is Mesh => child instanceof Mesh && child.name === batch);
+  }
+
+  /** Box round all that is drawn, in the body's frame. */
+  box(): Box3 {
+    const box = new Box3();
+    for (const child of this.group.children) {
+      if (child instanceof Mesh && child.geometry.boundingBox) box.union(child.geometry.boundingBox);
+    }
+    return box;
+  }
+
+  dispose(): void {
+    for (const child of this.group.children) if (child instanceof Mesh) child.geometry.dispose();
+  }
+}
+
+/** All shapes of all groups, each as often as it is drawn, with its place in the outermost frame. */
+function* placed(
+  shapes: readonly Shape[],
+  frame: Matrix4,
+): Generator<readonly [Exclude<Shape, Group>, Matrix4]> {
+  for (const shape of shapes) {
+    const motion = motionOf(shape.position, shape.rotation);
+    if (shape.kind !== 'group') {
+      yield [shape, motion.premultiply(frame)];
+      continue;
+    }
+    const sides = shape.mirror ? [frame, frame.clone().multiply(MIRROR)] : [frame];
+    for (const side of sides) {
+      for (let i = 0; i < shape.count; i++) {
+        const step = motionOf(times(shape.step, i), times(shape.turn, i));
+        yield* placed(shape.shapes, step.premultiply(motion).premultiply(side));
+      }
+    }
+  }
+}
+
+/** Roll, pitch, yaw about fixed axes, then the shift. */
+function motionOf(position: Vec3, [roll, pitch, yaw]: Vec3): Matrix4 {
+  const motion = new Matrix4().makeRotationFromEuler(new Euler(roll, pitch, yaw, 'ZYX'));
+  return motion.setPosition(...position);
+}
+
+function times([x, y, z]: Vec3, factor: number): Vec3 {
+  return [x * factor, y * factor, z * factor];
+}

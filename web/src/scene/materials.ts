@@ -1,0 +1,106 @@
+import { Color, type Material as Drawn, MeshBasicMaterial, MeshStandardMaterial, type Texture } from 'three';
+import { present } from '../assert';
+import type { Material } from '../protocol';
+import type { Quality } from './index';
+import { lambertMaterial } from './lambert';
+import { crumpleTexture, type Pattern, patternTexture } from './textures';
+
+interface Look {
+  readonly colour: string;
+  readonly pattern: Pattern;
+  readonly roughness: number;
+  readonly metalness: number;
+  /** Depth of crumpling; 0 is smooth. */
+  readonly relief: number;
+}
+
+const look = (colour: string, roughness: number, metalness = 0, pattern: Pattern = 'plain', relief = 0) => {
+  return { colour, pattern, roughness, metalness, relief };
+};
+
+const LOOKS: Record<Material, Look> = {
+  blanket: look('#e2dfd7', 0.82, 0, 'quilt', 1.2),
+  liner: look('#cdcac1', 0.9, 0, 'liner', 2),
+  tiles: look('#26272a', 0.7, 0, 'tiles'),
+  leading_edge: look('#6d6f72', 0.55),
+  radiator: look('#d5dade', 0.28, 0.85, 'panel'),
+  boom: look('#efede7', 0.72, 0, 'seams', 1.2),
+  padding: look('#d8d6cf', 0.8, 0, 'plain', 0.9),
+  housing: look('#2c2e31', 0.6, 0.25),
+  bright: look('#8a8d90', 0.4, 0.75),
+  dark: look('#101113', 0.35, 0.3),
+  glass: look('#07090c', 0.12, 0.4),
+  metal: look('#b9bcbf', 0.38, 0.85),
+  foil: look('#c9973f', 0.3, 0.9, 'plain', 2.4),
+  structure: look('#9a978e', 0.75, 0.2),
+  glow: look('#fff4de', 1),
+};
+
+/** The part of metal's brightness that is left where it has no surroundings to reflect. */
+const DULL = 0.55;
+
+/** The materials of one profile, made when first asked for. */
+export class Materials {
+  private readonly made = new Map<string, Drawn>();
+  private readonly textures = new Map<string, Texture>();
+
+  constructor(private readonly quality: Quality) {}
+
+  /**
+   * A substance's colour, and the name of the batch that it is drawn in: its own in the full profile; in the
+   * low one all substances of a pattern share a batch.
+   */
+  look(substance: Material): { batch: string; colour: Color } {
+    const { colour, pattern, metalness } = LOOKS[substance];
+    const tint = new Color(colour);
+    if (this.quality === 'full' || substance === 'glow') return { batch: substance, colour: tint };
+    return { batch: pattern, colour: tint.multiplyScalar(1 - DULL * metalness * metalness) };
+  }
+
+  /** Whether a batch casts and takes shadows. */
+  solid(batch: string): boolean {
+    return batch !== 'glow';
+  }
+
+  /** The material of a batch. */
+  material(batch: string): Drawn {
+    const known = this.made.get(batch);
+    if (known) return known;
+    const made = this.make(batch);
+    this.made.set(batch, made);
+    return made;
+  }
+
+  dispose(): void {
+    for (const material of this.made.values()) material.dispose();
+    for (const texture of this.textures.values()) texture.dispose();
+  }
+
+  private make(batch: string): Drawn {
+    if (batch === 'glow') return new MeshBasicMaterial({ vertexColors: true });
+    if (this.quality === 'low') {
+      return lambertMaterial(this.pattern(batch as Pattern));
+    }
+    const { pattern, roughness, metalness, relief } = present(LOOKS[batch as Material], `material ${batch}`);
+    return new MeshStandardMaterial({
+      vertexColors: true,
+      roughness,
+      metalness,
+      map: this.pattern(pattern),
+      bumpMap: relief > 0 ? this.texture('crumple', () => crumpleTexture(512)) : null,
+      bumpScale: relief,
+    });
+  }
+
+  private pattern(pattern: Pattern): Texture | null {
+    if (pattern === 'plain') return null;
+    const [size, anisotropy] = this.quality === 'full' ? [512, 8] : [128, 1];
+    return this.texture(pattern, () => patternTexture(pattern, size, anisotropy));
+  }
+
+  private texture(name: string, make: () => Texture): Texture {
+    const texture = this.textures.get(name) ?? make();
+    this.textures.set(name, texture);
+    return texture;
+  }
+}

@@ -1,0 +1,133 @@
+import { Vector3 } from 'three';
+import { assertUnreachable } from '../assert';
+import type { Box, Cylinder, Group, Light, Ring, Shape, Shell, Sphere, Vec2 } from '../protocol';
+import type { Quality } from './index';
+import { loft } from './loft';
+import { plate } from './plate';
+import { revolve, type Strip } from './revolve';
+import { Surface } from './surface';
+
+/** From this radius on the low profile shows round bodies with 32 sides instead of 16 [m]. */
+const LARGE = 1;
+const TURN = 2 * Math.PI;
+
+/** Geometry of a shape that is no group, about its own origin. */
+export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surface {
+  switch (shape.kind) {
+    case 'box':
+      return box(shape);
+    case 'cylinder':
+      return cylinder(shape, quality);
+    case 'shell':
+      return shell(shape, quality);
+    case 'ring':
+      return ring(shape, quality);
+    case 'sphere':
+      return sphere(shape, quality);
+    case 'plate':
+      return plate(shape);
+    case 'loft':
+      return loft(shape, quality === 'full' ? 64 : 32);
+    case 'light':
+      return face(shape, quality);
+    default:
+      return assertUnreachable(shape);
+  }
+}
+
+/** How many sides a full turn of this radius [m] is drawn with. */
+function sides(radius: number, quality: Quality): number {
+  if (quality === 'low') return radius < LARGE ? 16 : 32;
+  return Math.round(Math.min(96, 24 + 60 * radius));
+}
+
+function box({ size }: Box): Surface {
+  const surface = new Surface();
+  const half = new Vector3(...size).multiplyScalar(0.5);
+  for (let axis = 0; axis < 3; axis++) {
+    for (const side of [1, -1]) {
+      const [p, q] = [(axis + 1) % 3, (axis + 2) % 3];
+      const normal = new Vector3().setComponent(axis, side);
+      const corners = [
+        [-1, -1],
+        [1, -1],
+        [1, 1],
+        [-1, 1],
+      ] as const;
+      const [a, b, c, d] = corners.map(([s, t]) => {
+        const [u, v] = [s * half.getComponent(p), t * half.getComponent(q)];
+        const corner = new Vector3().setComponent(axis, side * half.getComponent(axis));
+        return surface.vertex(corner.setComponent(p, u).setComponent(q, v), normal, u, v);
+      }) as [number, number, number, number];
+      surface.indices.push(...(side > 0 ? [a, b, c, a, c, d] : [a, c, b, a, d, c]));
+    }
+  }
+  return surface;
+}
+
+function cylinder(shape: Cylinder, quality: Quality): Surface {
+  const [half, radius, end] = [shape.length / 2, shape.radius, shape.radius_end ?? shape.radius];
+  const corners: Strip = [
+    [-half, 0],
+    [-half, radius],
+    [half, end],
+    [half, 0],
+  ];
+  return revolve(edges(corners), shape.axis, 0, TURN, sides(Math.max(radius, end), quality));
+}
+
+/** A lamp's face, seen from before it. */
+function face({ radius }: Light, quality: Quality): Surface {
+  const profile: Strip = [
+    [0, radius],
+    [0, 0],
+  ];
+  return revolve([profile], 'x', 0, TURN, sides(radius, quality));
+}
+
+function shell(shape: Shell, quality: Quality): Surface {
+  const { radius, thickness } = shape;
+  const [half, end] = [shape.length / 2, shape.radius_end ?? radius];
+  const outline: Strip = [
+    [-half, radius],
+    [half, end],
+    [half, end - thickness],
+    [-half, radius - thickness],
+    [-half, radius],
+  ];
+  const segments = part(shape.sweep, Math.max(radius, end), quality);
+  return revolve(edges(outline), shape.axis, shape.start, shape.sweep, segments);
+}
+
+function ring(shape: Ring, quality: Quality): Surface {
+  const points = quality === 'full' ? 12 : 6;
+  const profile = steps(points, (t): Vec2 => {
+    const angle = TURN * t;
+    return [shape.bar * Math.sin(angle), shape.radius + shape.bar * Math.cos(angle)];
+  });
+  const segments = part(shape.sweep, shape.radius, quality);
+  return revolve([profile], shape.axis, shape.start, shape.sweep, segments);
+}
+
+function sphere({ radius }: Sphere, quality: Quality): Surface {
+  const round = sides(radius, quality);
+  const profile = steps(round / 2, (t): Vec2 => {
+    return [-radius * Math.cos(Math.PI * t), radius * Math.sin(Math.PI * t)];
+  });
+  return revolve([profile], 'x', 0, TURN, round);
+}
+
+/** How many sides a part of a turn is drawn with. */
+function part(sweep: number, radius: number, quality: Quality): number {
+  return Math.max(4, Math.ceil((sides(radius, quality) * sweep) / TURN));
+}
+
+/** The edges of an angular profile, each smooth in itself. */
+function edges(corners: Strip): Strip[] {
+  return corners.slice(1).map((corner, i) => [corners[i] ?? corner, corner]);
+}
+
+/** Values of a curve at t = 0, 1/n … 1. */
+function steps(n: number, curve: (t: number) => Vec2): Strip {
+  return Array.from({ length: Math.ceil(n) + 1 }, (_, i) => curve(i / Math.ceil(n)));
+}

@@ -1,0 +1,158 @@
+import { CanvasTexture, NoColorSpace, RepeatWrapping, type Texture } from 'three';
+import { present } from '../assert';
+
+/** What is drawn on a surface, as a grey that dims its colour; `plain` has none. */
+export type Pattern = 'plain' | 'quilt' | 'liner' | 'seams' | 'tiles' | 'panel';
+
+type Painter = (pen: CanvasRenderingContext2D, size: number, random: () => number) => void;
+
+/** Width and height of one repeat on the surface [m], and its painter. */
+const PATTERNS: Record<Exclude<Pattern, 'plain'>, { repeat: [number, number]; paint: Painter }> = {
+  quilt: { repeat: [2, 2], paint: (pen, size, random) => stitched(pen, size, random, 6, 0.4) },
+  liner: { repeat: [2.4, 2.4], paint: (pen, size, random) => stitched(pen, size, random, 4, 0.5) },
+  seams: { repeat: [2.8, 1.2], paint: wrapped },
+  tiles: { repeat: [2.4, 2.4], paint: tiled },
+  panel: { repeat: [2.24, 1], paint: panelled },
+};
+
+/** The texture of a pattern, the same on every run; `size` pixels square, `anisotropy` for slanting views. */
+export function patternTexture(
+  pattern: Exclude<Pattern, 'plain'>,
+  size: number,
+  anisotropy: number,
+): Texture {
+  const { repeat, paint } = PATTERNS[pattern];
+  const texture = repeated(size, paint, repeat);
+  texture.anisotropy = anisotropy;
+  return texture;
+}
+
+/** Heights of crumpled blanket, for relief: mid grey is level. */
+export function crumpleTexture(size: number): Texture {
+  return repeated(size, crumpled, [1.2, 1.2]);
+}
+
+function repeated(size: number, paint: Painter, [width, height]: readonly [number, number]): Texture {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = size;
+  paint(present(canvas.getContext('2d'), 'a canvas to paint on'), size, generator(20));
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = NoColorSpace;
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.repeat.set(1 / width, 1 / height);
+  return texture;
+}
+
+/** Numbers in [0, 1), the same for the same seed (Numerical Recipes' linear congruence). */
+function generator(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+const grey = (level: number, alpha = 1) => {
+  const value = Math.round(255 * level);
+  return `rgba(${value}, ${value}, ${value}, ${alpha})`;
+};
+
+/** Faint stains of all sizes, drawn across the edges so that repeats join. */
+function stain(pen: CanvasRenderingContext2D, size: number, random: () => number, count: number): void {
+  for (let i = 0; i < count; i++) {
+    pen.fillStyle = grey(random() < 0.5 ? 0 : 1, 0.05 * random());
+    const [x, y, w] = [random() * size, random() * size, size * (0.005 + 0.05 * random() ** 2)];
+    const h = w * (0.3 + random());
+    for (const dx of [0, -size]) for (const dy of [0, -size]) pen.fillRect(x + dx, y + dy, w, h);
+  }
+}
+
+/** Blankets of n by n panels with stitched borders, each panel a shade of its own. */
+function stitched(
+  pen: CanvasRenderingContext2D,
+  size: number,
+  random: () => number,
+  n: number,
+  depth: number,
+): void {
+  const cell = size / n;
+  for (let i = 0; i < n; i++) {
+    for (let j = 0; j < n; j++) {
+      pen.fillStyle = grey(1 - 0.1 * random());
+      pen.fillRect(i * cell, j * cell, cell, cell);
+    }
+  }
+  stain(pen, size, random, 900);
+  pen.fillStyle = grey(0.2, depth);
+  const line = Math.max(1, size / 200);
+  for (let i = 0; i < n; i++) {
+    pen.fillRect(i * cell, 0, line, size);
+    pen.fillRect(0, i * cell, size, line);
+  }
+}
+
+/** A boom's wrapping: a seam with its row of ties every quarter, one seam along it. */
+function wrapped(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
+  pen.fillStyle = grey(0.97);
+  pen.fillRect(0, 0, size, size);
+  stain(pen, size, random, 700);
+  for (let i = 0; i < 4; i++) {
+    const x = (i * size) / 4;
+    pen.fillStyle = grey(0.25, 0.6);
+    pen.fillRect(x, 0, size / 150, size);
+    pen.fillStyle = grey(1, 0.6);
+    pen.fillRect(x + size / 150, 0, size / 120, size);
+    pen.fillStyle = grey(0.3, 0.55);
+    for (let k = 0; k < 10; k++) pen.fillRect(x + size / 45, ((k + 0.3) * size) / 10, size / 130, size / 90);
+  }
+  pen.fillStyle = grey(0.25, 0.5);
+  pen.fillRect(0, 0.1 * size, size, size / 100);
+}
+
+/** Sixteen by sixteen tiles, each a shade of its own, with dark gaps. */
+function tiled(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
+  pen.fillStyle = grey(0.35);
+  pen.fillRect(0, 0, size, size);
+  const cell = size / 16;
+  for (let i = 0; i < 16; i++) {
+    for (let j = 0; j < 16; j++) {
+      pen.fillStyle = grey(0.65 + 0.35 * random());
+      pen.fillRect(i * cell + cell / 24, j * cell + cell / 24, cell * 0.92, cell * 0.92);
+    }
+  }
+}
+
+/** A radiator's tubes, and a joint every quarter. */
+function panelled(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
+  pen.fillStyle = grey(0.96);
+  pen.fillRect(0, 0, size, size);
+  stain(pen, size, random, 200);
+  for (let i = 0; i < 32; i++) {
+    pen.fillStyle = i % 2 ? grey(0.2, 0.12) : grey(1, 0.12);
+    pen.fillRect(0, (i * size) / 32, size, size / 64);
+  }
+  pen.fillStyle = grey(0.15, 0.35);
+  for (let i = 0; i < 4; i++) pen.fillRect((i * size) / 4, 0, size / 170, size);
+}
+
+/** Creases in all directions, light and dark. */
+function crumpled(pen: CanvasRenderingContext2D, size: number, random: () => number): void {
+  pen.fillStyle = grey(0.5);
+  pen.fillRect(0, 0, size, size);
+  for (let i = 0; i < 420; i++) {
+    const [x, y, angle] = [random() * size, random() * size, random() * 2 * Math.PI];
+    const reach = size * (0.04 + 0.13 * random());
+    const [ex, ey] = [x + reach * Math.cos(angle), y + reach * Math.sin(angle)];
+    const [mx, my] = [(x + ex) / 2 + 0.03 * size * random(), (y + ey) / 2 + 0.03 * size * random()];
+    pen.strokeStyle = grey(random() < 0.5 ? 0 : 1, 0.16);
+    pen.lineWidth = (size / 512) * (1 + 5 * random());
+    for (const dx of [0, -size]) {
+      for (const dy of [0, -size]) {
+        pen.beginPath();
+        pen.moveTo(x + dx, y + dy);
+        pen.quadraticCurveTo(mx + dx, my + dy, ex + dx, ey + dy);
+        pen.stroke();
+      }
+    }
+  }
+}

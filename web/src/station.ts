@@ -1,0 +1,282 @@
+/** The operator's station: monitors, spine and desk, drawn from the last frame alone. */
+
+import { assertUnreachable } from './assert';
+import type { Action } from './input/keymap';
+import { Latency } from './latency';
+import { Operator } from './operator';
+import { concernOf, outline } from './panel/concerns';
+import { el, setClass } from './panel/dom';
+import { EventsGroup } from './panel/events';
+import { joints } from './panel/joints';
+import { KeyMap } from './panel/keys';
+import { lightSegments } from './panel/lamp-test';
+import { limits } from './panel/limits';
+import { modeGroup } from './panel/mode';
+import { STALE_S } from './panel/monitor';
+import type { Desk, Part, View } from './panel/part';
+import { rail } from './panel/rail';
+import { resolution } from './panel/resolution';
+import { rhc } from './panel/rhc';
+import { singularity } from './panel/singularity';
+import { Spine } from './panel/spine';
+import { targetGroup } from './panel/target';
+import { thc } from './panel/thc';
+import { Pictures } from './pictures';
+import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Welcome } from './protocol';
+import type { Drawing } from './quality';
+import type { Command, LinkState } from './socket';
+import { type UnitName, unitsOf } from './units';
+
+/** Figures and legends change this often [ms]. */
+const VALUES_MS = 100;
+const KEYS_HINT = 'W S A D Q E move the point, I K J L U O turn it. Space stops. ? shows all keys.';
+/** While a flight is recorded, the station is told this often what the page measures [ms]. */
+const TOLD_MS = 1000;
+/** The log told anew holds older refusals, which light nothing [s]. */
+const RECENT_S = 2;
+/** A refusal keeps CHECK CRT lit this long [ms]. */
+const REFUSAL_MS = 5000;
+
+export class Station {
+  /** Pictures drawn so far, the last frame drawn, and the latencies measured. */
+  drawn = 0;
+  frame: Frame | null = null;
+  readonly latency = new Latency();
+  private arrived = 0;
+  private fresh = false;
+  private valuesAt = 0;
+  private toldAt = 0;
+  private role: Role = { type: 'role', flying: false, watchers: 0 };
+  private link: LinkState = { kind: 'open' };
+  private units: UnitName;
+  private refusal: { readonly text: string; readonly at: number } | null = null;
+  private request = 0;
+  private readonly pictures: Pictures;
+  private readonly operator: Operator;
+  private readonly spine = new Spine({
+    acknowledged: () => this.acknowledge(),
+    pressed: (lamp) => this.explain(lamp),
+  });
+  private readonly events: EventsGroup;
+  private readonly keys = new KeyMap();
+  private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
+  private readonly mode;
+  private readonly target;
+  private readonly rail;
+  private readonly parts: readonly Part[];
+
+  constructor(
+    root: HTMLElement,
+    welcome: Welcome,
+    drawing: Drawing,
+    private readonly transmit: (command: Command) => number,
+  ) {
+    this.units = welcome.units;
+    this.events = new EventsGroup([welcome.text, KEYS_HINT]);
+    this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
+    this.pictures = new Pictures(welcome, drawing);
+    this.operator = new Operator(this.latency, { acted: (action) => this.act(action), send: transmit });
+    const desk: Desk = {
+      welcome,
+      send: (command) => this.send(command),
+      say: (text) => this.say(text),
+    };
+    this.target = targetGroup(desk);
+    this.mode = modeGroup(desk, () => this.target.proceed());
+    this.rail = rail(desk, drawing.software && drawing.quality === 'low', {
+      units: () => {
+        this.units = this.units === 'SI' ? 'ft-in' : 'SI';
+      },
+      restart: () => this.send({ type: 'restart' }),
+      keys: () => this.keys.toggle(),
+    });
+    this.parts = [
+      thc(desk),
+      this.mode,
+      resolution(desk),
+      joints(desk),
+      this.target,
+      rhc(desk, this.operator.pad),
+      { element: this.events.element },
+      limits(desk),
+      singularity(),
+    ];
+    const [first, second] = this.pictures.monitors;
+    // The order of the document is that of the focus: monitors, spine, desk, rail.
+    root.replaceChildren(
+      this.pictures.canvas,
+      el('main', { class: 'monitors' }, first.element, second.element, this.spine.element),
+      el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.parts.map(({ element }) => element)),
+      this.rail.element,
+      this.keys.element,
+    );
+    this.request = requestAnimationFrame(() => this.tick());
+  }
+
+  /** A newer frame; the next picture shows it. */
+  setFrame(frame: Frame): void {
+    this.frame = frame;
+    this.arrived = performance.now();
+    this.fresh = true;
+  }
+
+  setRole(role: Role): void {
+    this.role = role;
+    this.operator.flying = role.flying && this.link.kind === 'open';
+    setClass(document.body, 'watching', !role.flying);
+  }
+
+  setLink(link: LinkState): void {
+    this.link = link;
+    this.operator.flying = this.role.flying && link.kind === 'open';
+    if (link.kind !== 'open') this.latency.forget();
+  }
+
+  addEvents(events: readonly LogEvent[]): void {
+    const recent = (this.frame?.time_s ?? 0) - RECENT_S;
+    for (const { kind, text, time_s } of events) {
+      if (kind === 'refused' && this.frame && time_s >= recent)
+        this.refusal = { text, at: performance.now() };
+    }
+    this.events.add(events);
+  }
+
+  forgetEvents(): void {
+    this.events.clear();
+  }
+
+  /** A command was not taken: the log says why, and CHECK CRT sends the eye there. */
+  refuse(text: string): void {
+    this.refusal = { text, at: performance.now() };
+    this.say(text);
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.request);
+    this.operator.dispose();
+    this.pictures.dispose();
+  }
+
+  private tick(): void {
+    this.request = requestAnimationFrame(() => this.tick());
+    const now = performance.now();
+    this.operator.tick(now);
+    if (!this.frame) return;
+    const view: View = {
+      frame: this.frame,
+      units: unitsOf(this.units),
+      hand: this.operator.sticks.value,
+      flying: this.role.flying,
+    };
+    this.operator.sticks.driving = this.modes.get(this.frame.mode) === 'single';
+    this.pictures.draw(this.frame);
+    for (const part of this.parts) part.bars?.(view);
+    this.keys.light(this.operator.keyboard.held);
+    this.drawn += 1;
+    if (this.fresh) this.latency.drawn(this.frame.stick_seq, performance.now());
+    this.fresh = false;
+    if (now - this.valuesAt >= VALUES_MS) {
+      this.valuesAt = now;
+      this.values(view, now);
+    }
+  }
+
+  private values(view: View, now: number): void {
+    const age = (now - this.arrived) / 1000;
+    this.pictures.setTime(view.frame, age);
+    setClass(document.body, 'stale', age > STALE_S);
+    for (const part of this.parts) part.values?.(view);
+    const test = view.frame.mode === 'TEST';
+    this.spine.show([...view.frame.lamps, ...this.ownLamps(now, age)], test);
+    const latency95 = this.latency.percentile95(now);
+    this.rail.values(view, latency95, this.role.watchers, this.link);
+    if (view.frame.recording_s !== null && this.role.flying && now - this.toldAt >= TOLD_MS) {
+      this.toldAt = now;
+      this.transmit({ type: 'shown', latency_ms: latency95 });
+    }
+    if (test) lightSegments();
+  }
+
+  /** The lamps that only the page can light. */
+  private ownLamps(now: number, age: number): readonly Lamp[] {
+    const lamps: Lamp[] = [];
+    if (this.refusal && now - this.refusal.at < REFUSAL_MS) {
+      lamps.push({ name: 'CHECK CRT', level: 'caution', text: 'see the log' });
+    }
+    if (age > STALE_S) lamps.push({ name: 'LINK', level: 'caution', text: `silent for ${age.toFixed(0)} s` });
+    const { state } = this.operator.pad;
+    if (state === 'lost')
+      lamps.push({ name: 'CONTROLLER', level: 'caution', text: 'pad gone, sticks at zero' });
+    if (state === 'waiting')
+      lamps.push({ name: 'CONTROLLER', level: 'caution', text: 'let go of both sticks' });
+    return lamps;
+  }
+
+  private send(command: Command): void {
+    if (this.role.flying) this.transmit(command);
+    else this.say('You watch; only the one who flies can do that.');
+  }
+
+  private say(text: string): void {
+    this.events.add([{ time_s: this.frame?.time_s ?? 0, kind: 'page', level: 'caution', text }]);
+  }
+
+  private acknowledge(): void {
+    this.operator.pad.acknowledge();
+    this.spine.acknowledge();
+  }
+
+  /** A lamp was pressed: the log keeps to its cause, and what it speaks of is outlined. */
+  private explain(lamp: string): void {
+    const concern = concernOf(lamp);
+    this.events.keepTo(lamp, concern.kinds);
+    outline(concern);
+  }
+
+  private act(action: Action): void {
+    switch (action.name) {
+      case 'stop':
+        if (this.role.flying) this.transmit({ type: 'stop' });
+        break;
+      case 'rate':
+        this.send({ type: 'select_rate', rate: this.frame?.rate === 'coarse' ? 'vernier' : 'coarse' });
+        break;
+      case 'rate hold':
+        this.send({ type: 'rate_hold' });
+        break;
+      case 'proceed':
+        this.target.proceed();
+        break;
+      case 'turn mode':
+        this.mode.turn(action.by);
+        break;
+      case 'enter':
+        this.mode.enter();
+        break;
+      case 'turn joint':
+        this.mode.turnJoint(action.by);
+        break;
+      case 'camera':
+        this.pictures.hand.choose(action.index);
+        break;
+      case 'step camera':
+        this.pictures.hand.step(action.by);
+        break;
+      case 'other monitor':
+        this.pictures.takeOther();
+        break;
+      case 'acknowledge':
+        this.acknowledge();
+        break;
+      case 'keys':
+        this.keys.toggle();
+        break;
+      case 'close':
+        this.keys.close();
+        if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+        break;
+      default:
+        assertUnreachable(action);
+    }
+  }
+}

@@ -1,0 +1,177 @@
+import { Matrix4, Vector3 } from 'three';
+import { expect, test } from 'vitest';
+import type { BodyInfo, Camera, Group, Shape } from '../src/protocol';
+import { Body } from '../src/scene/bodies';
+import { Cameras } from '../src/scene/cameras';
+import { Materials } from '../src/scene/materials';
+import { surfaceOf } from '../src/scene/shapes';
+import { Surface } from '../src/scene/surface';
+
+const placed = { position: [0, 0, 0], rotation: [0, 0, 0] } as const;
+const solid = { ...placed, material: 'metal' } as const;
+const turn = { start: 0, sweep: 2 * Math.PI } as const;
+const section = { half_width: 1, top: 1, middle: 0, bottom: -1, exponents: [2, 2] } as const;
+
+/** Volume inside a closed surface; negative where its triangles face inwards. */
+function volume({ positions, indices }: Surface): number {
+  const corner = (i: number) => new Vector3().fromArray(positions, 3 * (indices[i] ?? 0));
+  let sum = 0;
+  for (let i = 0; i < indices.length; i += 3) sum += corner(i).dot(corner(i + 1).cross(corner(i + 2))) / 6;
+  return sum;
+}
+
+const cases: readonly (readonly [string, Exclude<Shape, Group>, number])[] = [
+  ['box', { ...solid, kind: 'box', size: [1, 2, 3] }, 6],
+  ...(['x', 'y', 'z'] as const).map((axis) => {
+    const shape = { ...solid, kind: 'cylinder', axis, length: 2, radius: 0.5, radius_end: null } as const;
+    return [`cylinder along ${axis}`, shape, Math.PI / 2] as const;
+  }),
+  ['cone', { ...solid, kind: 'cylinder', axis: 'x', length: 3, radius: 1, radius_end: 0.5 }, 1.75 * Math.PI],
+  [
+    'tube',
+    { ...solid, ...turn, kind: 'shell', axis: 'z', length: 1, radius: 1, radius_end: null, thickness: 0.5 },
+    0.75 * Math.PI,
+  ],
+  [
+    'quarter of a disc',
+    {
+      ...solid,
+      kind: 'shell',
+      axis: 'y',
+      length: 1,
+      radius: 1,
+      radius_end: null,
+      thickness: 1,
+      start: 1,
+      sweep: Math.PI / 2,
+    },
+    Math.PI / 4,
+  ],
+  ['ring', { ...solid, ...turn, kind: 'ring', axis: 'x', radius: 1, bar: 0.1 }, 0.02 * Math.PI ** 2],
+  ['half ring', { ...solid, kind: 'ring', axis: 'x', radius: 1, bar: 0.1, start: 2, sweep: Math.PI }, 0.0987],
+  ['sphere', { ...solid, kind: 'sphere', radius: 1 }, (4 / 3) * Math.PI],
+  ...(['x', 'y', 'z'] as const).map((normal) => {
+    const outline = [
+      [0, 0],
+      [2, 0],
+      [0, 1],
+    ] as const;
+    const shape = { ...solid, kind: 'plate', normal, outline, thickness: 0.5, bevel: 0 } as const;
+    return [`plate across ${normal}`, shape, 0.5] as const;
+  }),
+  [
+    'loft',
+    {
+      ...solid,
+      kind: 'loft',
+      sections: [
+        { ...section, x: 0 },
+        { ...section, x: 2 },
+      ],
+    },
+    2 * Math.PI,
+  ],
+];
+
+test.each(cases)('a %s is closed, faces outwards and has its volume', (_, shape, expected) => {
+  const found = volume(surfaceOf(shape, 'full'));
+  expect(found / expected).toBeGreaterThan(0.95);
+  expect(found / expected).toBeLessThan(1.001);
+});
+
+test.each(cases)('the normals of a %s are unit vectors on the outer side', (_, shape) => {
+  const { positions, normals, indices } = surfaceOf(shape, 'full');
+  const at = (list: number[], i: number) => new Vector3().fromArray(list, 3 * (indices[i] ?? 0));
+  for (let i = 0; i < indices.length; i += 3) {
+    const [a, b, c] = [at(positions, i), at(positions, i + 1), at(positions, i + 2)];
+    const face = b.sub(a).cross(c.sub(a));
+    if (face.length() < 1e-9) continue;
+    for (const k of [0, 1, 2]) {
+      expect(at(normals, i + k).length()).toBeCloseTo(1, 6);
+      expect(face.normalize().dot(at(normals, i + k))).toBeGreaterThan(0.5);
+    }
+  }
+});
+
+test('a mirrored surface still faces outwards', () => {
+  const mirrored = new Surface();
+  const box = surfaceOf({ ...solid, kind: 'box', size: [1, 1, 1] }, 'low');
+  mirrored.append(box, new Matrix4().makeScale(1, -1, 1).setPosition(5, 0, 0));
+  expect(volume(mirrored)).toBeCloseTo(1);
+});
+
+const box = { ...solid, kind: 'box', size: [0.2, 0.2, 0.2] } as const;
+
+function bodyOf(shapes: readonly Shape[]): Body {
+  const info: BodyInfo = { name: 'thing', shapes };
+  return new Body(info, new Materials('low'), 'low');
+}
+
+test('a group repeats in even steps and mirrors port to starboard', () => {
+  const group: Group = {
+    kind: 'group',
+    position: [0, 2, 0],
+    rotation: [0, 0, 0],
+    shapes: [box],
+    count: 3,
+    step: [1, 0, 0],
+    turn: [0, 0, 0],
+    mirror: true,
+  };
+  const found = bodyOf([group]).box();
+  expect(found.min.toArray()).toEqual([-0.1, -2.1, -0.1].map((x) => expect.closeTo(x, 5)));
+  expect(found.max.toArray()).toEqual([2.1, 2.1, 0.1].map((x) => expect.closeTo(x, 5)));
+});
+
+test('a rotation is roll, then pitch, then yaw about fixed axes', () => {
+  const quarter = Math.PI / 2;
+  // Roll takes z to -y; the yaw then takes -y to x.
+  const rod = { ...box, size: [0.2, 0.2, 6], rotation: [quarter, 0, quarter] } as const;
+  expect(bodyOf([rod]).box().max.x).toBeCloseTo(3, 5);
+});
+
+const camera: Camera = {
+  name: 'X',
+  title: 'Test',
+  body: 'thing',
+  position: [0, 0, 1],
+  boresight: [2, 0, 0],
+  up: [0, 0, 1],
+  field_of_view: Math.PI / 2,
+};
+
+function cameraAt(pose: readonly number[]): Cameras {
+  const body = bodyOf([box]);
+  body.setPose(pose, 0);
+  return new Cameras([camera], [body]);
+}
+
+test('the stated field of view is the horizontal one, at every aspect', () => {
+  const cameras = cameraAt([0, 0, 0, 1, 0, 0, 0]);
+  for (const aspect of [4 / 3, 5 / 3]) {
+    // Looking aft with up up, port is to the right: y is starboard.
+    expect(cameras.project('X', aspect, [10, -9.99, 1])).toMatchObject({
+      x: expect.closeTo(1, 2),
+      visible: true,
+    });
+    expect(cameras.project('X', aspect, [10, -10.01, 1]).visible).toBe(false);
+    expect(cameras.project('X', aspect, [10, 0, 1 + 10 / aspect]).y).toBeCloseTo(0, 5);
+  }
+});
+
+test('what lies behind a camera is not in its picture', () => {
+  expect(cameraAt([0, 0, 0, 1, 0, 0, 0]).project('X', 1, [-10, 0, 1]).visible).toBe(false);
+});
+
+test('a camera moves with its body, and sees directions in its own axes', () => {
+  const half = Math.SQRT1_2;
+  const cameras = cameraAt([5, 0, 0, half, 0, 0, half]); // yawed 90 deg: looks along y
+  expect(cameras.project('X', 1, [5, 7, 1])).toMatchObject({
+    x: expect.closeTo(0.5, 5),
+    y: expect.closeTo(0.5, 5),
+  });
+  const [x, y, z] = cameras.directions('X', [1, 0, 0, 0]);
+  expect(x).toEqual([1, 0, 0].map((c) => expect.closeTo(c, 5)));
+  expect(y).toEqual([0, 0, -1].map((c) => expect.closeTo(c, 5)));
+  expect(z).toEqual([0, 1, 0].map((c) => expect.closeTo(c, 5)));
+});
