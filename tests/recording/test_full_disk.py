@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import resource
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -22,12 +23,20 @@ from aftdeck.recording.tape import Tape
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.warm import warm_up
 from tests.recording.flown import bay, recorded
 
 ROOM = 100_000
 """Bytes that a file may have where the disk is full."""
 SCRIPT = '[[phase]]\nmode = "ORB UNL"\ntranslation = [0.6, 0, 0.2]\nduration = "20 s"'
-WAIT_S = 10.0
+WAIT_S = 60.0
+"""The longest that anything is waited for [s]."""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def compiled() -> None:
+    """The laws are compiled before a disk is full: Numba keeps them on one, and breaks down where it cannot."""
+    warm_up(bay(extra=SCRIPT))
 
 
 @contextmanager
@@ -99,19 +108,23 @@ def test_a_disk_that_takes_nothing_at_all_leaves_no_trap(tmp_path: Path) -> None
 
 def test_a_writer_that_falls_far_behind_stops_and_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(writer, "MOST_WAITING", 30)
-    quick = Sink.write
+    monkeypatch.setattr(writer, "BEGIN_S", 0.0)
+    plain, freed = Sink.write, threading.Event()
 
-    def slow(self: Sink, data: bytes) -> int:
-        time.sleep(0.02)
-        return quick(self, data)
+    def stuck(self: Sink, data: bytes) -> int:
+        assert freed.wait(WAIT_S)
+        return plain(self, data)
 
-    monkeypatch.setattr(Sink, "write", slow)
+    monkeypatch.setattr(Sink, "write", stuck)
     made = bay()
     sim = Simulation(made)
     recorder = Recorder(tmp_path / "slow.mcap", made, 0)
-    for _ in range(40):
+    for _ in range(30):
         recorder.step(None, sim.step())
+    assert recorder.failure == ""
+    recorder.step(None, sim.step())
     assert recorder.failure.endswith("30 steps wait to be written: the disk is too slow")
+    freed.set()
     recorder.close("stopped")
 
 

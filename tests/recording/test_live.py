@@ -20,7 +20,8 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from tests.recording.flights import fly, read
 
-PATIENCE = 10.0
+PATIENCE = 60.0
+"""The longest that anything is waited for [s]."""
 
 
 @pytest.fixture
