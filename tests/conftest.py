@@ -1,4 +1,8 @@
-"""What all tests share: the browser tests run where a Chromium is found, and say so where none is."""
+"""What all tests share.
+
+The browser tests run where a Chromium is found, and say so where none is. Hypothesis looks for new examples at every
+run, for as long as it takes; with ``--hypothesis-profile=ci``, as `.ci/run` has it, for the same ones each time.
+"""
 
 import os
 import shutil
@@ -7,6 +11,7 @@ from pathlib import Path
 
 import platformdirs
 import pytest
+from hypothesis import HealthCheck, settings
 
 CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 CHROMIUM_PLACES = (
@@ -16,6 +21,9 @@ CHROMIUM_PLACES = (
 HOW_TO_GET_ONE = "install chromium, or name one in AFTDECK_CHROMIUM"
 
 not_run = pytest.StashKey[int]()
+
+# A slow machine fails nothing: no example has a time to keep.
+settings.register_profile("default", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 
 
 def find_chromium() -> Path | None:

@@ -123,7 +123,7 @@ def check_round_trip(frame: Frame) -> None:
             assert near(was, now, COARSE if name in COARSER else GRAIN), name
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=6)
 @given(st.integers(0, 2**32))
 def test_frames_of_random_flights_come_back_to_nine_decimals(seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -86,7 +86,9 @@ def check_random_flight(path: Path, seed: int, steps: int, extra: str = "") -> N
     assert told == [(k, i.translation) for k, (i, _) in enumerate(flown, 1) if i is not None]
 
 
-_hypothesis = settings(max_examples=5, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+_hypothesis = settings(
+    max_examples=5, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow]
+)
 
 
 @_hypothesis

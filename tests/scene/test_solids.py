@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from aftdeck.arms.shapes import shapes_of
@@ -153,7 +153,6 @@ outlines = st.lists(st.floats(0.3, 3.0), min_size=3, max_size=14).map(
 """Star-shaped ones, with corners that stand in."""
 
 
-@settings(deadline=None)
 @given(outline=outlines, normal=st.sampled_from(["x", "y", "z"]), clockwise=st.booleans())
 def test_a_plate_of_any_outline_is_closed_and_holds_its_area_times_its_thickness(
     outline: tuple[tuple[float, float], ...], normal: Axis, clockwise: bool
