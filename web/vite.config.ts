@@ -11,5 +11,6 @@ export default defineConfig({
     chunkSizeWarningLimit: 1000,
   },
   server: { proxy: { '/ws': { target: station, ws: true, changeOrigin: true, rewriteWsOrigin: true } } },
-  test: { include: ['tests/**/*.test.ts'] },
+  // What hangs shall fail; a slow machine shall not [ms].
+  test: { include: ['tests/**/*.test.ts'], testTimeout: 60_000 },
 });

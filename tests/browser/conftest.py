@@ -15,10 +15,10 @@ from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
 
 from tests.browser.flight import Flight
 
-START_S = 60.0
+START_S = 120.0
 """The longest that a station may take to say its address [s]."""
 
-COMPILED_S = 180.0
+COMPILED_S = 300.0
 """The longest that it may take to answer after that, where the laws are compiled for the first time [s]."""
 
 FLAGS = [
@@ -59,7 +59,7 @@ def station(request: pytest.FixtureRequest) -> Iterator[str]:
         finally:
             process.terminate()
             try:
-                process.wait(10)
+                process.wait(START_S)
             except subprocess.TimeoutExpired:
                 process.kill()
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import msgspec
@@ -9,7 +11,7 @@ from playwright.sync_api import Locator, Page
 
 from aftdeck.station.protocol import Frame
 
-WAIT_MS = 20_000
+WAIT_MS = 60_000
 """The longest wait for anything that a page shall do [ms]; software drawing on a busy machine is slow."""
 
 TURNED = "document.querySelector('.rotary .turned')?.textContent"
@@ -17,9 +19,19 @@ TURNED = "document.querySelector('.rotary .turned')?.textContent"
 ENTERED = "document.querySelector('.rotary [aria-pressed=true]')?.textContent"
 """The mode that the rotary shows as entered, in JavaScript."""
 
+WATCH = """() => {
+    window.shown = false;
+    new MutationObserver((_, observer) => {
+        if (!(CONDITION)) return;
+        window.shown = true;
+        observer.disconnect();
+    }).observe(document, { attributes: true, characterData: true, childList: true, subtree: true });
+}"""
+"""Looks after every change of the page whether CONDITION holds, and keeps in `window.shown` that it did."""
+
 
 class Flight:
-    """A page, its keys, and the last frame that it has drawn."""
+    """A page, its keys, and the last frame that all of it shows: pictures, lamps and figures."""
 
     def __init__(self, page: Page) -> None:
         self.page = page
@@ -29,19 +41,29 @@ class Flight:
     def from_the_start(self) -> Flight:
         """Waits for the sticks to be ours, and puts the scenario back to its first instant."""
         self.until("document.querySelector('.who').textContent.startsWith('You fly') && frame.time_s > 1")
-        before = self.frame().tick
+        before = self.script("window.__aftdeck.restarts")
         self.page.get_by_role("button", name="Restart").click()
-        self.until(f"frame.tick < {before} && {ENTERED} === frame.mode")
+        self.until(f"window.__aftdeck.restarts > {before}")
         return self
 
     def frame(self) -> Frame:
-        """The last frame drawn."""
+        """The last frame shown."""
         return msgspec.convert(self.page.evaluate("window.__aftdeck.lastFrame"), Frame)
 
-    def until(self, condition: str, timeout_ms: float = WAIT_MS) -> None:
-        """Waits for a JavaScript condition, in which `frame` is the last frame drawn."""
-        expression = f"() => {{ const frame = window.__aftdeck?.lastFrame; return {condition}; }}"
-        self.page.wait_for_function(expression, timeout=timeout_ms)
+    def until(self, condition: str, timeout_ms: float = WAIT_MS) -> Frame:
+        """Waits for a JavaScript condition, in which `frame` is the last frame shown; returns the frame that met it.
+
+        What comes and goes by itself may pass unseen on a slow machine: see `shows`.
+        """
+        expression = f"() => {{ const frame = window.__aftdeck?.lastFrame; return ({condition}) && {{ frame }}; }}"
+        return msgspec.convert(self.page.wait_for_function(expression, timeout=timeout_ms).json_value()["frame"], Frame)
+
+    @contextmanager
+    def shows(self, condition: str) -> Iterator[None]:
+        """Waits for a JavaScript condition of the page's elements to be met by what is done inside, however briefly."""
+        self.script(WATCH.replace("CONDITION", condition))
+        yield
+        self.until("window.shown")
 
     def script(self, text: str) -> Any:  # what a page returns has no type
         """Evaluates JavaScript in the page."""

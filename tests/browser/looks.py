@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from tests.browser.flight import Flight
 
-_CLASHES = """() => {
+_CLASHES = """async () => {
+    await document.fonts.ready;
     const box = (node) => node.getBoundingClientRect();
     const parts = [...document.querySelectorAll('.rail, .monitor, .spine, .group, .transport, .timeline')];
     const name = (node) => node.className;
@@ -40,7 +41,8 @@ _CLASHES = """() => {
     return clashes;
 }"""
 
-_TEXTS = """() => {
+_TEXTS = """async () => {
+    await document.fonts.ready;
     const parse = (colour) => {
         const [r, g, b, a = 1] = colour.match(/[\\d.]+/g).map(Number);
         return { r, g, b, a };

@@ -12,6 +12,8 @@ pytestmark = pytest.mark.browser
 
 HIDDEN = "document.querySelector('{}').checkVisibility() === false"
 SHOWN = "document.querySelector('{}').checkVisibility()"
+CHECK_CRT = "[...document.querySelectorAll('.lamp.caution')].some((lamp) => lamp.textContent.includes('CHECK CRT'))"
+"""A refusal's lamp, which goes out after 5 s."""
 
 
 def test_brackets_turn_the_rotary_and_enter_enters_it(flight: Flight) -> None:
@@ -38,9 +40,9 @@ def test_a_click_turns_the_rotary_and_a_second_one_enters(flight: Flight) -> Non
 def test_pl_without_a_payload_may_be_turned_to_but_is_refused_in_a_sentence(flight: Flight) -> None:
     before = flight.frame().mode
     flight.turn_to("PL")
-    flight.press("Enter")
+    with flight.shows(CHECK_CRT):
+        flight.press("Enter")
     flight.until_logged("PL refused: it moves a payload, and none is in the grasp")
-    flight.until_lit("CHECK CRT")
     assert flight.frame().mode == before
     flight.until(f"{TURNED} === 'PL'")
 
@@ -129,12 +131,14 @@ def test_test_lights_every_lamp_and_segment_while_entered(flight: Flight) -> Non
 
 def test_a_lamp_keeps_the_log_to_its_cause_and_outlines_what_it_speaks_of(flight: Flight) -> None:
     flight.turn_to("PL")
-    flight.press("Enter")
-    flight.until_lit("CHECK CRT")
+    with flight.shows(CHECK_CRT):
+        flight.press("Enter")
+    flight.until_logged("PL refused")
     flight.enter("END EFF")
+    flight.until_logged("END EFF entered")  # the newest line; one that came later would end the filter
     lines = "[...document.querySelectorAll('.log li:not(.hint)')].map((line) => line.textContent)"
-    flight.page.get_by_role("button", name="CHECK CRT").click()
-    flight.until("document.querySelector('.events').matches('.concerned')")
+    with flight.shows("document.querySelector('.events').matches('.concerned')"):
+        flight.page.get_by_role("button", name="CHECK CRT").click()
     assert all("refused" in line for line in flight.script(lines))
     flight.until("!document.querySelector('.concerned')")
     flight.press_key("show all")

@@ -39,12 +39,12 @@ def test_camera_keys_act_on_the_monitor_in_hand(flight: Flight) -> None:
     names = "[...document.querySelectorAll('.picture .name b')].map((name) => name.textContent)"
     first, second = flight.script(names)
     flight.press(".")
+    flight.until(f"{names}[0] !== '{first}'")
     changed, kept = flight.script(names)
-    assert (changed != first, kept) == (True, second)
+    assert kept == second
     flight.press("x", "1")
-    cameras = flight.script("document.querySelector('.cameras').textContent")
+    flight.until(f"document.querySelector('.cameras').textContent.startsWith({names}[1])")
     assert flight.script(names)[0] == changed
-    assert cameras.startswith(flight.script(names)[1])
 
 
 def test_the_focus_goes_from_the_monitors_over_the_spine_to_the_desk(flight: Flight) -> None:
@@ -79,10 +79,11 @@ def test_units_change_on_demand(flight: Flight) -> None:
 
 
 def test_the_hook_measures_stick_to_picture(flight: Flight) -> None:
+    before = flight.script("performance.now()")
     flight.hold("w")
     flight.until("frame.translation[0] === 1")
     flight.release("w")
-    flight.until("window.__aftdeck.latency95 !== null")
-    assert 0 < flight.script("window.__aftdeck.latency95") < 2000
+    measured = "window.__aftdeck.latency95"
+    flight.until(f"{measured} > 0 && {measured} < performance.now() - {before}")  # no longer than the key is known
     assert "llvmpipe" in flight.script("window.__aftdeck.renderer") or flight.script("window.__aftdeck.renderer")
     flight.until("window.__aftdeck.fps > 0")

@@ -117,6 +117,7 @@ def test_nothing_scrolls_overlaps_or_fades(replay: Flight) -> None:
     replay.until("frame.tick === 600")
     for width, height in SIZES:
         replay.page.set_viewport_size({"width": width, "height": height})
+        replay.until(f"innerWidth === {width} && innerHeight === {height}")
         for _ in range(2):
             assert_tidy(replay)
             assert_readable(replay)

@@ -12,7 +12,7 @@ pytestmark = pytest.mark.browser
 
 SCENARIO = "sequence"
 POINT = "document.querySelector('.route .point').textContent"
-TOUR_MS = 120_000
+TOUR_MS = 240_000
 """The longest that the way to the pause point may take [ms]; it is flown in some 35 s."""
 
 
@@ -22,8 +22,7 @@ def test_proceed_flies_the_tour_to_its_pause_point(flight: Flight) -> None:
     flight.until("frame.sequence === 'in progress'")
     flight.until("document.querySelectorAll('.sequence small')[1].matches('.lit')")
     flight.until("Number(document.querySelectorAll('.route dd')[2].textContent) > 0")
-    flight.until("frame.point === 2", TOUR_MS)
-    flight.until(f"{POINT} === 'Point 2 of 4'")
+    flight.until(f"frame.point > 1 && {POINT} === `Point ${{frame.point}} of 4`", TOUR_MS)
     flight.until("frame.sequence === 'ready' && frame.point === 4", TOUR_MS)
     flight.until("/PROCEED goes on/.test(document.querySelector('.route .to-go').textContent)")
     flight.until("/GOOD/.test(document.querySelector('.check.good')?.textContent ?? '')")

@@ -32,8 +32,7 @@ def test_each_gauge_names_its_way_out(flight: Flight) -> None:
 
 
 def test_the_way_out_that_is_named_leads_out(flight: Flight) -> None:
-    flight.until("frame.ways_out.some((way) => way.cause === 'elbow')")
-    start = flight.frame()
+    start = flight.until("frame.ways_out.some((way) => way.cause === 'elbow')")
     way = next(way for way in start.ways_out if way.cause == "elbow")
     key = KEYS[way.stick, way.axis, way.sign]
     flight.hold(key)
@@ -43,8 +42,8 @@ def test_the_way_out_that_is_named_leads_out(flight: Flight) -> None:
 
 def test_pressing_the_lamp_keeps_the_log_to_singularities(flight: Flight) -> None:
     flight.until_lit("SINGULAR")
-    flight.page.get_by_role("button", name="SINGULAR").click()
-    flight.until("document.querySelectorAll('.distance.concerned').length === 3")
+    with flight.shows("document.querySelectorAll('.distance.concerned').length === 3"):
+        flight.page.get_by_role("button", name="SINGULAR").click()
     flight.until("document.querySelector('.events .about').textContent === 'SINGULAR only'")
     lines = flight.script("[...document.querySelectorAll('.log li:not(.hint)')].map((line) => line.textContent)")
     assert len(lines) == 3

@@ -6,7 +6,10 @@ export interface Hook {
   /** Pictures drawn, and how many in the last whole second. */
   frames: number;
   fps: number;
+  /** The last frame that the whole page shows: pictures, lamps and figures. */
   lastFrame: Frame | null;
+  /** How often the flight shown has begun anew; counted from what arrives, so that none is missed. */
+  restarts: number;
   /** Stick to picture, 95th percentile of the last 10 s [ms]. */
   latency95: number | null;
   /** What draws, as WebGL names it. */
@@ -37,6 +40,9 @@ export function publish(renderer: string, read: () => Omit<Hook, 'fps' | 'render
     },
     get lastFrame() {
       return read().lastFrame;
+    },
+    get restarts() {
+      return read().restarts;
     },
     get latency95() {
       return read().latency95;

@@ -69,7 +69,8 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   const link = new Link(`${scheme}://${location.host}/ws`, { message, state });
   publish(drawing.renderer, () => ({
     frames: station?.drawn ?? 0,
-    lastFrame: station?.frame ?? null,
+    lastFrame: station?.shown.frame ?? null,
+    restarts: station?.shown.restarts ?? 0,
     latency95: station?.latency.percentile95(performance.now()) ?? null,
   }));
 }

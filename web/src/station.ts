@@ -38,10 +38,12 @@ const RECENT_S = 2;
 const REFUSAL_MS = 5000;
 
 export class Station {
-  /** Pictures drawn so far, the last frame drawn, and the latencies measured. */
+  /** Pictures drawn so far, what the whole page shows of the flight, and the latencies measured. */
   drawn = 0;
-  frame: Frame | null = null;
+  shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
   readonly latency = new Latency();
+  private frame: Frame | null = null;
+  private restarts = 0;
   private arrived = 0;
   private fresh = false;
   private valuesAt = 0;
@@ -115,6 +117,7 @@ export class Station {
 
   /** A newer frame; the next picture shows it. */
   setFrame(frame: Frame): void {
+    if (this.frame && frame.tick < this.frame.tick) this.restarts += 1;
     this.frame = frame;
     this.arrived = performance.now();
     this.fresh = true;
@@ -195,6 +198,7 @@ export class Station {
       this.transmit({ type: 'shown', latency_ms: latency95 });
     }
     if (test) lightSegments();
+    this.shown = { frame: view.frame, restarts: this.restarts };
   }
 
   /** The lamps that only the page can light. */

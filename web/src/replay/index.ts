@@ -35,7 +35,7 @@ export function play(root: HTMLElement, drawing: Drawing, source: Source): void 
 
 class Replay {
   private drawn = 0;
-  private frame: Frame | null = null;
+  private shown: Frame | null = null;
   private units: UnitName;
   private before = performance.now();
   private valuesAt = 0;
@@ -95,7 +95,12 @@ class Replay {
     });
     this.rail.setVerdict(index.verdict);
     if (index.verdict.state === 'checking') this.judge();
-    publish(drawing.renderer, () => ({ frames: this.drawn, lastFrame: this.frame, latency95: null }));
+    publish(drawing.renderer, () => ({
+      frames: this.drawn,
+      lastFrame: this.shown,
+      restarts: 0,
+      latency95: null,
+    }));
     this.tick();
   }
 
@@ -107,7 +112,6 @@ class Replay {
     const { moment, position } = this.player;
     const units = unitsOf(this.units);
     if (moment && this.isNew(moment.frame)) {
-      this.frame = moment.frame;
       this.pictures.draw(moment.frame);
       this.pictures.setTime(moment.frame, null);
       this.desk.bars(moment.frame, units);
@@ -119,7 +123,10 @@ class Replay {
       const past = this.past();
       this.run.show(past, units);
       this.rail.setUnits(units);
-      if (moment) this.desk.values(moment.frame, units, past);
+      if (moment) {
+        this.desk.values(moment.frame, units, past);
+        this.shown = moment.frame;
+      }
       const { failure } = this.player;
       this.transport.show(failure, failure !== '');
     }
