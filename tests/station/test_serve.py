@@ -17,8 +17,8 @@ from aftdeck.station.serve import StationError, listen, make_server, serve
 from aftdeck.station.session import Session
 from tests.station.pages import WAIT_S, Page, scenario, served
 
-START_S = 60.0
-"""The longest that `aftdeck fly` may take to say its address [s]; the first start compiles the laws."""
+START_S = 300.0
+"""The longest that `aftdeck fly` may take until it answers, or ends [s]; the first start compiles the laws."""
 
 
 @pytest.fixture
@@ -48,7 +48,8 @@ def address(process: subprocess.Popen[str]) -> str:
 
 def test_control_c_ends_a_flight_with_a_page_without_a_traceback(running: subprocess.Popen[str]) -> None:
     place = address(running)
-    with connect(f"ws://{place}/ws", compression=None, max_queue=None, close_timeout=0.2) as link:
+    url = f"ws://{place}/ws"
+    with connect(url, compression=None, max_queue=None, open_timeout=START_S, close_timeout=0.2) as link:
         Page(link).greet()
         running.send_signal(signal.SIGINT)
         assert running.wait(START_S) in (0, 130)
@@ -72,7 +73,7 @@ def test_a_station_listens_on_this_machine_alone() -> None:
         others = {info[4][0] for info in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)}
         for other in others - {"127.0.0.1"}:
             with pytest.raises(OSError, match="refused"):
-                socket.create_connection((str(other), port), timeout=1.0)
+                socket.create_connection((str(other), port), timeout=WAIT_S)
 
 
 def test_frames_are_sent_without_waiting_for_more() -> None:

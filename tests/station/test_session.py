@@ -3,48 +3,16 @@ from __future__ import annotations
 import math
 import threading
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from pathlib import Path
+from types import SimpleNamespace
 
-import msgspec
 import pytest
 
 from aftdeck.errors import CommandError
 from aftdeck.station import protocol as wire
-from aftdeck.station.session import MOST_WAITING, Phase, Session
-from tests.station.pages import STILL, scenario, until
-
-_frames = msgspec.json.Decoder(wire.Frame)
-
-
-@contextmanager
-def flying(*, demo: bool = False, name: str = "first-flight", record: Path | None = None) -> Iterator[Session]:
-    """A session in flight without a server."""
-    session = Session(scenario(name), demo=demo, record=record)
-    session.start(lambda: None)
-    try:
-        until(lambda: session.newest != b"", "the first frame")
-        yield session
-    finally:
-        session.close()
-
-
-def shown(session: Session) -> wire.Frame:
-    return _frames.decode(session.newest)
-
-
-def comes(session: Session, met: Callable[[wire.Frame], bool], what: str) -> wire.Frame:
-    """The first frame seen that is as wanted."""
-    seen: list[wire.Frame] = []
-
-    def look() -> bool:
-        if session.newest and met(frame := shown(session)):
-            seen.append(frame)
-        return bool(seen)
-
-    until(look, what)
-    return seen[0]
+from aftdeck.station import session as station_session
+from aftdeck.station.session import MOST_BEHIND, MOST_WAITING, SILENCE, Phase, Session
+from tests.station.flying import Flown, comes, flying, goes_on, shown
+from tests.station.pages import STILL, WAIT_S, in_time, scenario, until
 
 
 def sticks(seq: int, forward: float = 0.0) -> wire.Sticks:
@@ -64,17 +32,22 @@ def test_a_session_goes_from_ready_to_flying_to_closed() -> None:
     assert session.newest is newest
 
 
-def test_it_steps_at_the_control_period() -> None:
+def test_it_steps_at_the_control_period_and_never_gains_more_than_it_was_behind() -> None:
+    def a_second_takes_one(session: Flown) -> bool:
+        begun = time.monotonic()
+        first = shown(session).tick
+        until(lambda: shown(session).tick >= first + 50, "50 steps")
+        last = shown(session).tick
+        assert (last - first) * 0.02 < time.monotonic() - begun + MOST_BEHIND + 0.05
+        return in_time(begun, 50)
+
     with flying() as session:
-        first, begun = shown(session), time.perf_counter()
-        last = comes(session, lambda frame: frame.tick >= first.tick + 50, "50 steps")
-        took = time.perf_counter() - begun
-    assert (last.tick - first.tick) * 0.02 == pytest.approx(took, abs=0.3)
+        until(lambda: a_second_takes_one(session), "50 steps in a second")
 
 
 def test_an_arm_that_nobody_flies_stands_still() -> None:
     with flying() as session:
-        frame = comes(session, lambda frame: frame.tick > 20, "20 steps")
+        frame = goes_on(session, 20)
     assert frame.joints == tuple(scenario().initial_angles.tolist())
     assert frame.stick_seq == -1
 
@@ -92,7 +65,7 @@ def test_sticks_move_the_tip_and_letting_go_stops_it() -> None:
 
 
 def test_letting_go_forgets_the_commands_that_wait() -> None:
-    session = Session(scenario())
+    session = Flown(scenario())
     session.command(wire.SelectJoint(0, 5))
     session.let_go()
     session.start(lambda: None)
@@ -102,24 +75,37 @@ def test_letting_go_forgets_the_commands_that_wait() -> None:
         session.close()
 
 
+def test_silent_sticks_go_to_zero_and_no_sooner(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [100.0]
+    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
+    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
+    monkeypatch.setattr(station_session, "time", fake)
+    with flying() as session:
+        session.steer(sticks(4, forward=1.0))
+        comes(session, lambda frame: frame.translation[0] == 1.0, "the sticks")
+        clock[0] += 0.99 * SILENCE
+        assert goes_on(session, 5).translation[0] == 1.0
+        clock[0] += 0.02 * SILENCE
+        assert goes_on(session, 5).translation == STILL
+        assert shown(session).stick_seq == 4
+
+
 def test_a_restart_begins_anew() -> None:
     with flying() as session:
         session.steer(sticks(0, forward=1.0))
-        comes(session, lambda frame: frame.tick > 30, "30 steps")
+        goes_on(session, 30)
         session.let_go()
         session.command(wire.Restart(1))
-        frame = comes(session, lambda frame: frame.tick < 20, "the first instants again")
+        frame = comes(session, lambda frame: frame.tick == 1, "the first instant again")
         assert frame.joints == pytest.approx(tuple(scenario().initial_angles.tolist()), abs=1e-12)
         assert [event.kind for event in session.log_since(0)][-1] == "restart"
 
 
 def test_a_demonstration_flies_until_a_stick_moves() -> None:
     with flying(demo=True) as session:
-        assert shown(session).by == "script"
-        assert shown(session).phase == "up"
+        assert comes(session, lambda frame: frame.phase == "up", "the script's first phase").by == "script"
         session.steer(sticks(0, forward=0.0005))
-        tick = shown(session).tick
-        assert comes(session, lambda frame: frame.tick > tick + 5, "steps").by == "script"
+        assert goes_on(session, 5).by == "script"
         session.steer(sticks(1, forward=0.2))
         assert comes(session, lambda frame: frame.by == "hand", "the hand").phase == ""
         assert "you have the sticks" in [event.text for event in session.log_since(0)]
@@ -171,9 +157,8 @@ def test_commands_from_many_threads_are_all_taken_or_refused() -> None:
         for thread in threads:
             thread.start()
         for thread in threads:
-            thread.join(10.0)
-        tick = shown(session).tick
-        assert comes(session, lambda frame: frame.tick > tick + 3, "it flies on").rate == "vernier"
+            thread.join(WAIT_S)
+        assert goes_on(session, 3).rate == "vernier"
     assert set(refused) <= {"32 commands are waiting already; this one was not taken"}
 
 
@@ -188,5 +173,5 @@ def test_a_failing_step_is_told_with_its_time(monkeypatch: pytest.MonkeyPatch) -
 
         monkeypatch.setattr(session._sim, "step", fail)
         until(lambda: session.phase is Phase.FAILED, "the failure")
-        assert told.wait(1.0)
+        assert told.wait(WAIT_S)
         assert session.failure.endswith(" s: no number")
