@@ -14,7 +14,8 @@ import aftdeck
 from aftdeck import cli
 from aftdeck.scenario.load import built_in
 
-WAIT_S = 60.0
+WAIT_S = 300.0
+"""The longest that a program may take [s]."""
 
 Output = tuple[int, str, str]
 """Exit code, standard output, standard error."""

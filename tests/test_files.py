@@ -26,6 +26,11 @@ class Outer(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     pair: tuple[Length, Length] = (Length(0.0), Length(0.0))
 
 
+DEEP_S, MANY_S = 30.0, 3.0
+"""The longest that a deep file and one of many errors may take [s], of this thread's own time: what a busy machine
+gives to others does not count. They take 2 and 0.1 s."""
+
+
 def problems(text: str) -> list[str]:
     with pytest.raises(ScenarioError) as caught:
         parse(Outer, Text("a.toml", text))
@@ -95,16 +100,16 @@ def test_a_value_of_the_wrong_kind_says_what_was_expected(text: str, what: str) 
     ids=["dotted", "header", "in a number", "in a list", "lists", "tables", "int", "ints", "open", "nul", "spaces"],
 )
 def test_deep_and_long_files_are_refused_quickly_and_briefly(text: str) -> None:
-    began = time.perf_counter()
+    began = time.thread_time()
     found = problems(text)
-    assert time.perf_counter() - began < 5.0
+    assert time.thread_time() - began < DEEP_S
     assert all(problem.startswith("a.toml") and "\n" not in problem for problem in found)
 
 
 def test_thousands_of_errors_are_told_in_a_second_or_two() -> None:
-    began = time.perf_counter()
+    began = time.thread_time()
     assert len(problems("title = 'x'\n" + "".join(f"a{i} = 1\n" for i in range(5000)))) == 5000
-    assert time.perf_counter() - began < 3.0
+    assert time.thread_time() - began < MANY_S
 
 
 def test_a_missing_file_is_named_with_the_reason(tmp_path: Path) -> None:

@@ -60,7 +60,9 @@ def cache_folder(source: Path, home: Path) -> str:
     """Where a copy of the package keeps its laws' machine code."""
     code = "import aftdeck.law as law; print(law._cache())"
     env = {**os.environ, "PYTHONPATH": str(source), "NUMBA_CACHE_DIR": str(home)}
-    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True, timeout=60)
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True, timeout=300
+    )
     return done.stdout.strip()
 
 

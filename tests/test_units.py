@@ -117,8 +117,8 @@ def test_no_text_brings_down_the_reader(text: str) -> None:
 
 
 def test_a_very_long_text_is_refused_at_once() -> None:
-    began = time.perf_counter()
+    began = time.thread_time()  # what a busy machine gives to others does not count
     with pytest.raises(ValueError, match="is no length") as caught:
         Length.read("9" * 10_000 + "!")
-    assert time.perf_counter() - began < 0.5
+    assert time.thread_time() - began < 0.5
     assert len(str(caught.value)) < 500

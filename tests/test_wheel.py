@@ -3,7 +3,6 @@
 import json
 import os
 import re
-import socket
 import subprocess
 import sys
 import tarfile
@@ -20,7 +19,11 @@ ROOT = Path(__file__).parents[1]
 UV = Path(find_uv_bin())
 PAGE = "aftdeck/station/static/index.html"
 
-pytestmark = pytest.mark.slow
+# One worker builds and installs, once for all of them (`--dist loadgroup`).
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("wheel")]
+
+WAIT_S = 400.0
+"""The longest that any program may take, or a station to answer: it may have to compile the laws first [s]."""
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +60,7 @@ def command(wheel: Path, tmp_path_factory: pytest.TempPathFactory, bare: dict[st
 def run(arguments: list[str | Path], environment: dict[str, str], cwd: Path | None = None) -> str:
     """Runs a command to its end and returns what it printed; fails with all it said."""
     ended = subprocess.run(
-        arguments, env=environment, cwd=cwd, capture_output=True, text=True, timeout=240, check=False
+        arguments, env=environment, cwd=cwd, capture_output=True, text=True, timeout=WAIT_S, check=False
     )
     assert ended.returncode == 0, f"{arguments} ended with {ended.returncode}:\n{ended.stdout}{ended.stderr}"
     return ended.stdout
@@ -94,12 +97,10 @@ def test_the_installed_command_flies_a_scenario_without_a_screen(
 @pytest.fixture
 def station(command: Path, bare: dict[str, str], tmp_path: Path) -> Iterator[str]:
     """The address of a station that the installed command serves."""
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port = free.getsockname()[1]
     said = tmp_path / "said.txt"
     with said.open("w") as output:
         server = subprocess.Popen(
-            [command, "fly", "--no-browser", "--port", str(port)],
+            [command, "fly", "--no-browser", "--port", "0"],
             env=bare,
             cwd=tmp_path,
             stdin=subprocess.DEVNULL,
@@ -107,34 +108,34 @@ def station(command: Path, bare: dict[str, str], tmp_path: Path) -> Iterator[str
             stderr=subprocess.STDOUT,
         )
         try:
-            address = f"http://127.0.0.1:{port}/"
-            assert wait_for(address, server, seconds=60), f"no answer from the station:\n{said.read_text()}"
-            yield address
+            yield address(said, server)
         finally:
             server.terminate()
             try:
-                server.wait(timeout=20)
+                server.wait(timeout=60)
             except subprocess.TimeoutExpired:
                 server.kill()
-                server.wait(timeout=20)
+                server.wait(timeout=60)
 
 
-def wait_for(address: str, server: subprocess.Popen[bytes], seconds: float) -> bool:
-    """Returns whether ``address`` answers within ``seconds``, while ``server`` runs."""
-    end = time.monotonic() + seconds
+def address(said: Path, server: subprocess.Popen[bytes]) -> str:
+    """The address that a station says it serves, once it does."""
+    end = time.monotonic() + WAIT_S
     while time.monotonic() < end and server.poll() is None:
-        try:
-            urllib.request.urlopen(address, timeout=5).close()
-            return True
-        except OSError:  # not there yet, or still compiling the laws
-            time.sleep(0.1)
-    return False
+        time.sleep(0.1)
+        if found := re.search(r"^Aftdeck station: (http://127\.0\.0\.1:\d+/)$", said.read_text(), re.MULTILINE):
+            try:
+                urllib.request.urlopen(found[1], timeout=WAIT_S).close()  # it listens before it has compiled the laws
+            except OSError:
+                break
+            return found[1]
+    pytest.fail(f"no answer from the station:\n{said.read_text()}")
 
 
 def test_the_installed_station_serves_its_page(station: str) -> None:
-    with urllib.request.urlopen(station, timeout=10) as answer:
+    with urllib.request.urlopen(station, timeout=WAIT_S) as answer:
         page = answer.read().decode()
     script = re.search(r'<script type="module"[^>]* src="(?:\./|/)?([^"]+)"', page)
     assert script is not None, page
-    with urllib.request.urlopen(station + script[1], timeout=10) as answer:
+    with urllib.request.urlopen(station + script[1], timeout=WAIT_S) as answer:
         assert answer.headers.get_content_type() == "text/javascript"

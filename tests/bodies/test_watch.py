@@ -107,7 +107,7 @@ def test_laws_that_are_not_compiled_agree_with_the_compiled_ones() -> None:
         env={**os.environ, "NUMBA_DISABLE_JIT": "1"},
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=400,
         check=False,
     )
     assert done.returncode == 0, done.stderr
