@@ -13,10 +13,10 @@ from urllib.request import urlopen
 import pytest
 from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
 
-from tests.browser.flight import Flight
+from tests.browser.flight import WAIT_MS, Flight
 
 START_S = 120.0
-"""The longest that a station may take to say its address [s]."""
+"""The longest that a station may take to say its address, and the browser to start [s]."""
 
 COMPILED_S = 300.0
 """The longest that it may take to answer after that, where the laws are compiled for the first time [s]."""
@@ -86,7 +86,7 @@ def _address(process: subprocess.Popen[str]) -> str:
 def browser(chromium: Path) -> Iterator[Browser]:
     """A Chromium that draws with the processor."""
     with sync_playwright() as playwright:
-        running = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+        running = playwright.chromium.launch(executable_path=chromium, args=FLAGS, timeout=START_S * 1000.0)
         yield running
         running.close()
 
@@ -104,6 +104,7 @@ def open_page(station: str, browser: Browser) -> Iterator[OpenPage]:
     def open_one(width: int = 1280, height: int = 720, pad: bool = False) -> Flight:
         page = browser.new_page(viewport={"width": width, "height": height})
         pages.append(page)
+        page.set_default_timeout(WAIT_MS)
         page.on("console", note)
         page.on("pageerror", lambda error: errors.append(str(error)))
         if pad:

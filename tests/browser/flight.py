@@ -35,7 +35,6 @@ class Flight:
 
     def __init__(self, page: Page) -> None:
         self.page = page
-        page.set_default_timeout(WAIT_MS)
         self.until("window.__aftdeck?.lastFrame")
 
     def from_the_start(self) -> Flight:
@@ -83,14 +82,15 @@ class Flight:
             self.page.keyboard.press(key)
 
     def turn_to(self, mode: str) -> None:
-        """Turns the mode rotary by its key on the panel."""
+        """Turns the mode rotary by its key on the panel; pressed again, the key would enter the mode."""
         self._mode_key(mode).click()
         self.until(f"{TURNED} === '{mode}'")
 
     def enter(self, mode: str) -> None:
-        """Enters a mode by its key on the panel: pressed once it turns the rotary, again it enters."""
+        """Enters a mode by its key on the panel: pressed once it turns the rotary, if need be, again it enters."""
         if self.frame().mode != mode:
-            self.turn_to(mode)
+            if self.script(TURNED) != mode:
+                self.turn_to(mode)
             self._mode_key(mode).click()
         self.until(f"frame.mode === '{mode}' && {ENTERED} === '{mode}'")
 

@@ -11,7 +11,7 @@ from playwright.sync_api import Browser
 from aftdeck.recording.reader import Recording
 from aftdeck.station.one_file import write_html
 from tests.browser.conftest import SIZES, OpenPage
-from tests.browser.flight import Flight
+from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.looks import assert_readable, assert_tidy
 from tests.station.recordings import playing, recorded
 
@@ -131,6 +131,7 @@ def test_the_html_file_plays_without_a_server_a_request_or_an_error(
     write_html(recording, out)
     assert out.stat().st_size < MEGABYTES
     page = browser.new_page(viewport={"width": 1280, "height": 720})
+    page.set_default_timeout(WAIT_MS)
     asked: list[str] = []
     said: list[str] = []
     page.on("request", lambda request: asked.append(request.url))
