@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.flight import prepare
+from aftdeck.simulation.carried import carrying
 from aftdeck.steering.entry import limited_rates
 from aftdeck.steering.layout import COMMAND, DRIVE, GO, LAW, PLAN, RATE, REPORT, STATE, STICKS, TARGET
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
@@ -30,7 +30,7 @@ TWIST = (0.001, 0.002, 0.003, 0.1, 0.2, 0.3)
 def rate_law() -> list[Figure]:
     """RMSRAT with RATLMT: twelve numbers in, six out; the same by general libraries."""
     scenario = load_scenario("first-flight")
-    rules = prepare(scenario).rules["ORB UNL", "coarse"]
+    rules = carrying(scenario, scenario.payload).rules["ORB UNL", "coarse"]
     numbers, out = np.array([*scenario.initial_angles, *TWIST]), np.empty(6)
     limits = np.array(rules[RATE : RATE + 6])
     ours = microseconds("f(rules, numbers, out)", {"f": limited_rates, "rules": rules, "numbers": numbers, "out": out})
@@ -56,12 +56,12 @@ def rate_law() -> list[Figure]:
 def steering() -> list[Figure]:
     """A whole control step of each mode: MSTEER, state in and out."""
     scenario = load_scenario("loaded")
-    flight = prepare(scenario)
+    rules_by_mode = carrying(scenario, scenario.payload).rules
     figures = []
     for position, mode in MODES.items():
         if position.startswith("AUTO"):
             continue  # as OPR CMD
-        rules = flight.rules[position, "coarse"]
+        rules = rules_by_mode[position, "coarse"]
         for law in mode.laws:
             command, state, report = np.zeros(COMMAND), np.zeros(STATE), np.zeros(REPORT)
             state[:6] = scenario.initial_angles

@@ -231,6 +231,7 @@ def test_lists_are_read_by_scripts(run: Run) -> None:
     assert {row["position"]: row["laws"] for row in json.loads(out)} == {
         "OPR CMD": [2, 1, 3], "AUTO 1": [2, 1, 3], "AUTO 2": [2, 1, 3], "AUTO 3": [2, 1, 3], "AUTO 4": [2, 1, 3],
         "TEST": [0], "ORB UNL": [4], "END EFF": [5], "ORB LD": [4, 7], "PL": [6], "SINGLE": [8], "DIRECT": [9],
+        "MASTER": [10],
     }  # fmt: skip
 
 

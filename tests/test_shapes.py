@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from math import cos, hypot, pi, radians, sin
 from pathlib import Path
 from typing import get_args
@@ -28,7 +29,7 @@ SECTION = "x = 0, half_width = 1, top = 1, middle = 0, bottom = -1"
 
 @pytest.fixture(scope="module")
 def srms() -> ArmShapes:
-    return shapes_of(read(SRMS), FRAMES)
+    return shapes_of(load_model("srms"))
 
 
 def leaves(shapes: tuple[Shape, ...]) -> Iterator[Shape]:
@@ -103,7 +104,7 @@ def test_a_shape_that_cannot_be_drawn_is_refused_with_its_place(tmp_path: Path, 
     file = tmp_path / "bad.toml"
     file.write_text(f'camera = []\n[[body]]\nname = "arm.base"\nshapes = [{{ {text} }}]\n')
     with pytest.raises(ScenarioError) as caught:
-        shapes_of(read(file), FRAMES)
+        shapes_of(replace(load_model("srms"), shapes=read(file)))
     assert str(caught.value).startswith("bad.toml:4: body[0].shapes[0]")
     assert message in str(caught.value)
 
@@ -112,7 +113,7 @@ def test_an_arm_without_all_its_frames_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "short.toml"
     file.write_text('camera = []\n[[body]]\nname = "arm.base"\nshapes = []\n')
     with pytest.raises(ScenarioError, match=r"the frames are arm\.base; they have to be, in order, arm\.base, arm"):
-        shapes_of(read(file), FRAMES)
+        shapes_of(replace(load_model("srms"), shapes=read(file)))
 
 
 def test_a_missing_shape_file_is_named(tmp_path: Path) -> None:

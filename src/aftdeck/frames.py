@@ -5,7 +5,7 @@
   ENDORI angles (azimuth about 3, elevation about 2, roll about 1, in that order) or by a matrix.
 - **panel**: X = -Xo, Y = Yo, Z = -Zo from the structural origin; orientation by pitch about 2, yaw about 3,
   roll about 1, in that order. Its attitude is that of the end effector's own axes E.
-- **scene**: x aft, y starboard, z up, origin at Xo 942, Yo 0, Zo 400 in; for pictures only.
+- **scene**: x aft, y starboard, z up, origin at the worksite's; for pictures only.
 
 A transform's name says both frames: ``T_orbiter_L`` takes components in L and gives them in orbiter.
 """
@@ -25,7 +25,7 @@ Rows = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float
 FrameName = Literal["L", "orbiter", "panel"]
 
 SCENE_ORIGIN = np.array([942.0, 0.0, 400.0]) * INCH
-"""Origin of the scene in structural coordinates Xo, Yo, Zo [m]."""
+"""Origin of the Shuttle's scene in structural coordinates Xo, Yo, Zo [m]."""
 SCENE_FROM_PANEL_AXES = np.diag([-1.0, 1.0, -1.0])
 """Axes only: scene x aft, y starboard, z up; panel x forward, y starboard, z down."""
 
@@ -136,10 +136,13 @@ def panel_attitude(rotation: Array) -> tuple[float, float, float]:
 
 def angle_between(rows: Rows, other: Rows) -> float:
     """The angle [rad] of the turn between two orientations, given as rows; accurate from 0 to pi."""
-    (a, b, c), (d, e, f), (g, h, i) = (
-        [sum(x * y for x, y in zip(row, column, strict=True)) for column in other] for row in rows
-    )
-    return math.atan2(0.5 * math.hypot(h - f, c - g, d - b), 0.5 * (a + e + i - 1.0))
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    (p, q, r), (s, t, u), (v, w, o) = other
+    x = g * s + h * t + i * u - d * v - e * w - f * o  # twice the sine, along the axis
+    y = a * v + b * w + c * o - g * p - h * q - i * r
+    z = d * p + e * q + f * r - a * s - b * t - c * u
+    trace = a * p + b * q + c * r + d * s + e * t + f * u + g * v + h * w + i * o
+    return math.atan2(0.5 * math.sqrt(x * x + y * y + z * z), 0.5 * (trace - 1.0))
 
 
 def quaternion(rotation: Array) -> tuple[float, float, float, float]:

@@ -38,6 +38,7 @@ FEWEST_CORNERS = 3
 """Of a plate's outline."""
 FEWEST_SECTIONS = 2
 """Of a loft."""
+HEXAHEDRON_VERTICES = 8
 
 
 def _positive(shape: str, **sizes: float) -> None:
@@ -205,6 +206,18 @@ class Loft(_Solid, frozen=True, kw_only=True, tag="loft"):
             raise ValueError("the loft's sections have to be listed in order of growing x")
 
 
+class Hexahedron(_Solid, frozen=True, kw_only=True, tag="hexahedron"):
+    """A body of eight vertices and six flat faces, numbered as in `aftdeck.bodies.hexahedron`."""
+
+    vertices: tuple[Vec3, ...]
+    """Numbered v - 1 = 4 (on the +y side) + 2 (+x) + 1 (+z), in axes of the body's own [m]."""
+
+    def __post_init__(self) -> None:
+        """Refuse another number of vertices than eight."""
+        if len(self.vertices) != HEXAHEDRON_VERTICES:
+            raise ValueError(f"the hexahedron has {len(self.vertices)} vertices; it needs {HEXAHEDRON_VERTICES}")
+
+
 class Light(_Placed, frozen=True, kw_only=True, tag="light"):
     """A lamp: a round face that looks along its own x and lights what lies before it."""
 
@@ -242,4 +255,4 @@ class Group(_Placed, frozen=True, kw_only=True, tag="group"):
             raise ValueError(f"the group's count is {self.count}; it has to be at least 1")
 
 
-Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Light | Group
+Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group

@@ -60,17 +60,10 @@ class Quantity(float):
 
     @classmethod
     def _parse(cls, text: str) -> float:
-        import pint  # noqa: PLC0415  (0.3 s; only files with units pay for it)
-
         match = _NUMBER_AND_UNIT.fullmatch(text)
-        try:
-            if match:
-                quantity = _registry().Quantity(float(match["number"]), match["unit"])
-                # pint lets 5 Hz pass for 5 rad/s: radians have no dimension, but they are a unit
-                if quantity.to_root_units().units == _registry().Quantity(1.0, cls.unit).to_root_units().units:
-                    return float(quantity.m_as(cls.unit))
-        except pint.PintError:
-            pass
+        size = _size(match["unit"], cls.unit) if match else None
+        if match and size is not None:
+            return float(match["number"]) * size
         raise ValueError(
             f"{short(text)} is no {cls.noun}: write a number in {cls.unit}, or one with its unit "
             f"such as {cls.example!r}"
@@ -111,6 +104,21 @@ class Time(Quantity):
     """In files any unit of its kind; in the program [s]."""
 
     noun, unit, example = "time", "s", "20 ms"
+
+
+@functools.cache
+def _size(unit: str, wanted: str) -> float | None:
+    """How many of the unit wanted a unit has; None where it is no unit of that kind."""
+    import pint  # noqa: PLC0415  (0.3 s; only files with units pay for it)
+
+    try:
+        quantity = _registry().Quantity(1.0, unit)
+        # pint lets 5 Hz pass for 5 rad/s: radians have no dimension, but they are a unit
+        if quantity.to_root_units().units == _registry().Quantity(1.0, wanted).to_root_units().units:
+            return float(quantity.m_as(wanted))
+    except pint.PintError:
+        pass
+    return None
 
 
 @functools.cache

@@ -101,7 +101,9 @@ def open_page(station: str, browser: Browser) -> Iterator[OpenPage]:
         if message.type in ("error", "warning") and "GPU stall" not in message.text:
             errors.append(message.text)
 
-    def open_one(width: int = 1280, height: int = 720, pad: bool = False) -> Flight:
+    def open_one(
+        width: int = 1280, height: int = 720, pad: bool = False, prepare: Callable[[Page], None] | None = None
+    ) -> Flight:
         page = browser.new_page(viewport={"width": width, "height": height})
         pages.append(page)
         page.set_default_timeout(WAIT_MS)
@@ -109,6 +111,8 @@ def open_page(station: str, browser: Browser) -> Iterator[OpenPage]:
         page.on("pageerror", lambda error: errors.append(str(error)))
         if pad:
             page.add_init_script(PAD)
+        if prepare:
+            prepare(page)
         page.goto(f"{station}?quality=low")
         return Flight(page)
 

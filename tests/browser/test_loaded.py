@@ -43,9 +43,11 @@ def test_pl_moves_it_along_its_own_axes(flight: Flight) -> None:
 
 def test_the_payloads_point_is_not_keyed_in_as_the_tips(flight: Flight) -> None:
     flight.enter("ORB LD")
+    flight.turn_to("OPR CMD")
     flight.press_key("Present")
     flight.until_logged("the point shown is the payload’s, and OPR CMD moves the tip")
     flight.enter("ORB UNL")
+    flight.turn_to("OPR CMD")
     flight.press_key("Present")
     shown = flight.page.get_by_label("Target X", exact=True).input_value()
     assert shown == flight.script("document.querySelector('.resolution td.actual').textContent")

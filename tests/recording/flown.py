@@ -16,7 +16,7 @@ from mcap.writer import CompressionType, Writer
 import aftdeck
 from aftdeck.errors import RecordingError
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import Message
+from aftdeck.recording.told import Message
 from aftdeck.recording.writer import Ended, Recorder
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame

@@ -13,8 +13,9 @@ from mcap.writer import CompressionType, Writer
 
 from aftdeck.errors import RecordingError
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import Closing, FrameRecord, Message
+from aftdeck.recording.records import Closing, FrameRecord
 from aftdeck.recording.replay import verify
+from aftdeck.recording.told import Message
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Event
 from aftdeck.simulation.run import Simulation

@@ -8,9 +8,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import RigidTransform, Rotation
 
-from aftdeck.kinematics.arm import load_arm
 from aftdeck.scenario.load import load_scenario
-from aftdeck.scene.poses import ArmPoses
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.wire import Translator
 from tests.recording.flights import Seen, fly, read
@@ -174,16 +172,3 @@ def test_the_scene_has_every_body_in_a_frame_that_is_told_of(flown: Flown) -> No
     frames = tree(flown.topics["/tf_static"][0], flown.topics["/tf"][0])
     assert all(entity["frame_id"] == entity["id"] and entity["frame_locked"] for entity in entities)
     assert {entity["frame_id"] for entity in entities} == set(frames) - {"L", "tip"}
-
-
-@pytest.mark.parametrize("name", ["srms", "concept-1972"])
-def test_the_links_add_up_to_the_poses(name: str) -> None:
-    arm = load_arm(name)
-    poses = ArmPoses(arm.model)
-    for q in np.random.default_rng(2).uniform(-3.0, 3.0, (20, 6)):
-        rows = np.array(poses.at(q)).reshape(7, 7)
-        pose = RigidTransform.from_components(rows[0, :3], Rotation.from_quat(rows[0, [4, 5, 6, 3]]))
-        for link, row in zip(poses.links(q.tolist()), rows[1:], strict=True):
-            x, y, z, w, *turn = link
-            pose = pose * RigidTransform.from_components([x, y, z], Rotation.from_quat([*turn, w]))
-            same(pose, row)

@@ -10,6 +10,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import aftdeck
+from aftdeck.scenario.limits import por_with
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.schema import Rate
@@ -144,7 +145,8 @@ def test_por_limits_in_the_scenario_take_the_place_of_the_arms_whatever_the_payl
 
 def test_a_payload_chooses_the_limits_by_its_mass() -> None:
     made = scenario(BAY, '[payload]\nmass = "15000 lb"\nposition = ["3 m", 0, 0]\nyaw = "90 deg"\npor = [0, 1, 0]')
-    assert made.por.translation[0] == pytest.approx(0.2 * 0.3048)
+    por = por_with(made.arm.model, made.payload.mass if made.payload else 0.0, made.por)
+    assert por.translation[0] == pytest.approx(0.2 * 0.3048)
     assert made.payload is not None and made.payload.centre.tolist() == [3.0, 0.0, 0.0]
     # turned by 90 deg about axis 3, the payload's axis 1 is frame 7's axis 2
     assert made.payload.rotation[:, 0] == pytest.approx([0.0, 1.0, 0.0])

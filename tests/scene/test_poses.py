@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 import aftdeck
+from aftdeck.frames import quaternion
 from aftdeck.kinematics.linkage import L5
-from aftdeck.scene.poses import ArmPoses, point_in_scene
+from aftdeck.scene.poses import ArmPoses, point_in_scene, sevens
 
 Array = NDArray[np.float64]
 
@@ -30,8 +31,8 @@ def random_angles(arm: aftdeck.Arm, count: int) -> Array:
 
 
 def placed(arm: aftdeck.Arm, q: Array) -> tuple[Array, list[Rotation]]:
-    """Origins (7, 3) and orientations of the base and the six moving frames, in the scene."""
-    rows = np.array(ArmPoses(arm.model).at(q)).reshape(7, 7)
+    """Origins (n, 3) and orientations of the base and the moving frames, in the scene."""
+    rows = np.array(ArmPoses(arm.model).at(q)).reshape(-1, 7)
     return rows[:, :3], [Rotation.from_quat(row[[4, 5, 6, 3]]) for row in rows]
 
 
@@ -83,3 +84,56 @@ def test_the_scenes_origin_is_the_bays_middle() -> None:
     # 1 m forward, 2 m to starboard, 3 m down of it
     there = point_in_scene(np.array([-942.0, 0.0, -400.0]) * 0.0254 + [1.0, 2.0, 3.0])
     assert there == pytest.approx([-1.0, 2.0, -3.0], abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ["srms", "concept-1972"])
+def test_the_links_add_up_to_the_poses(name: str) -> None:
+    arm = aftdeck.load_arm(name)
+    poses = ArmPoses(arm.model)
+    for q in random_angles(arm, 10):
+        rows = np.array(poses.at(q, 3.1, -0.2) if name != "srms" else poses.at(q)).reshape(-1, 7)
+        found = dict(zip(arm.model.frames, rows, strict=True))
+        links = poses.links(q.tolist(), 3.1, -0.2) if name != "srms" else poses.links(q.tolist())
+        assert {child for _, child, _ in links} == set(arm.model.frames[1:])
+        for parent, child, pose in links:
+            turn = Rotation.from_quat(found[parent][[4, 5, 6, 3]])
+            own = turn * Rotation.from_quat(np.array(pose)[[4, 5, 6, 3]])
+            assert found[parent][:3] + turn.apply(pose[:3]) == pytest.approx(found[child][:3], abs=1e-12)
+            assert own.as_matrix() == pytest.approx(
+                Rotation.from_quat(found[child][[4, 5, 6, 3]]).as_matrix(), abs=1e-12
+            )
+
+
+def test_the_concept_arms_stand_and_prong_are_drawn_where_they_are() -> None:
+    arm = aftdeck.load_arm("concept-1972")
+    poses = ArmPoses(arm.model)
+    q = random_angles(arm, 1)[0]
+    rows = np.array(poses.at(q, 4.0, -0.3)).reshape(-1, 7)
+    found = dict(zip(arm.model.frames, rows, strict=True))
+    assert found["arm.stand"][:3] == pytest.approx(found["arm.base"][:3] + np.array([0.0, 0.0, 4.0]))
+    assert found["arm.stand"][3:] == pytest.approx(found["arm.base"][3:])
+    y2 = Rotation.from_quat(found["arm.wrist_roll"][[4, 5, 6, 3]]).apply([0.0, 1.0, 0.0])
+    assert found["arm.prong"][:3] == pytest.approx(found["arm.wrist_roll"][:3] - 0.3 * y2, abs=1e-12)
+    as_loaded = np.array(poses.at(q)).reshape(-1, 7)
+    assert as_loaded[7, 2] - as_loaded[0, 2] == pytest.approx(arm.stand)
+
+
+def test_every_quaternion_is_that_of_its_matrix_whichever_of_its_components_is_largest() -> None:
+    rows = np.zeros((400, 12))
+    turns = Rotation.random(400, random_state=7).as_matrix()
+    turns[:4] = [np.eye(3), np.diag([1.0, -1.0, -1.0]), np.diag([-1.0, 1.0, -1.0]), np.diag([-1.0, -1.0, 1.0])]
+    rows[:, 3:] = turns.reshape(400, 9)
+    poses = np.empty((400, 7))
+    sevens(np.concatenate([np.zeros(3), np.eye(3).ravel()]), rows, poses)
+    for turn, pose in zip(turns, poses, strict=True):
+        assert pose[3:] == pytest.approx(quaternion(turn), abs=1e-14)
+
+
+def test_a_scene_with_an_origin_of_its_own_is_the_shuttles_moved() -> None:
+    arm = aftdeck.load_arm("concept-1972")
+    q = random_angles(arm, 1)[0]
+    shuttles = np.array(ArmPoses(arm.model).at(q)).reshape(-1, 7)
+    own = np.array(ArmPoses(arm.model, np.array([1.0, 2.0, 3.0])).at(q)).reshape(-1, 7)
+    assert own[:, :3] - shuttles[:, :3] == pytest.approx(np.tile(ORIGIN - [1.0, 2.0, 3.0], (9, 1)), abs=1e-12)
+    assert (own[:, 3:] == shuttles[:, 3:]).all()
+    assert point_in_scene(np.array([-1.0, 2.0, -3.0]), np.array([1.0, 2.0, 3.0])) == pytest.approx(np.zeros(3))

@@ -18,6 +18,7 @@ from aftdeck.shapes import (
     Box,
     Cylinder,
     Group,
+    Hexahedron,
     Light,
     Loft,
     Plate,
@@ -63,8 +64,11 @@ ROUND: list[tuple[Leaf, float, float]] = [
 ]
 """Shapes with what they hold [m^3] and show [m^2] in closed form."""
 
+WEDGE = tuple((x, y * (1.5 if z else 1.0), z) for y in (-0.5, 0.5) for x in (0.0, 1.8) for z in (0.0, 1.0))
+"""1.8 long, 1 high, 1 wide below and 1.5 above."""
 CORNERED: list[tuple[Leaf, float, float]] = [
     (Box(material="metal", size=(1.0, 2.0, 3.0)), 6.0, 22.0),
+    (Hexahedron(material="metal", vertices=WEDGE), 2.25, 7.0 + 3.6 * 1.0625**0.5),
     (Plate(material="metal", normal="x", outline=EDGED, thickness=0.5), 2.0, 13.0),
     (Plate(material="metal", normal="y", outline=EDGED, thickness=0.5), 2.0, 13.0),
     (Plate(material="metal", normal="z", outline=EDGED[::-1], thickness=0.5), 2.0, 13.0),
@@ -218,10 +222,9 @@ def test_copies_of_a_group_stand_in_even_steps_along_the_groups_own_axes() -> No
 def drawn() -> list[Shape]:
     scenario = load_scenario("loaded")
     assert scenario.payload is not None
-    assert scenario.arm.model.shapes is not None
     bodies = [body.shapes for body in scenario.worksite.bodies]
     bodies += [
-        *shapes_of(scenario.arm.model.shapes, scenario.arm.model.linkage.frames).bodies.values(),
+        *shapes_of(scenario.arm.model).bodies.values(),
         scenario.payload.shapes,
     ]
     return [shape for shapes in bodies for shape in shapes]

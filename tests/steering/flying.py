@@ -60,10 +60,10 @@ def fly(sim: aftdeck.Simulation, seconds: float, inputs: aftdeck.Inputs) -> list
 def disturbed(sim: aftdeck.Simulation, joints: Mapping[int, float]) -> None:
     """Puts joints of the plant at angles [deg], unseen by the steering until it measures them."""
     saved = sim.save()
-    angles, rates = (list(part) for part in saved.state.plant)
+    angles, rates, stand = (list(part) for part in saved.state.plant)
     for joint, angle in joints.items():
         angles[joint] = math.radians(angle)
-    state = msgspec.structs.replace(saved.state, plant=(angles, rates))
+    state = msgspec.structs.replace(saved.state, plant=(angles, rates, stand))
     sim.restore(msgspec.structs.replace(saved, state=state))
 
 

@@ -1,4 +1,4 @@
-"""DIRECT and TEST, and which law each of the rotary's twelve positions flies."""
+"""DIRECT and TEST, and which law each of the panel's positions flies."""
 
 from __future__ import annotations
 
@@ -82,9 +82,9 @@ def test_entering_test_at_speed_ramps_to_rest() -> None:
     assert frames[-1].rates_commanded == (0.0,) * 6
 
 
-def test_the_twelve_positions_fly_the_laws_of_the_contract() -> None:
+def test_the_panels_positions_fly_the_laws_of_the_contract() -> None:
     wanted = {"OPR CMD": {1, 2, 3}, "ORB UNL": {4}, "END EFF": {5}, "ORB LD": {4, 7}, "PL": {6}, "SINGLE": {8}}
-    wanted |= {f"AUTO {n}": {1, 2, 3} for n in (1, 2, 3, 4)} | {"DIRECT": {9}, "TEST": {0}}
+    wanted |= {f"AUTO {n}": {1, 2, 3} for n in (1, 2, 3, 4)} | {"DIRECT": {9}, "TEST": {0}, "MASTER": {10}}
     assert set(MODES) == set(wanted)
     sim = aftdeck.Simulation(scenario(BAY, f"{PAYLOAD.format(mass='1 lb')}\n{POINTS}"))
     for position, laws in wanted.items():

@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from aftdeck.errors import ScenarioError
-from aftdeck.shapes import Box, Cylinder, Group, Light, Loft, Plate, Ring, Shape, Shell, Sphere, Vec3
+from aftdeck.shapes import Box, Cylinder, Group, Hexahedron, Light, Loft, Plate, Ring, Shape, Shell, Sphere, Vec3
 from aftdeck.worksite import Worksite, load_worksite, worksites
 
 Points = NDArray[np.float64]
@@ -66,6 +66,8 @@ def own_hull(shape: Shape) -> Iterator[Points]:
             normal = "xyz".index(shape.normal)
             for side in (-1, 1):
                 yield np.insert(np.array(shape.outline), normal, side * shape.thickness / 2, axis=1)
+        case Hexahedron():
+            yield np.array(shape.vertices)
         case Loft():
             for section in shape.sections:
                 for y, z in product((-section.half_width, section.half_width), (section.bottom, section.top)):
@@ -96,8 +98,9 @@ def test_the_orbiter_is_built_in_and_gives_the_scene_frame(orbiter: Worksite) ->
 def test_it_loads_by_path_too(orbiter: Worksite, tmp_path: Path) -> None:
     file = tmp_path / "mine.toml"
     file.write_text(
-        'name = "mine"\ntitle = "Mine"\ncamera = []\n'
-        '[[body]]\nname = "rock"\nshapes = [{ kind = "sphere", material = "structure", radius = 2 }]\n'
+        'name = "mine"\ntitle = "Mine"\norigin = [0, 0, 0]\n'
+        '[[body]]\nname = "rock"\nsource = "assumed"\n'
+        'shapes = [{ kind = "sphere", material = "structure", radius = 2 }]\n'
     )
     assert load_worksite(file).bodies[0].shapes == (Sphere(material="structure", radius=2.0),)
 
@@ -157,43 +160,120 @@ def test_a_tip_above_the_middle_of_the_bay_is_well_inside_every_bay_picture(
 
 
 def test_an_unknown_worksite_names_those_that_are_built_in() -> None:
-    with pytest.raises(ScenarioError, match=r"no worksite 'moon'; give the path .* or one of: orbiter"):
+    with pytest.raises(ScenarioError, match=r"no worksite 'moon'; give the path .* or one of: concept-1972, orbiter"):
         load_worksite("moon")
 
 
+HEAD = 'name = "bad"\ntitle = "Bad"\norigin = [0, 0, 0]\n'
+BODY = '[[body]]\nname = "a"\nsource = "assumed"\n'
+CAMERA = (
+    '[[camera]]\nname = "X"\ntitle = "X"\nposition = [0, 0, 9]\nup = [0, 0, 1]\nsource = "assumed"\n'
+    'body = "a"\nboresight = [1, 0, 0]\nfield_of_view = 1\n'
+)
+BLOCK = 'solids = [{ part = "wall", kind = "block", x = [0, 1], y = [0, 1], z = [0, 1] }]\n'
+PORT = (
+    '[[seat]]\nname = "port"\ntitle = "Port"\nkind = "port"\nbody = "a"\nposition = [1, 0.5, 0.5]\nlatch = "auto"\n'
+    'distance = 0.1\nangle = 0.1\nradius = 0.3\nmaterial = "dark"\nsource = "assumed"\n'
+)
+CARGO = (
+    '[[cargo]]\nname = "c"\ntitle = "C"\nmass = 1\nsource = "assumed"\n'
+    'body = { kind = "cylinder", radius = 1, length = 2, material = "foil" }\n'
+    'receptacle = { length = 1, width = 0.1, height = 0.1, material = "metal" }\n'
+    "start = { position = [0, 0, 5] }\n"
+)
+
+
 @pytest.mark.parametrize(
-    ("bodies", "camera", "message"),
+    ("text", "message"),
     [
-        ("", "", "bad.toml: body: none is listed"),
+        ("body = []\n", "bad.toml:4: body: none is listed; the first one gives the scene frame"),
+        (BODY * 2, "bad.toml:7: body[1]: the name 'a' is taken; names have to differ"),
         (
-            '[[body]]\nname = "a"\nshapes = []\n' * 2,
-            "",
-            "bad.toml: body: 'a' is listed 2 times; names have to differ",
+            BODY.replace("source", 'fixed_to = "space"\nsource'),
+            "bad.toml:4: body[0]: the first body gives the scene frame: it is fixed to the orbiter, in no other place",
+        ),
+        (BODY + CAMERA.replace('"a"', '"b"'), "bad.toml:13: camera[0].body: 'b' is no body; there are: a"),
+        (
+            BODY + CAMERA.replace("[1, 0, 0]", "[0, 0, -2]"),
+            "bad.toml:7: camera[0]: camera X's boresight and up have to be two different directions",
         ),
         (
-            '[[body]]\nname = "a"\nshapes = []\n',
-            'body = "b"\nboresight = [1, 0, 0]\nfield_of_view = 1\n',
-            "bad.toml: camera[0].body: 'b' is no body; there are: a",
+            BODY + CAMERA.replace("_of_view = 1", "_of_view = 4"),
+            "bad.toml:7: camera[0]: camera X's field_of_view is 4; it has to be between 0 and pi",
         ),
         (
-            '[[body]]\nname = "a"\nshapes = []\n',
-            'body = "a"\nboresight = [0, 0, -2]\nfield_of_view = 1\n',
-            "bad.toml:6: camera[0]: camera X's boresight and up have to be two different directions",
+            BODY + CAMERA + 'drive = "d"\n',
+            "bad.toml:7: camera[0]: camera X's drive 'd' is not listed; there are: none",
         ),
         (
-            '[[body]]\nname = "a"\nshapes = []\n',
-            'body = "a"\nboresight = [1, 0, 0]\nfield_of_view = 4\n',
-            "bad.toml:6: camera[0]: camera X's field_of_view is 4; it has to be between 0 and pi",
+            BODY + BLOCK.replace("x = [0, 1]", "x = [1, 0]"),
+            "bad.toml:7: body[0].solids[0]: body a: wall: x goes from 1 to 0 m; the first has to be less",
+        ),
+        (
+            BODY + 'solids = [{ part = "wall", kind = "hexahedron", vertices = [[0,0,0], [0,0,1], [1,0,0], [1,0,1], '
+            "[0,1,0], [0,1,1], [1,1,0], [1,1,1.5]] }]\n",
+            "bad.toml:7: body[0].solids[0]: body a: wall: vertex 8 at (1, 1, 1.5) stands 0.5 m off the plane",
+        ),
+        (
+            BODY + BLOCK + CAMERA.replace("0, 9]", "0, -0.5]"),
+            "bad.toml:12: camera[0].position: camera X stands 0.5 m from wall; it has to be more than 0.6 m away",
+        ),
+        (
+            BODY + BLOCK + CAMERA.replace("[0, 0, 9]", "[0.5, 0.5, 0.5]"),
+            "bad.toml:12: camera[0].position: camera X stands in wall; it has to be more than 0.6 m away",
+        ),
+        (
+            BODY + BLOCK + PORT.replace("0.5, 0.5]", "0.5, 1.5]"),
+            "bad.toml:13: seat[0].position: seat port: a port's centre has to lie on a face of a solid of its body",
+        ),
+        (BODY + PORT.replace('"a"', '"b"'), "bad.toml:11: seat[0].body: 'b' is no body; there are: a"),
+        (
+            BODY + CARGO + CARGO.replace("receptacle", "#"),
+            "bad.toml:15: cargo[1]: a cargo is held by a receptacle or by a grapple fixture; neither is given",
+        ),
+        (
+            BODY + CARGO.replace("position = [0, 0, 5]", 'seat = "bay"'),
+            "bad.toml:7: cargo[0]: cargo c: start.seat: 'bay' is no seat; there are: none",
+        ),
+        (
+            BODY + BLOCK + PORT + CARGO.replace("position = [0, 0, 5]", 'seat = "port"'),
+            "bad.toml:20: cargo[0]: cargo c: start.seat: 'port' holds on to a probe, and the cargo has no probe",
+        ),
+        (
+            BODY + CARGO.replace("position", 'seat = "bay", position'),
+            "bad.toml:14: cargo[0].start: it stands in the seat 'bay'; a position, rotation or motion is",
+        ),
+        (
+            BODY + CARGO.replace('"c"', '"orbiter"'),
+            "bad.toml:7: cargo[0]: the name 'orbiter' is taken; names have to differ",
+        ),
+        (
+            BODY + CARGO.replace("mass = 1", 'mass = "0 lb"'),
+            "bad.toml:7: cargo[0]: mass is 0 kg; it has to be above 0",
+        ),
+        (
+            BODY + BLOCK.replace("wall", "c") + CARGO,
+            "bad.toml:8: cargo[0]: the part 'c' stands in orbiter and in c; a part has one frame",
         ),
     ],
 )
-def test_a_bad_file_is_refused_in_a_sentence(tmp_path: Path, bodies: str, camera: str, message: str) -> None:
+def test_a_bad_file_is_refused_in_a_sentence(tmp_path: Path, text: str, message: str) -> None:
     file = tmp_path / "bad.toml"
-    head = 'name = "bad"\ntitle = "Bad"\n'
-    rest = '[[camera]]\nname = "X"\ntitle = "X"\nposition = [0, 0, 0]\nup = [0, 0, 1]\n' + camera
-    empty = "" if camera else "camera = []\n"
-    none = "" if bodies else "body = []\n"
-    file.write_text(head + empty + none + bodies + (rest if camera else ""))
+    head = HEAD.replace("\norigin", "\ncamera_clearance = 0.6\norigin") if "camera X stands" in message else HEAD
+    file.write_text(head + text)
     with pytest.raises(ScenarioError) as caught:
         load_worksite(file)
-    assert str(caught.value).startswith(message)
+    (told,) = caught.value.problems
+    assert told.startswith(message)
+
+
+def test_every_error_is_told_at_once(tmp_path: Path) -> None:
+    file = tmp_path / "bad.toml"
+    file.write_text(HEAD + BODY + BLOCK.replace("[0, 1] }", "[1, 0] }") + CAMERA + 'drive = "d"\n' + PORT)
+    with pytest.raises(ScenarioError) as caught:
+        load_worksite(file)
+    assert [problem.split(": ")[1] for problem in caught.value.problems] == [
+        "body[0].solids[0]",
+        "camera[0]",
+        "seat[0].position",
+    ]

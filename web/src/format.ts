@@ -1,5 +1,7 @@
 /** Numbers and times as the panel writes them. */
 
+import type { Unit } from './units';
+
 const DEGREE = 180 / Math.PI;
 
 /** Fixed decimals with a true minus sign; never a negative zero. `+` is written where `signed`. */
@@ -19,6 +21,12 @@ export function attitude(radians: number): string {
 /** An angle or angular rate [rad] in signed degrees. */
 export function degrees(radians: number, decimals = 1, signed = true): string {
   return fixed(radians * DEGREE, decimals, signed);
+}
+
+/** A length or speed [SI] in small units: decimals only below ten, where they count; unsigned unless negative. */
+export function small(value: number, unit: Unit): string {
+  const shown = value * unit.perSi;
+  return fixed(shown, Math.abs(shown) < 9.95 ? unit.decimals : 0, false);
 }
 
 /** Mission elapsed time [s] as `ddd/hh:mm:ss`. */

@@ -10,6 +10,8 @@ import './style/spine.css';
 import './style/desk.css';
 import './style/hands.css';
 import './style/tables.css';
+import './style/clearance.css';
+import './style/effector.css';
 import './style/key-map.css';
 import './style/replay.css';
 import './style/timeline.css';

@@ -7,13 +7,15 @@ export type Vec2 = readonly [number, number];
 export type Vec3 = readonly [number, number, number];
 export type Axis = 'x' | 'y' | 'z';
 export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'glow';
-export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Light | Group;
+export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group;
 export type Six = readonly [number, number, number, number, number, number];
 export type Quat = readonly [number, number, number, number];
 export type Rate = 'coarse' | 'vernier';
 export type LawChoice = 'position' | 'closed loop' | 'open loop';
 export type Level = 'info' | 'caution' | 'warning';
-export type FromPage = Sticks | Shown | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | SetTarget | Proceed | Stop | Restart;
+export type EffectorSwitch = 'stop' | 'close' | 'open';
+export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
+export type FromPage = Sticks | Shown | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type FromServer = Welcome | Role | Frame | Events | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -141,6 +143,18 @@ export interface Section {
   readonly exponents: Vec2;
 }
 
+/** A body of eight vertices and six flat faces, numbered as in `aftdeck.bodies.hexahedron`. */
+export interface Hexahedron {
+  readonly kind: 'hexahedron';
+  /** [m] */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  /** Numbered v - 1 = 4 (on the +y side) + 2 (+x) + 1 (+z), in axes of the body's own [m]. */
+  readonly vertices: readonly Vec3[];
+}
+
 /** A lamp: a round face that looks along its own x and lights what lies before it. */
 export interface Light {
   readonly kind: 'light';
@@ -191,6 +205,10 @@ export interface Sticks {
   readonly rotation: Vec3;
   /** SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT). */
   readonly drive: number;
+  /** The stand: + longer, - shorter, in [-1, 1]. */
+  readonly telescope: number;
+  /** Translation of the orbiter: forward, starboard, down, each in [-1, 1]. */
+  readonly orbiter: Vec3;
 }
 
 /** What the page measures of itself, told once a second where it has anything to tell; for the recording. */
@@ -279,6 +297,49 @@ export interface Restart {
   readonly seq: number;
 }
 
+/** Put the end effector's switch: the prong closes or opens; the snares capture or release. */
+export interface SetEffector {
+  readonly type: 'effector';
+  readonly seq: number;
+  readonly switch: EffectorSwitch;
+}
+
+/** END EFFECTOR MODE of the snares: the whole sequence, or the snares alone. */
+export interface SetEffectorMode {
+  readonly type: 'effector_mode';
+  readonly seq: number;
+  readonly mode: 'auto' | 'manual';
+}
+
+/** END EFFECTOR MAN CONTR: the carriage alone, in manual. */
+export interface SetRigid {
+  readonly type: 'rigid';
+  readonly seq: number;
+  readonly rigid: 'off' | 'rigid' | 'derigid';
+}
+
+/** Hold the payload in its seat (retention latches, docking port), or let it go. */
+export interface PressLatch {
+  readonly type: 'latch';
+  readonly seq: number;
+  readonly latch: 'latch' | 'unlatch';
+}
+
+/** Put the master arm, which MASTER follows. */
+export interface SetMaster {
+  readonly type: 'master';
+  readonly seq: number;
+  /** [rad] */
+  readonly angles: Six;
+}
+
+/** Put arm and payload back to where a part of the problem begins. */
+export interface Initialise {
+  readonly type: 'initialise';
+  readonly seq: number;
+  readonly part: ProblemPart;
+}
+
 /** Answer to `Hello`: all that a page needs to know once. */
 export interface Welcome {
   readonly type: 'welcome';
@@ -298,6 +359,7 @@ export interface Welcome {
   readonly modes: readonly ModeInfo[];
   readonly bodies: readonly BodyInfo[];
   readonly cameras: readonly Camera[];
+  readonly work: WorkInfo;
   /** Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none. */
   readonly phases: readonly string[];
 }
@@ -320,11 +382,11 @@ export interface JointInfo {
 export interface ModeInfo {
   /** As printed on the panel: `ORB UNL`. */
   readonly position: string;
-  /** The report's mode numbers that it can fly, the default first; 0 TEST, 9 DIRECT. */
+  /** The report's mode numbers that it can fly, the default first; 0 TEST, 9 DIRECT, 10 MASTER. */
   readonly laws: readonly number[];
   /** What it flies, in a few words. */
   readonly title: string;
-  readonly kind: 'automatic' | 'manual' | 'single' | 'test';
+  readonly kind: 'automatic' | 'manual' | 'single' | 'test' | 'master';
   /** The point that it moves: `tip`, `payload`. */
   readonly point: string;
   /** Whether this scenario can enter it; ORB LD and PL need a payload, AUTO 1-4 their points. */
@@ -341,11 +403,7 @@ export interface BodyInfo {
   readonly shapes: readonly Shape[];
 }
 
-/**
- * A television camera fixed to a body.
- *
- * Not modelled yet: pan, tilt and zoom drives; the fields give the fixed setting.
- */
+/** A television camera on a body, as it is set at the start. */
 export interface Camera {
   /** Short name on the selector: `B`. */
   readonly name: string;
@@ -357,10 +415,63 @@ export interface Camera {
   readonly position: Vec3;
   /** Direction of view in the body's frame (any length above zero). */
   readonly boresight: Vec3;
-  /** Direction in the body's frame that is up in the picture, not along the boresight. */
+  /** Direction in the body's frame that is up in the picture, not along the boresight; the axis of pan. */
   readonly up: Vec3;
   /** Horizontal field of view [rad]. */
   readonly field_of_view: number;
+  /** How it can be turned; None: it is fixed. */
+  readonly drive: Drive | null;
+}
+
+/** A pan and tilt unit with its lens; what it has no drive for stays as the camera has it. */
+export interface Drive {
+  /** Direction in the body's frame in which pan and tilt are zero, square to the camera's `up`. */
+  readonly zero: Vec3;
+  /** How far the lens stands ahead of where the axes of pan and tilt meet [m]. */
+  readonly lens: number;
+  readonly pan: Travel | null;
+  readonly tilt: Travel | null;
+  /** Of the horizontal field of view. */
+  readonly zoom: Travel | null;
+}
+
+/** How far and how fast one of a camera's drives goes. */
+export interface Travel {
+  /** [rad] */
+  readonly least: number;
+  /** [rad] */
+  readonly greatest: number;
+  /** [rad/s] */
+  readonly rate: number;
+  /** Its low speed, where it has two [rad/s]. */
+  readonly slow: number | null;
+}
+
+/** What can be done at this worksite. */
+export interface WorkInfo {
+  /** Which kind of end effector the arm has. */
+  readonly hand: 'prong' | 'snares';
+  /** None: the arm stands on no telescope. */
+  readonly stand: StandInfo | null;
+  /** Names of the payloads; each has a body of that name. */
+  readonly cargo: readonly string[];
+  /** Where payloads can be fixed, for people. */
+  readonly seats: readonly string[];
+  /** The parts of the problem that can be begun anew. */
+  readonly parts: readonly ProblemPart[];
+  /** Clearance under which the page cautions [m]. */
+  readonly caution: number;
+  /** Clearance under which the page warns [m]. */
+  readonly warning: number;
+}
+
+/** The telescope that an arm stands on. */
+export interface StandInfo {
+  /** [m] */
+  readonly least: number;
+  readonly greatest: number;
+  /** [m/s] */
+  readonly rate: number;
 }
 
 /** Who flies: sent on connection and whenever it changes. */
@@ -384,7 +495,7 @@ export interface Frame {
   readonly phase: string;
   readonly by: 'hand' | 'script';
   readonly mode: string;
-  /** The report's mode number flown; 0 TEST, 9 DIRECT. */
+  /** The report's mode number flown; 0 TEST, 9 DIRECT, 10 MASTER. */
   readonly law: number;
   readonly law_choice: LawChoice;
   readonly payload_axes: boolean;
@@ -424,6 +535,7 @@ export interface Frame {
   readonly ways_out: readonly WayOut[];
   readonly lamps: readonly Lamp[];
   readonly aim: Aim | null;
+  readonly work: WorkFrame;
   /** The control frame's axes in the scene, for the frame axes in the pictures. */
   readonly axes: Quat;
   /** Seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene. */
@@ -487,6 +599,90 @@ export interface Aim {
   readonly angle: number;
   /** Estimated time to go [s]; 0 when not under way. */
   readonly remaining_s: number;
+}
+
+/** Contacts, captures and the worksite's things. */
+export interface WorkFrame {
+  /** The report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked. */
+  readonly task: number;
+  readonly nearest: Near | null;
+  readonly contacts: readonly Near[];
+  readonly arm_inhibit: boolean;
+  readonly finger_inhibit: boolean;
+  /** Why the arm or the finger is inhibited, and what frees it. */
+  readonly inhibits: readonly string[];
+  /** What the conditions are for: `acquire payload`; empty: nothing is near. */
+  readonly pursuit: string;
+  readonly conditions: readonly Condition[];
+  readonly hand: HandFrame;
+  /** Length of the telescope [m]. */
+  readonly stand: number | null;
+  /** How far the orbiter has moved: forward, starboard, down [m]. */
+  readonly orbiter: Vec3;
+  /** [m/s] */
+  readonly orbiter_velocity: Vec3;
+  readonly cargo: readonly CargoFrame[];
+  /** Where the master arm stands [rad]; null in other modes than MASTER. */
+  readonly master: Six | null;
+}
+
+/** Two watched parts; points and directions in the scene. */
+export interface Near {
+  readonly a: string;
+  readonly b: string;
+  /** [m], negative where they overlap. */
+  readonly clearance: number;
+  /** Speed at which the closest points approach [m/s]. */
+  readonly closing: number;
+  readonly point_a: Vec3;
+  readonly point_b: Vec3;
+  /** A point of the plane between them, halfway. */
+  readonly plane: Vec3;
+  /** The plane's unit normal, from a to b; zero where they collide. */
+  readonly normal: Vec3;
+  /** Made to touch: inhibits nothing. */
+  readonly essential: boolean;
+}
+
+/** A condition of a capture, a docking or a latching. */
+export interface Condition {
+  readonly name: string;
+  readonly holds: boolean;
+  /** In `unit`: m, rad, m/s, or a number. */
+  readonly value: number;
+  readonly limit: number;
+  readonly unit: string;
+  /** By how much it holds, or fails where negative, in `unit`. */
+  readonly margin: number;
+  /** For people: `palm 2.5 in above the bar: 0 to 0.75 in`. */
+  readonly text: string;
+}
+
+/** The end effector. */
+export interface HandFrame {
+  readonly switch: EffectorSwitch;
+  /** 0 closed to 1 open: of the prong, or of the snares. */
+  readonly opening: number;
+  /** Prong to fixed finger [m]. */
+  readonly spacing: number | null;
+  /** 0 extended to 1 rigid. */
+  readonly carriage: number | null;
+  /** Lit: `CAPTURE`, `CLOSE`, `RIGID`, `EXTEND`, `OPEN`, `DERIGID`. */
+  readonly flags: readonly string[];
+  /** END EFFECTOR MODE of the snares. */
+  readonly mode: 'auto' | 'manual';
+  /** END EFFECTOR MAN CONTR of the snares. */
+  readonly rigid: 'off' | 'rigid' | 'derigid';
+}
+
+/** A payload of the worksite; its pose is its body's. */
+export interface CargoFrame {
+  readonly name: string;
+  readonly held: boolean;
+  /** Where it is fixed; empty: nowhere. */
+  readonly seat: string;
+  /** Of its centre against the arm's base [m/s]. */
+  readonly speed: number;
 }
 
 /** New log lines, oldest first; none is ever skipped. */

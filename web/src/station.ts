@@ -4,23 +4,17 @@ import { assertUnreachable } from './assert';
 import type { Action } from './input/keymap';
 import { Latency } from './latency';
 import { Operator } from './operator';
+import { clearanceCause } from './panel/clearance';
 import { concernOf, outline } from './panel/concerns';
+import { deskGroups, type Groups } from './panel/desk';
 import { el, setClass } from './panel/dom';
 import { EventsGroup } from './panel/events';
-import { joints } from './panel/joints';
 import { KeyMap } from './panel/keys';
 import { lightSegments } from './panel/lamp-test';
-import { limits } from './panel/limits';
-import { modeGroup } from './panel/mode';
 import { STALE_S } from './panel/monitor';
-import type { Desk, Part, View } from './panel/part';
+import type { Desk, View } from './panel/part';
 import { rail } from './panel/rail';
-import { resolution } from './panel/resolution';
-import { rhc } from './panel/rhc';
-import { singularity } from './panel/singularity';
 import { Spine } from './panel/spine';
-import { targetGroup } from './panel/target';
-import { thc } from './panel/thc';
 import { Pictures } from './pictures';
 import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Welcome } from './protocol';
 import type { Drawing } from './quality';
@@ -62,10 +56,10 @@ export class Station {
   private readonly events: EventsGroup;
   private readonly keys = new KeyMap();
   private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
-  private readonly mode;
-  private readonly target;
+  /** There is something that the orbiter can move against. */
+  private readonly movable: boolean;
+  private readonly groups: Groups;
   private readonly rail;
-  private readonly parts: readonly Part[];
 
   constructor(
     root: HTMLElement,
@@ -76,6 +70,7 @@ export class Station {
     this.units = welcome.units;
     this.events = new EventsGroup([welcome.text, KEYS_HINT]);
     this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
+    this.movable = welcome.work.cargo.length > 0;
     this.pictures = new Pictures(welcome, drawing);
     this.operator = new Operator(this.latency, { acted: (action) => this.act(action), send: transmit });
     const desk: Desk = {
@@ -83,8 +78,10 @@ export class Station {
       send: (command) => this.send(command),
       say: (text) => this.say(text),
     };
-    this.target = targetGroup(desk);
-    this.mode = modeGroup(desk, () => this.target.proceed());
+    this.groups = deskGroups(desk, this.events, this.operator.pad, {
+      plane: () => this.showPlane(),
+      flyOrbiter: (on) => this.flyOrbiter(on),
+    });
     this.rail = rail(desk, drawing.software && drawing.quality === 'low', {
       units: () => {
         this.units = this.units === 'SI' ? 'ft-in' : 'SI';
@@ -92,23 +89,12 @@ export class Station {
       restart: () => this.send({ type: 'restart' }),
       keys: () => this.keys.toggle(),
     });
-    this.parts = [
-      thc(desk),
-      this.mode,
-      resolution(desk),
-      joints(desk),
-      this.target,
-      rhc(desk, this.operator.pad),
-      { element: this.events.element },
-      limits(desk),
-      singularity(),
-    ];
     const [first, second] = this.pictures.monitors;
     // The order of the document is that of the focus: monitors, spine, desk, rail.
     root.replaceChildren(
       this.pictures.canvas,
       el('main', { class: 'monitors' }, first.element, second.element, this.spine.element),
-      el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.parts.map(({ element }) => element)),
+      el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.groups.elements),
       this.rail.element,
       this.keys.element,
     );
@@ -170,10 +156,11 @@ export class Station {
       units: unitsOf(this.units),
       hand: this.operator.sticks.value,
       flying: this.role.flying,
+      orbiting: this.operator.sticks.flyingOrbiter && this.role.flying,
     };
     this.operator.sticks.driving = this.modes.get(this.frame.mode) === 'single';
-    this.pictures.draw(this.frame);
-    for (const part of this.parts) part.bars?.(view);
+    this.groups.bars(view);
+    this.pictures.draw(this.frame, this.groups.clearance());
     this.keys.light(this.operator.keyboard.held);
     this.drawn += 1;
     if (this.fresh) this.latency.drawn(this.frame.stick_seq, performance.now());
@@ -186,11 +173,11 @@ export class Station {
 
   private values(view: View, now: number): void {
     const age = (now - this.arrived) / 1000;
-    this.pictures.setTime(view.frame, age);
+    this.pictures.setTime(view, age);
     setClass(document.body, 'stale', age > STALE_S);
-    for (const part of this.parts) part.values?.(view);
+    this.groups.values(view);
     const test = view.frame.mode === 'TEST';
-    this.spine.show([...view.frame.lamps, ...this.ownLamps(now, age)], test);
+    this.spine.show([...view.frame.lamps, ...this.ownLamps(view, now, age)], test);
     const latency95 = this.latency.percentile95(now);
     this.rail.values(view, latency95, this.role.watchers, this.link);
     if (view.frame.recording_s !== null && this.role.flying && now - this.toldAt >= TOLD_MS) {
@@ -202,8 +189,12 @@ export class Station {
   }
 
   /** The lamps that only the page can light. */
-  private ownLamps(now: number, age: number): readonly Lamp[] {
+  private ownLamps({ frame, units }: View, now: number, age: number): readonly Lamp[] {
     const lamps: Lamp[] = [];
+    const { nearest } = frame.work;
+    const level = this.groups.clearance();
+    if (nearest && level !== 'info')
+      lamps.push({ name: 'CLEARANCE', level, text: clearanceCause(nearest, units) });
     if (this.refusal && now - this.refusal.at < REFUSAL_MS) {
       lamps.push({ name: 'CHECK CRT', level: 'caution', text: 'see the log' });
     }
@@ -237,10 +228,26 @@ export class Station {
     outline(concern);
   }
 
+  /** Everything that this page moves comes to rest; the master arm is left where the arm is. */
+  private stop(): void {
+    if (!this.role.flying) return;
+    this.transmit({ type: 'stop' });
+    if (this.modes.get(this.frame?.mode ?? '') === 'master') this.groups.meetMaster();
+  }
+
+  private showPlane(): void {
+    this.groups.setPlane(this.pictures.togglePlane());
+  }
+
+  private flyOrbiter(on: boolean): void {
+    if (!this.role.flying) this.say('You watch; only the one who flies can do that.');
+    else this.operator.sticks.flyOrbiter(on && this.movable);
+  }
+
   private act(action: Action): void {
     switch (action.name) {
       case 'stop':
-        if (this.role.flying) this.transmit({ type: 'stop' });
+        this.stop();
         break;
       case 'rate':
         this.send({ type: 'select_rate', rate: this.frame?.rate === 'coarse' ? 'vernier' : 'coarse' });
@@ -249,16 +256,16 @@ export class Station {
         this.send({ type: 'rate_hold' });
         break;
       case 'proceed':
-        this.target.proceed();
+        this.groups.target.proceed();
         break;
       case 'turn mode':
-        this.mode.turn(action.by);
+        this.groups.mode.turn(action.by);
         break;
       case 'enter':
-        this.mode.enter();
+        this.groups.mode.enter();
         break;
       case 'turn joint':
-        this.mode.turnJoint(action.by);
+        this.groups.mode.turnJoint(action.by);
         break;
       case 'camera':
         this.pictures.hand.choose(action.index);
@@ -272,11 +279,21 @@ export class Station {
       case 'acknowledge':
         this.acknowledge();
         break;
+      case 'grip':
+        this.groups.grip(action);
+        break;
+      case 'plane':
+        this.showPlane();
+        break;
+      case 'fly orbiter':
+        this.flyOrbiter(!this.operator.sticks.flyingOrbiter);
+        break;
       case 'keys':
         this.keys.toggle();
         break;
       case 'close':
         this.keys.close();
+        this.rail.close();
         if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
         break;
       default:

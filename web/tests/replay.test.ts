@@ -165,6 +165,7 @@ test('keys play, seek and step; others are not ours', async () => {
     camera: none,
     stepCamera: none,
     otherMonitor: none,
+    plane: none,
     close: none,
   };
   const press = (code: string, shiftKey = false) => actionOf(made, keys, { code, shiftKey })?.();

@@ -49,6 +49,17 @@ const cases: readonly (readonly [string, Exclude<Shape, Group>, number])[] = [
   ],
   ['ring', { ...solid, ...turn, kind: 'ring', axis: 'x', radius: 1, bar: 0.1 }, 0.02 * Math.PI ** 2],
   ['half ring', { ...solid, kind: 'ring', axis: 'x', radius: 1, bar: 0.1, start: 2, sweep: Math.PI }, 0.0987],
+  [
+    'wedge',
+    {
+      ...solid,
+      kind: 'hexahedron',
+      vertices: [-0.5, 0.5].flatMap((y) =>
+        [0, 1.8].flatMap((x) => [0, 1].map((z) => [x, y * (1 + 0.5 * z), z] as const)),
+      ),
+    },
+    2.25,
+  ],
   ['sphere', { ...solid, kind: 'sphere', radius: 1 }, (4 / 3) * Math.PI],
   ...(['x', 'y', 'z'] as const).map((normal) => {
     const outline = [
@@ -138,6 +149,7 @@ const camera: Camera = {
   boresight: [2, 0, 0],
   up: [0, 0, 1],
   field_of_view: Math.PI / 2,
+  drive: null,
 };
 
 function cameraAt(pose: readonly number[]): Cameras {
@@ -161,6 +173,23 @@ test('the stated field of view is the horizontal one, at every aspect', () => {
 
 test('what lies behind a camera is not in its picture', () => {
   expect(cameraAt([0, 0, 0, 1, 0, 0, 0]).project('X', 1, [-10, 0, 1]).visible).toBe(false);
+});
+
+test('a line of the scene is told as far as it is before the camera', () => {
+  const cameras = cameraAt([0, 0, 0, 1, 0, 0, 0]);
+  const whole = cameras.segment('X', 1, [10, -5, 1], [10, 5, 1]);
+  expect(whole?.map(({ x }) => x)).toEqual([0.75, 0.25].map((x) => expect.closeTo(x, 5)));
+  expect(whole?.map(({ y }) => y)).toEqual([0.5, 0.5].map((y) => expect.closeTo(y, 5)));
+  expect(cameras.segment('X', 1, [-10, 0, 1], [-5, 3, 1])).toBeNull();
+  for (const [a, b] of [
+    [[10, -5, 1] as const, [-10, -5, 1] as const],
+    [[-10, -5, 1] as const, [10, -5, 1] as const],
+  ] as const) {
+    const cut = cameras.segment('X', 1, a, b);
+    const [near, far] = a[0] < 0 ? [cut?.[0], cut?.[1]] : [cut?.[1], cut?.[0]];
+    expect(far?.x).toBeCloseTo(0.75, 5);
+    expect(near?.x).toBeGreaterThan(10);
+  }
 });
 
 test('a camera moves with its body, and sees directions in its own axes', () => {

@@ -42,6 +42,9 @@ def _stand_problems(stand: StandFile) -> Iterator[str]:
     if not 0.0 < below < least:
         yield f"stand.top_below_shoulder: is above 0 and less than the least length, got {below:g} m"
     yield from _above_zero("stand", rate=stand.rate.value, side=stand.side.value)
+    tube, sleeve = stand.tube_side.value, stand.side.value
+    if not 0.0 < tube <= sleeve:
+        yield f"stand.tube_side: is above 0 and at most the stand's side, {sleeve:g} m, got {tube:g} m"
 
 
 def _effector_problems(e: EffectorFile) -> Iterator[str]:

@@ -10,8 +10,10 @@ from itertools import pairwise
 import numpy as np
 
 from aftdeck.arms.bodies import body_problems
+from aftdeck.arms.covers import body_problem
+from aftdeck.arms.geometry import linkage_of
 from aftdeck.arms.limits import JointRates, Limits, limit_problems
-from aftdeck.arms.model import ArmFile, HeadingArmFile, HeadingGeometry, PorRow, YawGeometry
+from aftdeck.arms.model import ArmFile, HeadingArmFile, HeadingGeometry, PorRow, YawArmFile, YawGeometry
 
 MASS_TOLERANCE = 1e-3
 """How far the parts' masses may be from the total [1]."""
@@ -22,7 +24,7 @@ def arm_problems(file: ArmFile) -> list[str]:
     if isinstance(file, HeadingArmFile):
         found = _boom_problems(file.geometry) + body_problems(file)
     else:
-        found = _geometry_problems(file.geometry)
+        found = _geometry_problems(file.geometry) + _cover_problems(file)
     limits = Limits(*(np.array(getattr(file.limits, name).value) for name in Limits._fields))
     rates = JointRates(*(np.array(getattr(file.rates, name).value) for name in JointRates._fields))
     found += limit_problems(file.joints, limits, rates)
@@ -43,6 +45,17 @@ def _geometry_problems(g: YawGeometry) -> list[str]:
     for name, (along, _) in (("upper_arm", g.upper_arm.value), ("lower_arm", g.lower_arm.value)):
         if along <= 0.0:
             found.append(f"geometry.{name}: the length along the arm is above 0, got {along:g} m")
+    return found
+
+
+def _cover_problems(file: YawArmFile) -> list[str]:
+    frames = linkage_of(file).frames
+    found = []
+    for i, body in enumerate(file.bodies):
+        if body.frame not in frames:
+            found.append(f"bodies[{i}].frame: {body.frame!r} is no frame of the arm; there are: {', '.join(frames)}")
+        if problem := body_problem(body):
+            found.append(f"bodies[{i}]: {problem}")
     return found
 
 

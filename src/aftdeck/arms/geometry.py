@@ -15,6 +15,10 @@ Array = NDArray[np.float64]
 Axes = tuple[int, int, int, int, int, int]
 Names = tuple[str, str, str, str, str, str, str]
 
+STAND, PRONG = "arm.stand", "arm.prong"
+"""Two frames more of an arm on a telescope with an end effector of three hexahedra: the telescope's moving tube, with
+L's axes at the shoulder's height; and the prong, with the last frame's axes, moved along Y2 to its inner face."""
+
 
 class Linkage(NamedTuple):
     """An arm's joints, from the foot to the tip. Arrays are read-only.

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.arms.check import arm_problems
-from aftdeck.arms.geometry import Linkage, frozen, linkage_of, raised
+from aftdeck.arms.geometry import PRONG, STAND, Linkage, frozen, linkage_of, raised
 from aftdeck.arms.limits import JointRates, Limits
 from aftdeck.arms.model import ArmFile, HeadingArmFile, PorRow
 from aftdeck.errors import ArmError, InputError, ScenarioError
@@ -81,6 +81,12 @@ class ArmModel:
         return self.linkage.links
 
     @property
+    def frames(self) -> tuple[str, ...]:
+        """Names of all frames that carry a body: the linkage's, then what moves besides the joints."""
+        besides = (STAND, PRONG) if isinstance(self.source, HeadingArmFile) else ()
+        return (*self.linkage.frames, *besides)
+
+    @property
     def end_effector_roll(self) -> float:
         """R_E = R_7 Rx(this) [rad]."""
         return self.linkage.end_effector_roll
@@ -89,6 +95,11 @@ class ArmModel:
     def stand(self) -> float | None:
         """Length of the telescope that the arm stands on [m]: the shoulder's height; None where it has none."""
         return float(self.links[0]) if isinstance(self.source, HeadingArmFile) else None
+
+    @property
+    def fixed_finger(self) -> float | None:
+        """y2 of the fixed finger's inner face [m]; None where the hand has no fingers."""
+        return float(self.source.effector.fixed_finger.value) if isinstance(self.source, HeadingArmFile) else None
 
     def at(self, stand: float) -> ArmModel:
         """The same arm with its telescope at another length [m].

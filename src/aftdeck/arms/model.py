@@ -11,6 +11,7 @@ from typing import Annotated, Generic, Literal, TypeVar
 
 import msgspec
 
+from aftdeck.shapes import Axis
 from aftdeck.units import Angle, AngularRate, Length, Mass, Speed, Time
 
 _T = TypeVar("_T")
@@ -141,6 +142,8 @@ class StandFile(_Part, frozen=True):
     rate: Constant[Speed]
     side: Constant[Length]
     """Of its square section."""
+    tube_side: Constant[Length]
+    """Of the tube that slides in it."""
     top_below_shoulder: Constant[Length]
 
 
@@ -177,6 +180,37 @@ class EffectorFile(_Part, frozen=True):
     prong_rate: Constant[Speed]
 
 
+class _Body(_Part, frozen=True, tag_field="kind", kw_only=True):
+    """A body that covers a part of the arm from outside, so that no clearance is overstated."""
+
+    part: Text
+    """What people call it; several bodies may share a part."""
+    frame: Text
+    """The moving frame that carries it."""
+    position: tuple[Length, Length, Length] = (Length(0.0), Length(0.0), Length(0.0))
+    """Of its centre in that frame."""
+    rotation: tuple[Angle, Angle, Angle] = (Angle(0.0), Angle(0.0), Angle(0.0))
+    """Roll, pitch, yaw about fixed x, y, z, applied in that order."""
+    source: Text
+    confidence: Confidence
+
+
+class BoxBody(_Body, frozen=True, kw_only=True, tag="box"):
+    """A box about its centre."""
+
+    size: tuple[Length, Length, Length]
+
+
+class PrismBody(_Body, frozen=True, kw_only=True, tag="prism"):
+    """A regular prism round a cylinder."""
+
+    axis: Axis = "x"
+    radius: Length
+    """Of the cylinder; the prism's edges stand farther out."""
+    length: Length
+    sides: int
+
+
 class _AnyArm(_Part, frozen=True, tag_field="family", kw_only=True):
     """What every arm file has; `arms.check` says what types cannot."""
 
@@ -197,6 +231,8 @@ class YawArmFile(_AnyArm, frozen=True, kw_only=True, tag="yaw-pitch-pitch-pitch-
 
     geometry: YawGeometry
     masses: MassesFile[YawParts]
+    bodies: tuple[BoxBody | PrismBody, ...] = ()
+    """What of it collides."""
 
 
 class HeadingArmFile(_AnyArm, frozen=True, kw_only=True, tag="heading-pitch-pitch-heading-pitch-roll"):

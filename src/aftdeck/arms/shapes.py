@@ -1,4 +1,4 @@
-"""Read how an arm looks: the shapes that each of its moving frames carries, and its cameras."""
+"""How an arm looks: the shapes that each of its moving frames carries, and its cameras."""
 
 from __future__ import annotations
 
@@ -7,10 +7,14 @@ from typing import NamedTuple
 
 import msgspec
 
+from aftdeck.arms.blocks import Block, blocks_of
+from aftdeck.arms.load import ArmModel
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.bodies.camera_file import CameraFile, DriveFile, cameras_of
 from aftdeck.bodies.cameras import Camera
 from aftdeck.errors import ScenarioError
-from aftdeck.files import Text, parse
-from aftdeck.shapes import Shape
+from aftdeck.files import parse
+from aftdeck.shapes import Box, Shape
 
 
 class ArmShapes(NamedTuple):
@@ -32,23 +36,39 @@ class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """An arm's shape file as it is written."""
 
     body: tuple[_Frame, ...]
-    camera: tuple[Camera, ...]
+    camera: tuple[CameraFile, ...]
+    drive: tuple[DriveFile, ...] = ()
 
 
-def shapes_of(source: Text, frames: tuple[str, ...]) -> ArmShapes:
-    """Shapes and cameras of an arm.
+def shapes_of(model: ArmModel) -> ArmShapes:
+    """Shapes and cameras of an arm: from its file of shapes; of a concept arm without one, from its dimensions.
 
-    Args:
-        source: its shape file (TOML).
-        frames: its frames' names, as its `Linkage` has them.
+    An arm of the Shuttle's kind without a file of shapes has nothing to draw.
 
     Raises:
         ScenarioError: shapes that cannot be drawn, or other frames; says where.
     """
-    file = parse(_File, source)
-    if problems := list(_problems(file, frames)):
-        raise ScenarioError([f"{source.name}: {problem}" for problem in problems])
-    return ArmShapes({body.name: body.shapes for body in file.body}, file.camera)
+    if model.shapes is not None:
+        file = parse(_File, model.shapes)
+        cameras, problems = cameras_of(file.camera, file.drive)
+        problems += _problems(file, model.frames)
+        if problems:
+            raise ScenarioError([f"{model.shapes.name}: {problem}" for problem in problems])
+        return ArmShapes({body.name: body.shapes for body in file.body}, cameras)
+    blocks = blocks_of(model.source, model.linkage.frames) if isinstance(model.source, HeadingArmFile) else ()
+    return ArmShapes(
+        {frame: tuple(_box(block) for block in blocks if block.frame == frame) for frame in model.frames}, ()
+    )
+
+
+def _box(block: Block) -> Box:
+    """A block as it is drawn."""
+    (x, y, z), (to_x, to_y, to_z) = block.low, block.high
+    return Box(
+        material=block.material,
+        position=(0.5 * (x + to_x), 0.5 * (y + to_y), 0.5 * (z + to_z)),
+        size=(to_x - x, to_y - y, to_z - z),
+    )
 
 
 def _problems(file: _File, frames: tuple[str, ...]) -> Iterator[str]:

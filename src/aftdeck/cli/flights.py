@@ -46,6 +46,9 @@ def fly(
 def run(
     scenario: ScenarioName,
     out: Annotated[Path | None, typer.Option(help="Record everything into this session file (.mcap).")] = None,
+    words: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write the 1972 report's channels and frame words (JSON lines).")
+    ] = None,
     as_json: Json = False,
     seed: Seed = None,
 ) -> None:
@@ -69,6 +72,10 @@ def run(
                 summary = record(loaded, out, seed, progress=progress, index=Index(), unlisted=print_complaint).summary
             except UnrecordedRunError as error:
                 summary, lost = error.run.summary, error
+    if words is not None:
+        from aftdeck.simulation.report_words import write_words
+
+        write_words(loaded, words, seed)
     if as_json:
         print_json(summary, indent=2)
     else:

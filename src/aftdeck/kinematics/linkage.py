@@ -174,6 +174,12 @@ def tip(arm: Floats, a: Sines) -> Tip:
 
 
 @law
+def lifted(t: Tip, by: float) -> Tip:
+    """The tip where the arm stands higher by some length [m]."""
+    return Tip(t.x, t.y, t.z - by, t.r11, t.r12, t.r13, t.r21, t.r22, t.r23, t.r31, t.r32, t.r33)
+
+
+@law
 def forward_many(arm: Array, angles: Array, position: Array, rotation: Array) -> None:
     """LNKAGE over rows: angles (n, 6) [rad] -> position (n, 3) [m], rotation (n, 3, 3), in L."""
     for i in range(angles.shape[0]):

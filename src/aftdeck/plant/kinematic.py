@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.plant.slide import Slide
+
 Array = NDArray[np.float64]
 
 
@@ -16,21 +18,25 @@ class KinematicPlant:
     Attributes:
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
+        stand: height of the shoulder above L's origin.
     """
 
-    def __init__(self, angles: Array, rates: Array) -> None:
+    def __init__(self, angles: Array, rates: Array, stand: Slide) -> None:
         self.angles = np.array(angles, dtype=np.float64)
         self.rates = np.array(rates, dtype=np.float64)
+        self.stand = stand
 
-    def move(self, commanded: Array, period: float) -> None:
-        """Fly the commanded rates (6,) [rad/s] for one control period [s]."""
+    def move(self, commanded: Array, period: float, stand: float = 0.0) -> None:
+        """Fly the commanded rates (6,) [rad/s], and drive the stand (-1 to +1), for one control period [s]."""
         self.rates[:] = commanded
         self.angles += self.rates * period
+        self.stand.move(stand, period)
 
     def save(self) -> tuple[list[float], ...]:
         """Everything that the plant's future depends on."""
-        return self.angles.tolist(), self.rates.tolist()
+        return self.angles.tolist(), self.rates.tolist(), self.stand.save()
 
     def restore(self, saved: tuple[list[float], ...]) -> None:
         """Go on from what `save` gave."""
-        self.angles[:], self.rates[:] = saved
+        self.angles[:], self.rates[:], stand = saved
+        self.stand.restore(stand)

@@ -6,8 +6,9 @@ import foxglove
 import msgspec
 from foxglove import channels
 
-from aftdeck.recording.records import CHANNELS, Message
+from aftdeck.recording.records import CHANNELS
 from aftdeck.recording.schema import schema
+from aftdeck.recording.told import Message
 
 FIXED, SCENE = "/tf_static", "/scene"
 """What tells all at once and then is silent."""

@@ -10,15 +10,16 @@ import msgspec
 import numpy as np
 
 from aftdeck.frames import Rows, quaternion, rotation_of
+from aftdeck.recording.convert_work import work_of, work_record
 from aftdeck.recording.records import (
     EventRecord,
     FrameRecord,
     GoalRecord,
     Input,
     LimitRecord,
-    Numbers,
     WayOutRecord,
 )
+from aftdeck.recording.told import Numbers
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.frame import Check, Event, Frame, Goal, Limit, Six, Vec3, WayOut
 from aftdeck.simulation.inputs import Inputs
@@ -65,6 +66,14 @@ def input_record(tick: int, inputs: Inputs | None) -> Input:
         position_hold=inputs.position_hold,
         proceed=inputs.proceed,
         stop=inputs.stop,
+        effector=inputs.effector,
+        effector_mode=inputs.effector_mode,
+        rigid=inputs.rigid,
+        latch=inputs.latch,
+        telescope=float(inputs.telescope),
+        orbiter=_floats(inputs.orbiter),
+        master=None if inputs.master is None else _floats(inputs.master),
+        initialise=inputs.initialise,
     )
 
 
@@ -91,6 +100,14 @@ def inputs_of(record: Input) -> Inputs | None:
         position_hold=record.position_hold,
         proceed=record.proceed,
         stop=record.stop,
+        effector=record.effector,
+        effector_mode=record.effector_mode,
+        rigid=record.rigid,
+        latch=record.latch,
+        telescope=record.telescope,
+        orbiter=cast("Vec3", record.orbiter),
+        master=cast("Six | None", record.master),
+        initialise=record.initialise,
     )
 
 
@@ -141,6 +158,7 @@ def frame_record(frame: Frame, frame_digest: str, wall_s: float, latency_ms: flo
         singular=frame.singular,
         ways_out=tuple(WayOutRecord(w.cause, w.text, w.stick, w.axis, w.sign) for w in frame.ways_out),
         goal=None if goal is None else _goal_record(goal),
+        work=work_record(frame.work),
         events=tuple(EventRecord(e.time_s, e.kind, e.level, e.text) for e in frame.events),
     )
 
@@ -191,6 +209,7 @@ def frame_of(record: FrameRecord) -> Frame:
         singular=record.singular,
         ways_out=tuple(WayOut(w.cause, w.text, w.stick, w.axis, w.sign) for w in record.ways_out),
         goal=None if goal is None else _goal_of(goal),
+        work=work_of(record.work),
         events=tuple(Event(e.time_s, e.kind, e.level, e.text) for e in record.events),
     )
 

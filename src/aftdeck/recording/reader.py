@@ -13,7 +13,8 @@ from mcap.records import Message as McapMessage
 
 from aftdeck.errors import RecordingError
 from aftdeck.recording.chunks import MAGIC, DamageError, records
-from aftdeck.recording.records import CHANNELS, FORMAT, PROFILE, Closing, FrameRecord, Input, Message, Note, Opening
+from aftdeck.recording.records import CHANNELS, FORMAT, PROFILE, Closing, FrameRecord, Input, Note, Opening
+from aftdeck.recording.told import Message
 
 _DECODERS = {topic: msgspec.json.Decoder(kind) for topic, (kind, _) in CHANNELS.items()}
 

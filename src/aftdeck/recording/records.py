@@ -9,23 +9,13 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-import msgspec
+from aftdeck.recording.told import Message, Numbers, told
+from aftdeck.recording.work_records import WorkRecord
 
 FORMAT = 1
 """Number of the file's layout; a reader refuses a greater one."""
 PROFILE = "aftdeck"
 """MCAP profile of the file's header."""
-
-Numbers = tuple[float, ...]
-
-
-def told(what: str, unit: str = "", frame: str = "") -> msgspec.Meta:
-    """What a field is, with its unit and frame, for the schema and the documentation."""
-    return msgspec.Meta(description=what, extra={"unit": unit, "frame": frame})
-
-
-class Message(msgspec.Struct, frozen=True):
-    """Base of what the channels carry."""
 
 
 class Opening(Message, frozen=True):
@@ -71,6 +61,17 @@ class Input(Message, frozen=True, omit_defaults=True):
     position_hold: Annotated[bool | None, told("POSITION HOLD switch")] = None
     proceed: Annotated[bool, told("AUTO SEQ switch to PROCEED")] = False
     stop: Annotated[bool, told("AUTO SEQ switch to STOP")] = False
+    effector: Annotated[Literal["stop", "close", "open"] | None, told("end effector switch")] = None
+    effector_mode: Annotated[Literal["auto", "manual"] | None, told("END EFFECTOR MODE of the snares")] = None
+    rigid: Annotated[Literal["off", "rigid", "derigid"] | None, told("END EFFECTOR MAN CONTR")] = None
+    latch: Annotated[Literal["latch", "unlatch"] | None, told("payload retention or docking port pressed")] = None
+    telescope: Annotated[float, told("the stand: +1 longer, -1 shorter", "1")] = 0.0
+    orbiter: Annotated[Numbers, told("translation of the orbiter, in [-1, 1]", "1", "orbiter")] = (0.0, 0.0, 0.0)
+    master: Annotated[Numbers | None, told("the master arm's joint angles", "rad")] = None
+    initialise: Annotated[
+        Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None,
+        told("part of the problem begun anew"),
+    ] = None
 
 
 class LimitRecord(Message, frozen=True):
@@ -156,6 +157,7 @@ class FrameRecord(Message, frozen=True):
     singular: Annotated[tuple[str, ...], told("singularities that are near")]
     ways_out: Annotated[tuple[WayOutRecord, ...], told("what leads away from what is near")]
     goal: Annotated[GoalRecord | None, told("target of an automatic mode")]
+    work: Annotated[WorkRecord, told("contacts, captures, and where the worksite's things are")]
     events: Annotated[tuple[EventRecord, ...], told("what happened in this step")]
 
 

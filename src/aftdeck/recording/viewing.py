@@ -19,7 +19,8 @@ from aftdeck.recording.live import Live
 from aftdeck.recording.records import EventRecord
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import PAYLOAD, bodies_of
-from aftdeck.scene.poses import ArmPoses, Seven
+from aftdeck.scene.everything import ScenePoses
+from aftdeck.scene.poses import Seven
 from aftdeck.simulation.frame import Event, Frame
 
 PERIOD = 0.1
@@ -39,13 +40,19 @@ class Viewing:
         self._channels, self._began_ns, self._live = channels, began_ns, live
         self._every = max(1, math.ceil(PERIOD / scenario.control_period - 1e-9))
         self._joints = scenario.arm.joints
-        self._poses = ArmPoses(scenario.arm.model)
+        self._loaded = scenario.payload is not None
+        self._poses = ScenePoses(scenario)
+        self._worksite = scenario.worksite.bodies
         self._picture = scene_update(bodies_of(scenario), _time(began_ns))
-        foot = _seven(self._poses.at(np.zeros(6))[:7])
-        self._frames = scenario.arm.model.linkage.frames
+        foot = _seven(self._poses.arm.at(np.zeros(6))[:7])
+        frames = scenario.arm.model.linkage.frames
         hand: Seven = (float(scenario.arm.model.links[L5]), 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
-        still = [(ROOT, body.name, _STILL) for body in scenario.worksite.bodies]
-        first, last = self._frames[0], self._frames[-1]
+        still = [
+            (ROOT, body.name, _seven([*body.pose.position.tolist(), *quaternion(body.pose.rotation)]))
+            for body in scenario.worksite.bodies
+            if body.fixed_to == "orbiter"
+        ]
+        first, last = frames[0], frames[-1]
         self._fixed = [*still, (ROOT, LONGERON, foot), (LONGERON, first, _STILL), (last, TIP, hand)]
 
     def open(self) -> None:
@@ -79,9 +86,16 @@ class Viewing:
 
     def _draw(self, frame: Frame, now: int) -> None:
         time = _time(now)
-        links = zip(self._frames[:-1], self._frames[1:], self._poses.links(frame.angles), strict=True)
+        links = self._poses.arm.links(frame.angles, frame.work.stand, self._poses.prong(frame))
         moving = [_transform(parent, child, _rounded(pose), time) for parent, child, pose in links]
-        if frame.payload is not None:
+        sevens = self._poses.worksite(frame)
+        for k, body in enumerate(self._worksite):
+            if body.fixed_to == "space":
+                moving.append(_transform(ROOT, body.name, _rounded(sevens[7 * k : 7 * k + 7]), time))
+        for cargo in frame.work.cargo:
+            pose = _rounded(self._poses.pose(cargo.position, cargo.orientation))
+            moving.append(_transform(ROOT, cargo.name, pose, time))
+        if self._loaded and frame.payload is not None:
             centre, axes = frame.payload
             pose = _rounded((*centre, *quaternion(np.array(axes))))
             moving.append(_transform(LONGERON, PAYLOAD, pose, time))

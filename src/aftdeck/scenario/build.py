@@ -5,15 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 
 from aftdeck.errors import ScenarioError
-from aftdeck.scenario.limits import limited_arm, por_limits
+from aftdeck.scenario.cargo import present_cargo
+from aftdeck.scenario.limits import check_por, limited_arm, por_with
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
 from aftdeck.scenario.payload import held_payload
 from aftdeck.scenario.phases import phase_plan
-from aftdeck.scenario.poses import start
+from aftdeck.scenario.places import Things
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.scenario.sequences import stored_points
+from aftdeck.scenario.starts import parts, start
 from aftdeck.worksite.load import load_worksite
 from aftdeck.worksite.model import Worksite
 
@@ -47,12 +49,18 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         return None
     worksite = _worksite(problems, spec.worksite, folder)
     payload = held_payload(problems, spec.payload)
-    por = por_limits(problems, arm, payload, spec.limits.por)
-    angles, rates = start(problems, arm, spec.initial)
+    check_por(problems, por_with(arm.model, payload.mass if payload else 0.0, spec.limits.por))
+    cargo = present_cargo(problems, worksite, spec.cargo)
+    names = [one.name for one in cargo]
+    begin = start(problems, arm, spec.initial, names, ("initial",))
+    begun = parts(problems, arm, spec.initialise, begin, names)
     sequences = stored_points(problems, arm, spec.sequence)
-    check_mode(problems, mode.position, payload, sequences, ("mode",))
-    phases = [phase_plan(problems, arm, phase, i, payload, sequences) for i, phase in enumerate(spec.phase)]
-    if problems or angles is None or worksite is None:
+    check_mode(problems, mode.position, bool(payload or cargo), sequences, ("mode",))
+    loads = bool(payload or cargo)
+    things = Things(cargo, tuple(seat.name for seat in worksite.seats) if worksite else ())
+    phases = [phase_plan(problems, arm, phase, i, loads, sequences, things) for i, phase in enumerate(spec.phase)]
+    _check_clearance(problems, spec)
+    if problems or begin is None or worksite is None:
         return None
     return Scenario(
         name=name,
@@ -65,8 +73,12 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         ticks=round(spec.duration / spec.control_period),
         control_period=float(spec.control_period),
         delay=round(spec.command_delay / spec.control_period),
-        initial_angles=angles,
-        initial_rates=rates,
+        start=begin,
+        parts=begun,
+        cargo=cargo,
+        docking_axes="y" if spec.docking == "y axis" else "all",
+        caution=float(spec.clearance.caution),
+        warning=float(spec.clearance.warning),
         mode=mode.position,
         rate=spec.rate,
         as_flown=spec.soft_stops == "as-flown",
@@ -79,7 +91,7 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         payload_axes=mode.payload_axes is True,
         position_hold=spec.position_hold,
         sequences=sequences,
-        por=por,
+        por=spec.limits.por,
         payload=payload,
         phases=tuple(phase for phase in phases if phase is not None),
         text=text,
@@ -121,6 +133,13 @@ def _check_times(problems: Problems, spec: ScenarioFile) -> None:
             ("command_delay",),
             f"is a whole number of control periods: {delay:g} s is {delay / period:g} of {period:g} s",
         )
+
+
+def _check_clearance(problems: Problems, spec: ScenarioFile) -> None:
+    """The clearances that caution and warn."""
+    caution, warning = spec.clearance.caution, spec.clearance.warning
+    if not 0.0 < warning <= caution:
+        problems.wrong(("clearance",), f"expected 0 < warning <= caution, got {warning:g} and {caution:g} m")
 
 
 def _check_arrival(problems: Problems, spec: ScenarioFile) -> None:

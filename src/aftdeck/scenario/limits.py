@@ -10,7 +10,6 @@ from aftdeck.arms.limits import Array, JointRates, Limits, limit_problems
 from aftdeck.arms.load import ArmModel, PorLimits
 from aftdeck.errors import AftdeckError, ScenarioError
 from aftdeck.kinematics.arm import Arm, load_arm
-from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import LimitsOverride, PorOverride
 
@@ -43,18 +42,22 @@ def _limited(problems: Problems, model: ArmModel, over: LimitsOverride) -> ArmMo
     return replace(model, limits=limits, rates=rates)
 
 
-def por_limits(problems: Problems, arm: Arm, payload: Payload | None, over: PorOverride) -> PorLimits:
-    """The arm's limits of the point of resolution with this payload, the scenario's in their place."""
-    own = arm.model.por_limits(payload.mass if payload else 0.0)
+def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
+    """The arm's limits of the point of resolution with a payload [kg], the scenario's in their place."""
+    own = arm.por_limits(mass)
 
     def pick(given: float | None, own: float) -> float:
         return own if given is None else float(given)
 
-    por = PorLimits(
+    return PorLimits(
         (pick(over.translation, own.translation[0]), pick(over.vernier_translation, own.translation[1])),
         (pick(over.rotation, own.rotation[0]), pick(over.vernier_rotation, own.rotation[1])),
         pick(over.reached_in, own.reached_in),
     )
+
+
+def check_por(problems: Problems, por: PorLimits) -> None:
+    """Note limits that are none."""
     for name, value in zip(
         PorOverride.__struct_fields__, (*por.translation, *por.rotation, por.reached_in), strict=True
     ):
@@ -63,4 +66,3 @@ def por_limits(problems: Problems, arm: Arm, payload: Payload | None, over: PorO
     for name, (coarse, vernier) in (("vernier_translation", por.translation), ("vernier_rotation", por.rotation)):
         if vernier > coarse > 0.0:
             problems.wrong(("limits", "por", name), f"is at most the coarse limit {coarse:g}, got {vernier:g}")
-    return por

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
-from aftdeck.arms.load import PorLimits
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
-from aftdeck.scenario.schema import Rate
-from aftdeck.scenario.target import Target
+from aftdeck.scenario.schema import PorOverride, Rate, Until
+from aftdeck.scenario.target import Place, Target
 from aftdeck.steering.mode import LawChoice, PanelPosition
-from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.model import Cargo, Worksite
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,9 +28,15 @@ class PhasePlan:
         joint: selected joint, 0 to 5.
         drive: SINGLE/DIRECT DRIVE in [-1, 1].
         joint_at: angle to bring the joint to [rad], or None.
-        target: final tip pose, or None.
+        target: final tip pose, or where it is found as the phase begins, or None.
         law: which of the report's modes 1 to 3 an automatic mode flies; None: as it is.
         payload_axes: ORB LD rotates in payload axes; None: as it is.
+        master: angles of the master arm [rad]; None: it stays.
+        effector: how the end effector switch is put; None: as it is.
+        latch: pressed as the phase begins; None: not.
+        stand_at: length to bring the telescope to [m]; None: it stays.
+        orbiter: translation of the orbiter, each in [-1, 1].
+        until: what the phase waits for; None: its mode's own end.
         duration: length, or longest length in automatic modes [s]; None: no limit.
     """
 
@@ -42,9 +48,15 @@ class PhasePlan:
     joint: int
     drive: float
     joint_at: float | None
-    target: Target | None
+    target: Target | Place | None
     law: LawChoice | None
     payload_axes: bool | None
+    master: tuple[float, float, float, float, float, float] | None
+    effector: Literal["stop", "close", "open"] | None
+    latch: Literal["latch", "unlatch"] | None
+    stand_at: float | None
+    orbiter: tuple[float, float, float]
+    until: Until | None
     duration: float | None
 
 
@@ -61,8 +73,43 @@ class Point:
     pause: bool
 
 
+Part = Literal["full problem", "acquisition", "extraction", "manoeuvring"]
+"""Parts of the report's problem."""
+
 Sequences = dict[str, tuple[Point, ...]]
 """The points of AUTO 1-4, by panel position."""
+
+
+@dataclass(frozen=True, eq=False)
+class Grasped:
+    """A payload that is held from the start.
+
+    Attributes:
+        cargo: which of the scenario's.
+        angles: (6,) joint angles at which the arm took it in its place [rad].
+        stand: length of the telescope then [m].
+    """
+
+    cargo: int
+    angles: np.ndarray
+    stand: float
+
+
+@dataclass(frozen=True, eq=False)
+class Start:
+    """How the arm starts, the whole problem or a part of it.
+
+    Attributes:
+        angles: (6,) [rad].
+        rates: (6,) [rad/s].
+        stand: length of the telescope, or height of the shoulder where there is none [m].
+        grasped: what it holds of the worksite's payloads; None: nothing.
+    """
+
+    angles: np.ndarray
+    rates: np.ndarray
+    stand: float
+    grasped: Grasped | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,8 +127,12 @@ class Scenario:
         ticks: the same, in control periods.
         control_period: [s].
         delay: steps that a person's inputs are under way before they are flown.
-        initial_angles: (6,) [rad].
-        initial_rates: (6,) [rad/s].
+        start: how the arm starts.
+        parts: where the parts of the problem begin anew; "full problem" is `start`.
+        cargo: the worksite's payloads that are there.
+        docking_axes: which axes docking compares: all, or y alone as the report does.
+        caution: clearance under which the page cautions [m].
+        warning: clearance under which it warns [m].
         mode: entered at the start.
         rate: coarse or vernier at the start.
         as_flown: soft stops stop every joint in computed modes.
@@ -94,8 +145,8 @@ class Scenario:
         payload_axes: ORB LD rotates in payload axes at the start.
         position_hold: POSITION HOLD at the start.
         sequences: points of AUTO 1-4, by panel position.
-        por: limits of the point of resolution with this payload.
-        payload: in the grasp, or None.
+        por: limits of the point of resolution in place of the arm's.
+        payload: in the grasp at the start, or None.
         phases: the script; empty: none.
         text: the file.
     """
@@ -110,8 +161,12 @@ class Scenario:
     ticks: int
     control_period: float
     delay: int
-    initial_angles: np.ndarray
-    initial_rates: np.ndarray
+    start: Start
+    parts: dict[Part, Start]
+    cargo: tuple[Cargo, ...]
+    docking_axes: Literal["all", "y"]
+    caution: float
+    warning: float
     mode: PanelPosition
     rate: Rate
     as_flown: bool
@@ -124,7 +179,17 @@ class Scenario:
     payload_axes: bool
     position_hold: bool
     sequences: Sequences
-    por: PorLimits
+    por: PorOverride
     payload: Payload | None
     phases: tuple[PhasePlan, ...]
     text: str
+
+    @property
+    def initial_angles(self) -> np.ndarray:
+        """(6,) joint angles at the start [rad]."""
+        return self.start.angles
+
+    @property
+    def initial_rates(self) -> np.ndarray:
+        """(6,) joint rates at the start [rad/s]."""
+        return self.start.rates

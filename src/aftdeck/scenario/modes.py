@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from aftdeck.files import Where
-from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.model import Sequences
 from aftdeck.scenario.problems import Problems
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice, PanelPosition, position_of
@@ -41,9 +40,11 @@ def chosen_mode(problems: Problems, given: int | str, where: Where) -> Chosen | 
     return None
 
 
-def check_mode(problems: Problems, position: str, payload: Payload | None, sequences: Sequences, where: Where) -> None:
+def check_mode(problems: Problems, position: str, loads: bool, sequences: Sequences, where: Where) -> None:
     """Modes that need something which the scenario does not have."""
-    if MODES[position].loaded and payload is None:
-        problems.wrong(where, f"{position} moves a payload, and the scenario has none: add a [payload] table")
+    if MODES[position].loaded and not loads:
+        problems.wrong(
+            where, f"{position} moves a payload, and the scenario has none: add a [payload] table or a [[cargo]]"
+        )
     if position.startswith("AUTO") and position not in sequences:
         problems.wrong(where, f"{position} has no points: add a [[sequence]] with slot = {position[-1]}")

@@ -2,35 +2,51 @@
 
 from __future__ import annotations
 
+from typing import cast
+
+from aftdeck.errors import InputError
 from aftdeck.files import Where
 from aftdeck.kinematics.arm import Arm
-from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.model import PhasePlan, Sequences
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
-from aftdeck.scenario.poses import check_angle, target
+from aftdeck.scenario.places import Things, goal
+from aftdeck.scenario.poses import check_angle
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import Phase
 from aftdeck.steering.mode import MODES, Mode
+
+Six = tuple[float, float, float, float, float, float]
 
 _USED: dict[str, set[str]] = {
     "automatic": {"law"},
     "manual": {"translation", "rotation"},
     "single": {"joint", "drive", "joint_at"},
     "test": set(),
+    "master": {"master"},
 }
 """What a phase may say, by the kind of its mode; OPR CMD and ORB LD take more."""
 
 
 def phase_plan(
-    problems: Problems, arm: Arm, phase: Phase, i: int, payload: Payload | None, sequences: Sequences
+    problems: Problems, arm: Arm, phase: Phase, i: int, loads: bool, sequences: Sequences, things: Things
 ) -> PhasePlan | None:
-    """The script's phase `i` (from 0), ready to fly; None where its mode is none."""
+    """The script's phase `i` (from 0), ready to fly; None where its mode is none.
+
+    Args:
+        problems: gathers what is wrong.
+        arm: that flies it.
+        phase: as decoded.
+        i: its place in the file.
+        loads: whether there is anything to carry.
+        sequences: points of AUTO 1-4.
+        things: what targets may be given by.
+    """
     where: Where = ("phase", i)
     chosen = chosen_mode(problems, phase.mode, (*where, "mode"))
     if chosen is None:
         return None
-    check_mode(problems, chosen.position, payload, sequences, (*where, "mode"))
-    goal = None if phase.target is None else target(problems, arm, phase.target, (*where, "target"))
+    check_mode(problems, chosen.position, loads, sequences, (*where, "mode"))
+    there = None if phase.target is None else goal(problems, arm, phase.target, things, (*where, "target"))
     joint = _joint(problems, arm, phase, where)
     _check_phase(problems, arm, phase, chosen, joint, where)
     return PhasePlan(
@@ -42,9 +58,15 @@ def phase_plan(
         joint=joint,
         drive=phase.drive,
         joint_at=None if phase.joint_at is None else float(phase.joint_at),
-        target=goal,
+        target=there,
         law=chosen.law or phase.law,
         payload_axes=chosen.payload_axes or phase.payload_axes,
+        master=None if phase.master is None else cast("Six", tuple(float(angle) for angle in phase.master)),
+        effector=phase.effector,
+        latch=phase.latch,
+        stand_at=_stand(problems, arm, phase, where),
+        orbiter=phase.orbiter,
+        until=phase.until,
         duration=None if phase.duration is None else float(phase.duration),
     )
 
@@ -59,6 +81,17 @@ def _joint(problems: Problems, arm: Arm, phase: Phase, where: Where) -> int:
     return arm.joints.index(phase.joint)
 
 
+def _stand(problems: Problems, arm: Arm, phase: Phase, where: Where) -> float | None:
+    """The length that the telescope is brought to [m]."""
+    if phase.stand_at is None:
+        return None
+    try:
+        arm.model.at(phase.stand_at)
+    except InputError as error:
+        problems.wrong((*where, "stand_at"), str(error))
+    return float(phase.stand_at)
+
+
 def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joint: int, where: Where) -> None:
     """What a phase of each kind needs, and what it has no use for."""
     mode = MODES[chosen.position]
@@ -71,6 +104,10 @@ def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joi
         problems.wrong(where, "mode OPR CMD needs a target")
     if mode.kind in ("manual", "test") and phase.duration is None:
         problems.wrong(where, f"mode {mode.position} needs a duration")
+    if mode.kind == "master" and phase.master is None:
+        problems.wrong(where, f"mode {mode.position} needs the master arm's angles")
+    if (phase.until is not None or phase.stand_at is not None) and phase.duration is None:
+        problems.wrong(where, "until and stand_at need a duration: the longest time allowed")
     if mode.kind == "single":
         _check_single(problems, arm, phase, mode, joint, where)
 
@@ -86,6 +123,7 @@ def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> No
         "joint": phase.joint is not None,
         "drive": phase.drive != 0.0,
         "joint_at": phase.joint_at is not None,
+        "master": phase.master is not None,
     }
     used = _USED[mode.kind] | ({"target"} if mode.position == "OPR CMD" else set())
     used |= {"payload_axes"} if mode.position == "ORB LD" else set()

@@ -1,4 +1,4 @@
-"""Joint angles, matrices, poses and targets as a scenario gives them, and the arm's start (RMSIST)."""
+"""Joint angles, matrices, poses and targets as a scenario gives them."""
 
 from __future__ import annotations
 
@@ -7,44 +7,15 @@ import math
 import numpy as np
 
 from aftdeck.arms.geometry import frozen
-from aftdeck.errors import AftdeckError
 from aftdeck.files import Where
 from aftdeck.frames import Pose, endori, panel_rotation, rotation_x
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.problems import Problems
-from aftdeck.scenario.schema import Initial, PoseSpec, Row, SixAngles
+from aftdeck.scenario.schema import PoseSpec, Row, SixAngles
 from aftdeck.scenario.target import Target, target_at
 
 ORTHONORMAL = 1e-6
 """How far from orthonormal a given matrix may be [1]."""
-
-
-def start(problems: Problems, arm: Arm, initial: Initial) -> tuple[np.ndarray | None, np.ndarray]:
-    """RMSIST: joint angles [rad] (None where they are wrong) and rates [rad/s] at the start."""
-    rates = frozen(initial.rates or [0.0] * 6)
-    for joint, rate, most in zip(arm.joints, rates, arm.rates.servo, strict=True):
-        if abs(rate) > most:
-            problems.wrong(
-                ("initial", "rates"), f"{joint} starts at {rate:g} rad/s; its servo gives at most {most:g} rad/s"
-            )
-    return _start_angles(problems, arm, initial), rates
-
-
-def _start_angles(problems: Problems, arm: Arm, initial: Initial) -> np.ndarray | None:
-    """Joint angles as given, or those of a pose through RMANGS."""
-    if initial.joints is not None and initial.pose is None:
-        return joint_angles(problems, arm, initial.joints, ("initial", "joints"))
-    if initial.pose is None or initial.joints is not None:
-        problems.wrong(("initial",), "give either joints (six angles) or a pose")
-        return None
-    pose = pose_in_l(problems, arm, initial.pose, ("initial", "pose"))
-    if pose is None:
-        return None
-    try:
-        return frozen(arm.inverse(pose, near=initial.near)[0])
-    except AftdeckError as error:
-        problems.wrong(("initial", "pose"), str(error))
-        return None
 
 
 def joint_angles(problems: Problems, arm: Arm, given: SixAngles, where: Where) -> np.ndarray | None:
@@ -95,6 +66,9 @@ def target(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Target
 
 def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pose | None:
     """Frame 7 in L from one of the three ways to give a pose; None where it is wrong."""
+    if spec.cargo is not None or spec.seat is not None or spec.above is not None:
+        problems.wrong(where, "cargo, seat and above are for the target of a phase, which finds them as it begins")
+        return None
     euler = (spec.roll, spec.pitch, spec.yaw)
     if spec.joints is not None:
         if spec.position is not None or spec.matrix is not None or euler != (None, None, None):

@@ -10,6 +10,7 @@ from aftdeck.arms.model import SixRanges, SixRates, Text
 from aftdeck.frames import FrameName
 from aftdeck.shapes import Shape
 from aftdeck.units import Angle, AngularRate, Length, Mass, Speed, Time
+from aftdeck.worksite.cargo_file import StartFile
 
 Stick = Annotated[float, msgspec.Meta(ge=-1.0, le=1.0)]
 Sticks = tuple[Stick, Stick, Stick]
@@ -17,6 +18,8 @@ SixAngles = tuple[Angle, Angle, Angle, Angle, Angle, Angle]
 Point = tuple[Length, Length, Length]
 Row = tuple[float, float, float]
 Rate = Literal["coarse", "vernier"]
+Until = Literal["captured", "released", "latched", "unlatched"]
+"""What a phase may wait for: a payload in the grasp, or none any more; it is fixed in its seat, or no more."""
 
 
 class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -24,12 +27,16 @@ class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class PoseSpec(_Part, frozen=True):
-    """A pose of the tip, in one of three ways.
+    """A pose of the tip, by joint angles or by place and orientation.
 
     By `joints`: the pose that those angles give. Or by `position` in a `frame`, with an orientation by `roll`,
     `pitch`, `yaw` (in the orbiter and in L: ENDORI's roll, elevation, azimuth of frame 7; in panel: the end
     effector's attitude, pitch, yaw, roll in that order) or by a `matrix` whose columns are the axes (the
     report's S1 = 0). In the panel frame X = -Xo, Y = Yo, Z = -Zo.
+
+    A phase's target may also be given by what is there as the phase begins: by `cargo`, where the hand takes that
+    payload, or by `seat`, where what the hand then holds is in its place in that seat; both `above` it by so much: back
+    along the hand, up out of the bay, out from the port.
     """
 
     joints: SixAngles | None = None
@@ -39,15 +46,54 @@ class PoseSpec(_Part, frozen=True):
     pitch: Angle | None = None
     yaw: Angle | None = None
     matrix: tuple[Row, Row, Row] | None = None
+    cargo: Text | None = None
+    seat: Text | None = None
+    above: Length | None = None
+
+
+class GraspSpec(_Part, frozen=True):
+    """A payload of the worksite held at the start: which, and how the arm stood when it took it in its place."""
+
+    cargo: Text
+    joints: SixAngles
+    stand: Length | None = None
 
 
 class Initial(_Part, frozen=True):
-    """How the arm starts (RMSIST): joint angles and rates, or a pose, reached by the branch nearest to `near`."""
+    """How the arm starts (RMSIST): joint angles and rates, or a pose, reached by the branch nearest to `near`.
+
+    `stand` is the length of the telescope; a payload that is `grasped` hangs on the end effector.
+    """
 
     joints: SixAngles | None = None
     rates: SixRates | None = None
     pose: PoseSpec | None = None
     near: SixAngles | None = None
+    stand: Length | None = None
+    grasped: GraspSpec | None = None
+
+
+class CargoSpec(_Part, frozen=True):
+    """A payload of the worksite that is there: where its own table says, or at a place or with a motion given here."""
+
+    name: Text
+    start: StartFile | None = None
+    mass: Mass | None = None
+
+
+class InitialiseSpec(_Part, frozen=True):
+    """Where the parts of the report's problem begin anew (its input 2)."""
+
+    acquisition: Initial | None = None
+    extraction: Initial | None = None
+    manoeuvring: Initial | None = None
+
+
+class ClearanceSpec(_Part, frozen=True):
+    """Clearances under which the page cautions and warns."""
+
+    caution: Length = Length(0.6)
+    warning: Length = Length(0.15)
 
 
 class PorOverride(_Part, frozen=True):
@@ -98,7 +144,11 @@ class Phase(_Part, frozen=True):
     points); they end on arrival, a sequence at its last point, with PROCEED given at every pause; `duration` is
     then the longest time allowed.
     Manual modes take stick positions and end after `duration`. SINGLE takes a `joint` and either `drive` with
-    a `duration`, or `joint_at`, the angle to bring the joint to.
+    a `duration`, or `joint_at`, the angle to bring the joint to. MASTER takes the `master` arm's angles and ends when
+    the arm has followed.
+
+    In every mode a phase may put the `effector` switch, press `latch`, bring the telescope to `stand_at`, translate the
+    `orbiter`, and wait `until` something has come about; `duration` is then the longest time allowed.
     """
 
     mode: int | Text
@@ -112,6 +162,12 @@ class Phase(_Part, frozen=True):
     target: PoseSpec | None = None
     law: Literal["position", "closed loop", "open loop"] | None = None
     payload_axes: bool | None = None
+    master: SixAngles | None = None
+    effector: Literal["stop", "close", "open"] | None = None
+    latch: Literal["latch", "unlatch"] | None = None
+    stand_at: Length | None = None
+    orbiter: Sticks = (0.0, 0.0, 0.0)
+    until: Until | None = None
     duration: Time | None = None
 
 
@@ -155,4 +211,8 @@ class ScenarioFile(_Part, frozen=True):
     limits: LimitsOverride = LimitsOverride()
     sequence: tuple[SequenceSpec, ...] = ()
     payload: PayloadSpec | None = None
+    cargo: tuple[CargoSpec, ...] = ()
+    docking: Literal["all axes", "y axis"] = "all axes"
+    initialise: InitialiseSpec = InitialiseSpec()
+    clearance: ClearanceSpec = ClearanceSpec()
     phase: tuple[Phase, ...] = ()

@@ -30,6 +30,17 @@ class Target(msgspec.Struct, frozen=True):
         return Pose(np.array(self.position), np.array(self.rotation))
 
 
+class Place(msgspec.Struct, frozen=True):
+    """A target that is found when it is flown to: the hand at a payload, or the held payload at a seat."""
+
+    cargo: int | None
+    """Where the hand takes this payload of the scenario; None: it is a place at a seat."""
+    seat: str
+    """Where what is held is in its place in this seat; empty: it is a place at a payload."""
+    above: float
+    """How far short of it: back along the hand, up out of the bay, out from the port [m]."""
+
+
 def target_at(pose: Pose, joints: Six | None = None) -> Target:
     """The target at a pose in L."""
     x, y, z = pose.position.tolist()

@@ -1,4 +1,4 @@
-"""Everything that is drawn: the worksite's bodies, the arm's, and the payload."""
+"""Everything that is drawn: the worksite's bodies, the arm's, the payload, and the worksite's payloads."""
 
 from __future__ import annotations
 
@@ -11,16 +11,10 @@ PAYLOAD = "payload"
 
 
 def bodies_of(scenario: Scenario) -> tuple[Body, ...]:
-    """The bodies of a scenario: those of the worksite, which stand still, the arm's from its foot on, the payload.
-
-    An arm without a file of shapes has its frames' bodies too, with nothing to draw.
-    """
-    model = scenario.arm.model
+    """The bodies of a scenario: of the worksite, of the arm from its foot on, the payload, the worksite's payloads."""
     bodies = list(scenario.worksite.bodies)
-    if model.shapes is None:
-        bodies += [Body(name, ()) for name in model.linkage.frames]
-    else:
-        bodies += [Body(name, shapes) for name, shapes in shapes_of(model.shapes, model.linkage.frames).bodies.items()]
+    bodies += [Body(name, shapes) for name, shapes in shapes_of(scenario.arm.model).bodies.items()]
     if scenario.payload is not None:
         bodies.append(Body(PAYLOAD, scenario.payload.shapes))
+    bodies += [Body(one.name, one.shapes) for one in scenario.cargo]
     return tuple(bodies)

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from aftdeck.frames import Pose, endori
-from aftdeck.shapes import Box, Cylinder, Group, Light, Loft, Plate, Ring, Shape, Shell, Sphere, Vec3
+from aftdeck.shapes import Box, Cylinder, Group, Hexahedron, Light, Loft, Plate, Ring, Shape, Shell, Sphere, Vec3
 
-Leaf = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Light
+Leaf = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light
 """A shape that is no group."""
 
 _HERE = Pose(np.zeros(3), np.eye(3))

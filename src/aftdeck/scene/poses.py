@@ -8,10 +8,14 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.arms.geometry import Axes
+from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
-from aftdeck.frames import SCENE_FROM_PANEL_AXES, SCENE_ORIGIN, quaternion
-from aftdeck.law import law, sincos
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.frames import SCENE_FROM_PANEL_AXES, SCENE_ORIGIN
+from aftdeck.kinematics.frames import frames_of, place_frames
+from aftdeck.kinematics.linkage import L1
+from aftdeck.law import law
+from aftdeck.plant.effector import prong_of
 
 Array = NDArray[np.float64]
 Seven = tuple[float, float, float, float, float, float, float]
@@ -19,60 +23,94 @@ Seven = tuple[float, float, float, float, float, float, float]
 
 
 class ArmPoses:
-    """Poses of an arm's base and of its six moving frames, in the scene.
+    """Poses of all frames of an arm in the scene, in the order of `ArmModel.frames`.
 
     At zero angles every frame is parallel to L. Each stands at its own joint's centre, the wrist roll's at that of
-    the joint before it.
+    the joint before it; the telescope's tube stands at the shoulder's height, the prong at its inner face.
+
+    Args:
+        model: the arm.
+        origin: (3,) the scene's origin in structural coordinates Xo, Yo, Zo [m].
     """
 
-    def __init__(self, model: ArmModel) -> None:
-        self._steps, self._axes = model.linkage.steps, model.linkage.axes
-        self._base = np.empty(7)
-        self._base[:3] = point_in_scene(model.mount.origin)
-        self._base[3:] = quaternion(SCENE_FROM_PANEL_AXES @ model.mount.rotation)
-        self._poses = np.empty((7, 7))
+    def __init__(self, model: ArmModel, origin: Array = SCENE_ORIGIN) -> None:
+        self._frames, self._axes = frames_of(model), model.linkage.axes
+        self._stand = float(model.links[L1])
+        self._prong = prong_of(model.source).position if isinstance(model.source, HeadingArmFile) else 0.0
+        turn = SCENE_FROM_PANEL_AXES @ model.mount.rotation
+        self._base = np.concatenate([point_in_scene(model.mount.origin, origin), turn.ravel()])
+        self._rows = self._frames.rows()
+        self._poses = np.empty((len(self._rows), 7))
 
-    def at(self, angles: Array) -> list[float]:
-        """Seven numbers a frame (x, y, z [m], w, x, y, z), base first, at joint angles (6,) [rad]."""
-        chain(self._base, self._steps, self._axes, angles, self._poses)
+    def at(self, angles: Array, stand: float | None = None, prong: float | None = None) -> list[float]:
+        """Seven numbers a frame (x, y, z [m], w, x, y, z).
+
+        Args:
+            angles: (6,) joint angles [rad].
+            stand: height of the shoulder above L's origin [m]; None: as the arm was loaded.
+            prong: y2 of the prong's inner face [m]; None: open.
+        """
+        place_frames(self._frames.joints, angles, *self._besides(stand, prong), self._rows)
+        sevens(self._base, self._rows, self._poses)
         flat: list[float] = self._poses.ravel().tolist()
         return flat
 
-    def links(self, angles: Sequence[float]) -> list[Seven]:
-        """Each moving frame in the one before it, at joint angles [rad]: what `at` adds up."""
-        links = []
-        for (x, y, z), axis, angle in zip(self._steps.tolist(), self._axes, angles, strict=True):
+    def links(
+        self, angles: Sequence[float], stand: float | None = None, prong: float | None = None
+    ) -> list[tuple[str, str, Seven]]:
+        """What `at` adds up: each moving frame's name, after that of the frame that it hangs on, and its pose in it."""
+        height, opening = self._besides(stand, prong)
+        names, links = self._frames.names, []
+        for k, ((x, y, z, _), axis, angle) in enumerate(
+            zip(self._frames.joints.tolist(), self._axes, angles, strict=True)
+        ):
             turn = [math.cos(0.5 * angle), 0.0, 0.0, 0.0]
             turn[axis] = math.sin(0.5 * angle)
-            links.append((x, y, z, turn[0], turn[1], turn[2], turn[3]))
+            down = -height if k == 1 else z
+            links.append((names[k], names[k + 1], (x, y, down, turn[0], turn[1], turn[2], turn[3])))
+        if STAND in names:
+            links.append((names[0], STAND, (0.0, 0.0, -height, 1.0, 0.0, 0.0, 0.0)))
+            links.append((names[6], PRONG, (0.0, opening, 0.0, 1.0, 0.0, 0.0, 0.0)))
         return links
 
+    def _besides(self, stand: float | None, prong: float | None) -> tuple[float, float]:
+        """Where the stand and the prong are [m]."""
+        return self._stand if stand is None else stand, self._prong if prong is None else prong
 
-def point_in_scene(panel: Array) -> Array:
-    """A point (3,) given in panel coordinates [m], in the scene."""
-    return np.asarray(SCENE_FROM_PANEL_AXES @ panel - SCENE_ORIGIN)
+
+def point_in_scene(panel: Array, origin: Array = SCENE_ORIGIN) -> Array:
+    """A point (3,) given in panel coordinates [m], in a scene with this origin in structural coordinates [m]."""
+    return np.asarray(SCENE_FROM_PANEL_AXES @ panel - origin)
 
 
 @law
-def chain(base: Array, steps: Array, axes: Axes, angles: Array, poses: Array) -> None:
-    """Carry a base pose (7,) along six joints: steps (6, 3) [m], axes and angles (6,) [rad] -> poses (7, 7)."""
-    x, y, z = base[0], base[1], base[2]
-    a, b, c, d = base[3], base[4], base[5], base[6]
-    for i in range(7):
-        poses[i, 0], poses[i, 1], poses[i, 2] = x, y, z
-        poses[i, 3], poses[i, 4], poses[i, 5], poses[i, 6] = a, b, c, d
-        if i == 6:
-            return
-        u, v, w = steps[i, 0], steps[i, 1], steps[i, 2]
-        tx, ty, tz = 2.0 * (c * w - d * v), 2.0 * (d * u - b * w), 2.0 * (b * v - c * u)
-        x += u + a * tx + c * tz - d * ty
-        y += v + a * ty + d * tx - b * tz
-        z += w + a * tz + b * ty - c * tx
-        s, k = sincos(0.5 * angles[i])
-        axis = axes[i]
-        if axis == 1:
-            a, b, c, d = a * k - b * s, b * k + a * s, c * k + d * s, d * k - c * s
-        elif axis == 2:
-            a, b, c, d = a * k - c * s, b * k - d * s, c * k + a * s, d * k + b * s
+def sevens(base: Array, rows: Array, poses: Array) -> None:
+    """Poses given by rows (n, 12) in a frame, as poses (n, 7) where that frame has the row `base` (12,).
+
+    Unit quaternions, w >= 0, their largest component taken first, as `frames.quaternion`.
+    """
+    m = np.empty((3, 3))
+    for n in range(rows.shape[0]):
+        row, pose = rows[n], poses[n]
+        for i in range(3):
+            a, b, c = base[3 + 3 * i], base[4 + 3 * i], base[5 + 3 * i]
+            pose[i] = base[i] + a * row[0] + b * row[1] + c * row[2]
+            for j in range(3):
+                m[i, j] = a * row[3 + j] + b * row[6 + j] + c * row[9 + j]
+        w = 1.0 + m[0, 0] + m[1, 1] + m[2, 2]
+        x = 1.0 + m[0, 0] - m[1, 1] - m[2, 2]
+        y = 1.0 - m[0, 0] + m[1, 1] - m[2, 2]
+        z = 1.0 - m[0, 0] - m[1, 1] + m[2, 2]
+        wx, wy, wz = m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]
+        xy, xz, yz = m[0, 1] + m[1, 0], m[0, 2] + m[2, 0], m[1, 2] + m[2, 1]
+        most = max(w, x, y, z)
+        if w == most:
+            x, y, z = wx, wy, wz
+        elif x == most:
+            w, y, z = wx, xy, xz
+        elif y == most:
+            w, x, z = wy, xy, yz
         else:
-            a, b, c, d = a * k - d * s, b * k + c * s, c * k - b * s, d * k + a * s
+            w, x, y = wz, xz, yz
+        k = (0.5 if w >= 0.0 else -0.5) / math.sqrt(most)
+        pose[3], pose[4], pose[5], pose[6] = k * w, k * x, k * y, k * z

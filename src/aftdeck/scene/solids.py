@@ -7,13 +7,16 @@ from itertools import product
 from typing import assert_never
 
 import numpy as np
+from numpy.typing import NDArray
 
 from aftdeck.scene.loft import loft
 from aftdeck.scene.mesh import Mesh, mesh
 from aftdeck.scene.placed import Leaf
 from aftdeck.scene.plate import plate
 from aftdeck.scene.revolve import revolve
-from aftdeck.shapes import Box, Cylinder, Light, Loft, Plate, Ring, Shell, Sphere, Vec2
+from aftdeck.shapes import Box, Cylinder, Hexahedron, Light, Loft, Plate, Ring, Shell, Sphere, Vec2
+
+Array = NDArray[np.float64]
 
 SIDES = 16
 """Of a round body, unless more are asked for."""
@@ -21,6 +24,8 @@ LARGE = 1.0
 """From this radius on [m] a round body has twice as many."""
 FEWEST_PIECES = 4
 """Of a part of a turn."""
+_RIMS = ((0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3))
+"""A hexahedron's faces a to f, each by the vertices round it, from zero, counter-clockwise as seen from outside."""
 
 
 def solid(shape: Leaf, sides: int = SIDES) -> Mesh:
@@ -53,6 +58,8 @@ def solid(shape: Leaf, sides: int = SIDES) -> Mesh:
             return plate(shape)
         case Loft():
             return loft(shape, 2 * sides)
+        case Hexahedron():
+            return _faced(np.array(shape.vertices))
         case Light():
             return revolve([(0.0, shape.radius), (0.0, 0.0)], "x", _round(shape.radius, sides))
         case _:
@@ -60,9 +67,13 @@ def solid(shape: Leaf, sides: int = SIDES) -> Mesh:
 
 
 def _box(shape: Box) -> Mesh:
-    corners = np.array(list(product((-0.5, 0.5), repeat=3))) * shape.size
-    quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
-    return mesh(corners, [face for a, b, c, d in quads for face in ((a, b, c), (a, c, d))])
+    y, x, z = np.array(list(product((-0.5, 0.5), repeat=3))).T
+    return _faced(np.column_stack([x, y, z]) * shape.size)
+
+
+def _faced(vertices: Array) -> Mesh:
+    """A hexahedron's faces a to f as two triangles each."""
+    return mesh(vertices, [face for a, b, c, d in _RIMS for face in ((a, b, c), (a, c, d))])
 
 
 def _shell(shape: Shell, sides: int) -> Mesh:

@@ -7,10 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.state import State
-from aftdeck.steering.rules import Rate, rules_of
+from aftdeck.simulation.site import Site, site_of
 
 Array = NDArray[np.float64]
 Pair = tuple[float, float]
@@ -22,12 +20,12 @@ class Flight:
 
     Attributes:
         scenario: what is flown.
-        rules: the steering's rules by panel position and rate setting.
+        site: the worksite.
         reach: joint limits as plain pairs [rad], as `soft` and `hard`, for the zones.
     """
 
     scenario: Scenario
-    rules: dict[tuple[str, Rate], Array]
+    site: Site
     reach: tuple[Pair, ...]
     soft: tuple[Pair, ...]
     hard: tuple[Pair, ...]
@@ -41,25 +39,5 @@ def prepare(scenario: Scenario) -> Flight:
         return tuple((float(low), float(high)) for low, high in limits)
 
     return Flight(
-        scenario,
-        rules_of(
-            model,
-            scenario.por,
-            scenario.control_period,
-            scenario.payload,
-            strict=scenario.strict,
-            as_flown=scenario.as_flown,
-            near=scenario.near,
-            near_turn=scenario.near_turn,
-        ),
-        pairs(model.limits.reach),
-        pairs(model.limits.soft),
-        pairs(model.limits.hard),
+        scenario, site_of(scenario), pairs(model.limits.reach), pairs(model.limits.soft), pairs(model.limits.hard)
     )
-
-
-def first_state(scenario: Scenario) -> State:
-    """The state at the scenario's first instant."""
-    seen = np.empty(OBSERVED)
-    observe(scenario.arm.model.links, scenario.initial_angles, scenario.initial_rates, seen)
-    return State(scenario, seen[12:18])

@@ -6,6 +6,8 @@ from typing import Literal
 
 import msgspec
 
+from aftdeck.worksite.report import Work
+
 Vec3 = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]
 Level = Literal["info", "caution", "warning"]
@@ -157,5 +159,7 @@ class Frame(msgspec.Struct, frozen=True):
     ways_out: tuple[WayOut, ...]
     """For each singularity that is near and each joint past a limit: what leads away from it."""
     goal: Goal | None
+    work: Work
+    """Contacts, captures, and where the worksite's things are."""
     events: tuple[Event, ...]
     """What happened in this step."""

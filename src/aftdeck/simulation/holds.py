@@ -49,7 +49,7 @@ def hold_position(flight: Flight, state: State, moving: bool) -> None:
         panel.holding = None
         return
     if panel.holding is None and np.abs(state.steering[TWIST : TWIST + 6]).max() < AT_REST:
-        tip = flight.scenario.arm.forward(state.plant.angles)
+        tip = state.arm.forward(state.plant.angles)
         panel.holding = target_at(tip)
         state.command[TARGET : TARGET + 3] = tip.position
         state.command[TARGET + 3 : TARGET + 12] = tip.rotation.ravel()

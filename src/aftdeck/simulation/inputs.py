@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Literal
 
 import msgspec
@@ -13,7 +14,9 @@ from aftdeck.scenario.target import Target
 from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
 
 Vec3 = tuple[float, float, float]
+Six = tuple[float, float, float, float, float, float]
 
+JOINTS = 6
 AGREED, AGREED_TURN = 1e-3, math.radians(0.01)
 """How far a target's joint angles may put the tip from its pose [m], [rad]: what angles rounded to a thousandth of a
 degree may do (assumed)."""
@@ -50,6 +53,22 @@ class Inputs(msgspec.Struct, frozen=True):
     """AUTO SEQ switch to PROCEED, in this step."""
     stop: bool = False
     """AUTO SEQ switch to STOP, in this step."""
+    effector: Literal["stop", "close", "open"] | None = None
+    """End effector switch: the prong closes or opens; the snares capture or release."""
+    effector_mode: Literal["auto", "manual"] | None = None
+    """END EFFECTOR MODE of the snares: the whole sequence, or the snares alone."""
+    rigid: Literal["off", "rigid", "derigid"] | None = None
+    """END EFFECTOR MAN CONTR: the carriage alone, in manual."""
+    latch: Literal["latch", "unlatch"] | None = None
+    """Payload retention or docking port, pressed in this step: hold the payload in its seat, or let it go."""
+    telescope: float = 0.0
+    """The stand: +1 longer, -1 shorter."""
+    orbiter: Vec3 = (0.0, 0.0, 0.0)
+    """Translation of the orbiter along its own axes (forward, starboard, down), each in [-1, 1]."""
+    master: Six | None = None
+    """The master arm's six joint angles [rad], which MASTER follows; it stays where it is put."""
+    initialise: Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None = None
+    """Put arm and payload back to where a part of the problem begins, in this step."""
 
     def check(self, arm: Arm) -> None:
         """Refuse what no hand controller can give.
@@ -58,14 +77,15 @@ class Inputs(msgspec.Struct, frozen=True):
             InputError: a stick outside [-1, 1] or not finite, a joint that does not exist, a target that is
                 no pose, or whose joint angles put the tip of `arm` elsewhere.
         """
-        sticks = (*self.translation, *self.rotation, self.drive)
-        if (len(self.translation), len(self.rotation)) != (3, 3) or not all(
+        sticks = (*self.translation, *self.rotation, self.drive, self.telescope, *self.orbiter)
+        if (len(self.translation), len(self.rotation), len(self.orbiter)) != (3, 3, 3) or not all(
             math.isfinite(s) and -1.0 <= s <= 1.0 for s in sticks
         ):
             raise InputError(
                 f"sticks lie in [-1, 1], got translation {self.translation}, rotation {self.rotation}, "
-                f"drive {self.drive}"
+                f"drive {self.drive}, telescope {self.telescope}, orbiter {self.orbiter}"
             )
+        _check_master(self.master)
         if self.joint is not None and self.joint not in range(6):
             raise InputError(f"joints are numbered 0 to 5, got {self.joint}")
         if self.rate not in (None, "coarse", "vernier"):
@@ -74,6 +94,12 @@ class Inputs(msgspec.Struct, frozen=True):
             raise InputError(f"the law is one of {', '.join(AUTOMATIC_LAWS)}, got {self.law!r}")
         if self.target is not None:
             _check_target(arm, self.target)
+
+
+def _check_master(master: Sequence[float] | None) -> None:
+    """Refuse a master arm that is none."""
+    if master is not None and (len(master) != JOINTS or not all(map(math.isfinite, master))):
+        raise InputError(f"a master arm has six finite joint angles, got {master}")
 
 
 def _check_target(arm: Arm, target: Target) -> None:

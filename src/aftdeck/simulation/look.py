@@ -14,6 +14,7 @@ from aftdeck.simulation.acting import acting_limits
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Frame, Goal, Level, Six, Vec3
 from aftdeck.simulation.log import log, spoken
+from aftdeck.simulation.look_work import look_work
 from aftdeck.simulation.panel import law_of
 from aftdeck.simulation.state import State
 from aftdeck.simulation.ways_out import ways_out
@@ -38,13 +39,14 @@ def look(flight: Flight, state: State, by_script: bool, phase: str) -> Frame:
     """The frame after the step just made, with its log lines; `state.events` is taken up in it."""
     scenario, panel = flight.scenario, state.panel
     seen_array = np.empty(OBSERVED)
-    observe(scenario.arm.model.links, state.plant.angles, state.plant.rates, seen_array)
+    observe(state.arm.model.links, state.plant.angles, state.plant.rates, seen_array)
+    seen_array[17] -= state.plant.stand.velocity  # the whole arm rides on its stand, which lengthens against axis 3
     seen = seen_array.tolist()
     angles = state.plant.angles.tolist()
     zones = _zones(flight, angles)
     singular = tuple(name for name, d in zip(NAMES, seen[18:], strict=True) if abs(d) < scenario.arm.model.singular)
     _tell_changes(flight, state, zones, singular, seen[18:])
-    rules = flight.rules[panel.mode, panel.rate]
+    rules = state.carried.rules[panel.mode, panel.rate]
     sticks, drive = state.sticks
     steering = state.steering.tolist()
     points = len(scenario.sequences.get(panel.mode, ()))
@@ -91,6 +93,7 @@ def look(flight: Flight, state: State, by_script: bool, phase: str) -> Frame:
         singular=singular,
         ways_out=ways_out(flight, state, zones, singular),
         goal=_goal(state, position, orientation),
+        work=look_work(flight, state),
         events=tuple(state.events),
     )
 
@@ -99,7 +102,7 @@ def _carried(
     flight: Flight, state: State, position: Vec3, orientation: Rows, tip_twist: list[float]
 ) -> tuple[Vec3, Six, tuple[Vec3, Rows] | None]:
     """The point of resolution, its twist, and the payload in the grasp, if any."""
-    held = flight.scenario.payload
+    held = state.carried.payload
     if held is None:
         return position, _six(tip_twist), None
     tip = Pose(np.array(position), np.array(orientation))

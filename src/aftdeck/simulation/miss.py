@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.frames import angle_between
+from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.flight import Flight
 
@@ -23,9 +24,16 @@ Assumed: what mode 3 may miss on the STS-400 move. Clear of the singularities it
 """
 
 
-def miss(flight: Flight, angles: NDArray[np.float64], target: Target) -> str:
-    """How far the tip at joint angles (6,) [rad] is beside a target, for people; empty where it is there."""
-    tip = flight.scenario.arm.forward(angles)
+def miss(flight: Flight, arm: Arm, angles: NDArray[np.float64], target: Target) -> str:
+    """How far the tip is beside a target, for people; empty where it is there.
+
+    Args:
+        flight: says what counts as there.
+        arm: as it stands.
+        angles: (6,) its joint angles [rad].
+        target: where the tip should be.
+    """
+    tip = arm.forward(angles)
     distance = math.dist(tip.position, target.position)
     angle = angle_between(tip.rotation.tolist(), target.rotation)
     if distance <= max(THERE, flight.scenario.near) and angle <= max(THERE_TURN, flight.scenario.near_turn):

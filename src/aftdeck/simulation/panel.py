@@ -14,7 +14,7 @@ from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.sequence import begin, finish, next_target
 from aftdeck.simulation.state import Panel, State
 from aftdeck.steering.course import may_start, set_off
-from aftdeck.steering.layout import DRIVE, GO, JOINT, LAW, STICKS
+from aftdeck.steering.layout import DRIVE, GO, JOINT, LAW, MASTER, STICKS
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
 
 
@@ -27,6 +27,8 @@ def operate(flight: Flight, state: State, inputs: Inputs) -> None:
     _set_switches(flight, state, inputs)
     if inputs.mode is not None and inputs.mode != panel.mode:
         _enter(flight, state, inputs.mode)
+    if inputs.master is not None:
+        state.command[MASTER : MASTER + 6] = inputs.master
     if inputs.target is not None:
         _key_in(flight, state, inputs.target)
     if inputs.stop:
@@ -41,7 +43,7 @@ def operate(flight: Flight, state: State, inputs: Inputs) -> None:
     if panel.sequence != "in progress":
         command[GO] = 0.0
     elif command[GO] == 0.0:
-        set_off(flight.rules[panel.mode, panel.rate], command, state.steering)
+        set_off(state.carried.rules[panel.mode, panel.rate], command, state.steering)
     hold_position(flight, state, any(sticks))
 
 
@@ -63,6 +65,13 @@ def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
         panel.payload_axes = inputs.payload_axes
         axes = "payload axes (mode 7)" if panel.payload_axes else "the orbiter's axes (mode 4)"
         log(flight, state, "payload axes", "info", f"ORB LD rotates in {axes}")
+    hand = state.site
+    if inputs.effector is not None:
+        hand.switch = inputs.effector
+    if inputs.effector_mode is not None:
+        hand.effector_mode = inputs.effector_mode
+    if inputs.rigid is not None:
+        hand.rigid = inputs.rigid
     if inputs.position_hold is not None:
         panel.position_hold, panel.holding = inputs.position_hold, None
     if inputs.law is not None and inputs.law != panel.law:
@@ -82,13 +91,15 @@ def _enter(flight: Flight, state: State, position: str) -> None:
     if mode is None:
         refuse(flight, state, f"no mode {position!r}: there are {', '.join(MODES)}")
         return
-    if mode.loaded and flight.scenario.payload is None:
+    if mode.loaded and state.carried.payload is None:
         refuse(flight, state, f"{position} refused: it moves a payload, and none is in the grasp")
         return
     if position.startswith("AUTO") and position not in flight.scenario.sequences:
         refuse(flight, state, f"{position} refused: no points are stored for it in this scenario")
         return
     panel = state.panel
+    if mode.kind == "master":  # the master is taken up where the arm is
+        state.command[MASTER : MASTER + 6] = state.plant.angles
     panel.mode, panel.held, panel.holding, panel.sequence, panel.point = position, None, None, "idle", 0
     log(flight, state, "mode", "info", f"{position} entered: {mode.title}")
     make_ready(flight, state)
@@ -143,6 +154,6 @@ def _proceed(flight: Flight, state: State) -> None:
             refuse(flight, state, f"PROCEED refused: CMD CK {panel.check.text}")
         else:
             begin(flight, state, panel.target)
-            at_once = may_start(flight.rules[panel.mode, panel.rate], state.command, state.steering)
+            at_once = may_start(state.carried.rules[panel.mode, panel.rate], state.command, state.steering)
             way = "flies to its target" if at_once else "comes to rest, then flies to its target"
             log(flight, state, "proceed", "info", f"PROCEED: the arm {way}")

@@ -13,12 +13,15 @@ import msgspec
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.flight import first_state, prepare
+from aftdeck.simulation.begin import first_state, resume
+from aftdeck.simulation.flight import prepare
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.look_work import all_near
 from aftdeck.simulation.state import Saved
 from aftdeck.simulation.step import step
 from aftdeck.simulation.summary import Summary, summarise
+from aftdeck.worksite.report import Near
 
 _encoder = msgspec.msgpack.Encoder()
 
@@ -46,7 +49,7 @@ class Simulation:
         self.seed = self.scenario.seed if seed is None else seed
         self.frame: Frame | None = None
         self._flight = prepare(self.scenario)
-        self._state = first_state(self.scenario)
+        self._state = first_state(self._flight)
         constants = f"{self.scenario.text}\n{self.scenario.arm.model.source}"
         self._digest = hashlib.sha256(constants.encode()).hexdigest()
 
@@ -67,12 +70,16 @@ class Simulation:
             SimulationError: the state is no longer finite.
         """
         if inputs is not None:
-            inputs.check(self.scenario.arm)
+            inputs.check(self._state.arm)
         frame = step(self._flight, self._state, inputs)
         if not math.isfinite(sum(frame.angles)):
             raise SimulationError(f"the arm's state is no longer finite at {frame.time_s:g} s: {frame.angles}")
         self.frame = frame
         return frame
+
+    def watched(self) -> tuple[Near, ...]:
+        """Every pair of parts that is watched now, nearest first: clearance, closest points, plane, closing speed."""
+        return all_near(self._flight, self._state)
 
     def save(self) -> SavedSimulation:
         """Everything that the next step depends on; plain values, msgspec encodes them."""
@@ -91,6 +98,7 @@ class Simulation:
             )
         self.seed = saved.seed
         self._state.restore(saved.state)
+        resume(self._flight, self._state)
         self.frame = None
 
 
@@ -124,7 +132,7 @@ def run(
     frames: list[Frame] = []
     events: list[Event] = []
     digest = hashlib.sha256()
-    worst = 0.0
+    worst, least = 0.0, math.inf
     while True:
         frame = sim.step()
         digest.update(_encoder.encode(frame))
@@ -134,10 +142,12 @@ def run(
             seen(frame)
         events += frame.events
         worst = max(worst, *(abs(r) / m for r, m in zip(frame.rates_commanded, frame.rate_limits, strict=True)))
+        if frame.work.nearest is not None:
+            least = min(least, frame.work.nearest.clearance)
         if progress is not None and frame.tick % 256 == 0:
             progress(frame.tick / sim.scenario.ticks)
         ended = sim.ended
         if ended:
             break
-    summary = summarise(sim.scenario, sim.seed, ended, frame, worst, tuple(events), digest.hexdigest())
+    summary = summarise(sim.scenario, sim.seed, ended, frame, worst, least, tuple(events), digest.hexdigest())
     return Run(sim.scenario, tuple(frames) if keep_frames else (frame,), tuple(events), summary)

@@ -7,14 +7,18 @@ modes, on arrival (ETA) in the automatic ones, and at its angle or time in SINGL
 from __future__ import annotations
 
 from aftdeck.scenario.model import PhasePlan
+from aftdeck.scenario.target import Place, Target
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log
+from aftdeck.simulation.places import found
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import ARRIVED, DT, RATE, RATE_UP, RATES
 from aftdeck.steering.limiters import braked
 from aftdeck.steering.mode import MODES
 
+AT_LENGTH = 1e-9
+"""How near to `stand_at` the stand has come when its phase ends [m]."""
 AT_ANGLE = 1e-9
 """How near to `joint_at` a joint has come when its phase ends [rad]."""
 
@@ -27,7 +31,11 @@ def play(flight: Flight, state: State) -> Inputs:
         if script.began < 0:
             script.began = state.tick
             log(flight, state, "phase", "info", f"phase {phase.name!r} begins")
-            return _opening(phase)
+            target = found(flight, state, phase.target) if isinstance(phase.target, Place) else phase.target
+            if isinstance(target, str):
+                _fail(flight, state, f"phase {phase.name!r} failed: {target}")
+                continue
+            return _opening(flight, state, phase, target)
         if _over(flight, state, phase, state.tick):
             script.phase, script.began = script.phase + 1, -1
             continue
@@ -57,7 +65,7 @@ def phase_name(flight: Flight, state: State) -> str:
     return phases[min(state.script.phase, len(phases) - 1)].name if phases else ""
 
 
-def _opening(phase: PhasePlan) -> Inputs:
+def _opening(flight: Flight, state: State, phase: PhasePlan, target: Target | None) -> Inputs:
     """Switches are set at the first step of a phase, and its sticks move from then on."""
     return Inputs(
         mode=phase.mode,
@@ -65,24 +73,44 @@ def _opening(phase: PhasePlan) -> Inputs:
         rate=phase.rate,
         law=phase.law,
         payload_axes=phase.payload_axes,
-        target=phase.target,
+        target=target,
         proceed=MODES[phase.mode].kind == "automatic",
         translation=phase.translation,
         rotation=phase.rotation,
         drive=phase.drive,
+        master=phase.master,
+        effector=phase.effector,
+        latch=phase.latch,
+        telescope=_telescope(flight, state, phase),
+        orbiter=phase.orbiter,
     )
 
 
 def _continuing(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
     if state.panel.sequence == "ready" and _waiting(flight, state):
         return Inputs(proceed=True)
+    telescope = _telescope(flight, state, phase)
     if phase.joint_at is None:
-        return Inputs(translation=phase.translation, rotation=phase.rotation, drive=phase.drive)
-    rules = flight.rules[phase.mode, phase.rate]
+        return Inputs(
+            translation=phase.translation,
+            rotation=phase.rotation,
+            drive=phase.drive,
+            telescope=telescope,
+            orbiter=phase.orbiter,
+        )
+    rules = state.carried.rules[phase.mode, phase.rate]
     gap = phase.joint_at - float(state.plant.angles[phase.joint])
     rate = braked(abs(gap), float(rules[RATE_UP + phase.joint]), float(rules[DT]))
     drive = min(1.0, rate / float(rules[RATE + phase.joint]))
-    return Inputs(drive=drive if gap > 0.0 else -drive)
+    return Inputs(drive=drive if gap > 0.0 else -drive, telescope=telescope, orbiter=phase.orbiter)
+
+
+def _telescope(flight: Flight, state: State, phase: PhasePlan) -> float:
+    """How the telescope's switch is held to bring the stand where the phase wants it, in [-1, 1]."""
+    if phase.stand_at is None:
+        return 0.0
+    stand = state.plant.stand
+    return max(-1.0, min(1.0, (phase.stand_at - stand.position) / (stand.rate * flight.scenario.control_period)))
 
 
 def _waiting(flight: Flight, state: State) -> bool:
@@ -98,27 +126,50 @@ def _at_last_point(flight: Flight, state: State) -> bool:
 
 def _over(flight: Flight, state: State, phase: PhasePlan, tick: int) -> bool:
     """Whether a phase is over before a step; one that cannot end ends the script as a fault."""
-    panel = state.panel
     elapsed = (tick - state.script.began) * flight.scenario.control_period
     late = phase.duration is not None and elapsed >= phase.duration - 1e-9
-    match MODES[phase.mode].kind:
-        case "manual" | "test":
-            return late
-        case "single":
-            if phase.joint_at is None:
-                return late
-            if abs(phase.joint_at - state.plant.angles[phase.joint]) < AT_ANGLE:
-                return bool(abs(state.steering[RATES + phase.joint]) < AT_ANGLE / flight.scenario.control_period)
-        case "automatic":
-            if panel.sequence == "idle" and (panel.check is None or panel.check.good):
-                return True
-            if panel.sequence == "in progress" and state.report[ARRIVED] and _at_last_point(flight, state):
-                return True
-            if panel.sequence == "idle" or (panel.sequence == "ready" and not _waiting(flight, state)):
-                _fail(flight, state, f"phase {phase.name!r} failed: its motion was refused or given up")
+    if phase.until is not None or phase.stand_at is not None:
+        if _come_about(state, phase):
+            return True
+        if late:
+            _fail(flight, state, f"phase {phase.name!r} failed: not {_awaited(phase)} within its {phase.duration:g} s")
+        return False
+    if MODES[phase.mode].kind in ("manual", "test") or (MODES[phase.mode].kind == "single" and phase.joint_at is None):
+        return late
+    if _arrived(flight, state, phase):
+        return True
     if late:
         _fail(flight, state, f"phase {phase.name!r} failed: not done within its {phase.duration:g} s")
     return False
+
+
+def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
+    """Whether a phase that goes somewhere is there; one that was refused or given up ends the script as a fault."""
+    panel = state.panel
+    if MODES[phase.mode].kind == "master":
+        return bool(state.report[ARRIVED])
+    if phase.joint_at is not None:
+        there = abs(phase.joint_at - state.plant.angles[phase.joint]) < AT_ANGLE
+        return bool(there and abs(state.steering[RATES + phase.joint]) < AT_ANGLE / flight.scenario.control_period)
+    if panel.sequence == "idle" and (panel.check is None or panel.check.good):
+        return True
+    if panel.sequence == "in progress" and state.report[ARRIVED] and _at_last_point(flight, state):
+        return True
+    if panel.sequence == "idle" or (panel.sequence == "ready" and not _waiting(flight, state)):
+        _fail(flight, state, f"phase {phase.name!r} failed: its motion was refused or given up")
+    return False
+
+
+def _come_about(state: State, phase: PhasePlan) -> bool:
+    """Whether what a phase waits for is so."""
+    stands = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < AT_LENGTH
+    return stands and (phase.until is None or state.site.is_so(phase.until))
+
+
+def _awaited(phase: PhasePlan) -> str:
+    """What a phase waits for, in words."""
+    stand = f"the stand at {phase.stand_at:g} m" if phase.stand_at is not None else ""
+    return " and ".join(part for part in (phase.until or "", stand) if part)
 
 
 def _fail(flight: Flight, state: State, text: str) -> None:

@@ -26,7 +26,7 @@ def next_target(flight: Flight, panel: Panel) -> Target | None:
 
 def begin(flight: Flight, state: State, target: Target) -> None:
     """Set an automatic motion under way: it sets off with this step, or once the arm stands (`steering.course`)."""
-    set_course(flight, state, target, state.command)
+    set_course(state, target, state.command)
     state.panel.target, state.panel.sequence, state.panel.blocked = target, "in progress", 0
 
 
@@ -82,7 +82,7 @@ def _arrive(flight: Flight, state: State, passing: bool) -> None:
 def _tell_arrival(flight: Flight, state: State, name: str, passing: bool) -> None:
     """Log that a target is passed, reached or missed, and by how much."""
     target = state.panel.target
-    beside = "" if passing or target is None else miss(flight, state.plant.angles, target)
+    beside = "" if passing or target is None else miss(flight, state.arm, state.plant.angles, target)
     if beside:
         log(flight, state, "arrived", "caution", f"{name} missed: the motion ended {beside} it")
     else:

@@ -8,12 +8,18 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.kinematics.arm import Arm
+from aftdeck.kinematics.linkage import L1
 from aftdeck.plant.kinematic import KinematicPlant
+from aftdeck.plant.slide import stand_of
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import Target
+from aftdeck.simulation.carried import Carried
 from aftdeck.simulation.frame import Check, Event, Sequence, Six
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.steering.layout import COMMAND, DRIVE, RATES, REPORT, STATE, STICKS, TWIST
+from aftdeck.simulation.site import Site
+from aftdeck.simulation.things import SavedThings, Things
+from aftdeck.steering.layout import ANGLES, COMMAND, DRIVE, MASTER, REPORT, RISE, STATE, STICKS
 from aftdeck.steering.mode import LawChoice
 from aftdeck.steering.rules import Rate
 
@@ -71,15 +77,17 @@ class State:
         panel: switches.
         script: where the script stands.
         under_way: a person's inputs that the command delay holds back, oldest first.
+        carried: what the arm holds, and its rules with it.
         plant: what moves.
-        steering: (18,) measured angles, commanded rates, commanded twist.
+        site: the worksite.
+        steering: measured angles and rise, commanded rates, commanded twist.
         commanded: (6,) integral of the commanded rates from the initial angles [rad].
         command: what the steering laws are told in this step.
         report: what they said of it.
         events: of the step under way.
     """
 
-    def __init__(self, scenario: Scenario, first_twist: Array) -> None:
+    def __init__(self, scenario: Scenario, site: Site, carried: Carried) -> None:
         self.tick = 0
         self.panel = Panel(
             scenario.mode,
@@ -91,13 +99,14 @@ class State:
         )
         self.script = Script()
         self.under_way = [Inputs()] * scenario.delay
-        self.plant = KinematicPlant(scenario.initial_angles, scenario.initial_rates)
+        self.carried = carried
+        self.plant = KinematicPlant(scenario.initial_angles, scenario.initial_rates, stand_of(scenario.arm.model))
+        self._arm = scenario.arm
+        self.site = Things(scenario, site)
         self.steering = np.zeros(STATE)
-        self.steering[:6] = scenario.initial_angles
-        self.steering[RATES : RATES + 6] = scenario.initial_rates
-        self.steering[TWIST : TWIST + 6] = first_twist
         self.commanded = np.array(scenario.initial_angles)
         self.command = np.zeros(COMMAND)
+        self.command[MASTER : MASTER + 6] = scenario.initial_angles
         self.report = np.zeros(REPORT)
         self.events: list[Event] = []
 
@@ -109,6 +118,7 @@ class State:
             msgspec.structs.replace(self.script),
             tuple(self.under_way),
             self.plant.save(),
+            self.site.save(),
             self.steering.tolist(),
             self.commanded.tolist(),
             self.command.tolist(),
@@ -122,11 +132,24 @@ class State:
         self.script = msgspec.structs.replace(saved.script)
         self.under_way = list(saved.under_way)
         self.plant.restore(saved.plant)
+        self.site.restore(saved.site)
         self.steering[:] = saved.steering
         self.commanded[:] = saved.commanded
         self.command[:] = saved.command
         self.report[:] = saved.report
         self.events.clear()
+
+    def measure(self, scenario: Scenario) -> None:
+        """Take up where the arm is: what steering, plans and checks start from."""
+        self.steering[ANGLES : ANGLES + 6] = self.plant.angles
+        self.steering[RISE] = self.plant.stand.position - scenario.arm.model.links[L1]
+
+    @property
+    def arm(self) -> Arm:
+        """The arm as it stands: with its telescope at its present length."""
+        if self._arm.model.links[L1] != self.plant.stand.position:
+            self._arm = self._arm.at(stand=self.plant.stand.position)
+        return self._arm
 
     @property
     def sticks(self) -> tuple[list[float], float]:
@@ -142,6 +165,7 @@ class Saved(msgspec.Struct, frozen=True):
     script: Script
     under_way: tuple[Inputs, ...]
     plant: tuple[list[float], ...]
+    site: SavedThings
     steering: list[float]
     commanded: list[float]
     command: list[float]

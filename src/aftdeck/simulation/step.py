@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from aftdeck.simulation.begin import initialise
 from aftdeck.simulation.delay import delayed
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.look import look
 from aftdeck.simulation.panel import operate
+from aftdeck.simulation.restrain import restrain
 from aftdeck.simulation.script import conclude, phase_name, play
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import ANGLES, RATES
+from aftdeck.simulation.work import work
+from aftdeck.steering.layout import RATES
 from aftdeck.steering.msteer import msteer
 
 
@@ -29,7 +32,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Frame:
     state.events = []
 
     # where the arm is, as measured: what plans and checks start from
-    state.steering[ANGLES : ANGLES + 6] = state.plant.angles
+    state.measure(flight.scenario)
 
     # the operator: a person's inputs, after their way through the command delay, or the script's
     by_script = inputs is None
@@ -39,16 +42,22 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Frame:
         phase = phase_name(flight, state)
     else:
         inputs = delayed(state, inputs)
+    if inputs.initialise is not None:
+        initialise(flight, state, inputs.initialise)
     operate(flight, state, inputs)
 
     # steering says how fast each joint should go
-    msteer(flight.rules[state.panel.mode, state.panel.rate], state.command, state.steering, state.report)
+    msteer(state.carried.rules[state.panel.mode, state.panel.rate], state.command, state.steering, state.report)
     rates = state.steering[RATES : RATES + 6]
 
-    # the plant moves
+    # contacts, seats and walls say what of it may be flown
+    telescope = restrain(flight, state, inputs.telescope)
+
+    # the plant moves, and with it the worksite: what touches, is caught, held, let go
     period = flight.scenario.control_period
-    state.plant.move(rates, period)
+    state.plant.move(rates, period, telescope)
     state.commanded += rates * period
+    work(flight, state, inputs)
 
     # what a reader may know of it
     if by_script:

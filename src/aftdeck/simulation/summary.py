@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 import msgspec
@@ -45,13 +46,21 @@ class Summary(msgspec.Struct, frozen=True):
     worst_rate_ratio: float
     """Largest |commanded joint rate| / limit in force."""
     min_clearance_m: float | None
-    """None: this scenario watches no clearances."""
+    """Least clearance of all watched pairs that are not made to touch, negative where they overlapped; None: no pair
+    was watched."""
     events: tuple[SummaryEvent, ...]
     frames_sha256: str
 
 
 def summarise(
-    scenario: Scenario, seed: int, ended: Ended, frame: Frame, worst: float, events: tuple[Event, ...], digest: str
+    scenario: Scenario,
+    seed: int,
+    ended: Ended,
+    frame: Frame,
+    worst: float,
+    least: float,
+    events: tuple[Event, ...],
+    digest: str,
 ) -> Summary:
     """The summary of a run.
 
@@ -61,6 +70,7 @@ def summarise(
         ended: how it ended.
         frame: the last one.
         worst: largest |commanded joint rate| / limit in force.
+        least: least clearance of all frames [m]; inf: no pair was watched.
         events: all of them.
         digest: SHA-256 of all frames.
     """
@@ -78,7 +88,7 @@ def summarise(
         position_error_m=None if goal is None else goal.distance,
         rotation_error_rad=None if goal is None else goal.angle,
         worst_rate_ratio=worst,
-        min_clearance_m=None,
+        min_clearance_m=least if math.isfinite(least) else None,
         events=tuple(SummaryEvent(e.time_s, e.kind, e.text) for e in events),
         frames_sha256=digest,
     )

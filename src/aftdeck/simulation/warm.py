@@ -7,7 +7,8 @@ import contextlib
 from aftdeck.errors import AftdeckError
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
-from aftdeck.simulation.flight import first_state, prepare
+from aftdeck.simulation.begin import first_state
+from aftdeck.simulation.flight import prepare
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.step import step
 from aftdeck.simulation.ways_out import ways_out
@@ -17,7 +18,7 @@ from aftdeck.steering.mode import AUTOMATIC_LAWS
 def warm_up(scenario: Scenario) -> None:
     """Fly a scratch copy for a few steps, through everything that is compiled at its first use."""
     flight = prepare(scenario)
-    state = first_state(scenario)
+    state = first_state(flight)
     arm = scenario.arm
     here = target_at(arm.forward(scenario.initial_angles))
     step(flight, state, Inputs())

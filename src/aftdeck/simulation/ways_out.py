@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.kinematics.singular import NAMES
+from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.log import spoken
@@ -12,8 +13,11 @@ from aftdeck.simulation.panel import law_of
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import COMMAND, LAW
 from aftdeck.steering.mode import MODES
-from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
+from aftdeck.steering.way_out import DIRECTIONS, joint_out, stick_rates, way_out
+from aftdeck.worksite.restrain import ways_out as ways_out_of
 
+LOOK_EVERY = 10
+"""Steps between two searches for the way out of a contact."""
 LEAST = 1e-3
 """A stick that takes the arm away more slowly than this [1/s] or [rad/s] is no way out."""
 NEARLY = 0.6
@@ -34,16 +38,37 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
 
 def _tried(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
     """How fast each stick direction of the present mode (ORB UNL where it takes no sticks) leads away."""
+    rules, command, steering = _steering(state)
+    tried = np.zeros(DIRECTIONS)
+    way_out(rules, command, steering, singularity, joint, inward, tried)
+    return tried
+
+
+def _steering(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Rules, command and state for trying the sticks in the present mode, ORB UNL where it takes none."""
     panel = state.panel
     manual = MODES[panel.mode].kind == "manual"
     command = np.zeros(COMMAND)
     command[LAW] = law_of(panel) if manual else 4
-    rules = flight.rules[panel.mode if manual else "ORB UNL", panel.rate]
     steering = state.steering.copy()
     steering[:6] = state.plant.angles
-    tried = np.zeros(DIRECTIONS)
-    way_out(rules, command, steering, singularity, joint, inward, tried)
-    return tried
+    return state.carried.rules[panel.mode if manual else "ORB UNL", panel.rate], command, steering
+
+
+def way_out_of_contact(flight: Flight, state: State) -> str:
+    """The stick that takes the arm out of what it touches fastest, in words; empty where none does.
+
+    Looked for now and then, and told for as long as it is so.
+    """
+    things = state.site
+    if things.advice and state.tick % LOOK_EVERY:
+        return things.advice
+    rates = np.zeros((DIRECTIONS, 6))
+    stick_rates(*_steering(state), rates)
+    afters = np.array([frames_after(flight, state, one, 0.0) for one in rates])
+    out = ways_out_of(things.watch, things.contacts.arm & (1 - things.contacts.essential), afters)
+    best = int(out.argmax())
+    return f"way out: {_STICKS[best]}" if out[best] > 0.0 else ""
 
 
 def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:

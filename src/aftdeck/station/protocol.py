@@ -27,6 +27,8 @@ Quat = tuple[float, float, float, float]
 Rate = Literal["coarse", "vernier"]
 LawChoice = Literal["position", "closed loop", "open loop"]
 Level = Literal["info", "caution", "warning"]
+EffectorSwitch = Literal["stop", "close", "open"]
+ProblemPart = Literal["full problem", "acquisition", "extraction", "manoeuvring"]
 Seq = Annotated[int, msgspec.Meta(ge=0, le=2**53 - 1)]
 """Number of a page's message: a whole number that JavaScript carries exactly."""
 
@@ -59,6 +61,10 @@ class Sticks(_Message, frozen=True, tag="sticks"):
     """RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame."""
     drive: float
     """SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT)."""
+    telescope: float = 0.0
+    """The stand: + longer, - shorter, in [-1, 1]."""
+    orbiter: Vec3 = (0.0, 0.0, 0.0)
+    """Translation of the orbiter: forward, starboard, down, each in [-1, 1]."""
 
 
 class EnterMode(_Message, frozen=True, tag="enter_mode"):
@@ -133,6 +139,49 @@ class Stop(_Message, frozen=True, tag="stop"):
     seq: Seq
 
 
+class SetEffector(_Message, frozen=True, tag="effector"):
+    """Put the end effector's switch: the prong closes or opens; the snares capture or release."""
+
+    seq: Seq
+    switch: EffectorSwitch
+
+
+class SetEffectorMode(_Message, frozen=True, tag="effector_mode"):
+    """END EFFECTOR MODE of the snares: the whole sequence, or the snares alone."""
+
+    seq: Seq
+    mode: Literal["auto", "manual"]
+
+
+class SetRigid(_Message, frozen=True, tag="rigid"):
+    """END EFFECTOR MAN CONTR: the carriage alone, in manual."""
+
+    seq: Seq
+    rigid: Literal["off", "rigid", "derigid"]
+
+
+class PressLatch(_Message, frozen=True, tag="latch"):
+    """Hold the payload in its seat (retention latches, docking port), or let it go."""
+
+    seq: Seq
+    latch: Literal["latch", "unlatch"]
+
+
+class SetMaster(_Message, frozen=True, tag="master"):
+    """Put the master arm, which MASTER follows."""
+
+    seq: Seq
+    angles: Six
+    """[rad]"""
+
+
+class Initialise(_Message, frozen=True, tag="initialise"):
+    """Put arm and payload back to where a part of the problem begins."""
+
+    seq: Seq
+    part: ProblemPart
+
+
 class Restart(_Message, frozen=True, tag="restart"):
     """Put the scenario back to its first instant."""
 
@@ -161,6 +210,12 @@ FromPage = (
     | Proceed
     | Stop
     | Restart
+    | SetEffector
+    | SetEffectorMode
+    | SetRigid
+    | PressLatch
+    | SetMaster
+    | Initialise
 )
 
 
@@ -188,10 +243,10 @@ class ModeInfo(msgspec.Struct, frozen=True):
     position: str
     """As printed on the panel: ``ORB UNL``."""
     laws: tuple[int, ...]
-    """The report's mode numbers that it can fly, the default first; 0 TEST, 9 DIRECT."""
+    """The report's mode numbers that it can fly, the default first; 0 TEST, 9 DIRECT, 10 MASTER."""
     title: str
     """What it flies, in a few words."""
-    kind: Literal["automatic", "manual", "single", "test"]
+    kind: Literal["automatic", "manual", "single", "test", "master"]
     point: str
     """The point that it moves: ``tip``, ``payload``."""
     enabled: bool
@@ -207,6 +262,35 @@ class BodyInfo(msgspec.Struct, frozen=True):
 
     name: str
     shapes: tuple[Shape, ...]
+
+
+class StandInfo(msgspec.Struct, frozen=True):
+    """The telescope that an arm stands on."""
+
+    least: float
+    """[m]"""
+    greatest: float
+    rate: float
+    """[m/s]"""
+
+
+class WorkInfo(msgspec.Struct, frozen=True):
+    """What can be done at this worksite."""
+
+    hand: Literal["prong", "snares"]
+    """Which kind of end effector the arm has."""
+    stand: StandInfo | None
+    """None: the arm stands on no telescope."""
+    cargo: tuple[str, ...]
+    """Names of the payloads; each has a body of that name."""
+    seats: tuple[str, ...]
+    """Where payloads can be fixed, for people."""
+    parts: tuple[ProblemPart, ...]
+    """The parts of the problem that can be begun anew."""
+    caution: float
+    """Clearance under which the page cautions [m]."""
+    warning: float
+    """Clearance under which the page warns [m]."""
 
 
 class Welcome(_Message, frozen=True, tag="welcome"):
@@ -228,6 +312,7 @@ class Welcome(_Message, frozen=True, tag="welcome"):
     modes: tuple[ModeInfo, ...]
     bodies: tuple[BodyInfo, ...]
     cameras: tuple[Camera, ...]
+    work: WorkInfo
     phases: tuple[str, ...] = ()
     """Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none."""
 
@@ -313,6 +398,95 @@ class Aim(msgspec.Struct, frozen=True):
     """Estimated time to go [s]; 0 when not under way."""
 
 
+class Near(msgspec.Struct, frozen=True):
+    """Two watched parts; points and directions in the scene."""
+
+    a: str
+    b: str
+    clearance: float
+    """[m], negative where they overlap."""
+    closing: float
+    """Speed at which the closest points approach [m/s]."""
+    point_a: Vec3
+    point_b: Vec3
+    plane: Vec3
+    """A point of the plane between them, halfway."""
+    normal: Vec3
+    """The plane's unit normal, from a to b; zero where they collide."""
+    essential: bool
+    """Made to touch: inhibits nothing."""
+
+
+class Condition(msgspec.Struct, frozen=True):
+    """A condition of a capture, a docking or a latching."""
+
+    name: str
+    holds: bool
+    value: float
+    """In `unit`: m, rad, m/s, or a number."""
+    limit: float
+    unit: str
+    margin: float
+    """By how much it holds, or fails where negative, in `unit`."""
+    text: str
+    """For people: ``palm 2.5 in above the bar: 0 to 0.75 in``."""
+
+
+class HandFrame(msgspec.Struct, frozen=True):
+    """The end effector."""
+
+    switch: EffectorSwitch
+    opening: float
+    """0 closed to 1 open: of the prong, or of the snares."""
+    spacing: float | None
+    """Prong to fixed finger [m]."""
+    carriage: float | None
+    """0 extended to 1 rigid."""
+    flags: tuple[str, ...]
+    """Lit: ``CAPTURE``, ``CLOSE``, ``RIGID``, ``EXTEND``, ``OPEN``, ``DERIGID``."""
+    mode: Literal["auto", "manual"]
+    """END EFFECTOR MODE of the snares."""
+    rigid: Literal["off", "rigid", "derigid"]
+    """END EFFECTOR MAN CONTR of the snares."""
+
+
+class CargoFrame(msgspec.Struct, frozen=True):
+    """A payload of the worksite; its pose is its body's."""
+
+    name: str
+    held: bool
+    seat: str
+    """Where it is fixed; empty: nowhere."""
+    speed: float
+    """Of its centre against the arm's base [m/s]."""
+
+
+class WorkFrame(msgspec.Struct, frozen=True):
+    """Contacts, captures and the worksite's things."""
+
+    task: int
+    """The report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked."""
+    nearest: Near | None
+    contacts: tuple[Near, ...]
+    arm_inhibit: bool
+    finger_inhibit: bool
+    inhibits: tuple[str, ...]
+    """Why the arm or the finger is inhibited, and what frees it."""
+    pursuit: str
+    """What the conditions are for: ``acquire payload``; empty: nothing is near."""
+    conditions: tuple[Condition, ...]
+    hand: HandFrame
+    stand: float | None
+    """Length of the telescope [m]."""
+    orbiter: Vec3
+    """How far the orbiter has moved: forward, starboard, down [m]."""
+    orbiter_velocity: Vec3
+    """[m/s]"""
+    cargo: tuple[CargoFrame, ...]
+    master: Six | None
+    """Where the master arm stands [rad]; null in other modes than MASTER."""
+
+
 class Frame(_Message, frozen=True, tag="frame"):
     """All that the page shows of one instant; newest wins, frames may be skipped."""
 
@@ -327,7 +501,7 @@ class Frame(_Message, frozen=True, tag="frame"):
     by: Literal["hand", "script"]
     mode: str
     law: int
-    """The report's mode number flown; 0 TEST, 9 DIRECT."""
+    """The report's mode number flown; 0 TEST, 9 DIRECT, 10 MASTER."""
     law_choice: LawChoice
     payload_axes: bool
     rate_hold: bool
@@ -366,6 +540,7 @@ class Frame(_Message, frozen=True, tag="frame"):
     """For each singularity that is near and each joint past a limit: what leads away from it."""
     lamps: tuple[Lamp, ...]
     aim: Aim | None
+    work: WorkFrame
     axes: Quat
     """The control frame's axes in the scene, for the frame axes in the pictures."""
     poses: tuple[float, ...]

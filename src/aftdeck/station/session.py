@@ -43,6 +43,21 @@ MOST_TURNED = 100.0
 """Greatest angle of a keyed-in attitude that is looked at [rad]."""
 HANDS_OFF = wire.Sticks(-1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
 
+_SWITCHES: dict[type, tuple[str, str]] = {
+    wire.EnterMode: ("mode", "mode"),
+    wire.SelectJoint: ("joint", "joint"),
+    wire.SelectLaw: ("law", "law"),
+    wire.SelectRate: ("rate", "rate"),
+    wire.PayloadAxes: ("payload_axes", "on"),
+    wire.PositionHold: ("position_hold", "on"),
+    wire.SetEffector: ("effector", "switch"),
+    wire.SetEffectorMode: ("effector_mode", "mode"),
+    wire.SetRigid: ("rigid", "rigid"),
+    wire.PressLatch: ("latch", "latch"),
+    wire.SetMaster: ("master", "angles"),
+    wire.Initialise: ("initialise", "part"),
+}
+"""Messages that put one switch: its name among the inputs, and the message's field that says where."""
 _encoder = msgspec.json.Encoder()
 
 
@@ -127,7 +142,7 @@ class Session:
         Raises:
             CommandError: a stick beyond its travel.
         """
-        if not all(-1.0 <= s <= 1.0 for s in (*sticks.translation, *sticks.rotation, sticks.drive)):
+        if not all(-1.0 <= s <= 1.0 for s in _travel(sticks)):
             raise CommandError("sticks lie between -1 and 1; this message was not flown")
         with self._lock:
             self._sticks, self._heard = sticks, time.monotonic()
@@ -208,7 +223,7 @@ class Session:
         if isinstance(message, wire.Restart):
             self._restart()
             message = None
-        moved = any(abs(s) > MOVED for s in (*sticks.translation, *sticks.rotation, sticks.drive))
+        moved = any(abs(s) > MOVED for s in _travel(sticks))
         if self._demo and (moved or message is not None or self._sim.ended):
             self._demo = False
             self._note("hand", "you have the sticks")
@@ -221,29 +236,28 @@ class Session:
         self._note_all(frame)
 
     def _inputs(self, sticks: wire.Sticks, message: wire.FromPage | None) -> Inputs:
-        inputs = Inputs(translation=sticks.translation, rotation=sticks.rotation, drive=sticks.drive)
+        inputs = Inputs(
+            translation=sticks.translation,
+            rotation=sticks.rotation,
+            drive=sticks.drive,
+            telescope=sticks.telescope,
+            orbiter=sticks.orbiter,
+        )
+        if message is None:
+            return inputs
+        if type(message) in _SWITCHES:
+            field, value = _SWITCHES[type(message)]
+            return msgspec.structs.replace(inputs, **{field: getattr(message, value)})
         match message:
-            case wire.EnterMode(mode=mode):
-                return msgspec.structs.replace(inputs, mode=mode)
-            case wire.SelectJoint(joint=joint):
-                return msgspec.structs.replace(inputs, joint=joint)
-            case wire.SelectLaw(law=law):
-                return msgspec.structs.replace(inputs, law=law)
-            case wire.PayloadAxes(on=on):
-                return msgspec.structs.replace(inputs, payload_axes=on)
             case wire.RateHold():
                 return msgspec.structs.replace(inputs, rate_hold=True)
-            case wire.PositionHold(on=on):
-                return msgspec.structs.replace(inputs, position_hold=on)
-            case wire.SelectRate(rate=rate):
-                return msgspec.structs.replace(inputs, rate=rate)
             case wire.SetTarget():
                 pose = self._translator.target(message)
                 return msgspec.structs.replace(inputs, target=target_at(pose))
             case wire.Proceed():
                 return msgspec.structs.replace(inputs, proceed=True)
             case wire.Stop():
-                return Inputs(stop=True)
+                return Inputs(stop=True, effector="stop")
             case _:
                 return inputs
 
@@ -264,3 +278,8 @@ class Session:
         if frame.events:
             with self._lock:
                 self._log.extend(frame.events)
+
+
+def _travel(sticks: wire.Sticks) -> tuple[float, ...]:
+    """Every stick and switch that springs back."""
+    return (*sticks.translation, *sticks.rotation, sticks.drive, sticks.telescope, *sticks.orbiter)

@@ -12,10 +12,11 @@ from aftdeck.bodies.cameras import Camera
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import bodies_of
-from aftdeck.scene.poses import ArmPoses, point_in_scene
+from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation import frame as sim
 from aftdeck.simulation.log import spoken
 from aftdeck.station import protocol as wire
+from aftdeck.station.wire_work import WorkTranslator, work_info
 from aftdeck.steering.mode import MODES, Mode
 from aftdeck.version import __version__
 
@@ -23,8 +24,6 @@ Array = NDArray[np.float64]
 
 END_EFFECTOR, PAYLOAD = 5, 6
 """The report's numbers of the modes whose axes move with the arm."""
-_STILL = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
-"""Pose of a body that stands in the scene's own frame."""
 
 
 class Translator:
@@ -35,14 +34,11 @@ class Translator:
         self._arm = scenario.arm
         self._mount = scenario.arm.model.mount
         self._hand = rotation_x(scenario.arm.model.end_effector_roll)
-        self._arm_poses = ArmPoses(scenario.arm.model)
+        self._poses = ScenePoses(scenario)
+        self._work = WorkTranslator(scenario)
         worksite = scenario.worksite
         bodies = tuple(wire.BodyInfo(body.name, body.shapes) for body in bodies_of(scenario))
-        self._still = [*_STILL] * len(worksite.bodies)
-        cameras = worksite.cameras
-        model = scenario.arm.model
-        if model.shapes is not None:
-            cameras += shapes_of(model.shapes, model.linkage.frames).cameras
+        cameras = worksite.cameras + shapes_of(scenario.arm.model).cameras
         phases = tuple(phase.name for phase in scenario.phases) if demo else ()
         self.welcome = self._welcome(bodies, cameras, phases)
 
@@ -79,6 +75,7 @@ class Translator:
             units=model.units,
             joints=joints,
             modes=modes,
+            work=work_info(scenario),
             bodies=bodies,
             cameras=cameras,
             phases=phases,
@@ -95,10 +92,6 @@ class Translator:
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         shown = self._commanded(frame, loaded)
-        poses = self._still + self._arm_poses.at(np.array(frame.angles))
-        if frame.payload is not None:
-            centre, axes = frame.payload
-            poses += self._in_scene(Pose(np.array(centre), np.array(axes)))
         return wire.Frame(
             tick=frame.tick,
             time_s=frame.time_s,
@@ -134,8 +127,9 @@ class Translator:
             ways_out=tuple(wire.WayOut(w.cause, w.text, w.stick, w.axis, w.sign) for w in frame.ways_out),
             lamps=self.lamps(frame),
             aim=self._aim(frame.goal),
+            work=self._work.frame(frame.work),
             axes=quaternion(SCENE_FROM_PANEL_AXES @ self._control_axes(frame.law, tip)),
-            poses=tuple(poses),
+            poses=tuple(self._poses.at(frame)),
         )
 
     def target(self, message: wire.SetTarget) -> Pose:
@@ -163,11 +157,6 @@ class Translator:
         if law == PAYLOAD and payload is not None:
             return np.asarray(self._mount.rotation @ tip.rotation @ payload.rotation)
         return np.eye(3)
-
-    def _in_scene(self, pose: Pose) -> list[float]:
-        """Seven numbers of a pose given in L: x, y, z [m], w, x, y, z."""
-        shown = self._mount.to("panel", pose)
-        return [*point_in_scene(shown.position).tolist(), *quaternion(SCENE_FROM_PANEL_AXES @ shown.rotation)]
 
     def _resolution(self, pose: Pose, twist: sim.Six) -> wire.Resolution:
         """A point with axes in L and its twist, panel components."""

@@ -23,7 +23,7 @@ SPEED_UP, TURN_UP = TURN + 1, TURN + 2
 RATE = TURN_UP + 1
 """(6,) joint rate limits in force [rad/s]."""
 RATE_UP = RATE + 6
-"""(6,) joint accelerations [rad/s2]: of mode 8, and of the slowing before a stop."""
+"""(6,) joint accelerations [rad/s2]: of mode 8 and MASTER, and of the slowing before a stop."""
 LOW, HIGH = RATE_UP + 6, RATE_UP + 12
 """(6,) stops in force [rad]: soft ones in computed modes, hard ones in mode 8 and DIRECT."""
 MOUNT = HIGH + 6
@@ -40,7 +40,7 @@ RULES = NEAR_TURN + 1
 
 # command
 LAW = 0
-"""The report's mode number; `DIRECT_LAW` and `NO_LAW` besides."""
+"""The report's mode number; `DIRECT_LAW`, `MASTER_LAW` and `NO_LAW` besides."""
 STICKS = 1
 """(6,) sticks in [-1, 1]: about axes 1 to 3, then along them."""
 JOINT = STICKS + 6
@@ -53,12 +53,16 @@ TARGET = GO + 1
 """(12,) final tip position, then rotation row by row."""
 PLAN = TARGET + 12
 """(11,) what modes 1 and 3 work out once, where they set off; until then mode 1's final angles; see there."""
-COMMAND = PLAN + 11
+MASTER = PLAN + 11
+"""(6,) the master arm's joint angles [rad]."""
+COMMAND = MASTER + 6
 
 NO_LAW = 0.0
 """TEST: the arm comes to rest and stays."""
 DIRECT_LAW = 9.0
 """DIRECT: one joint, no steering."""
+MASTER_LAW = 10.0
+"""MASTER: all joints follow the master arm's."""
 
 # state
 ANGLES = 0
@@ -73,7 +77,9 @@ CLOCK = 19
 """Phase time TP of modes 1 and 3 [s]."""
 PACE = 20
 """How much of the last step's demand was flown, 0 to 1: the speed of that clock."""
-STATE = 21
+RISE = 21
+"""How much higher the shoulder stands than `rules` have it (L1), as measured [m]: what a telescope has made of it."""
+STATE = 22
 
 # report
 DEMAND = 0
@@ -91,5 +97,5 @@ DISTANCE, ANGLE = 10, 11
 REMAINING = 12
 """Estimated time to the end of an automatic mode [s]: ETA - TP."""
 ARRIVED = 13
-"""1: an automatic mode has come to its end."""
+"""1: an automatic mode has come to its end, or every joint to its master's angle."""
 REPORT = 14

@@ -1,18 +1,19 @@
-"""The MODE rotary: its twelve positions, and which of the report's eight modes each one flies."""
+"""The MODE rotary: its twelve positions and MASTER, and which of the report's eight modes each one flies."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Literal
 
-from aftdeck.steering.layout import DIRECT_LAW, NO_LAW
+from aftdeck.steering.layout import DIRECT_LAW, MASTER_LAW, NO_LAW
 
-Kind = Literal["automatic", "manual", "single", "test"]
+Kind = Literal["automatic", "manual", "single", "test", "master"]
 LawChoice = Literal["position", "closed loop", "open loop"]
 PanelPosition = Literal[
-    "OPR CMD", "AUTO 1", "AUTO 2", "AUTO 3", "AUTO 4", "TEST", "ORB UNL", "END EFF", "ORB LD", "PL", "SINGLE", "DIRECT"
-]
-"""The twelve positions of the MODE rotary on panel A8."""
+    "OPR CMD", "AUTO 1", "AUTO 2", "AUTO 3", "AUTO 4", "TEST", "ORB UNL", "END EFF", "ORB LD", "PL", "SINGLE", "DIRECT",
+    "MASTER",
+]  # fmt: skip
+"""The twelve positions of the MODE rotary on panel A8, and the concept's way of flying, which takes any arm."""
 
 AUTOMATIC_LAWS: dict[LawChoice, int] = {"position": 1, "closed loop": 2, "open loop": 3}
 """The report's modes 1 to 3, as the switch beside OPR CMD and AUTO 1-4 names them."""
@@ -26,7 +27,7 @@ class Mode:
         position: as printed.
         laws: the report's mode numbers that it can fly, the default first.
         title: what it flies, in a few words.
-        kind: how it is commanded: a target, sticks, one joint's drive switch, or not at all.
+        kind: how it is commanded: a target, sticks, one joint's drive switch, the master arm, or not at all.
         point: the point that it moves.
         axes: the axes that the sticks act along.
         axis_names: what + means for the THC's three axes.
@@ -36,7 +37,7 @@ class Mode:
     laws: tuple[int, ...]
     title: str
     kind: Kind
-    point: Literal["tip", "payload", "selected joint", "none"]
+    point: Literal["tip", "payload", "selected joint", "all joints", "none"]
     axes: str
     axis_names: tuple[str, str, str]
 
@@ -74,6 +75,10 @@ MODES: dict[str, Mode] = {
         Mode(
             "DIRECT", (int(DIRECT_LAW),), "one joint, no steering, no soft stops", "single", "selected joint", "joint",
             ("+ joint", "", ""),
+        ),
+        Mode(
+            "MASTER", (int(MASTER_LAW),), "the arm follows a master arm's joints", "master", "all joints", "none",
+            ("", "", ""),
         ),
     )
 }  # fmt: skip

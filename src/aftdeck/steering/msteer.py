@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.kinematics.jacobian import Jacobian, Rates, Twist, erates, jacobi
-from aftdeck.kinematics.linkage import Sines, Tip, sines, tip
+from aftdeck.kinematics.linkage import Sines, Tip, lifted, sines, tip
 from aftdeck.kinematics.rates import rmsrat
 from aftdeck.law import law
 from aftdeck.steering.layout import (
@@ -27,6 +27,7 @@ from aftdeck.steering.layout import (
     DISTANCE,
     DT,
     LAW,
+    MASTER_LAW,
     OFFSET,
     PACE,
     POINT,
@@ -35,6 +36,7 @@ from aftdeck.steering.layout import (
     RATES,
     RATIO,
     REMAINING,
+    RISE,
     STRICT,
     TWIST,
 )
@@ -43,6 +45,7 @@ from aftdeck.steering.modes import (
     closed_loop,
     direct,
     end_effector,
+    master,
     mixed,
     open_loop,
     orbiter,
@@ -91,27 +94,29 @@ def _sines_at(rules: Array, state: Array, ahead: float) -> Sines:
 
 @law
 def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian) -> None:
-    """Modes 1 and 8 and DIRECT, which command joint rates."""
+    """Modes 1 and 8, DIRECT and MASTER, which command joint rates."""
     if command[LAW] == 1.0:
         wanted = position.rates(rules, command, state, report)
         limit = ratlmt(rules, state, a, wanted)
         report[RATIO], report[CAUSE], report[CULPRIT] = limit.ratio, limit.cause, limit.culprit
-        rates = _cut(rules, wanted, limit.ratio)
+        rates = cut(rules, wanted, limit.ratio)
         _run_clock(rules, state, limit.ratio)
     elif command[LAW] == DIRECT_LAW:
         rates = direct.rates(rules, command, state, report)
+    elif command[LAW] == MASTER_LAW:
+        rates = master.rates(rules, command, state, report)
     else:
         rates = single_joint.rates(rules, command, state, report)
     twist = erates(a, j, rates)
     report[DEMAND], report[DEMAND + 1], report[DEMAND + 2] = twist.wx, twist.wy, twist.wz
     report[DEMAND + 3], report[DEMAND + 4], report[DEMAND + 5] = twist.vx, twist.vy, twist.vz
-    _feed_back(state, rates, twist, 0.0)
+    feed_back(state, rates, twist, 0.0)
 
 
 @law
 def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian) -> None:
     """Modes 2 to 7, which command a twist of the point of resolution."""
-    here = tip(rules, _sines_at(rules, state, 0.0))
+    here = lifted(tip(rules, _sines_at(rules, state, 0.0)), state[RISE])
     wanted = _wanted(rules, command, state, report, here)
     report[DEMAND], report[DEMAND + 1], report[DEMAND + 2] = wanted.wx, wanted.wy, wanted.wz
     report[DEMAND + 3], report[DEMAND + 4], report[DEMAND + 5] = wanted.vx, wanted.vy, wanted.vz
@@ -123,7 +128,7 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
             wanted = _carried(wanted, x, y, z)
     if rules[STRICT] == 0.0:
         possible = ratlmt(rules, state, a, rmsrat(rules, a, _carried(wanted, -x, -y, -z), FLOOR))
-        wanted = _scaled(wanted, possible.ratio)
+        wanted = scaled(wanted, possible.ratio)
         report[RATIO], report[CAUSE], report[CULPRIT] = possible.ratio, possible.cause, possible.culprit
     present = _present(rules, state, a, j, offset, x, y, z)
     allowed, por_cause = avclmt(rules, wanted, present)
@@ -135,7 +140,7 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
     if report[CAUSE] == BY_RATE and _below_limit(rules, rates, limit.ratio, int(report[CULPRIT])):
         report[CAUSE], report[CULPRIT] = 0.0, -1.0  # it would be met later, but the arm is still speeding up
     _run_clock(rules, state, report[RATIO])
-    _feed_back(state, _cut(rules, rates, limit.ratio), _scaled(allowed, limit.ratio), 1.0 if offset else 0.0)
+    feed_back(state, cut(rules, rates, limit.ratio), scaled(allowed, limit.ratio), 1.0 if offset else 0.0)
 
 
 @law
@@ -213,12 +218,13 @@ def carried_to_tip(rules: Array, here: Tip, t: Twist) -> Twist:
 
 
 @law
-def _scaled(t: Twist, k: float) -> Twist:
+def scaled(t: Twist, k: float) -> Twist:
+    """A twist times a number."""
     return Twist(k * t.wx, k * t.wy, k * t.wz, k * t.vx, k * t.vy, k * t.vz)
 
 
 @law
-def _cut(rules: Array, r: Rates, k: float) -> Rates:
+def cut(rules: Array, r: Rates, k: float) -> Rates:
     """Rates times RATIO, less a rounding error where one is at its limit."""
     return Rates(
         _within(k * r.r1, rules[RATE]),
@@ -243,7 +249,7 @@ def _run_clock(rules: Array, state: Array, ratio: float) -> None:
 
 
 @law
-def _feed_back(state: Array, r: Rates, t: Twist, point: float) -> None:
+def feed_back(state: Array, r: Rates, t: Twist, point: float) -> None:
     """Keep what was commanded for the next step's AVCLMT."""
     state[RATES], state[RATES + 1], state[RATES + 2] = r.r1, r.r2, r.r3
     state[RATES + 3], state[RATES + 4], state[RATES + 5] = r.r4, r.r5, r.r6

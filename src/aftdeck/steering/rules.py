@@ -50,8 +50,8 @@ def rules_of(
     """The rules of every mode (by panel position) and rate setting.
 
     Coarse and vernier choose the POR limits in computed modes, whose joints are held to the servo maxima, and
-    the joint rates in SINGLE. With a payload SINGLE's rates fall as the POR's speed does, so that the tip is
-    no faster than its limits mean it to be (assumed). Accelerations are those of the coarse limits, reached in
+    the joint rates in SINGLE, DIRECT and MASTER. With a payload these rates fall as the POR's speed does, so that the
+    tip is no faster than its limits mean it to be (assumed). Accelerations are those of the coarse limits, reached in
     the POR's time, with either setting.
     """
     loaded = por.translation[0] / arm.por_limits(0.0).translation[0]
@@ -64,11 +64,11 @@ def rules_of(
             rules[SPEED], rules[TURN] = por.translation[setting], por.rotation[setting]
             rules[SPEED_UP] = por.translation[0] / por.reached_in
             rules[TURN_UP] = por.rotation[0] / por.reached_in
-            single = mode.kind == "single"
-            stops = arm.limits.hard if single else arm.limits.soft
+            by_joint = mode.kind in ("single", "master")
+            stops = arm.limits.hard if mode.kind == "single" else arm.limits.soft
             own = min(loaded, 1.0) * (arm.rates.coarse if rate == "coarse" else arm.rates.vernier)
-            rules[RATE : RATE + 6] = own if single else arm.rates.servo
-            fastest = min(loaded, 1.0) * arm.rates.coarse if single else arm.rates.servo
+            rules[RATE : RATE + 6] = own if by_joint else arm.rates.servo
+            fastest = min(loaded, 1.0) * arm.rates.coarse if by_joint else arm.rates.servo
             rules[RATE_UP : RATE_UP + 6] = fastest / por.reached_in
             rules[LOW : LOW + 6], rules[HIGH : HIGH + 6] = stops[:, 0], stops[:, 1]
             rules[MOUNT : MOUNT + 9] = arm.mount.rotation.T.ravel()

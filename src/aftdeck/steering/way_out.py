@@ -11,7 +11,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.kinematics.linkage import sines, tip
+from aftdeck.kinematics.jacobian import Rates
+from aftdeck.kinematics.linkage import Sines, Tip, sines, tip
 from aftdeck.kinematics.rates import rmsrat
 from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
@@ -54,24 +55,50 @@ def way_out(
     )
     here = tip(rules, a)
     for k in range(DIRECTIONS):
-        for i in range(6):
-            command[STICKS + i] = 0.0
-        command[STICKS + k // 2] = 1.0 if k % 2 == 0 else -1.0
-        number = command[LAW]
-        if number == 4.0:
-            wanted = orbiter.demand(rules, command)
-        elif number == 5.0:
-            wanted = end_effector.demand(rules, command, here)
-        elif number == 6.0:
-            wanted = payload.demand(rules, command, here)
-        else:
-            wanted = mixed.demand(rules, command, here)
-        rates = rmsrat(rules, a, carried_to_tip(rules, here, wanted), FLOOR)
+        rates = _stick_rates(rules, command, a, here, k)
         ratio = ratlmt(rules, state, a, rates).ratio
         if singularity >= 0:
             tried[k] = -ratio * closing(rules, a, rates, singularity)[1]
         else:
             tried[k] = ratio * inward * rates[joint]
+
+
+@law
+def _stick_rates(rules: Array, command: Array, a: Sines, here: Tip, k: int) -> Rates:
+    """The joint rates that one of the stick directions asks for, before their limits."""
+    for i in range(6):
+        command[STICKS + i] = 0.0
+    command[STICKS + k // 2] = 1.0 if k % 2 == 0 else -1.0
+    number = command[LAW]
+    if number == 4.0:
+        wanted = orbiter.demand(rules, command)
+    elif number == 5.0:
+        wanted = end_effector.demand(rules, command, here)
+    elif number == 6.0:
+        wanted = payload.demand(rules, command, here)
+    else:
+        wanted = mixed.demand(rules, command, here)
+    return rmsrat(rules, a, carried_to_tip(rules, here, wanted), FLOOR)
+
+
+@law
+def stick_rates(rules: Array, command: Array, state: Array, tried: Array) -> None:
+    """The joint rates that each stick direction is left with, into `tried` (12, 6) [rad/s]; else as `way_out`."""
+    a = sines(
+        rules,
+        state[ANGLES],
+        state[ANGLES + 1],
+        state[ANGLES + 2],
+        state[ANGLES + 3],
+        state[ANGLES + 4],
+        state[ANGLES + 5],
+    )
+    here = tip(rules, a)
+    for k in range(DIRECTIONS):
+        rates = _stick_rates(rules, command, a, here, k)
+        ratio = ratlmt(rules, state, a, rates).ratio
+        for i in range(6):
+            tried[k, i] = ratio * rates[i]
 
 
 @law

@@ -1,6 +1,6 @@
-"""The worksite: what stands round the arm."""
+"""The worksite: what stands round the arm, what it collides as, where cargo is kept, and the cameras."""
 
 from aftdeck.worksite.load import load_worksite, worksites
-from aftdeck.worksite.model import Body, Worksite
+from aftdeck.worksite.model import Body, Cargo, Seat, Worksite
 
-__all__ = ["Body", "Worksite", "load_worksite", "worksites"]
+__all__ = ["Body", "Cargo", "Seat", "Worksite", "load_worksite", "worksites"]

@@ -1,10 +1,15 @@
-/** One pad with the browser's standard mapping as both hand controllers. */
+/** One pad with the browser's standard mapping as both hand controllers; Menu held gives its buttons a second use. */
 
 import { type Deflection, isZero, ZERO } from './deflection';
-import type { Action } from './keymap';
+import type { Action, Grip } from './keymap';
 
 const DEADBAND = 0.08;
 const EXPO = 0.3;
+
+/** Buttons of the standard mapping. */
+const [SOUTH, EAST, WEST, NORTH] = [0, 1, 2, 3];
+const [VIEW, MENU] = [8, 9];
+const [CROSS_UP, CROSS_DOWN] = [12, 13];
 
 /** `none`: never seen · `waiting`: not yet seen at zero · `flying` · `lost`: gone while it was ours. */
 export type PadState = 'none' | 'waiting' | 'flying' | 'lost';
@@ -15,7 +20,7 @@ export function shape(raw: number): number {
   return Math.sign(raw) * ((1 - EXPO) * size + EXPO * size ** 3);
 }
 
-/** Sticks: left X, Y; triggers up, down; right pitch, yaw; bumpers roll. */
+/** Sticks: left X, Y; triggers up, down; right pitch, yaw; bumpers roll. Menu and the cross: the telescope. */
 export function deflection(pad: Gamepad): Deflection {
   const axis = (index: number) => shape(pad.axes[index] ?? 0);
   const trigger = (index: number) => shape(pad.buttons[index]?.value ?? 0);
@@ -23,23 +28,38 @@ export function deflection(pad: Gamepad): Deflection {
   // A pad's axes grow downwards; a stick pushed away is +X and nose up.
   const x = 0 - axis(1);
   const pitch = 0 - axis(3);
-  return [x, axis(0), trigger(7) - trigger(6), button(5) - button(4), pitch, axis(2)];
+  const telescope = button(MENU) * (button(CROSS_UP) - button(CROSS_DOWN));
+  return [x, axis(0), trigger(7) - trigger(6), button(5) - button(4), pitch, axis(2), telescope + 0];
 }
 
-/** South, east, west, view, menu. */
-const BUTTONS: ReadonlyMap<number, Action> = new Map<number, Action>([
-  [0, { name: 'rate' }],
-  [1, { name: 'stop' }],
-  [2, { name: 'rate hold' }],
-  [8, { name: 'other monitor' }],
-  [9, { name: 'step camera', by: 1 }],
+/** What a button does: something once, or a grip for as long as it is down. */
+type Use = Exclude<Action, { readonly name: 'grip' }> | Grip;
+
+const ALONE: ReadonlyMap<number, Use> = new Map<number, Use>([
+  [SOUTH, { name: 'rate' }],
+  [EAST, { name: 'stop' }],
+  [WEST, { name: 'rate hold' }],
+  [NORTH, 'close'],
+  [VIEW, { name: 'other monitor' }],
+]);
+
+/** East stays stop, whatever else is held. */
+const WITH_MENU: ReadonlyMap<number, Use> = new Map<number, Use>([
+  [SOUTH, 'latch'],
+  [EAST, { name: 'stop' }],
+  [WEST, { name: 'plane' }],
+  [NORTH, 'open'],
+  [VIEW, { name: 'fly orbiter' }],
 ]);
 
 export class Pad {
   state: PadState = 'none';
   /** The device as the browser names it; empty before the first. */
   name = '';
-  private down = new Set<number>();
+  /** Buttons down, each with the use that it went down for. */
+  private readonly down = new Map<number, Use | undefined>();
+  /** Menu is down and nothing else was pressed with it. */
+  private menuAlone = false;
 
   constructor(private readonly acted: (action: Action) => void) {}
 
@@ -48,7 +68,7 @@ export class Pad {
     const pad = navigator.getGamepads().find((each) => each?.connected && each.mapping === 'standard');
     if (!pad) {
       if (this.state === 'flying' || this.state === 'waiting') this.state = 'lost';
-      this.down.clear();
+      this.letGo();
       return ZERO;
     }
     this.name = pad.id;
@@ -59,9 +79,13 @@ export class Pad {
     return this.state === 'flying' ? value : ZERO;
   }
 
-  /** Takes control away until the pad was seen at zero. */
+  /** Takes control away until the pad was seen at zero; a button held must be pressed anew. */
   disarm(): void {
     if (this.state === 'flying') this.state = 'waiting';
+    for (const [index, use] of this.down) {
+      this.down.set(index, undefined);
+      this.end(use);
+    }
   }
 
   /** The operator knows that the pad is gone. */
@@ -69,12 +93,39 @@ export class Pad {
     if (this.state === 'lost') this.state = 'none';
   }
 
-  private press(pad: Gamepad): void {
-    for (const [index, action] of BUTTONS) {
-      const pressed = pad.buttons[index]?.pressed ?? false;
-      if (pressed && !this.down.has(index)) this.acted(action);
-      if (pressed) this.down.add(index);
-      else this.down.delete(index);
+  private press({ buttons }: Gamepad): void {
+    const menu = buttons[MENU]?.pressed ?? false;
+    if (menu && !this.down.has(MENU)) this.menuAlone = true;
+    for (const [index, { pressed }] of buttons.entries()) {
+      if (pressed === this.down.has(index)) continue;
+      if (pressed) {
+        const use = (menu ? WITH_MENU : ALONE).get(index);
+        this.down.set(index, use);
+        if (index !== MENU) this.menuAlone = false;
+        this.begin(use);
+      } else {
+        const use = this.down.get(index);
+        this.down.delete(index);
+        this.end(use);
+        if (index === MENU && this.menuAlone) this.acted({ name: 'step camera', by: 1 });
+      }
     }
+  }
+
+  private begin(use: Use | undefined): void {
+    if (typeof use === 'string') this.acted({ name: 'grip', grip: use, down: true, at: performance.now() });
+    else if (use) this.acted(use);
+  }
+
+  private end(use: Use | undefined): void {
+    if (typeof use === 'string') this.acted({ name: 'grip', grip: use, down: false, at: performance.now() });
+  }
+
+  /** The pad is gone: nothing is held any more. */
+  private letGo(): void {
+    const uses = [...this.down.values()];
+    this.down.clear();
+    this.menuAlone = false;
+    for (const use of uses) this.end(use);
   }
 }

@@ -1,7 +1,7 @@
 /** The keyboard as two hand controllers and a row of switches. */
 
 import { type Deflection, map, ZERO } from './deflection';
-import { ACTION_KEYS, type Action, AXIS_KEYS } from './keymap';
+import { ACTION_KEYS, type Action, AXIS_KEYS, GRIP_KEYS } from './keymap';
 
 /** A held key reaches full deflection in this time, a released one zero [s]. */
 const FULL_S = 0.35;
@@ -35,7 +35,7 @@ export class Keyboard {
 
   /** Deflection `dt` [s] after the last call. */
   step(dt: number): Deflection {
-    const target = [0, 0, 0, 0, 0, 0];
+    const target = ZERO.map(() => 0);
     for (const code of this.held) {
       const key = AXIS_KEYS.get(code);
       if (key) target[key.axis] = (target[key.axis] ?? 0) + key.sign;
@@ -46,8 +46,10 @@ export class Keyboard {
 
   /** Lets go of every key at once; a key still held must be pressed anew. */
   release(): void {
+    const held = [...this.held];
     this.held.clear();
     this.value = ZERO;
+    for (const code of held) this.grip(code, false, performance.now());
   }
 
   dispose(): void {
@@ -64,19 +66,26 @@ export class Keyboard {
     if (action) {
       event.preventDefault();
       if (!event.repeat) this.listener.acted(action);
-    } else if (AXIS_KEYS.has(event.code)) {
+    } else if (AXIS_KEYS.has(event.code) || GRIP_KEYS.has(event.code)) {
       event.preventDefault();
-      if (!event.repeat && !this.held.has(event.code)) {
-        this.held.add(event.code);
-        this.listener.moved(event.timeStamp);
-      }
+      if (event.repeat || this.held.has(event.code)) return;
+      this.held.add(event.code);
+      if (!this.grip(event.code, true, event.timeStamp)) this.listener.moved(event.timeStamp);
     }
   }
 
   private up(event: KeyboardEvent): void {
     // A button takes the click of Space on release; Space is stop and nothing else.
     if (event.code === 'Space') event.preventDefault();
-    if (this.held.delete(event.code)) this.listener.moved(event.timeStamp);
+    if (!this.held.delete(event.code)) return;
+    if (!this.grip(event.code, false, event.timeStamp)) this.listener.moved(event.timeStamp);
+  }
+
+  /** Passes on a key that is held to act; false where it is none. */
+  private grip(code: string, down: boolean, at: number): boolean {
+    const grip = GRIP_KEYS.get(code);
+    if (grip) this.listener.acted({ name: 'grip', grip, down, at });
+    return grip !== undefined;
   }
 }
 

@@ -1,6 +1,9 @@
 /** What each key does, by its place on the keyboard (`KeyboardEvent.code`). */
 
-import { PITCH, ROLL, X, Y, YAW, Z } from './deflection';
+import { PITCH, ROLL, TELESCOPE, X, Y, YAW, Z } from './deflection';
+
+/** What is held for a while before it acts: close or open the hand, latch or unlatch what it holds. */
+export type Grip = 'close' | 'open' | 'latch';
 
 export type Action =
   | {
@@ -12,11 +15,22 @@ export type Action =
         | 'enter'
         | 'other monitor'
         | 'acknowledge'
+        | 'plane'
+        | 'fly orbiter'
         | 'keys'
         | 'close';
     }
   | { readonly name: 'turn mode' | 'turn joint' | 'step camera'; readonly by: 1 | -1 }
-  | { readonly name: 'camera'; readonly index: number };
+  | { readonly name: 'camera'; readonly index: number }
+  | GripAction;
+
+export interface GripAction {
+  readonly name: 'grip';
+  readonly grip: Grip;
+  readonly down: boolean;
+  /** When it went down or up [ms, as performance.now()]. */
+  readonly at: number;
+}
 
 export interface AxisKey {
   readonly axis: number;
@@ -37,6 +51,15 @@ export const AXIS_KEYS: ReadonlyMap<string, AxisKey> = new Map<string, AxisKey>(
   ['KeyJ', { axis: YAW, sign: -1 }],
   ['KeyO', { axis: ROLL, sign: 1 }],
   ['KeyU', { axis: ROLL, sign: -1 }],
+  ['KeyY', { axis: TELESCOPE, sign: 1 }],
+  ['KeyN', { axis: TELESCOPE, sign: -1 }],
+]);
+
+/** Keys that act once they were held long enough. */
+export const GRIP_KEYS: ReadonlyMap<string, Grip> = new Map<string, Grip>([
+  ['KeyG', 'close'],
+  ['KeyR', 'open'],
+  ['KeyT', 'latch'],
 ]);
 
 /** Keys that do something once per press. */
@@ -55,6 +78,8 @@ export const ACTION_KEYS: ReadonlyMap<string, Action> = new Map<string, Action>(
   ['Period', { name: 'step camera', by: 1 }],
   ['KeyX', { name: 'other monitor' }],
   ['KeyM', { name: 'acknowledge' }],
+  ['KeyF', { name: 'plane' }],
+  ['Backquote', { name: 'fly orbiter' }],
   ['Escape', { name: 'close' }],
   ...Array.from({ length: 9 }, (_, i): [string, Action] => [`Digit${i + 1}`, { name: 'camera', index: i }]),
 ]);

@@ -1,8 +1,23 @@
 /** Keyboard and pad merged into one pair of hand controllers, and sent to the station. */
 
 import type { Latency } from '../latency';
+import type { Vec3 } from '../protocol';
 import type { Command } from '../socket';
-import { type Deflection, equal, isZero, map, PITCH, ROLL, sum, X, Y, YAW, Z, ZERO } from './deflection';
+import {
+  type Deflection,
+  equal,
+  isZero,
+  map,
+  PITCH,
+  ROLL,
+  sum,
+  TELESCOPE,
+  X,
+  Y,
+  YAW,
+  Z,
+  ZERO,
+} from './deflection';
 import type { Pad } from './gamepad';
 import type { Keyboard } from './keyboard';
 
@@ -12,6 +27,7 @@ const REPEAT_MS = 100;
 export class Sticks {
   /** X drives the selected joint (SINGLE, DIRECT). */
   driving = false;
+  private orbiter = false;
   private last = 0;
   private sentAt = 0;
   private sent: Deflection = ZERO;
@@ -28,6 +44,17 @@ export class Sticks {
   /** Where the sticks stand, as last sent. */
   get value(): Deflection {
     return this.sent;
+  }
+
+  /** The THC flies the orbiter, not the arm. */
+  get flyingOrbiter(): boolean {
+    return this.orbiter;
+  }
+
+  /** Hands the THC to the orbiter or back to the arm, with the sticks at zero. */
+  flyOrbiter(on: boolean): void {
+    this.zero();
+    this.orbiter = on;
   }
 
   /** A key went down or up at `at` [ms]; the answer shall not wait for the next tick. */
@@ -60,15 +87,24 @@ export class Sticks {
   }
 
   private transmit(value: Deflection, now: number): void {
-    const seq = this.send({
-      type: 'sticks',
-      translation: this.driving ? [0, 0, 0] : [value[X], value[Y], value[Z]],
-      rotation: this.driving ? [0, 0, 0] : [value[ROLL], value[PITCH], value[YAW]],
-      drive: this.driving ? value[X] : 0,
-    });
+    const seq = this.send({ type: 'sticks', ...routed(value, this.driving, this.orbiter) });
     if (this.inputAt !== null) this.latency.sent(seq, this.inputAt);
     this.inputAt = null;
     this.sent = value;
     this.sentAt = now;
   }
+}
+
+/** What each stick axis moves; `driving`: one joint; `orbiter`: the THC translates the orbiter. */
+export function routed(value: Deflection, driving: boolean, orbiter: boolean) {
+  const none: Vec3 = [0, 0, 0];
+  const thc: Vec3 = [value[X], value[Y], value[Z]];
+  const rhc: Vec3 = [value[ROLL], value[PITCH], value[YAW]];
+  return {
+    translation: driving || orbiter ? none : thc,
+    rotation: driving ? none : rhc,
+    drive: driving && !orbiter ? value[X] : 0,
+    telescope: value[TELESCOPE],
+    orbiter: orbiter ? thc : none,
+  };
 }

@@ -14,6 +14,7 @@ const CONCERNS: Readonly<Record<string, Concern>> = {
   'REACH LIM': { kinds: ['limit'], elements: '.joints tr.reach', group: '.joints' },
   'SOFT STOP': { kinds: ['limit'], elements: '.joints tr.soft', group: '.joints' },
   'RATE LIM': { kinds: [], elements: '.joints tr.limited', group: '.limits' },
+  CLEARANCE: { kinds: ['contact', 'inhibit'], elements: '.clearance .lit', group: '.clearance' },
   CONTROLLER: { kinds: [], elements: '.rhc .device', group: '.rhc' },
 };
 const REST: Concern = {

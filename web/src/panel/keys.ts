@@ -1,6 +1,6 @@
 /** The key map, over the monitors; its caps light as they are pressed. */
 
-import { AXIS_KEYS } from '../input/keymap';
+import { learnLayout, nameOf } from '../input/layout';
 import { button, el, setClass } from './dom';
 
 const LEFT = [
@@ -21,30 +21,31 @@ const RIGHT = [
   ['KeyL', 'right'],
 ] as const;
 
-/** Keys by place (empty: named by the text after), what they do, and the pad's way. */
-const REST: readonly (readonly [readonly string[], string, string])[] = [
+type Row = readonly [codes: readonly string[], does: string, pad: string];
+
+/** Keys by place, what they do, and the pad's way. */
+const FLYING: readonly Row[] = [
   [['Space'], 'stop: sticks to zero, a sequence to rest', 'east'],
   [['KeyV'], 'coarse or vernier', 'south'],
   [['KeyH'], 'rate hold: keep the present rates, let go of them', 'west'],
   [['BracketLeft', 'BracketRight', 'Enter'], 'turn the mode rotary, enter the mode', ''],
   [['Minus', 'Equal'], 'joint in SINGLE and DIRECT; then W and S drive it', ''],
   [['KeyP'], 'proceed: to the target, or on from a pause point', ''],
+  [['KeyM'], 'acknowledge the master alarm', ''],
+  [['KeyX'], 'the other monitor in hand', 'view'],
   [['Digit1', 'Digit9'], 'camera 1 to 9 on the monitor in hand', ''],
   [['Comma', 'Period'], 'camera before, after', 'menu'],
-  [['KeyX'], 'the other monitor in hand', 'view'],
-  [['KeyM'], 'acknowledge the master alarm', ''],
 ];
 
-const NAMES: Readonly<Record<string, string>> = {
-  Space: 'Space',
-  Enter: 'Enter',
-  Minus: '−',
-  Equal: '=',
-  BracketLeft: '[',
-  BracketRight: ']',
-  Comma: ',',
-  Period: '.',
-};
+const WORKING: readonly Row[] = [
+  [['KeyG'], 'held 0.3 s: capture; the prong closes', 'north'],
+  [['KeyR'], 'held 1 s: release; the prong opens', 'menu + north'],
+  [['KeyG', 'KeyR'], 'while the prong moves: either stops it', ''],
+  [['KeyT'], 'held 1 s: latch the payload in its seat, or unlatch', 'menu + south'],
+  [['KeyF'], 'separating plane in the pictures', 'menu + west'],
+  [['KeyY', 'KeyN'], 'telescope longer, shorter', 'menu + cross'],
+  [['Backquote'], 'THC flies the orbiter, or the arm again', 'menu + view'],
+];
 
 export class KeyMap {
   readonly element: HTMLDialogElement;
@@ -60,23 +61,18 @@ export class KeyMap {
         this.hand('Left hand moves', LEFT, 'Pad: left stick; triggers up, down'),
         this.hand('Right hand turns', RIGHT, 'Pad: right stick; bumpers roll'),
       ),
+      el('div', {}, el('h3', {}, 'Arm and cameras'), this.table(FLYING)),
       el(
-        'table',
-        {},
-        ...REST.map(([codes, does, pad]) =>
-          el(
-            'tr',
-            {},
-            el('th', { scope: 'row' }, ...this.row(codes)),
-            el('td', {}, does),
-            el('td', { class: 'pad' }, pad && `pad ${pad}`),
-          ),
-        ),
+        'div',
+        { class: 'working' },
+        el('h3', {}, 'End effector and worksite'),
+        this.table(WORKING),
+        el('p', {}, 'MASTER: arrows move the slider in focus by half a degree, Page up, down by five.'),
+        el('p', {}, 'Keys go by their place. In a text field, keys type and do not fly.'),
+        button({ class: 'close' }, ['Close'], () => this.close()),
       ),
-      el('p', {}, 'Keys go by their place. In a text field, keys type and do not fly.'),
-      button({ class: 'close' }, ['Close'], () => this.close()),
     );
-    void this.useLayout();
+    void learnLayout().then(() => this.letter());
   }
 
   toggle(): void {
@@ -88,11 +84,11 @@ export class KeyMap {
     this.element.close();
   }
 
-  /** Lights the caps of the flying keys held. */
+  /** Lights the caps of the keys held. */
   light(held: ReadonlySet<string>): void {
     if (!this.element.open) return;
-    for (const code of AXIS_KEYS.keys()) {
-      for (const cap of this.caps.get(code) ?? []) setClass(cap, 'held', held.has(code));
+    for (const [code, caps] of this.caps) {
+      for (const cap of caps) setClass(cap, 'held', held.has(code));
     }
   }
 
@@ -105,27 +101,34 @@ export class KeyMap {
     return el('div', {}, el('h3', {}, title), el('div', { class: 'caps' }, ...caps), el('p', {}, pad));
   }
 
+  private table(rows: readonly Row[]): HTMLElement {
+    const lines = rows.map(([codes, does, pad]) =>
+      el(
+        'tr',
+        {},
+        el('th', { scope: 'row' }, ...this.row(codes)),
+        el('td', {}, does),
+        el('td', { class: 'pad' }, pad && `pad ${pad}`),
+      ),
+    );
+    return el('table', {}, ...lines);
+  }
+
   private row(codes: readonly string[]): (Node | string)[] {
     const caps = codes.map((code) => this.cap(code));
     return codes[0] === 'Digit1' ? [caps[0] ?? '', ' … ', caps[1] ?? ''] : caps;
   }
 
   private cap(code: string): HTMLElement {
-    const cap = el('kbd', {}, el('b', {}, NAMES[code] ?? code.replace(/^(Key|Digit)/, '')));
+    const cap = el('kbd', {}, el('b', {}, nameOf(code)));
     this.caps.set(code, [...(this.caps.get(code) ?? []), cap]);
     return cap;
   }
 
-  /** Shows the letters of the user's layout where the browser tells them. */
-  private async useLayout(): Promise<void> {
-    const { keyboard } = navigator as Navigator & {
-      keyboard?: { getLayoutMap(): Promise<ReadonlyMap<string, string>> };
-    };
-    const layout = await keyboard?.getLayoutMap().catch(() => undefined);
+  /** Shows the letters of the user's layout. */
+  private letter(): void {
     for (const [code, caps] of this.caps) {
-      const letter = layout?.get(code)?.toUpperCase();
-      if (!letter || code in NAMES) continue;
-      for (const cap of caps) cap.querySelector('b')?.replaceChildren(letter);
+      for (const cap of caps) cap.querySelector('b')?.replaceChildren(nameOf(code));
     }
   }
 }

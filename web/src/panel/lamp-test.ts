@@ -6,6 +6,8 @@ const FIGURES = [
   '.resolution td:not(.of-limit)',
   '.joints .angle',
   '.distance .value',
+  '.gap-value',
+  '.spacing b',
   '.triple .value',
   '.route dd',
   '.met b',

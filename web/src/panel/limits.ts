@@ -47,7 +47,12 @@ export function limits({ welcome }: Desk): Part {
       if (key === shown) return;
       shown = key;
       const items = lines.map((line) =>
-        el('li', { class: line.level }, el('i', { class: 'sign' }), line.text),
+        el(
+          'li',
+          { class: line.level },
+          el('i', { class: 'sign' }),
+          el('span', { title: line.text }, line.text),
+        ),
       );
       if (items.length === 0) items.push(el('li', { class: 'none' }, 'None holds the arm back'));
       list.replaceChildren(...items);

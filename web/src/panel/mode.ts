@@ -1,5 +1,6 @@
 /** The MODE rotary with its ENTER, and the switches of the mode in view. */
 
+import type { ModeInfo } from '../protocol';
 import { group, setAbout, setClass } from './dom';
 import type { Desk, Part } from './part';
 import { rotary } from './rotary';
@@ -12,6 +13,8 @@ export interface ModeGroup extends Part {
   enter(): void;
   /** Turns the JOINT rotary by one. */
   turnJoint(by: number): void;
+  /** The position turned to, or else the one entered. */
+  inView(): ModeInfo | undefined;
 }
 
 /** `proceed` is what the PROCEED key does. */
@@ -32,5 +35,6 @@ export function modeGroup(desk: Desk, proceed: () => void): ModeGroup {
     turn: positions.turn,
     enter: positions.enter,
     turnJoint: below.turnJoint,
+    inView: () => infoOf(positions.shown()),
   };
 }

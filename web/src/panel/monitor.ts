@@ -4,6 +4,8 @@ import { degrees, timeCode } from '../format';
 import type { Camera, Frame, Vec3 } from '../protocol';
 import { axesOverlay } from './axes';
 import { button, el, setAttribute, setClass, setPressed, setText, svg } from './dom';
+import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
+import type { Box, Size } from './label-place';
 
 /** A picture older than this is stale [s]. */
 export const STALE_S = 0.5;
@@ -24,6 +26,8 @@ export class Monitor {
   private readonly lens = el('span');
   private readonly stale = el('p', { class: 'stale' });
   private readonly axes = axesOverlay();
+  private readonly gap = gapOverlay((picture) => this.burnedIn(picture));
+  private corners: { readonly of: Size; readonly boxes: readonly Box[] } | null = null;
   private readonly hand: HTMLButtonElement;
   private chosen: number;
 
@@ -50,6 +54,7 @@ export class Monitor {
       el('p', { class: 'burned lens' }, this.lens),
       reticle(),
       this.axes.element,
+      ...this.gap.elements,
       this.stale,
     );
     this.picture.addEventListener('click', () => listener.taken());
@@ -98,6 +103,23 @@ export class Monitor {
     this.axes.set(directions);
   }
 
+  /** The narrowest gap and what touches, as this picture of that size sees them, at picture rate. */
+  setGap(line: GapLine | null, touches: readonly Touch[], picture: Size): void {
+    this.gap.show(line, touches, picture);
+  }
+
+  private burnedIn(picture: Size): readonly Box[] {
+    const { corners } = this;
+    if (corners?.of.width === picture.width && corners.of.height === picture.height) return corners.boxes;
+    this.corners = { of: picture, boxes: cornersOf(picture) };
+    return this.corners.boxes;
+  }
+
+  /** How wide the gap is. */
+  setGapText(text: string): void {
+    this.gap.setText(text);
+  }
+
   /** Time code of the picture and its age [s]; null: it is a recorded one. */
   setTime(frame: Frame, age: number | null): void {
     const stale = age !== null && age > STALE_S;
@@ -106,6 +128,17 @@ export class Monitor {
     setText(this.stale, stale ? `${age.toFixed(1)} s old` : '');
     setClass(this.picture, 'is-stale', stale);
   }
+}
+
+/** What is burned into the corners of a picture, with room around it [px]. */
+function cornersOf({ width, height }: Size): readonly Box[] {
+  const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
+  const [across, axes, lens] = [0.4 * width, 7 * rem, 2 * rem];
+  return [
+    { left: 0, top: 0, right: width, bottom: 2.6 * rem },
+    { left: 0, top: height - axes, right: axes, bottom: height },
+    { left: width - across, top: height - lens, right: width, bottom: height },
+  ];
 }
 
 function reticle(): SVGSVGElement {

@@ -13,6 +13,8 @@ export interface View {
   readonly hand: Deflection;
   /** This page holds the sticks. */
   readonly flying: boolean;
+  /** This page's THC flies the orbiter. */
+  readonly orbiting: boolean;
 }
 
 export interface Part {

@@ -2,7 +2,9 @@
 
 import { clock, missionTime } from '../format';
 import type { LinkState } from '../socket';
+import { TASKS } from './cargo';
 import { button, el, setClass, setText } from './dom';
+import { initialise } from './initialise';
 import type { Desk, View } from './part';
 
 /** Slower than this, the picture lags behind the hand [ms]. */
@@ -17,10 +19,17 @@ export interface RailListener {
 export interface Rail {
   readonly element: HTMLElement;
   values(view: View, latency95: number | null, watchers: number, link: LinkState): void;
+  /** Closes what is open. */
+  close(): void;
 }
 
-export function rail({ welcome }: Desk, software: boolean, listener: RailListener): Rail {
-  const phases = welcome.phases.map((name) => el('li', {}, name));
+export function rail(desk: Desk, software: boolean, listener: RailListener): Rail {
+  const { welcome } = desk;
+  // The script's phases; flown by hand, the report's modes, which come in any order.
+  const scripted = welcome.phases.length > 0;
+  const steps = scripted ? welcome.phases : welcome.work.cargo.length > 0 ? TASKS : [];
+  const phases = steps.map((name) => el('li', {}, name));
+  const parts = initialise(desk);
   const lag = el('b');
   const met = el('b');
   const rec = el('b');
@@ -45,14 +54,15 @@ export function rail({ welcome }: Desk, software: boolean, listener: RailListene
     who,
     units,
     button({ title: 'Puts the scenario back to its first instant' }, ['Restart'], () => listener.restart()),
+    parts.element,
     button({ class: 'keys' }, ['Keys ?'], () => listener.keys()),
   );
   return {
     element,
     values({ frame, flying, units: shown }, latency95, watchers, link) {
-      const at = welcome.phases.indexOf(frame.phase);
+      const at = scripted ? welcome.phases.indexOf(frame.phase) : frame.work.task - 1;
       phases.forEach((phase, i) => {
-        setClass(phase, 'done', at >= 0 && i < at);
+        setClass(phase, 'done', scripted && at >= 0 && i < at);
         setClass(phase, 'present', i === at);
       });
       setText(lag, latency95 === null ? '–' : `${Math.round(latency95)} ms`);
@@ -66,6 +76,7 @@ export function rail({ welcome }: Desk, software: boolean, listener: RailListene
       setClass(who, 'lost', lost);
       setClass(who, 'flying', flying && !lost);
     },
+    close: () => parts.close(),
   };
 }
 

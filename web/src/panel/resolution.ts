@@ -105,6 +105,8 @@ export function pointWords(mode: ModeInfo | undefined, frame: Frame, joints: rea
         ? `${mode.point}; turns in payload axes`
         : `${mode.point}, ${mode.axes}`;
     }
+    case 'master':
+      return 'tip; the joints follow the master';
     default:
       return 'tip';
   }

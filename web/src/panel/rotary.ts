@@ -1,5 +1,6 @@
-/** The MODE rotary: twelve positions; one is turned to, then entered. */
+/** The MODE rotary: twelve positions, and MASTER where the arm has one; one is turned to, then entered. */
 
+import type { ModeInfo } from '../protocol';
 import { button, el, setClass, setPressed } from './dom';
 import type { Desk } from './part';
 
@@ -31,7 +32,8 @@ export interface Rotary {
 }
 
 export function rotary(desk: Desk): Rotary {
-  const place = ({ position }: { position: string }) => POSITIONS.indexOf(position);
+  // What is not on the flown panel stands last.
+  const place = ({ position }: ModeInfo) => POSITIONS.indexOf(position) + 1 || POSITIONS.length + 1;
   const modes = [...desk.welcome.modes].sort((a, b) => place(a) - place(b));
   let entered = '';
   let turned: string | null = null;
@@ -43,7 +45,7 @@ export function rotary(desk: Desk): Rotary {
     turned = position === entered ? null : position;
     draw();
   };
-  const keys = modes.map(({ position, title, point, enabled }) => {
+  const keys = modes.map(({ position, title, point, enabled, kind }) => {
     const missing = point === 'payload' ? 'needs a payload in the grasp' : 'no points are stored';
     const about = enabled ? title : `${title}: ${missing}`;
     const key = button({ title: about }, [el('i', { class: 'dot' }), position], () => {
@@ -51,9 +53,15 @@ export function rotary(desk: Desk): Rotary {
       else turnTo(position);
     });
     setClass(key, 'absent', !enabled);
+    setClass(key, 'thirteenth', kind === 'master');
     return key;
   });
   const element = el('div', { class: 'rotary', role: 'group', 'aria-label': 'Mode' }, ...keys);
+  setClass(
+    element,
+    'with-master',
+    modes.some(({ kind }) => kind === 'master'),
+  );
 
   function draw(): void {
     modes.forEach(({ position }, i) => {

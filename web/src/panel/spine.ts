@@ -5,7 +5,7 @@ import { button, el, setAttribute, setClass, setText } from './dom';
 
 /** Lamps of the arm as on the panel, then those of the station. */
 const ARM = ['SINGULAR', 'REACH LIM', 'SOFT STOP', 'RATE LIM'];
-const STATION = ['CHECK CRT', 'LINK', 'CONTROLLER'];
+const STATION = ['CLEARANCE', 'CHECK CRT', 'LINK', 'CONTROLLER'];
 
 export interface SpineListener {
   acknowledged(): void;

@@ -1,11 +1,13 @@
-/** Translational hand controller, the switch of its rate, and RATE HOLD. */
+/** Translational hand controller: the arm's, with its rate and RATE HOLD, or the orbiter's. */
 
 import { X, Y, Z } from '../input/deflection';
 import { button, el, group, setAttribute, setClass, setPressed, setText, svg } from './dom';
+import { isMoving, orbiterReading } from './orbiter';
 import type { Desk, Part } from './part';
 import { mark, setHand, triple } from './sticks';
 
-export function thc(desk: Desk): Part {
+/** `flyOrbiter` hands the THC to the orbiter, or back to the arm. */
+export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
   const [up, down] = [el('span'), el('span')];
   const [lift, drop] = [el('span'), el('span')];
   const plane = mark();
@@ -20,6 +22,12 @@ export function thc(desk: Desk): Part {
     ['Rate hold'],
     () => desk.send({ type: 'rate_hold' }),
   );
+  const arm = button({}, ['Arm'], () => flyOrbiter(false));
+  const orbiter = button({ title: 'The THC translates the orbiter' }, ['Orbiter'], () => flyOrbiter(true));
+  const flies = el('div', { class: 'switch flies', role: 'group', 'aria-label': 'THC flies' }, arm, orbiter);
+  flies.hidden = desk.welcome.work.cargo.length === 0;
+  const reading = orbiterReading();
+  const rates = el('div', { class: 'switch', role: 'group', 'aria-label': 'Rate' }, coarse, vernier);
   const element = group(
     'thc',
     'THC',
@@ -58,39 +66,52 @@ export function thc(desk: Desk): Part {
       ),
     ),
     numbers.element,
-    el('div', { class: 'switch', role: 'group', 'aria-label': 'Rate' }, coarse, vernier),
+    flies,
+    reading.element,
+    rates,
     hold,
   );
   return {
     element,
-    bars({ frame, hand, flying }) {
+    bars({ frame, hand, flying, orbiting }) {
       const [x, y, z] = frame.translation;
       heldPlane.set(y, x);
       heldHeight.set(0, -z);
-      const own = frame.rate_hold && flying;
+      const own = orbiting || (frame.rate_hold && flying);
       plane.set(own ? hand[Y] : y, own ? hand[X] : x + frame.drive);
       height.set(0, own ? -hand[Z] : -z);
     },
-    values({ frame, flying }) {
+    values({ frame, flying, hand, orbiting, units }) {
       const mode = desk.welcome.modes.find((each) => each.position === frame.mode);
-      const driving = mode?.kind === 'single';
-      const [x, , z] = mode?.axis_names ?? ['+X', '+Y', '+Z'];
+      const driving = mode?.kind === 'single' && !orbiting;
+      const [x, , z] = orbiting ? ORBITER_AXES : (mode?.axis_names ?? ['+X', '+Y', '+Z']);
       setText(up, driving ? '+ drive' : x);
       setText(down, driving ? '− drive' : opposite(x));
       setText(lift, driving ? '' : opposite(z));
       setText(drop, driving ? '' : z);
       setClass(element, 'driving', driving);
-      setHand(element, 'left hand', frame, flying);
-      if (driving) numbers.set([frame.drive, 0, 0], 'Drive');
+      setHand(element, orbiting ? 'flies the orbiter' : 'left hand', frame, flying);
+      setClass(element, 'orbiting', orbiting);
+      setPressed(arm, !orbiting);
+      setPressed(orbiter, orbiting);
+      reading.element.hidden = !orbiting;
+      rates.hidden = hold.hidden = orbiting;
+      reading.set(frame.work, units);
+      setClass(orbiter, 'moving', isMoving(frame.work));
+      if (orbiting) numbers.set([hand[X], hand[Y], hand[Z]], 'X');
+      else if (driving) numbers.set([frame.drive, 0, 0], 'Drive');
       else numbers.set(frame.translation, 'X');
       setAttribute(numbers.element, 'aria-label', 'Translation sticks');
-      setClass(element, 'holding', frame.rate_hold);
+      setClass(element, 'holding', frame.rate_hold && !orbiting);
       setPressed(hold, frame.rate_hold);
       setPressed(coarse, frame.rate === 'coarse');
       setPressed(vernier, frame.rate === 'vernier');
     },
   };
 }
+
+/** What + means for the THC while it flies the orbiter. */
+const ORBITER_AXES = ['+X fwd', '+Y stbd', '+Z down'] as const;
 
 const OPPOSITES: Readonly<Record<string, string>> = {
   fwd: 'aft',

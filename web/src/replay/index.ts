@@ -91,6 +91,7 @@ class Replay {
       camera: (number) => this.pictures.hand.choose(number),
       stepCamera: (by) => this.pictures.hand.step(by),
       otherMonitor: () => this.pictures.takeOther(),
+      plane: () => this.desk.setPlane(this.pictures.togglePlane()),
       close: () => this.transport.open(false),
     });
     this.rail.setVerdict(index.verdict);
@@ -112,9 +113,9 @@ class Replay {
     const { moment, position } = this.player;
     const units = unitsOf(this.units);
     if (moment && this.isNew(moment.frame)) {
-      this.pictures.draw(moment.frame);
-      this.pictures.setTime(moment.frame, null);
       this.desk.bars(moment.frame, units);
+      this.pictures.draw(moment.frame, this.desk.clearance());
+      this.pictures.setTime({ frame: moment.frame, units }, null);
       this.drawn += 1;
     }
     this.timeline.show(position, moment, units);
@@ -134,9 +135,15 @@ class Replay {
 
   /** Whether the pictures differ from those that stand: another frame, camera, or window. */
   private isNew(frame: Frame): boolean {
-    const { canvas, monitors } = this.pictures;
+    const { canvas, monitors, showsPlane } = this.pictures;
     const { clientWidth, clientHeight } = canvas;
-    const asked = [frame.tick, clientWidth, clientHeight, ...monitors.map(({ camera }) => camera)].join();
+    const asked = [
+      frame.tick,
+      clientWidth,
+      clientHeight,
+      showsPlane,
+      ...monitors.map(({ camera }) => camera),
+    ].join();
     if (asked === this.pictured) return false;
     this.pictured = asked;
     return true;

@@ -12,6 +12,7 @@ export interface ReplayKeys {
   camera(index: number): void;
   stepCamera(by: 1 | -1): void;
   otherMonitor(): void;
+  plane(): void;
   close(): void;
 }
 
@@ -36,6 +37,7 @@ export function actionOf(player: Player, keys: ReplayKeys, event: Pick<KeyboardE
     Period: () => keys.stepCamera(1),
     KeyX: () => keys.otherMonitor(),
     KeyD: () => keys.desk(),
+    KeyF: () => keys.plane(),
     Escape: () => keys.close(),
   };
   return actions[event.code];

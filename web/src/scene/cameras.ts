@@ -7,13 +7,18 @@ const NEAR = 0.08;
 const FAR = 400;
 const ORIGIN = new Vector3();
 const point = new Vector3();
+const [start, end] = [new Vector3(), new Vector3()];
 const turn = new Quaternion();
 const AXES = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)] as const;
 
-/** A point in a picture: 0 to 1 from its left and from its top; `visible` where it lies in it. */
-export interface Projected {
+/** A place in a picture: 0 to 1 from its left and from its top. */
+export interface Place {
   readonly x: number;
   readonly y: number;
+}
+
+/** A point in a picture; `visible` where it lies in it. */
+export interface Projected extends Place {
   readonly visible: boolean;
 }
 
@@ -72,6 +77,24 @@ export class Cameras {
     point.applyMatrix4(camera.projectionMatrix);
     const [x, y] = [(1 + point.x) / 2, (1 - point.y) / 2];
     return { x, y, visible: ahead && x >= 0 && x <= 1 && y >= 0 && y <= 1 };
+  }
+
+  /**
+   * Where a straight line of the scene lies in a camera's picture, as far as it is before the camera: its ends,
+   * 0 to 1 from the left and from the top, not cut off at the picture's edges; null: it is all behind it.
+   */
+  segment(name: string, aspect: number, a: Vec3, b: Vec3): readonly [Place, Place] | null {
+    const camera = this.at(name, aspect);
+    start.set(...a).applyMatrix4(camera.matrixWorldInverse);
+    end.set(...b).applyMatrix4(camera.matrixWorldInverse);
+    if (start.z > -NEAR && end.z > -NEAR) return null;
+    if (start.z > -NEAR) start.lerp(end, (start.z + NEAR) / (start.z - end.z));
+    else if (end.z > -NEAR) end.lerp(start, (end.z + NEAR) / (end.z - start.z));
+    const seen = (place: Vector3): Place => {
+      place.applyMatrix4(camera.projectionMatrix);
+      return { x: (1 + place.x) / 2, y: (1 - place.y) / 2 };
+    };
+    return [seen(start), seen(end)];
   }
 
   /** A frame's three axes as a camera sees them: x right, y up, z towards the viewer. */

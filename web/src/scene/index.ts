@@ -11,11 +11,12 @@ import {
   type Texture,
   WebGLRenderer,
 } from 'three';
-import type { Quat, Vec3, Welcome } from '../protocol';
+import type { Near, Quat, Vec3, Welcome } from '../protocol';
 import { Blob } from './blob';
 import { Body } from './bodies';
-import { Cameras, type Projected } from './cameras';
+import { Cameras, type Place, type Projected } from './cameras';
 import { Earth } from './earth';
+import { Gap } from './gap';
 import { Lights, TO_SUN } from './lights';
 import { Materials } from './materials';
 
@@ -49,6 +50,7 @@ export class Scene {
   private readonly lights: Lights | null;
   private readonly earth: Earth;
   private readonly blob: Blob | null;
+  private readonly gap: Gap;
   private readonly surroundings: Texture | null;
   private width = 0;
   private height = 0;
@@ -72,6 +74,7 @@ export class Scene {
     const [fixed, ...moving] = this.bodies;
     const ground = quality === 'low' ? fixed?.mesh('liner') : undefined;
     this.blob = ground ? new Blob(this.stage, ground, moving) : null;
+    this.gap = new Gap(this.stage, this.bodies);
   }
 
   /** Seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene frame. */
@@ -80,6 +83,11 @@ export class Scene {
       body.setPose(poses, POSE * i);
     });
     this.blob?.update();
+  }
+
+  /** The narrowest gap, drawn as a line in a colour `#rrggbb`, on demand with the plane in it; null: none. */
+  setGap(near: Near | null, colour: string, plane: boolean): void {
+    this.gap.set(near, colour, plane);
   }
 
   /** Draws all views anew. */
@@ -99,6 +107,7 @@ export class Scene {
       renderer.setViewport(left, bottom, width, height);
       renderer.setScissor(left, bottom, width, height);
       renderer.clear();
+      this.gap.fit(width, height);
       renderer.render(this.stage, this.cameras.at(camera, width / height));
     }
   }
@@ -108,6 +117,11 @@ export class Scene {
     return this.cameras.project(camera, aspect, point);
   }
 
+  /** Where a line of the scene lies in a camera's picture; null: behind it. */
+  segment(camera: string, aspect: number, a: Vec3, b: Vec3): readonly [Place, Place] | null {
+    return this.cameras.segment(camera, aspect, a, b);
+  }
+
   /** A frame's three axes as a camera sees them: x right, y up, z towards the viewer. */
   directions(camera: string, quaternion: Quat): [Vec3, Vec3, Vec3] {
     return this.cameras.directions(camera, quaternion);
@@ -115,6 +129,7 @@ export class Scene {
 
   dispose(): void {
     this.blob?.dispose();
+    this.gap.dispose();
     this.surroundings?.dispose();
     this.earth.dispose();
     this.lights?.dispose();

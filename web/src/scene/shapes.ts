@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import { assertUnreachable } from '../assert';
-import type { Box, Cylinder, Group, Light, Ring, Shape, Shell, Sphere, Vec2 } from '../protocol';
+import type { Box, Cylinder, Group, Hexahedron, Light, Ring, Shape, Shell, Sphere, Vec2 } from '../protocol';
 import type { Quality } from './index';
 import { loft } from './loft';
 import { plate } from './plate';
@@ -28,6 +28,8 @@ export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surfa
       return plate(shape);
     case 'loft':
       return loft(shape, quality === 'full' ? 64 : 32);
+    case 'hexahedron':
+      return hexahedron(shape);
     case 'light':
       return face(shape, quality);
     default:
@@ -61,6 +63,36 @@ function box({ size }: Box): Surface {
       }) as [number, number, number, number];
       surface.indices.push(...(side > 0 ? [a, b, c, a, c, d] : [a, c, b, a, d, c]));
     }
+  }
+  return surface;
+}
+
+/** Faces a to f of a hexahedron, each by the vertices round it, from zero, counter-clockwise as seen from outside. */
+const RIMS = [
+  [0, 1, 5, 4],
+  [0, 2, 3, 1],
+  [0, 4, 6, 2],
+  [1, 3, 7, 5],
+  [4, 5, 7, 6],
+  [2, 6, 7, 3],
+] as const;
+
+function hexahedron({ vertices }: Hexahedron): Surface {
+  const surface = new Surface();
+  const corner = (i: number): Vector3 => new Vector3(...(vertices[i] ?? [0, 0, 0]));
+  for (const rim of RIMS) {
+    const [p, q, r, s] = rim;
+    const along = corner(q).sub(corner(p)).normalize();
+    const normal = corner(r)
+      .sub(corner(p))
+      .cross(corner(s).sub(corner(q)))
+      .normalize();
+    const across = normal.clone().cross(along);
+    const [a, b, c, d] = rim.map((i) => {
+      const point = corner(i);
+      return surface.vertex(point, normal, point.dot(along), point.dot(across));
+    }) as [number, number, number, number];
+    surface.indices.push(a, b, c, a, c, d);
   }
   return surface;
 }

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.kinematics.jacobian import Twist
-from aftdeck.kinematics.linkage import sines, tip
+from aftdeck.kinematics.linkage import lifted, sines, tip
 from aftdeck.law import law
 from aftdeck.steering.aim import latraj
 from aftdeck.steering.layout import (
@@ -27,6 +27,7 @@ from aftdeck.steering.layout import (
     PACE,
     PLAN,
     REMAINING,
+    RISE,
     STRICT,
     TARGET,
 )
@@ -49,7 +50,7 @@ def plan(rules: Array, command: Array, state: Array) -> None:
         state[ANGLES + 4],
         state[ANGLES + 5],
     )
-    aim = latraj(tip(rules, a), command[TARGET:PLAN])
+    aim = latraj(lifted(tip(rules, a), state[RISE]), command[TARGET:PLAN])
     profile = vtopen(rules, aim.distance, aim.angle)
     v, w = profile.speed, profile.turn
     command[_VELOCITY], command[_VELOCITY + 1], command[_VELOCITY + 2] = v * aim.ux, v * aim.uy, v * aim.uz

@@ -1,0 +1,100 @@
+"""The concept arm's body: boxes made of the numbers in its file; what collides and what is drawn are the same.
+
+Sources: the Remote Manipulator Simulation's three hexahedra of the end effector, its ARM 0 to ARM 2 and STAND; the
+joints' housings, and the tube that slides in the stand's sleeve, are ours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from aftdeck.arms.geometry import PRONG, STAND
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.shapes import Material, Vec3
+
+Axes = tuple[int, int, int]
+
+OWN: Axes = (1, 2, 3)
+EFFECTOR: Axes = (-3, 2, 1)
+"""(x, y, z) = (-Z2, Y2, X2), so that face c looks to the wrist and d to the bar (restored from the report's MO2SET)."""
+
+
+class Block(NamedTuple):
+    """A box along the axes of its frame.
+
+    Attributes:
+        part: what people call it.
+        frame: that carries it.
+        low: least x, y, z in that frame [m].
+        high: greatest x, y, z [m].
+        material: what it looks like.
+        axes: the axes of its frame, 1 to 3, that are its own x, y, z, by which its vertices are numbered; negative
+            where they point the other way.
+    """
+
+    part: str
+    frame: str
+    low: Vec3
+    high: Vec3
+    material: Material
+    axes: Axes = OWN
+
+
+def blocks_of(file: HeadingArmFile, frames: tuple[str, ...]) -> tuple[Block, ...]:
+    """The arm's blocks, from the foot to the prong.
+
+    Args:
+        file: its dimensions.
+        frames: its linkage's frames, from the foot to the last joint.
+    """
+    return (*_stand(file, frames), *_booms(file, frames), *_effector(file, frames))
+
+
+def _stand(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
+    """A sleeve up to where the stand ends at its least length, and the tube that slides in it.
+
+    The tube is as long as the telescope travels; drawn in, it reaches below the foot where that is more than the
+    sleeve's length.
+    """
+    s = file.stand
+    below = s.top_below_shoulder.value
+    yield Block("stand", frames[0], *_along(2, below - s.least.value, 0.0, s.side.value), "structure")
+    travel = s.greatest.value - s.least.value
+    yield Block("telescope", STAND, *_along(2, below, below + travel, s.tube_side.value), "metal")
+
+
+def _booms(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
+    """Upper and lower arm between their pins, the stub, and the cubes round the pins."""
+    b, upper, lower = file.booms, file.geometry.upper_arm.value, file.geometry.lower_arm.value
+    back, side = b.set_back.value, b.side.value
+    yield Block("shoulder", frames[2], *_cube(b.shoulder_housing.value), "housing")
+    yield Block("upper boom", frames[2], *_along(0, back, upper - back, side), "boom")
+    yield Block("elbow", frames[3], *_cube(b.elbow_housing.value), "housing")
+    yield Block("lower boom", frames[3], *_along(0, back, lower - back, side), "boom")
+    yield Block("wrist", frames[4], *_cube(b.wrist_housing.value), "housing")
+    yield Block("stub", frames[6], *_along(0, *b.stub.value, b.stub_side.value), "padding")
+
+
+def _effector(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
+    """HEX 1 to HEX 3. The prong's frame stands at its inner face."""
+    e = file.effector
+    (begin, end), wide, high = e.palm.value, e.palm_half_width.value, e.palm_half_height.value
+    yield Block("palm", frames[6], (begin, -wide, -high), (end, wide, high), "structure", EFFECTOR)
+    (begin, end), thick, high = e.fingers.value, e.finger_thickness.value, e.finger_half_height.value
+    inner = e.fixed_finger.value
+    yield Block("fixed finger", frames[6], (begin, inner, -high), (end, inner + thick, high), "bright", EFFECTOR)
+    yield Block("prong", PRONG, (begin, -thick, -high), (end, 0.0, high), "bright", EFFECTOR)
+
+
+def _along(axis: int, begin: float, end: float, side: float) -> tuple[Vec3, Vec3]:
+    """Corners of a box of square section along an axis of its frame, 0 to 2."""
+    half = 0.5 * side
+    low, high = [-half] * 3, [half] * 3
+    low[axis], high[axis] = begin, end
+    return (low[0], low[1], low[2]), (high[0], high[1], high[2])
+
+
+def _cube(edge: float) -> tuple[Vec3, Vec3]:
+    """Corners of a cube about its frame's origin."""
+    return _along(0, -0.5 * edge, 0.5 * edge, edge)

@@ -1,0 +1,58 @@
+"""The hexahedra that an arm file's bodies stand for, in the frames that carry them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.model import BoxBody, PrismBody
+from aftdeck.bodies.check import hexahedron
+from aftdeck.bodies.cover import prism
+from aftdeck.errors import InputError
+from aftdeck.frames import endori
+
+Array = NDArray[np.float64]
+
+
+def hexahedra(body: BoxBody | PrismBody) -> Array:
+    """(n, 8, 3) vertices [m] of a body, turned and put in its place.
+
+    Raises:
+        InputError: sizes that make no solid.
+    """
+    if isinstance(body, BoxBody):
+        found = corners((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5))[None] * body.size
+    else:
+        found = prism(body.radius, body.length, axis=body.axis, sides=body.sides)
+    for vertices in found:
+        hexahedron(vertices, body.part)
+    return np.asarray(found @ endori(*body.rotation).T + body.position)
+
+
+def body_problem(body: BoxBody | PrismBody) -> str:
+    """What is wrong with a body's sizes; empty where nothing is."""
+    try:
+        hexahedra(body)
+    except InputError as error:
+        return str(error)
+    return ""
+
+
+def corners(
+    low: tuple[float, float, float], high: tuple[float, float, float], axes: tuple[int, int, int] = (1, 2, 3)
+) -> Array:
+    """(8, 3) vertices of a box from its least and greatest coordinates.
+
+    Args:
+        low: least x, y, z [m].
+        high: greatest x, y, z [m].
+        axes: which of these, 1 to 3, are the box's own x, y, z, by which its vertices are numbered; negative where
+            they point the other way.
+    """
+    ends = (low, high)
+    vertices = np.empty((8, 3))
+    for v in range(8):
+        for axis, far in zip(axes, (v >> 1 & 1, v >> 2 & 1, v & 1), strict=True):
+            k = abs(axis) - 1
+            vertices[v, k] = ends[far if axis > 0 else 1 - far][k]
+    return vertices

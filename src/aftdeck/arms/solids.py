@@ -1,0 +1,25 @@
+"""An arm's solids: what of it can collide, in the frames that carry it."""
+
+from __future__ import annotations
+
+from aftdeck.arms.blocks import blocks_of
+from aftdeck.arms.covers import corners, hexahedra
+from aftdeck.arms.geometry import frozen
+from aftdeck.arms.load import ArmModel
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.bodies.solid import Solid
+
+
+def solids_of(model: ArmModel) -> tuple[Solid, ...]:
+    """An arm's solids, from the foot to the tip; their vertices are read-only.
+
+    The concept arm's are its own boxes. The Shuttle's arm is covered from outside, by the bodies that its file lists
+    (round ones stand out as `bodies.cover` says); of an arm whose file lists none, nothing collides.
+    """
+    file = model.source
+    if isinstance(file, HeadingArmFile):
+        return tuple(
+            Solid(block.part, block.frame, frozen(corners(block.low, block.high, block.axes)))
+            for block in blocks_of(file, model.linkage.frames)
+        )
+    return tuple(Solid(body.part, body.frame, frozen(v)) for body in file.bodies for v in hexahedra(body))

@@ -1,0 +1,100 @@
+"""Where every frame of an arm is, in L: what collides, what is drawn and what is looked from stands in one of them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.geometry import frozen
+from aftdeck.arms.load import ArmModel
+from aftdeck.kinematics.linkage import Three
+from aftdeck.law import law, sincos
+
+Array = NDArray[np.float64]
+
+POSE = 12
+"""Length of a frame's row: position [m], then the rotation row by row, whose columns are the frame's axes in L."""
+_CHAINED = 7
+"""Frames that the joints carry, the foot's included."""
+
+
+class Frames(NamedTuple):
+    """An arm's frames, as `place_frames` takes them.
+
+    Attributes:
+        names: from the foot on: `ArmModel.frames`.
+        joints: (6, 4) step from the joint before at zero angles [m], and the axis, 1 to 3, about which it turns.
+    """
+
+    names: tuple[str, ...]
+    joints: Array
+
+    def rows(self) -> Array:
+        """A row for each frame, to be filled by `place_frames`."""
+        return np.zeros((len(self.names), POSE))
+
+
+def frames_of(model: ArmModel) -> Frames:
+    """The frames of an arm."""
+    axes = np.array(model.linkage.axes, dtype=np.float64)
+    return Frames(model.frames, frozen(np.column_stack([model.linkage.steps, axes])))
+
+
+@law
+def place_frames(joints: Array, angles: Array, stand: float, prong: float, rows: Array) -> None:
+    """LNKAGE joint by joint, and what moves besides.
+
+    Args:
+        joints: (6, 4) as `Frames.joints`.
+        angles: (6,) joint angles [rad].
+        stand: height of the shoulder above L's origin [m]: on a telescope its length, else the arm's L1.
+        prong: y2 of the prong's inner face [m]; without use where `rows` are seven.
+        rows: (7 or 9, 12) out, in L.
+    """
+    at: Three = (0.0, 0.0, 0.0)
+    a: Three = (1.0, 0.0, 0.0)  # the frame's axes 1, 2, 3
+    b: Three = (0.0, 1.0, 0.0)
+    c: Three = (0.0, 0.0, 1.0)
+    for i in range(_CHAINED):
+        if i > 0:
+            joint = joints[i - 1]
+            at = _moved(at, a, joint[0])
+            at = _moved(at, b, joint[1])
+            at = _moved(at, c, -stand if i == 2 else joint[2])
+            sine, cosine = sincos(angles[i - 1])
+            if joint[3] == 1.0:
+                b, c = _turned(b, c, sine, cosine)
+            elif joint[3] == 2.0:
+                c, a = _turned(c, a, sine, cosine)
+            else:
+                a, b = _turned(a, b, sine, cosine)
+        _write(rows[i], at, a, b, c)
+    if rows.shape[0] > _CHAINED:
+        _write(rows[_CHAINED], (0.0, 0.0, -stand), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+        _write(rows[_CHAINED + 1], _moved(at, b, prong), a, b, c)
+
+
+@law
+def _moved(at: Three, axis: Three, by: float) -> Three:
+    """A point moved along an axis [m]."""
+    return at[0] + by * axis[0], at[1] + by * axis[1], at[2] + by * axis[2]
+
+
+@law
+def _turned(p: Three, q: Three, s: float, c: float) -> tuple[Three, Three]:
+    """Two axes turned about the third, from the first of them to the second, by the angle of this sine and cosine."""
+    return (
+        (c * p[0] + s * q[0], c * p[1] + s * q[1], c * p[2] + s * q[2]),
+        (c * q[0] - s * p[0], c * q[1] - s * p[1], c * q[2] - s * p[2]),
+    )
+
+
+@law
+def _write(row: Array, at: Three, a: Three, b: Three, c: Three) -> None:
+    """A frame's row, from its origin and its axes."""
+    row[0], row[1], row[2] = at
+    row[3], row[4], row[5] = a[0], b[0], c[0]
+    row[6], row[7], row[8] = a[1], b[1], c[1]
+    row[9], row[10], row[11] = a[2], b[2], c[2]

@@ -1,0 +1,58 @@
+"""Where every drawn body is in the scene, from a frame: in the order of `scene.bodies.bodies_of`."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.frames import SCENE_FROM_PANEL_AXES, Rows, quaternion
+from aftdeck.scenario.model import Scenario
+from aftdeck.scene.poses import ArmPoses
+from aftdeck.simulation.frame import Frame, Vec3
+
+Array = NDArray[np.float64]
+
+
+class ScenePoses:
+    """Poses of the worksite's bodies, of the arm's, of the payload in the grasp and of the worksite's payloads."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        mount, origin = scenario.arm.model.mount, np.array(scenario.worksite.origin)
+        self.arm = ArmPoses(scenario.arm.model, origin)
+        self._turn = SCENE_FROM_PANEL_AXES @ mount.rotation
+        self._origin = SCENE_FROM_PANEL_AXES @ mount.origin - origin
+        self._bodies = [
+            (body.pose.position, quaternion(body.pose.rotation), body.fixed_to == "space")
+            for body in scenario.worksite.bodies
+        ]
+        self._payload = scenario.payload is not None
+        finger = scenario.arm.model.fixed_finger
+        self._finger = 0.0 if finger is None else finger
+
+    def at(self, frame: Frame) -> list[float]:
+        """Seven numbers a body: x, y, z [m], w, x, y, z."""
+        poses = self.worksite(frame)
+        poses += self.arm.at(np.array(frame.angles), frame.work.stand, self.prong(frame))
+        if self._payload and frame.payload is not None:
+            poses += self.pose(*frame.payload)
+        for cargo in frame.work.cargo:
+            poses += self.pose(cargo.position, cargo.orientation)
+        return poses
+
+    def worksite(self, frame: Frame) -> list[float]:
+        """Of the worksite's own bodies: what is fixed to space goes as the orbiter leaves it."""
+        away = self._turn @ np.array(frame.work.orbiter)
+        poses: list[float] = []
+        for position, attitude, in_space in self._bodies:
+            poses += [*(position - away if in_space else position).tolist(), *attitude]
+        return poses
+
+    def prong(self, frame: Frame) -> float | None:
+        """y2 of the prong's inner face [m]; None: the hand has none."""
+        spacing = frame.work.hand.spacing
+        return None if spacing is None else self._finger - spacing
+
+    def pose(self, position: Vec3, orientation: Rows) -> list[float]:
+        """Seven numbers of a pose given in L."""
+        place = self._turn @ np.array(position) + self._origin
+        return [*place.tolist(), *quaternion(self._turn @ np.array(orientation))]

@@ -1,0 +1,112 @@
+"""The first instant of a flight, and of a part of the problem that is begun anew (the report's input 2)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.bodies.pose import POSE, compose
+from aftdeck.kinematics.frames import place_frames
+from aftdeck.kinematics.observe import OBSERVED, observe
+from aftdeck.scenario.model import Part, Start
+from aftdeck.simulation.carried import carrying
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.floating import floating
+from aftdeck.simulation.grasp import place_held, steer_with, take_hold
+from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.state import Panel, State
+from aftdeck.simulation.tasks import change_task
+from aftdeck.simulation.things import Thing
+from aftdeck.simulation.work import place_all
+from aftdeck.steering.layout import MASTER, RATES, TWIST
+from aftdeck.worksite.latches import Latches
+from aftdeck.worksite.snare import Snare
+
+_HERE = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
+
+
+def first_state(flight: Flight) -> State:
+    """The state at the scenario's first instant."""
+    scenario = flight.scenario
+    state = State(scenario, flight.site, carrying(scenario, scenario.payload))
+    put(flight, state, scenario.start)
+    return state
+
+
+def resume(flight: Flight, state: State) -> None:
+    """What follows from a state that was just restored: the steering's rules, what is watched, where the solids are."""
+    things, held = state.site, state.site.held
+    state.carried = carrying(flight.scenario, flight.scenario.payload)
+    if held is not None:
+        steer_with(flight, state, held)
+    things.mask(flight.site)
+    things.watch.place(things.frames)
+
+
+def initialise(flight: Flight, state: State, part: Part) -> None:
+    """Begin a part of the problem anew, in the flight under way."""
+    parts = flight.scenario.parts
+    if part not in parts:
+        there = f"this scenario has {', '.join(parts)}" if parts else "this scenario has none of them"
+        refuse(flight, state, f"{part} cannot be begun anew: {there}")
+        return
+    panel, scenario = state.panel, flight.scenario
+    state.panel = Panel(scenario.mode, panel.joint, panel.rate, law=panel.law, payload_axes=panel.payload_axes)
+    state.carried = carrying(scenario, scenario.payload)
+    put(flight, state, parts[part])
+    log(flight, state, "initialise", "info", f"initialised to {part}")
+
+
+def put(flight: Flight, state: State, start: Start) -> None:
+    """Put the arm and the worksite to where something begins."""
+    site, things, scenario = flight.site, state.site, flight.scenario
+    plant = state.plant
+    plant.angles[:], plant.rates[:] = start.angles, start.rates
+    plant.stand.position, plant.stand.velocity = start.stand, 0.0
+    state.commanded[:] = start.angles
+    seen = np.empty(OBSERVED)
+    observe(scenario.arm.model.links, start.angles, start.rates, seen)
+    state.steering[:] = 0.0
+    state.command[:] = 0.0
+    state.command[MASTER : MASTER + 6] = start.angles
+    state.steering[RATES : RATES + 6], state.steering[TWIST : TWIST + 6] = start.rates, seen[12:18]
+    state.measure(scenario)
+    things.orbiter[:], things.orbiter_velocity[:] = 0.0, 0.0
+    things.switch, things.snare, things.told, things.advice = "stop", Snare(), frozenset(), ""
+    things.prong.position, things.prong.velocity = things.prong.low, 0.0
+    things.contacts.forget()
+    frames = things.frames
+    frames[0], frames[site.space_row] = site.scene, site.scene
+    for k, one in enumerate(site.cargo):
+        pose = np.empty(POSE)
+        compose(site.scene, site.starts[k], pose)
+        things.cargo[k] = Thing()
+        if one.start.seat:
+            things.cargo[k].seat, things.cargo[k].latches = one.start.seat, Latches(1.0, 1.0)
+            things.cargo[k].off = things.cargo[k].seated = _HERE
+        else:
+            velocity = site.scene[3:].reshape(3, 3) @ one.start.velocity
+            control = one.limit_cycle
+            rates, angles = (one.start.rates, None) if control is None else (control.rate, control.start)
+            things.cargo[k].floating = floating(pose, velocity, rates, control, angles)
+    things.mask(site)
+    place_all(flight, state)
+    if start.grasped is not None:
+        k = start.grasped.cargo
+        things.prong.position = things.prong.high
+        if not site.prong:
+            things.snare = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
+        place_frames(
+            site.arm.joints,
+            start.grasped.angles,
+            start.grasped.stand,
+            things.prong.position,
+            frames[site.arm_rows],
+        )
+        things.cargo[k].seat = ""
+        take_hold(flight, state, k)
+        place_frames(site.arm.joints, start.angles, start.stand, things.prong.position, frames[site.arm_rows])
+        place_held(flight, state)
+    things.before[:] = frames
+    things.watch.look(frames, frames, scenario.control_period)
+    things.contacts.look(things.watch.found, things.task)
+    change_task(flight, state)

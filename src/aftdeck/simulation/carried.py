@@ -1,0 +1,43 @@
+"""What the arm carries, and the steering's rules with it: they change when a payload is captured or released."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.payload import Payload
+from aftdeck.scenario.limits import por_with
+from aftdeck.scenario.model import Scenario
+from aftdeck.steering.rules import Rate, rules_of
+
+Array = NDArray[np.float64]
+
+
+class Carried(NamedTuple):
+    """What the arm carries, and how it is steered with it.
+
+    Attributes:
+        payload: in the grasp; None: nothing.
+        rules: the steering's rules by panel position and rate setting.
+    """
+
+    payload: Payload | None
+    rules: dict[tuple[str, Rate], Array]
+
+
+def carrying(scenario: Scenario, payload: Payload | None) -> Carried:
+    """The arm with a payload in its grasp, or with none."""
+    model = scenario.arm.model
+    rules = rules_of(
+        model,
+        por_with(model, payload.mass if payload else 0.0, scenario.por),
+        scenario.control_period,
+        payload,
+        strict=scenario.strict,
+        as_flown=scenario.as_flown,
+        near=scenario.near,
+        near_turn=scenario.near_turn,
+    )
+    return Carried(payload, rules)

@@ -1,0 +1,90 @@
+"""How an arm's hand takes hold of the payloads of a place: constants for the laws of `worksite`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.load import ArmModel
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.bodies.hexahedron import pack
+from aftdeck.bodies.pose import row_of
+from aftdeck.worksite.acquisition import Tolerances
+from aftdeck.worksite.grapple import CaptureEnvelope
+from aftdeck.worksite.model import BarAcquisition, Cargo, SnareCapture, Worksite
+from aftdeck.worksite.snare import SnareTimes
+
+Array = NDArray[np.float64]
+
+HEXES = ("palm", "fixed finger", "prong")
+"""HEX 1 to 3."""
+
+
+@dataclass(frozen=True, eq=False)
+class Bar:
+    """A prong about a bar.
+
+    Attributes:
+        tolerances: of acquisition.
+        packed: (5,) the same for the law.
+        solids: places of HEX 1 to 3 among the layout's solids.
+        receptacles: for each cargo, its bar, packed (48,), in the cargo's axes; None: it has none.
+        fixed_finger: y2 of the fixed finger's inner face [m].
+    """
+
+    tolerances: Tolerances
+    packed: Array
+    solids: tuple[int, ...]
+    receptacles: tuple[Array | None, ...]
+    fixed_finger: float
+
+
+@dataclass(frozen=True, eq=False)
+class Snares:
+    """Snares about a grapple fixture's pin.
+
+    Attributes:
+        envelope: where the pin may stand.
+        times: of the parts.
+        fixtures: for each cargo, (12,) its fixture's pose in its axes; None: it has none.
+    """
+
+    envelope: CaptureEnvelope
+    times: SnareTimes
+    fixtures: tuple[Array | None, ...]
+
+    def fixture(self, k: int) -> Array:
+        """The fixture of a cargo that has one."""
+        fixture = self.fixtures[k]
+        assert fixture is not None, "only cargo with a fixture is captured"
+        return fixture
+
+
+def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts: Sequence[str]) -> Bar | None:
+    """How a prong takes hold here; None: the arm has none, or the place no rules for it. `parts`: of all solids."""
+    rule = worksite.acquisition
+    if not isinstance(model.source, HeadingArmFile) or not isinstance(rule, BarAcquisition):
+        return None
+    tolerances = Tolerances(rule.spacing, rule.window, rule.front, rule.rear, rule.fingers_within)
+    return Bar(
+        tolerances,
+        tolerances.packed(),
+        tuple(parts.index(name) for name in HEXES),
+        tuple(None if one.receptacle is None else pack(one.receptacle) for one in cargo),
+        float(model.source.effector.fixed_finger.value),
+    )
+
+
+def snares_of(worksite: Worksite, cargo: tuple[Cargo, ...]) -> Snares | None:
+    """How snares take hold here; None: the place has no rules for them."""
+    rule = worksite.acquisition
+    if not isinstance(rule, SnareCapture):
+        return None
+    return Snares(
+        CaptureEnvelope(rule.radial, rule.nearest, rule.farthest, rule.pitch, rule.yaw, rule.roll),
+        SnareTimes(rule.ring, rule.carriage, rule.tension),
+        tuple(None if one.grapple is None else row_of(one.grapple) for one in cargo),
+    )

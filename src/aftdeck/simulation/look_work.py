@@ -1,0 +1,116 @@
+"""Looking at the worksite after a step: contacts, captures, and where everything is."""
+
+from __future__ import annotations
+
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.bodies.separation import named
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import MASTER
+from aftdeck.steering.mode import MODES
+from aftdeck.worksite.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
+from aftdeck.worksite.report import Cargo, Hand, Near, Rows, Six, Vec3, Work
+from aftdeck.worksite.snare import flags
+from aftdeck.worksite.watch import Watch
+
+Array = NDArray[np.float64]
+
+
+def look_work(flight: Flight, state: State) -> Work:
+    """The worksite as it is now."""
+    site, things = flight.site, state.site
+    group = things.watch.nearest(site.detrimental)
+    inhibit = things.contacts.inhibit
+    x, y, z = (site.axes @ things.orbiter).tolist()
+    u, v, w = (site.axes @ things.orbiter_velocity).tolist()
+    contacts: tuple[Near, ...] = ()
+    reasons: tuple[str, ...] = ()
+    if things.told:
+        standing = things.contacts.standing(things.watch.found)
+        contacts = tuple(_near(flight, state, things.watch.found, contact.group) for contact in standing)
+        reasons = tuple(contact.text for contact in standing if contact.inhibits)
+        reasons += (things.advice,) if things.advice and reasons else ()
+    return Work(
+        task=things.task,
+        nearest=None if group < 0 else _near(flight, state, things.watch.found, group),
+        contacts=contacts,
+        arm_inhibit=inhibit.arm,
+        finger_inhibit=inhibit.finger,
+        inhibits=reasons,
+        pursuit=things.pursuit,
+        conditions=things.conditions,
+        hand=_hand(flight, state),
+        stand=state.plant.stand.position if site.prong else None,
+        orbiter=(x, y, z),
+        orbiter_velocity=(u, v, w),
+        cargo=tuple(_cargo(flight, state, k) for k in range(len(site.cargo))),
+        master=_six(state.command[MASTER : MASTER + 6]) if MODES[state.panel.mode].kind == "master" else None,
+    )
+
+
+def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
+    """Every watched pair that counts now, nearest first."""
+    things = state.site
+    watch = Watch(flight.site.layout)
+    watch.restore(things.watch.save())
+    watch.look(things.before, things.frames, flight.scenario.control_period)
+    found = watch.found[:, CLEARANCE]
+    groups = np.flatnonzero(np.isfinite(found))
+    return tuple(_near(flight, state, watch.found, int(g)) for g in groups[np.argsort(found[groups], kind="stable")])
+
+
+def _six(values: Array) -> Six:
+    return cast("Six", tuple(values.tolist()))
+
+
+def _near(flight: Flight, state: State, found: Array, group: int) -> Near:
+    row = found[group].tolist()
+    a, b = flight.site.layout.named(group)
+    touching = row[CLEARANCE] <= CONTACT
+    return Near(
+        a,
+        b,
+        row[CLEARANCE],
+        row[SPEED],
+        (row[POINT_A], row[POINT_A + 1], row[POINT_A + 2]),
+        (row[POINT_B], row[POINT_B + 1], row[POINT_B + 2]),
+        (0.0, 0.0, 0.0) if touching else (row[NORMAL], row[NORMAL + 1], row[NORMAL + 2]),
+        0.0 if touching else row[DISTANCE],
+        bool(state.site.contacts.essential[group]),
+        named(int(row[FEATURE_A])) if touching else "",
+        named(int(row[FEATURE_B])) if touching else "",
+    )
+
+
+def _hand(flight: Flight, state: State) -> Hand:
+    things = state.site
+    if flight.site.prong:
+        prong = things.prong
+        opening = (prong.high - prong.position) / (prong.high - prong.low)
+        spacing = (flight.scenario.arm.model.fixed_finger or 0.0) - prong.position
+        shows = (("CAPTURE", things.held is not None), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
+        return Hand(things.switch, opening, spacing, None, tuple(name for name, on in shows if on))
+    snare = things.snare
+    lit = tuple(name for name, on in flags(snare)._asdict().items() if on)
+    return Hand(things.switch, 1.0 - snare.ring, None, snare.carriage, lit, things.effector_mode, things.rigid)
+
+
+def _cargo(flight: Flight, state: State, k: int) -> Cargo:
+    site, things = flight.site, state.site
+    row, before = things.frames[site.cargo_row(k)].tolist(), things.before[site.cargo_row(k)].tolist()
+    period, thing = flight.scenario.control_period, things.cargo[k]
+    velocity = tuple([(now - was) / period for now, was in zip(row[:3], before[:3], strict=True)])
+    rows = (tuple(row[3:6]), tuple(row[6:9]), tuple(row[9:12]))
+    return Cargo(
+        site.cargo[k].name,
+        cast("Vec3", tuple(row[:3])),
+        cast("Rows", rows),
+        cast("Vec3", velocity),
+        thing.held,
+        thing.seat,
+    )

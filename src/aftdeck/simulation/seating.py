@@ -1,0 +1,173 @@
+"""Seats: docking at a port, and berthing in the bay on its latches or, in the concept's bay, by its retention.
+
+Remote Manipulator Simulation, mode 3 (docking), and section VII: a payload that is let go where it is inserted stays
+there. What is fixed to a seat and held as well holds the arm, until one of the two lets go.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.pose import POSE, compose, pose_of, relative, row_of
+from aftdeck.simulation.berths import Berth
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.grasp import regrasp, set_free
+from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.state import State
+from aftdeck.worksite.berthing import in_guides, places, ready_to_latch, retained
+from aftdeck.worksite.conditions import Condition, all_hold, refusal
+from aftdeck.worksite.docking import FOUND, approach, docking
+from aftdeck.worksite.draw_in import remaining
+from aftdeck.worksite.latches import Latches, advance
+
+Array = NDArray[np.float64]
+
+NEAR = 3.0
+"""A cargo farther from its place in a seat than this [m] is not yet being brought there."""
+
+
+def seat(flight: Flight, state: State, pressed: str | None) -> None:
+    """Fix what a seat takes, and let go what it is told to (`pressed`: latch, unlatch or None)."""
+    things = state.site
+    taken = False
+    for k, thing in enumerate(things.cargo):
+        if thing.seat:
+            taken = _fixed(flight, state, k, pressed) or taken
+        elif thing.held:
+            taken = _brought(flight, state, k, pressed) or taken
+    if pressed and not taken:
+        refuse(flight, state, f"{pressed.upper()} refused: no payload is at a seat")
+
+
+def stay_or_leave(flight: Flight, state: State, k: int) -> None:
+    """A cargo that was just let go stays in the seat that it lies in, or is free."""
+    thing = state.site.cargo[k]
+    if thing.seat:
+        return
+    for berth in flight.site.berths[k]:
+        if berth.lies and all_hold(_conditions(flight, state, k, berth)):
+            _fix(flight, state, k, berth, Latches(1.0, 1.0))
+            return
+    set_free(flight, state, k)
+
+
+def _brought(flight: Flight, state: State, k: int, pressed: str | None) -> bool:
+    """A cargo in the grasp comes to a seat: the conditions of the nearest; whether `pressed` was meant for it."""
+    site, things = flight.site, state.site
+    thing = things.cargo[k]
+    nearest: tuple[float, Berth] | None = None
+    for berth in site.berths[k]:
+        away = float(np.linalg.norm(_off(flight, state, k, berth)[:3]))
+        if away < NEAR and (nearest is None or away < nearest[0]):
+            nearest = away, berth
+    if nearest is None:
+        thing.parted = ""
+        return False
+    berth = nearest[1]
+    conditions = _conditions(flight, state, k, berth)
+    things.pursuit, things.conditions = f"{berth.verb} in the {berth.seat.title}", conditions
+    holds = all_hold(conditions)
+    if thing.parted and not (holds and thing.parted == berth.seat.name):
+        thing.parted = ""
+    if berth.at_once:
+        if holds and not thing.parted:
+            _fix(flight, state, k, berth, Latches(1.0, 1.0))
+        elif pressed == "latch":
+            thing.parted = "" if holds else thing.parted
+            if not holds:
+                refuse(flight, state, refusal("LATCH", conditions))
+        return pressed == "latch"
+    if pressed != "latch" or berth.lies:
+        return False
+    latches, said = advance(Latches(), berth.seat.time, "latch", flight.scenario.control_period, conditions)
+    for line in said:
+        log(flight, state, line.kind, line.level, line.text)
+    if latches.hold:
+        log(flight, state, "latch", "info", f"latches of the {berth.seat.title} closing")
+        _fix(flight, state, k, berth, latches)
+    return True
+
+
+def _fixed(flight: Flight, state: State, k: int, pressed: str | None) -> bool:
+    """A cargo in its seat: the latches go on, or are told to let go; whether `pressed` was meant for it."""
+    site, things = flight.site, state.site
+    thing = things.cargo[k]
+    berth = next(berth for berth in site.berths[k] if berth.seat.name == thing.seat)
+    if berth.at_once or berth.lies:
+        if pressed == "unlatch" and not (berth.lies and not thing.held):
+            _unfix(flight, state, k, berth)
+            return True
+        return False
+    command = pressed if pressed in ("latch", "unlatch") else ""
+    before = thing.latches
+    thing.latches, said = advance(before, berth.seat.time, command, flight.scenario.control_period, ())  # type: ignore[arg-type]
+    for line in said:
+        log(flight, state, line.kind, line.level, line.text)
+    if thing.latches.drawn != before.drawn:
+        thing.seated = row_of(remaining(pose_of(np.array(thing.off)), thing.latches.misaligned)).tolist()
+    if not thing.latches.hold:
+        _unfix(flight, state, k, berth)
+    return bool(command)
+
+
+def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -> None:
+    """The seat holds the cargo as it stands; its latches draw it in."""
+    things = state.site
+    thing = things.cargo[k]
+    off = _off(flight, state, k, berth).tolist()
+    thing.seat, thing.latches, thing.off, thing.seated, thing.floating = berth.seat.name, latches, off, off, None
+    things.mask(flight.site)
+    if berth.at_once:
+        log(flight, state, "docked", "info", f"{flight.site.cargo[k].title} docked at the {berth.seat.title}")
+
+
+def _unfix(flight: Flight, state: State, k: int, berth: Berth) -> None:
+    """The seat lets the cargo go: it hangs on the arm, or is free."""
+    site, things = flight.site, state.site
+    thing = things.cargo[k]
+    thing.seat, thing.parted = "", berth.seat.name
+    if thing.held:
+        regrasp(flight, state, k)
+    else:
+        set_free(flight, state, k)
+    things.mask(site)
+    what = "undocked from" if berth.at_once else "let go by"
+    log(flight, state, "unseated", "info", f"{site.cargo[k].title} {what} the {berth.seat.title}")
+
+
+def seated_at(flight: Flight, state: State, k: int, out: Array) -> None:
+    """Where a cargo is that is fixed to a seat, in L."""
+    site, things = flight.site, state.site
+    thing = things.cargo[k]
+    berth = next(berth for berth in site.berths[k] if berth.seat.name == thing.seat)
+    place = np.empty(POSE)
+    compose(things.frames[berth.row], berth.place, place)
+    compose(place, np.array(thing.seated), out)
+
+
+def _off(flight: Flight, state: State, k: int, berth: Berth) -> Array:
+    """(12,) a cargo's pose against its place in a seat."""
+    frames, place, off = state.site.frames, np.empty(POSE), np.empty(POSE)
+    compose(frames[berth.row], berth.place, place)
+    relative(place, frames[flight.site.cargo_row(k)], off)
+    return off
+
+
+def _conditions(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
+    """What has to hold before the seat takes the cargo."""
+    units = flight.scenario.arm.model.units
+    off = _off(flight, state, k, berth)
+    if berth.port is not None:
+        found, port = np.empty(FOUND), np.empty(POSE)
+        compose(state.site.frames[berth.row], berth.port, port)
+        body = state.site.frames[flight.site.cargo_row(k)]
+        approach(berth.probe, berth.tip, body, port, berth.seat.envelope, found)
+        return docking(found, berth.docking, units)
+    if berth.guides is None:
+        return retained(pose_of(off), berth.tolerances, units)
+    inside = np.empty(POSE)
+    relative(state.site.frames[berth.row], state.site.frames[flight.site.cargo_row(k)], inside)
+    trunnions = places(flight.site.cargo[k].trunnions, pose_of(inside))
+    guided = in_guides(trunnions, berth.guides, units)
+    return (*guided, *ready_to_latch(trunnions, pose_of(off), berth.guides, berth.tolerances, units))

@@ -1,0 +1,220 @@
+"""The worksite of a flight: everything about it that never changes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.load import ArmModel
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.arms.solids import solids_of
+from aftdeck.bodies.pose import row_of
+from aftdeck.bodies.solid import Solid
+from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, rotation_x
+from aftdeck.kinematics.frames import Frames, frames_of
+from aftdeck.kinematics.linkage import L5
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.berths import Berth, berth_of
+from aftdeck.simulation.hand import Bar, Snares, bar_of, snares_of
+from aftdeck.worksite.layout import Layout, Mask, PartPair, layout_of
+from aftdeck.worksite.model import Cargo, Seat, Worksite
+from aftdeck.worksite.pairs import among, part_pairs
+
+Array = NDArray[np.float64]
+
+ORBITER = 0
+"""Row of the scene's frame; the arm's follow, then space's, then one for each cargo."""
+SHORT = 1.0
+"""A link between two joints' centres shorter than this [m] is shorter than what stands on either side (assumed)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Site:
+    """What can touch what, and where things are kept.
+
+    Attributes:
+        worksite: the place.
+        cargo: the payloads that are there.
+        arm: the arm's frames.
+        layout: solids and watched groups.
+        essential: (g,) groups made to touch.
+        by_arm: (g,) groups of which a part is the arm's.
+        by_prong: (g,) groups of the prong; none, of an arm without one.
+        of_cargo: for each cargo, (g,) groups of which a part is its.
+        held: for each cargo, (g,) groups that are left out while it is held: of it with the hand.
+        seated: for each cargo and seat, (g,) groups that are left out while it lies there.
+        scene: (12,) the scene's frame in L.
+        hand: (12,) the tip in the frame of the last joint.
+        effector: (12,) the end effector's own axes E at the tip, in the frame of the last joint.
+        prong: whether the end effector is a prong; else it has snares.
+        bar: how the prong takes hold; None: this hand or this place has none.
+        snares: how the snares do; None likewise.
+        detrimental: (g,) groups of the arm and of what it may hold that are not made to touch.
+        axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
+        berths: for each cargo, its places in the seats that take it.
+        starts: for each cargo, (12,) its pose in the scene at the start.
+        sliding: for each cargo, (g,) groups that may touch while it is held and slides.
+        slides: for each cargo, (g,) groups along which it slides while it is held.
+    """
+
+    worksite: Worksite
+    cargo: tuple[Cargo, ...]
+    arm: Frames
+    layout: Layout
+    essential: Mask
+    by_arm: Mask
+    by_prong: Mask
+    of_cargo: tuple[Mask, ...]
+    held: tuple[Mask, ...]
+    seated: dict[tuple[int, str], Mask]
+    scene: Array
+    hand: Array
+    effector: Array
+    prong: bool
+    bar: Bar | None
+    snares: Snares | None
+    detrimental: Mask
+    axes: Array
+    berths: tuple[tuple[Berth, ...], ...]
+    starts: tuple[Array, ...]
+    sliding: tuple[Mask, ...]
+    slides: tuple[Mask, ...]
+
+    @property
+    def arm_rows(self) -> slice:
+        """Rows of the arm's frames."""
+        return slice(1, 1 + len(self.arm.names))
+
+    @property
+    def space_row(self) -> int:
+        """Row of the frame ``space``."""
+        return 1 + len(self.arm.names)
+
+    @property
+    def last_joint(self) -> int:
+        """Row of the frame that the last joint carries."""
+        return len(self.arm.names) if not self.prong else len(self.arm.names) - 2
+
+    def essential_while(self, sliding: int | None) -> Mask:
+        """(g,) groups made to touch; with a cargo that slides, those of it with the walls too."""
+        return self.essential if sliding is None else self.sliding[sliding]
+
+    def cargo_row(self, index: int) -> int:
+        """Row of a cargo's frame."""
+        return self.space_row + 1 + index
+
+    def seat(self, name: str) -> Seat:
+        """The seat of a name."""
+        return next(seat for seat in self.worksite.seats if seat.name == name)
+
+    def in_space(self, name: str) -> bool:
+        """Whether a seat is fixed to what does not move with the orbiter."""
+        return self.seat(name).frame == "space"
+
+    def lies(self, name: str) -> bool:
+        """Whether what is in a seat merely lies there."""
+        return any(berth.lies for own in self.berths for berth in own if berth.seat.name == name)
+
+
+def site_of(scenario: Scenario) -> Site:
+    """The worksite of a scenario."""
+    model, worksite, cargo = scenario.arm.model, scenario.worksite, scenario.cargo
+    arm = frames_of(model)
+    frames = ("orbiter", *arm.names, "space", *(one.name for one in cargo))
+    own = solids_of(model)
+    solids = (*own, *worksite.solids, *(solid for one in cargo for solid in one.solids))
+    foot, *joints = model.linkage.frames
+    chain = [name for name in (foot, "arm.stand", *joints, "arm.prong") if name in arm.names]
+    still = _still(model, own)
+    mounted = {(a, b.part) for a in still for b in worksite.solids if b.frame == "orbiter"}
+    layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | _folded(model, own)))
+    hand = {solid.part for solid in own if solid.frame in ("arm.prong", model.linkage.frames[-1])}
+    mine = {solid.part for solid in own}
+    parts = [{solid.part for solid in one.solids} for one in cargo]
+    by_arm = np.zeros(len(layout.groups), np.uint8)
+    if mine:
+        by_arm = layout.carried(arm.names)
+    essential = among(layout, [pair for pair in worksite.essential if set(pair) <= set(layout.parts)])
+    of_cargo = tuple(layout.carried([one.name]) for one in cargo)
+    walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
+    link = float(model.links[L5])
+    return Site(
+        worksite=worksite,
+        cargo=cargo,
+        arm=arm,
+        layout=layout,
+        essential=essential,
+        by_arm=by_arm,
+        by_prong=layout.carried(["arm.prong"]) if "arm.prong" in arm.names else np.zeros_like(by_arm),
+        of_cargo=of_cargo,
+        held=tuple(layout.between(hand, own_parts) for own_parts in parts),
+        seated={
+            (k, seat.name): layout.between(own_parts, _parts_of(worksite, seat))
+            for k, own_parts in enumerate(parts)
+            for seat in worksite.seats
+        },
+        scene=scene_in_l(scenario),
+        hand=row_of(Pose(np.array([link, 0.0, 0.0]), np.eye(3))),
+        effector=row_of(Pose(np.array([link, 0.0, 0.0]), rotation_x(model.end_effector_roll))),
+        prong=isinstance(model.source, HeadingArmFile),
+        bar=bar_of(model, worksite, cargo, [solid.part for solid in solids]),
+        snares=snares_of(worksite, cargo),
+        detrimental=1 - essential,
+        axes=model.mount.rotation.T.copy(),
+        berths=tuple(
+            tuple(
+                berth_of(seat, ORBITER if seat.frame == "orbiter" else 1 + len(arm.names), one, scenario.docking_axes)
+                for seat in worksite.seats
+                if not seat.lacks(one.probe, one.trunnions)
+            )
+            for one in cargo
+        ),
+        starts=tuple(row_of(one.start.pose) for one in cargo),
+        sliding=tuple(essential | layout.between(own_parts, walls) for own_parts in parts),
+        slides=tuple(layout.between(own_parts, walls) & (1 - essential) for own_parts in parts),
+    )
+
+
+def _still(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
+    """The arm's parts that stand on the orbiter or turn in place there: they are where they were mounted."""
+    foot, first, *_ = model.linkage.frames
+    places = np.cumsum(model.linkage.steps, axis=0)
+    near = {foot, first, "arm.stand"}
+    reach: dict[str, float] = {}
+    for solid in own:
+        if solid.frame in near:
+            reach.setdefault(solid.part, 0.0)
+        elif solid.frame in model.linkage.frames:
+            joint = places[max(model.linkage.frames.index(solid.frame) - 1, 0)]
+            farthest = float(np.linalg.norm(joint) + np.linalg.norm(solid.vertices, axis=1).max())
+            reach[solid.part] = max(reach.get(solid.part, 0.0), farthest)
+    return {part for part, farthest in reach.items() if farthest < SHORT}
+
+
+def _folded(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
+    """Pairs of the arm's parts on either side of a short link: shoulder and wrist cannot fold up onto themselves."""
+    places = np.cumsum(model.linkage.steps, axis=0)
+    names = model.linkage.frames
+    return {
+        (a.part, b.part)
+        for k in range(len(names) - 2)
+        if np.linalg.norm(places[k + 1] - places[k]) < SHORT
+        for a in own
+        if a.frame == names[k]
+        for b in own
+        if b.frame == names[k + 2]
+    }
+
+
+def scene_in_l(scenario: Scenario) -> Array:
+    """(12,) the scene's frame in L."""
+    mount = scenario.arm.model.mount
+    turn = mount.rotation.T @ SCENE_FROM_PANEL_AXES
+    return row_of(Pose(turn @ np.array(scenario.worksite.origin) - mount.rotation.T @ mount.origin, turn))
+
+
+def _parts_of(worksite: Worksite, seat: Seat) -> set[str]:
+    """The parts of what a seat is fixed to."""
+    return {solid.part for solid in worksite.solids if solid.frame == seat.frame}

@@ -1,0 +1,199 @@
+"""The worksite's part of the state: where everything is, what touches, what is held and what is fixed."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.bodies.pose import POSE
+from aftdeck.plant.effector import prong_of
+from aftdeck.plant.slide import Slide
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.schema import Until
+from aftdeck.simulation.floating import Floating
+from aftdeck.simulation.site import Site
+from aftdeck.worksite.conditions import Condition
+from aftdeck.worksite.contacts import Contacts
+from aftdeck.worksite.latches import Latches
+from aftdeck.worksite.snare import Snare
+from aftdeck.worksite.watch import SavedWatch, Watch
+
+Array = NDArray[np.float64]
+Switch = Literal["stop", "close", "open"]
+
+
+class Thing(msgspec.Struct):
+    """How a payload of the worksite is: held, fixed to a seat, both, or floating. Poses are rows of twelve."""
+
+    held: bool = False
+    grasp: list[float] | None = None
+    """While held: its pose in the frame of the last joint."""
+    steered: list[float] | None = None
+    """While held: its pose against the tip, as the steering takes it."""
+    first: list[float] | None = None
+    """Its fixture in the end effector's axes when the snares closed on it, from where it is drawn in."""
+    seat: str = ""
+    """What it is fixed to; empty: nothing."""
+    latches: Latches = Latches()
+    off: list[float] = msgspec.field(default_factory=list)
+    """Its pose against its place in the seat, when that took it."""
+    seated: list[float] = msgspec.field(default_factory=list)
+    """The same now, drawn in by the latches."""
+    parted: str = ""
+    """The port that it was just undocked from, which takes it again only when it has left it."""
+    floating: Floating | None = None
+    """While nothing holds it."""
+
+
+class Things:
+    """Everything of the worksite that the next step depends on.
+
+    Attributes:
+        frames: (F, 12) where every frame is, in L.
+        before: (F, 12) the same a step ago.
+        watch: the watched groups.
+        contacts: what touches, and what it inhibits.
+        told: groups whose contact the log has told.
+        cargo: the payloads.
+        orbiter: (3,) how far the orbiter has moved, forward, starboard, down [m].
+        orbiter_velocity: (3,) how fast it does [m/s].
+        prong: of the concept's hand: y2 of its inner face.
+        snare: of the Shuttle's end effector.
+        switch: end effector switch.
+        effector_mode: END EFFECTOR MODE.
+        rigid: MAN CONTR.
+        task: the report's mode, 1 to 4.
+        pursuit: what `conditions` are for.
+        conditions: of the capture, docking or latching that comes next.
+        advice: the way out of the contacts that was found last.
+        refused_orbiter: whether the orbiter's translation was asked for and refused in the last step.
+    """
+
+    def __init__(self, scenario: Scenario, site: Site) -> None:
+        self.frames = np.zeros((len(site.layout.frames), POSE))
+        self.before = self.frames.copy()
+        self.watch = Watch(site.layout)
+        self.contacts = Contacts(site.layout, site.essential, site.by_arm.copy(), site.by_prong)
+        self.told: frozenset[int] = frozenset()
+        self.cargo = [Thing() for _ in site.cargo]
+        self.orbiter, self.orbiter_velocity = np.zeros(3), np.zeros(3)
+        source = scenario.arm.model.source
+        self.prong = prong_of(source) if isinstance(source, HeadingArmFile) else Slide(0.0, 0.0, 0.0, 0.0)
+        self.snare = Snare()
+        self.switch: Switch = "stop"
+        self.effector_mode: Literal["auto", "manual"] = "auto"
+        self.rigid: Literal["off", "rigid", "derigid"] = "off"
+        self.task = 1
+        self.pursuit = ""
+        self.conditions: tuple[Condition, ...] = ()
+        self.advice = ""
+        self.refused_orbiter = False
+
+    @property
+    def held(self) -> int | None:
+        """The payload in the grasp; None: none is."""
+        return next((k for k, thing in enumerate(self.cargo) if thing.held), None)
+
+    @property
+    def fast(self) -> bool:
+        """Whether what the arm holds is fixed to something, so that the arm cannot move."""
+        held = self.held
+        return held is not None and self.cargo[held].seat != ""
+
+    def away(self, site: Site) -> Array:
+        """(3,) how far the orbiter has moved, in L [m]."""
+        moved: Array = site.axes @ self.orbiter
+        return moved
+
+    def is_so(self, what: Until) -> bool:
+        """Whether something has come about that a script may wait for."""
+        match what:
+            case "captured":
+                return self.held is not None and self.snare.motion != "capture"
+            case "released":
+                return self.held is None and self.snare.motion != "release"
+            case "latched":
+                return any(thing.seat and not thing.latches.motion for thing in self.cargo)
+            case "unlatched":
+                return not any(thing.seat for thing in self.cargo)
+
+    def mask(self, site: Site) -> None:
+        """Which groups are looked at, and which move with the arm, as things are held and fixed now."""
+        active, by_arm = self.watch.active, self.contacts.arm
+        active[:], by_arm[:] = 1, site.by_arm
+        for k, thing in enumerate(self.cargo):
+            if thing.held:
+                active &= 1 - site.held[k]
+                by_arm |= site.of_cargo[k]
+            if thing.seat:
+                active &= 1 - site.seated[k, thing.seat]
+
+    def save(self) -> SavedThings:
+        """A copy that nothing changes."""
+        return SavedThings(
+            self.frames.tolist(),
+            self.before.tolist(),
+            self.watch.save(),
+            self.contacts.save(),
+            tuple(sorted(self.told)),
+            tuple(_copied(thing) for thing in self.cargo),
+            self.orbiter.tolist(),
+            self.orbiter_velocity.tolist(),
+            self.prong.save(),
+            self.snare,
+            self.switch,
+            self.effector_mode,
+            self.rigid,
+            self.task,
+            self.pursuit,
+            self.conditions,
+            self.advice,
+            self.refused_orbiter,
+        )
+
+    def restore(self, saved: SavedThings) -> None:
+        """Go on from what `save` gave."""
+        self.frames[:], self.before[:] = saved.frames, saved.before
+        self.watch.restore(saved.watch)
+        self.contacts.restore(saved.contacts)
+        self.told, self.cargo = frozenset(saved.told), [_copied(thing) for thing in saved.cargo]
+        self.orbiter[:], self.orbiter_velocity[:] = saved.orbiter, saved.orbiter_velocity
+        self.snare = saved.snare
+        self.prong.restore(saved.prong)
+        self.switch, self.effector_mode, self.rigid = saved.switch, saved.effector_mode, saved.rigid
+        self.task = saved.task
+        self.pursuit, self.conditions, self.advice = saved.pursuit, saved.conditions, saved.advice
+        self.refused_orbiter = saved.refused_orbiter
+
+
+def _copied(thing: Thing) -> Thing:
+    """A copy whose flight goes on by itself."""
+    flight = thing.floating
+    return msgspec.structs.replace(thing, floating=None if flight is None else msgspec.structs.replace(flight))
+
+
+class SavedThings(msgspec.Struct, frozen=True):
+    """The worksite's state as plain values, in the order of `Things`."""
+
+    frames: list[list[float]]
+    before: list[list[float]]
+    watch: SavedWatch
+    contacts: tuple[list[int], list[bool]]
+    told: tuple[int, ...]
+    cargo: tuple[Thing, ...]
+    orbiter: list[float]
+    orbiter_velocity: list[float]
+    prong: list[float]
+    snare: Snare
+    switch: Switch
+    effector_mode: Literal["auto", "manual"]
+    rigid: Literal["off", "rigid", "derigid"]
+    task: int
+    pursuit: str
+    conditions: tuple[Condition, ...]
+    advice: str
+    refused_orbiter: bool

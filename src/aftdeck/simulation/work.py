@@ -1,0 +1,124 @@
+"""The worksite's part of a step: what moves besides the arm, what touches, what is caught, held and let go."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.frames import place_frames
+from aftdeck.simulation.capture import capture
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.grasp import place_held
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.seating import seat, seated_at
+from aftdeck.simulation.state import State
+from aftdeck.simulation.tasks import change_task
+from aftdeck.simulation.ways_out import way_out_of_contact
+from aftdeck.worksite.drift import translate
+from aftdeck.worksite.restrain import allowed
+
+Array = NDArray[np.float64]
+
+WATCHED = 1.0
+"""What is nearer than this [m] is measured in every step; what is farther only until the nearest is found."""
+_DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
+
+
+def work(flight: Flight, state: State, inputs: Inputs) -> None:
+    """Bring the worksite to the end of the step, after the plant has moved."""
+    things, period = state.site, flight.scenario.control_period
+    things.before[:] = things.frames
+    things.pursuit, things.conditions = "", ()
+    _move_orbiter(flight, state, inputs)
+    _move_prong(flight, state)
+    for thing in things.cargo:
+        if thing.floating is not None:
+            thing.floating.move(period)
+    place_all(flight, state)
+    things.watch.look_near(things.before, things.frames, period, flight.site.detrimental, WATCHED)
+    _touch(flight, state)
+    capture(flight, state, pressed=inputs.effector is not None)
+    seat(flight, state, inputs.latch)
+    change_task(flight, state)
+
+
+def place_all(flight: Flight, state: State) -> None:
+    """Where every frame is now."""
+    site, things = flight.site, state.site
+    frames = things.frames
+    place_frames(
+        site.arm.joints, state.plant.angles, state.plant.stand.position, things.prong.position, frames[site.arm_rows]
+    )
+    away = things.away(site)
+    frames[site.space_row, :3] = site.scene[:3] - away
+    for k, thing in enumerate(things.cargo):
+        row = frames[site.cargo_row(k)]
+        if thing.seat:
+            seated_at(flight, state, k, row)
+        elif thing.floating is not None:
+            row[:] = thing.floating.pose
+            row[:3] -= away
+    place_held(flight, state)
+
+
+def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
+    """Translate the orbiter; not while the arm holds what something in space holds too."""
+    things, rule = state.site, flight.site.worksite.translation
+    asked = any(inputs.orbiter)
+    if rule is None or not (asked or things.orbiter_velocity.any()):
+        if asked and not things.refused_orbiter:
+            refuse(flight, state, "the orbiter does not translate at this worksite")
+        things.refused_orbiter = asked
+        return
+    held = things.held
+    tied = held is not None and things.cargo[held].seat != "" and flight.site.in_space(things.cargo[held].seat)
+    if tied and asked and not things.refused_orbiter:
+        refuse(flight, state, "the orbiter does not translate while the arm holds a docked payload: RELEASE or UNLATCH")
+    things.refused_orbiter = tied and asked
+    command = np.zeros(3) if tied else np.array(inputs.orbiter)
+    if tied:
+        things.orbiter_velocity[:] = 0.0
+        return
+    period = flight.scenario.control_period
+    translate(things.orbiter, things.orbiter_velocity, command, rule.speed, rule.reached_in, period)
+
+
+def _move_prong(flight: Flight, state: State) -> None:
+    """Close or open the prong; while the finger is inhibited only as far as no contact deepens."""
+    site, things = flight.site, state.site
+    drive = _DRIVES[things.switch] if site.prong else 0.0
+    prong, period = things.prong, flight.scenario.control_period
+    if drive != 0.0 and things.contacts.inhibit.finger:
+        after = things.frames.copy()
+        position = prong.after(drive, period)
+        place_frames(site.arm.joints, state.plant.angles, state.plant.stand.position, position, after[site.arm_rows])
+        if not allowed(things.watch, site.detrimental & site.by_prong, after):
+            drive = 0.0
+    prong.move(drive, period)
+
+
+def _touch(flight: Flight, state: State) -> None:
+    """Contacts and what they inhibit, told where they change."""
+    things = state.site
+    before = things.contacts.inhibit
+    now = things.contacts.look(things.watch.found, things.task)
+    if now.changed:
+        standing = things.contacts.standing(things.watch.found)
+        for contact in standing:
+            if contact.group not in things.told:
+                log(flight, state, "contact", "info" if contact.essential else "caution", contact.text)
+        touching = frozenset(contact.group for contact in standing)
+        for group in sorted(things.told - touching):
+            a, b = flight.site.layout.named(group)
+            log(flight, state, "contact", "info", f"{a} clear of {b}")
+        things.told = touching
+    for name, was, is_now in (("ARM", before.arm, now.arm), ("FINGER", before.finger, now.finger)):
+        if is_now and not was:
+            log(flight, state, "inhibit", "warning", f"{name} INHIBIT: only motion that relieves the contact is flown")
+        elif was and not is_now:
+            log(flight, state, "inhibit", "info", f"{name} INHIBIT off")
+    if now.arm:
+        things.advice = way_out_of_contact(flight, state)
+    elif things.advice:
+        things.advice = ""

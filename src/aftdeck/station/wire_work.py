@@ -1,0 +1,92 @@
+"""From the worksite's values to the page's: what can be done there, and how things stand, in the scene."""
+
+from __future__ import annotations
+
+import math
+from typing import cast
+
+import numpy as np
+
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.frames import SCENE_FROM_PANEL_AXES
+from aftdeck.scenario.model import Scenario
+from aftdeck.station import protocol as wire
+from aftdeck.worksite.report import Near, Vec3, Work
+
+
+def work_info(scenario: Scenario) -> wire.WorkInfo:
+    """What can be done at a scenario's worksite."""
+    file = scenario.arm.model.source
+    stand = None
+    if isinstance(file, HeadingArmFile):
+        telescope = file.stand
+        stand = wire.StandInfo(
+            float(telescope.least.value), float(telescope.greatest.value), float(telescope.rate.value)
+        )
+    return wire.WorkInfo(
+        hand="snares" if stand is None else "prong",
+        stand=stand,
+        cargo=tuple(cargo.name for cargo in scenario.cargo),
+        seats=tuple(seat.title for seat in scenario.worksite.seats),
+        parts=tuple(scenario.parts),
+        caution=scenario.caution,
+        warning=scenario.warning,
+    )
+
+
+class WorkTranslator:
+    """Turns what happens at one scenario's worksite into the page's coordinates."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        mount = scenario.arm.model.mount
+        self._panel_axes = mount.rotation
+        self._axes = SCENE_FROM_PANEL_AXES @ mount.rotation
+        self._origin = SCENE_FROM_PANEL_AXES @ mount.origin - scenario.worksite.origin
+
+    def frame(self, work: Work) -> wire.WorkFrame:
+        """The worksite in a frame."""
+        hand = work.hand
+        return wire.WorkFrame(
+            task=work.task,
+            nearest=None if work.nearest is None else self._near(work.nearest),
+            contacts=tuple(self._near(near) for near in work.contacts),
+            arm_inhibit=work.arm_inhibit,
+            finger_inhibit=work.finger_inhibit,
+            inhibits=work.inhibits,
+            pursuit=work.pursuit,
+            conditions=tuple(
+                wire.Condition(c.name, c.holds, c.value, c.limit, c.unit, c.margin, c.text) for c in work.conditions
+            ),
+            hand=wire.HandFrame(
+                hand.switch, hand.opening, hand.spacing, hand.carriage, hand.flags, hand.mode, hand.rigid
+            ),
+            stand=work.stand,
+            orbiter=_vec3(self._panel_axes @ np.array(work.orbiter)),
+            orbiter_velocity=_vec3(self._panel_axes @ np.array(work.orbiter_velocity)),
+            cargo=tuple(
+                wire.CargoFrame(cargo.name, cargo.held, cargo.seat, math.hypot(*cargo.velocity)) for cargo in work.cargo
+            ),
+            master=work.master,
+        )
+
+    def _near(self, near: Near) -> wire.Near:
+        a, b = self._point(near.point_a), self._point(near.point_b)
+        middle = tuple(0.5 * (x + y) for x, y in zip(a, b, strict=True))
+        return wire.Near(
+            near.a,
+            near.b,
+            near.clearance,
+            near.closing,
+            a,
+            b,
+            cast("wire.Vec3", middle),
+            _vec3(self._axes @ np.array(near.normal)),
+            near.essential,
+        )
+
+    def _point(self, point: Vec3) -> wire.Vec3:
+        return _vec3(self._axes @ np.array(point) + self._origin)
+
+
+def _vec3(values: np.ndarray) -> wire.Vec3:
+    return cast("wire.Vec3", tuple(values.tolist()))

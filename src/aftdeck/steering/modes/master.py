@@ -1,0 +1,84 @@
+"""Master arm: the arm follows six joint angles, those of a small arm that the operator moves.
+
+Inputs: the master's six angles, from sliders or a device, at any time; until the operator has moved it, the master
+stands where the arm stood when the mode was entered.
+Limits: each joint's coarse or vernier rate, ramped, and less with a payload; soft stops: a joint is led up to its stop
+where the master stands beyond it, and a joint that is past its stop itself is only let back. Singularities and the
+tip's own limits do not act, for no tip motion is asked for.
+Ends: when the operator leaves it; each joint comes to rest at its master's angle without passing it.
+Source: Remote Manipulator Simulation, final report: the slave follows the six angles of a master arm. How fast, and
+the smooth arrival, are ours.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.kinematics.jacobian import Rates
+from aftdeck.law import law
+from aftdeck.steering.layout import (
+    ANGLES,
+    ARRIVED,
+    CAUSE,
+    CULPRIT,
+    DT,
+    HIGH,
+    LOW,
+    MASTER,
+    RATE,
+    RATE_UP,
+    RATES,
+    RATIO,
+)
+from aftdeck.steering.limiters import BY_STOP, braked
+
+Array = NDArray[np.float64]
+
+THERE = 1e-9
+"""How near to its master's angle a joint at rest has come when it is there [rad]."""
+
+
+@law
+def _goal(rules: Array, command: Array, state: Array, i: int) -> float:
+    """Where joint i goes [rad]: to the master's angle or the stop before it, and never farther past a stop."""
+    angle = state[ANGLES + i]
+    return float(min(max(command[MASTER + i], min(rules[LOW + i], angle)), max(rules[HIGH + i], angle)))
+
+
+@law
+def _followed(rules: Array, state: Array, report: Array, goal: float, i: int) -> float:
+    """Rate of joint i [rad/s] towards where it goes."""
+    angle, before = state[ANGLES + i], state[RATES + i]
+    most = rules[RATE + i]
+    asked = math.copysign(min(braked(abs(goal - angle), rules[RATE_UP + i], rules[DT]), most), goal - angle)
+    change = rules[RATE_UP + i] * rules[DT]
+    rate = before + min(max(asked - before, -change), change)
+    gap = rules[HIGH + i] - angle if rate > 0.0 else angle - rules[LOW + i]
+    allowed = braked(gap, rules[RATE_UP + i], rules[DT])
+    if abs(rate) > allowed:  # a joint that came too fast, from a mode in which this stop does not act
+        report[RATIO] = min(report[RATIO], allowed / abs(rate))
+        report[CAUSE], report[CULPRIT] = BY_STOP, i
+        rate = math.copysign(allowed, rate)
+    return float(min(max(rate, -most), most))
+
+
+@law
+def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
+    """The joint rates [rad/s] of this step, into the state too; stops that act, and arrival, into the report."""
+    there = 1.0
+    for i in range(6):
+        goal = _goal(rules, command, state, i)
+        rate = _followed(rules, state, report, goal, i)
+        left = abs(goal - state[ANGLES + i])
+        if goal != command[MASTER + i] and braked(left, rules[RATE_UP + i], rules[DT]) < rules[RATE + i]:
+            report[CAUSE], report[CULPRIT] = BY_STOP, i
+        if left > THERE or abs(rate) * rules[DT] > THERE:
+            there = 0.0
+        state[RATES + i] = rate
+    report[ARRIVED] = there
+    return Rates(
+        state[RATES], state[RATES + 1], state[RATES + 2], state[RATES + 3], state[RATES + 4], state[RATES + 5]
+    )  # fmt: skip

@@ -1,0 +1,208 @@
+"""Berthing: trunnions in their V-guides and on their seats, and the retention of a payload that needs no latch.
+
+A guide is a V that opens upwards from the seat, in the plane square to its trunnion: it funnels the trunnion one way,
+as far aside as the V is wide at that height. A payload is ready to latch when every trunnion is on its seat, the
+payload is turned as it will be stowed, and both switches of every latch show it. Source: SSV (guides, tolerance, the
+dual switches of DISP 97).
+
+Not modelled: a guide's force on a trunnion; the two switches of a latch see the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence, Set
+from math import inf
+from typing import NamedTuple
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.errors import InputError
+from aftdeck.frames import Pose
+from aftdeck.worksite.conditions import Condition, Units, within
+from aftdeck.worksite.draw_in import turned_by
+
+Array = NDArray[np.float64]
+Vec3 = tuple[float, float, float]
+
+SWITCHES = ("A", "B")
+"""Each latch has two that show ready-for-latch."""
+_SQUARE = 1e-9
+"""How exactly a guide's directions have to be square and of unit length [1]."""
+
+
+class Guide(msgspec.Struct, frozen=True):
+    """A V-guide with its latch, in the frame of the body that it stands on."""
+
+    name: str
+    """``forward port``."""
+    seat: Vec3
+    """The trunnion's centre when it is stowed [m]."""
+    up: Vec3
+    """Unit vector out of the V."""
+    along: Vec3
+    """Unit vector in which the V funnels: along the bay for a longeron's, across it for the keel's."""
+    half_angle: float
+    """Of the V's opening, from `up` [rad]; assumed, no figure published."""
+    height: float
+    """From the seat to the guide's top [m]; SSV has models of 22 in and 24 in [S]."""
+    throat: float
+    """Half the width of the V at its seat, less the trunnion's radius [m]; assumed."""
+    play: float
+    """How far the trunnion may stand either way along its own axis [m]; assumed."""
+
+
+class SeatTolerances(msgspec.Struct, frozen=True):
+    """How near to its stowed pose a payload has to be for its latches, or to be retained."""
+
+    distance: float
+    """Of each trunnion, or of the centre [m]; SSV has 0.05 m [I]."""
+    angle: float
+    """Of the whole turn [rad]; SSV has 1 deg [I]."""
+
+
+class Guides(NamedTuple):
+    """Guides with their directions as arrays.
+
+    Attributes:
+        guides: as they were given.
+        seats: (n, 3) [m].
+        axes: (n, 3, 3) unit vectors as rows: along, across (the trunnion's axis), up.
+    """
+
+    guides: tuple[Guide, ...]
+    seats: Array
+    axes: Array
+
+
+def prepare(guides: Sequence[Guide]) -> Guides:
+    """The guides of a seat.
+
+    Raises:
+        InputError: directions that are not unit vectors square to each other; names the guide.
+    """
+    axes = np.empty((len(guides), 3, 3))
+    for k, guide in enumerate(guides):
+        along, up = np.array(guide.along), np.array(guide.up)
+        across = np.cross(up, along)
+        axes[k] = along, across, up
+        if not np.allclose(axes[k] @ axes[k].T, np.eye(3), rtol=0.0, atol=_SQUARE):
+            raise InputError(
+                f"guide {guide.name!r}: up {guide.up} and along {guide.along} have to be unit vectors, square to each "
+                "other"
+            )
+    return Guides(tuple(guides), np.array([guide.seat for guide in guides]).reshape(-1, 3), axes)
+
+
+def places(trunnions: Array, payload: Pose) -> Array:
+    """Where trunnions are, (n, 3) [m], in the frame that the payload's pose is given in.
+
+    Args:
+        trunnions: (n, 3) their centres in the payload's frame [m].
+        payload: its pose.
+    """
+    return np.asarray(payload.position + trunnions @ payload.rotation.T)
+
+
+def in_guides(trunnions: Array, guides: Guides, units: Units) -> tuple[Condition, ...]:
+    """Whether each trunnion is in the capture region of its guide: a condition for each, told by what is tightest.
+
+    Args:
+        trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
+        guides: of the seat.
+        units: the operator's.
+    """
+    local = np.einsum("nij,nj->ni", guides.axes, trunnions - guides.seats).tolist()
+    found = []
+    for guide, (along, across, up) in zip(guides.guides, local, strict=True):
+        name, who = f"{guide.name} trunnion in guide", f"{guide.name} trunnion"
+        room = guide.throat + max(up, 0.0) * float(np.tan(guide.half_angle))
+        aside = f"{who} {{}} from its guide's middle"
+        askew = f"{who} {{}} from its guide, along the trunnion"
+        found.append(
+            min(
+                within(
+                    name,
+                    up,
+                    0.0,
+                    guide.height,
+                    "m",
+                    units,
+                    (f"{who} {{}} above its seat", f"{who} {{}} below its seat"),
+                ),
+                within(name, along, -room, room, "m", units, (aside, aside)),
+                within(name, across, -guide.play, guide.play, "m", units, (askew, askew)),
+                key=lambda condition: condition.margin,
+            )
+        )
+    return tuple(found)
+
+
+def ready_to_latch(
+    trunnions: Array,
+    payload: Pose,
+    guides: Guides,
+    tolerances: SeatTolerances,
+    units: Units,
+    failed: Set[str] = frozenset(),
+) -> tuple[Condition, ...]:
+    """The conditions of latching: one for each latch, told by what is wrong with it, and the attitude.
+
+    Args:
+        trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
+        payload: its pose in the seat's frame: what is left of position and turn.
+        guides: of the seat.
+        tolerances: of the seat.
+        units: the operator's.
+        failed: switches that show nothing, ``forward port B``.
+    """
+    off = np.linalg.norm(trunnions - guides.seats, axis=1).tolist()
+    found = []
+    for guide, distance in zip(guides.guides, off, strict=True):
+        name, says = f"{guide.name} latch ready", f"{guide.name} trunnion {{}} from its seat"
+        seated = within(name, distance, -inf, tolerances.distance, "m", units, (says, ""))
+        if seated.holds and (dark := [switch for switch in SWITCHES if f"{guide.name} {switch}" in failed]):
+            text = f"{guide.name} latch: switch {' and '.join(dark)} shows nothing"
+            shows, needed = float(len(SWITCHES) - len(dark)), float(len(SWITCHES))
+            found.append(Condition(name, False, shows, needed, "", shows - needed, text))
+        else:
+            found.append(seated)
+    return (*found, _turn(payload, tolerances, units))
+
+
+def switches(
+    trunnions: Array, guides: Guides, tolerances: SeatTolerances, failed: Set[str] = frozenset()
+) -> tuple[tuple[bool, bool], ...]:
+    """Ready-for-latch switches A and B of each latch, as DISP 97 shows them; arguments as of `ready_to_latch`."""
+    off = np.linalg.norm(trunnions - guides.seats, axis=1).tolist()
+    return tuple(
+        (
+            distance <= tolerances.distance and f"{guide.name} {SWITCHES[0]}" not in failed,
+            distance <= tolerances.distance and f"{guide.name} {SWITCHES[1]}" not in failed,
+        )
+        for guide, distance in zip(guides.guides, off, strict=True)
+    )
+
+
+def retained(payload: Pose, tolerances: SeatTolerances, units: Units) -> tuple[Condition, ...]:
+    """The conditions under which a payload that is let go stays where it is, in the concept's bay.
+
+    Args:
+        payload: its pose in the seat's frame: how far its centre is from the stowed place, and its turn.
+        tolerances: of the seat.
+        units: the operator's.
+    """
+    distance = float(np.linalg.norm(payload.position))
+    return (
+        within("payload stowed", distance, -inf, tolerances.distance, "m", units, _PLACE_SAYS),
+        _turn(payload, tolerances, units),
+    )
+
+
+def _turn(payload: Pose, tolerances: SeatTolerances, units: Units) -> Condition:
+    return within("payload's attitude", turned_by(payload), -inf, tolerances.angle, "rad", units, _TURN_SAYS)
+
+
+_PLACE_SAYS = ("payload {} from its stowed place", "")
+_TURN_SAYS = ("payload turned {} from its stowed attitude", "")

@@ -1,0 +1,191 @@
+"""A cargo from the dimensions that its file gives: its look and what it collides as, from the same numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import cos, pi
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.geometry import frozen
+from aftdeck.bodies.cover import prism
+from aftdeck.frames import Pose, endori
+from aftdeck.shapes import Cylinder, Group, Material, Shape, Vec3
+from aftdeck.worksite.cargo_file import CargoFile, GrappleFile, PrismBody, ReceptacleFile, StartFile, TrunnionsFile
+from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start
+from aftdeck.worksite.solids import CORNERS, as_solids, checked, drawn, moved
+
+Array = NDArray[np.float64]
+
+FITTINGS = ("probe", "receptacle", "grapple fixture", "trunnions")
+"""What a cargo may have besides its body; such a part is called after the cargo and the fitting."""
+_UPWARDS = pi / 2
+"""Where the middle of a prism's first side stands, from y to z [rad]: one is on top, one below."""
+_REPORT = np.diag([1.0, -1.0, -1.0])
+"""The report's axes (x aft, y port, z down) as columns in a cargo's."""
+
+
+class _Piece(NamedTuple):
+    """A part of a cargo: its hexahedra (n, 8, 3) in the cargo's axes [m], and its look."""
+
+    fitting: str
+    bodies: Array
+    shapes: tuple[Shape, ...]
+
+
+def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
+    """The cargo that a file describes, at its start.
+
+    Raises:
+        InputError: sizes of which no convex bodies can be made.
+        ValueError: a seat to start in that is not listed, or that holds on to what the cargo lacks.
+    """
+    pieces = tuple(_pieces(file))
+    bar = next((frozen(piece.bodies[0]) for piece in pieces if piece.fitting == "receptacle"), None)
+    probe, trunnions = _probe_tip(file), _latched(file.trunnions)
+    return Cargo(
+        name=file.name,
+        title=file.title,
+        mass=float(file.mass),
+        shapes=tuple(shape for piece in pieces for shape in piece.shapes) + file.shapes,
+        solids=tuple(
+            solid
+            for fitting, bodies, _ in pieces
+            for solid in as_solids(part_of(file.name, fitting), file.name, checked(bodies, fitting or "body"))
+        ),
+        probe=probe,
+        receptacle=bar,
+        grapple=None if file.grapple is None else _pose(file.grapple),
+        trunnions=trunnions,
+        trunnion_names=() if file.trunnions is None else _names(len(file.trunnions.x)),
+        start=start_of(file.start, seats, probe, trunnions),
+        limit_cycle=None
+        if file.limit_cycle is None
+        else LimitCycle(*map(frozen, (file.limit_cycle.deadband, file.limit_cycle.rate, file.limit_cycle.start))),
+    )
+
+
+def part_of(cargo: str, fitting: str) -> str:
+    """What a part of a cargo is called; its body is called as the cargo."""
+    return f"{cargo} {fitting}" if fitting else cargo
+
+
+def _pieces(file: CargoFile) -> Iterator[_Piece]:
+    half, top = file.body.length / 2.0, _apothem(file)
+    if isinstance(file.body, PrismBody):
+        bodies = prism(top, file.body.length, sides=file.body.sides, turn=_UPWARDS)
+        yield _Piece("", bodies, drawn(bodies, file.body.material))
+    else:
+        round_body = Cylinder(material=file.body.material, length=float(file.body.length), radius=float(top))
+        yield _Piece("", prism(top, file.body.length, turn=_UPWARDS), (round_body,))
+    if probe := file.probe:
+        bodies = prism(_across_flats(probe.across, probe.sides), probe.length, sides=probe.sides, turn=_UPWARDS)
+        bodies += [-half - probe.length / 2.0, 0.0, 0.0]
+        yield _Piece("probe", bodies, drawn(bodies, probe.material))
+    if bar := file.receptacle:
+        bodies = _bar(bar, top)
+        yield _Piece("receptacle", bodies, drawn(bodies, bar.material))
+    if file.grapple:
+        yield _fixture(file.grapple)
+    if file.trunnions:
+        yield _pins(file.trunnions)
+
+
+def _across_flats(across: float, sides: int) -> float:
+    """Half the distance of two opposite sides of a regular polygon, from that of its opposite corners."""
+    return across / 2.0 * cos(pi / sides)
+
+
+def _apothem(file: CargoFile) -> float:
+    """Height of the body's top over its axis [m]."""
+    body = file.body
+    return _across_flats(body.across, body.sides) if isinstance(body, PrismBody) else float(body.radius)
+
+
+def _bar(bar: ReceptacleFile, top: float) -> Array:
+    """The report's RECPT, numbered in the report's axes, so that c is its top."""
+    own = (CORNERS - 0.5) * np.array([bar.length, bar.width, bar.height])
+    return moved(own[None], Pose(np.array([0.0, 0.0, top + bar.height / 2.0]), _REPORT))
+
+
+def _fixture(grapple: GrappleFile) -> _Piece:
+    pose = _pose(grapple)
+    base = prism(grapple.radius, grapple.depth) + np.array([grapple.depth / 2.0, 0.0, 0.0])
+    place, turn = _plain(grapple.position), _plain(grapple.rotation)
+    look = (Group(position=place, rotation=turn, shapes=grapple.shapes),) if grapple.shapes else ()
+    return _Piece("grapple fixture", moved(base, pose), look)
+
+
+def _pins(trunnions: TrunnionsFile) -> _Piece:
+    """Round pins, each covered by a prism of as few hexahedra as cover can make, a square."""
+    (inner, outer), (low, high) = trunnions.span, trunnions.keel_span
+    radius, material = float(trunnions.radius), trunnions.material
+    across = prism(radius, outer - inner, axis="y", sides=4)
+    upright = prism(radius, high - low, axis="z", sides=4)
+    bodies, shapes = [], []
+    for x in trunnions.x:
+        for side in (-1.0, 1.0):
+            middle = (float(x), side * (inner + outer) / 2.0, float(trunnions.z))
+            bodies.append(across + middle)
+            shapes.append(_pin(middle, radius, outer - inner, material, "y"))
+    keel = (float(trunnions.keel[0]), 0.0, (low + high) / 2.0)
+    return _Piece(
+        "trunnions",
+        np.concatenate([*bodies, upright + keel]),
+        (*shapes, _pin(keel, radius, high - low, material, "z")),
+    )
+
+
+def _pin(middle: Vec3, radius: float, length: float, material: Material, axis: str) -> Cylinder:
+    return Cylinder(
+        material=material, position=middle, axis="y" if axis == "y" else "z", length=float(length), radius=radius
+    )
+
+
+def _latched(trunnions: TrunnionsFile | None) -> Array:
+    """(n, 3) the points that latches hold: port and starboard of each pair, then the keel's."""
+    if trunnions is None:
+        return frozen(np.empty((0, 3)))
+    pairs = [(x, side * trunnions.y, trunnions.z) for x in sorted(trunnions.x) for side in (-1.0, 1.0)]
+    return frozen([*pairs, (trunnions.keel[0], 0.0, trunnions.keel[1])])
+
+
+def _names(pairs: int) -> tuple[str, ...]:
+    """What the points of `_latched` are called, pair by pair."""
+    numbers = tuple(str(k + 1) for k in range(pairs))
+    where = ("forward", "aft") if numbers == ("1", "2") else numbers
+    return (*(f"{place} {side}" for place in where for side in ("port", "starboard")), "keel")
+
+
+def _probe_tip(file: CargoFile) -> Pose | None:
+    """The middle of the probe's forward face, in the cargo's axes."""
+    if file.probe is None:
+        return None
+    return Pose(frozen([-file.body.length / 2.0 - file.probe.length, 0.0, 0.0]), frozen(np.eye(3)))
+
+
+def start_of(file: StartFile, seats: Mapping[str, Seat], probe: Pose | None, trunnions: Array) -> Start:
+    """Where a cargo with this probe and these trunnions starts.
+
+    Raises:
+        ValueError: a seat that is not there, or holds on to what the cargo does not have.
+    """
+    if file.seat is None:
+        return Start("", _pose(file), frozen(file.velocity), frozen(file.rates))
+    seat = seats.get(file.seat)
+    if seat is None:
+        raise ValueError(f"start.seat: {file.seat!r} is no seat; there are: {', '.join(seats) or 'none'}")
+    if lacking := seat.lacks(probe, trunnions):
+        raise ValueError(f"start.seat: {file.seat!r} holds on to a {lacking}, and the cargo has no {lacking}")
+    return Start(seat.name, seat.seated(probe), frozen(np.zeros(3)), frozen(np.zeros(3)))
+
+
+def _pose(placed: GrappleFile | StartFile) -> Pose:
+    return Pose(frozen(placed.position), frozen(endori(*placed.rotation)))
+
+
+def _plain(values: tuple[float, float, float]) -> Vec3:
+    x, y, z = map(float, values)
+    return x, y, z

@@ -1,0 +1,123 @@
+"""The operator's thirteen input channels, TABLE I, in units of V.
+
+Switches have levels, which encode exactly and decode from the nearest one; the six joint angles of the master arm are
+proportional, 1 V for a whole turn (assumed). Source: the final report of the Remote Manipulator Simulation; the
+levels of channels 10 and G are read as 1/2 V where the scan shows 3 V.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import isfinite, tau
+from typing import Final, Literal, NamedTuple, TypeVar, get_args
+
+from aftdeck.errors import InputError
+
+_T = TypeVar("_T")
+
+Start = Literal["full problem", "mode 1", "mode 2 or 3"]
+CameraMotion = Literal["+pan", "-pan", "none", "+tilt", "-tilt"]
+Station = Literal["A", "B", "C", "D", "E", "F", "G", "H"]
+Angles = tuple[float, float, float, float, float, float]
+
+CHANNELS = 13
+JOINTS = ("HO", "PO", "P1", "H2", "P2", "R2")
+TURN: Final = tau
+"""Joint angle at 1 V [rad] (assumed)."""
+
+RUN: Mapping[bool, float] = {False: 0.0, True: 1.0}
+START: Mapping[Start, float] = {"full problem": 0.0, "mode 1": 1.0, "mode 2 or 3": -1.0}
+WAY: Mapping[int, float] = {0: 0.0, 1: 1.0, -1: -1.0}
+CAMERA: Mapping[CameraMotion, float] = {"+pan": 1.0, "-pan": 0.5, "none": 0.0, "+tilt": -0.5, "-tilt": -1.0}
+STATION: Mapping[Station, float] = {
+    "A": 1.0,
+    "B": 0.75,
+    "C": 0.5,
+    "D": 0.25,
+    "E": 0.0,
+    "F": -0.25,
+    "G": -0.5,
+    "H": -1.0,
+}
+assert set(STATION) == set(get_args(Station))
+
+
+class OperatorInputs(NamedTuple):
+    """What the operator sets.
+
+    Attributes:
+        initialise: channel 1: initialise, else run.
+        start: channel 2: what to initialise to.
+        angles: channels 3 to 8: HO, PO, P1, H2, P2, R2 of the master arm [rad], at most a whole turn either way.
+        telescope: channel 9: 1 longer, -1 shorter, 0 stop.
+        camera: channel 10.
+        zoom: channel 11: 1 in, -1 out, 0 none.
+        station: channel 12: A to H; later stations have no level.
+        prong: channel 13: 1 close, -1 open, 0 stop.
+    """
+
+    initialise: bool
+    start: Start
+    angles: Angles
+    telescope: int
+    camera: CameraMotion
+    zoom: int
+    station: Station
+    prong: int
+
+
+def encode_inputs(inputs: OperatorInputs) -> tuple[float, ...]:
+    """The thirteen channels [V].
+
+    Raises:
+        InputError: a setting without a level, or an angle beyond a whole turn; names the channel.
+    """
+    angles = []
+    for channel, (name, angle) in enumerate(zip(JOINTS, inputs.angles, strict=True), 3):
+        if not abs(angle) <= TURN:
+            raise InputError(f"channel {channel}, {name}, is {angle:g} rad; it holds at most a whole turn either way")
+        angles.append(angle / TURN)
+    return (
+        _level(RUN, inputs.initialise, "channel 1, initialise"),
+        _level(START, inputs.start, "channel 2, what to initialise to"),
+        *angles,
+        _level(WAY, inputs.telescope, "channel 9, telescope"),
+        _level(CAMERA, inputs.camera, "channel 10, camera"),
+        _level(WAY, inputs.zoom, "channel 11, zoom"),
+        _level(STATION, inputs.station, "channel 12, camera position"),
+        _level(WAY, inputs.prong, "channel 13, prong"),
+    )
+
+
+def decode_inputs(volts: Sequence[float]) -> OperatorInputs:
+    """What thirteen channels say [V]; each switch takes the level that is nearest, the upper one of two as near.
+
+    Raises:
+        InputError: another number of channels, or one that is not finite.
+    """
+    if len(volts) != CHANNELS:
+        raise InputError(f"the operator has {CHANNELS} channels; {len(volts)} are given")
+    for channel, value in enumerate(volts, 1):
+        if not isfinite(value):
+            raise InputError(f"channel {channel} is {value:g} V; it has to be finite")
+    ho, po, p1, h2, p2, r2 = (value * TURN for value in volts[2:8])
+    return OperatorInputs(
+        initialise=_nearest(RUN, volts[0]),
+        start=_nearest(START, volts[1]),
+        angles=(ho, po, p1, h2, p2, r2),
+        telescope=_nearest(WAY, volts[8]),
+        camera=_nearest(CAMERA, volts[9]),
+        zoom=_nearest(WAY, volts[10]),
+        station=_nearest(STATION, volts[11]),
+        prong=_nearest(WAY, volts[12]),
+    )
+
+
+def _level(levels: Mapping[_T, float], setting: _T, name: str) -> float:
+    if setting not in levels:
+        raise InputError(f"{name}: {setting!r} has no level; there are: {', '.join(map(str, levels))}")
+    return levels[setting]
+
+
+def _nearest(levels: Mapping[_T, float], value: float) -> _T:
+    return min(levels, key=lambda setting: (abs(levels[setting] - value), -levels[setting]))

@@ -1,0 +1,156 @@
+"""All solids of a flight and which of them are watched, packed for the laws.
+
+People are told of *parts* ("lower boom", "bay wall port"), the laws look at *solids*, of which a part has one or
+several. A *group* is a pair of parts that is watched; its clearance is the least of its solids' pairs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from itertools import product
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.check import hexahedron
+from aftdeck.bodies.hexahedron import BODY, unpack
+from aftdeck.bodies.solid import Solid
+from aftdeck.errors import InputError
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Mask = NDArray[np.uint8]
+PartPair = tuple[str, str]
+
+POSE = 12
+"""Length of a frame's pose: its origin [m], then its rotation row by row."""
+CENTRE, RADIUS = BODY, BODY + 3
+"""Where a packed solid's bounding sphere stands, behind its body [m]."""
+SOLID = BODY + 4
+"""Length of a packed solid."""
+_ROOM = 1e-9
+"""By how much a bounding sphere is too large [m]: more than rounding takes off it a kilometre from the origin."""
+
+
+class Layout(msgspec.Struct, frozen=True, eq=False):
+    """The solids of a flight in packed arrays, all read-only. Every index counts from zero."""
+
+    frames: tuple[str, ...]
+    """Names of the rows of every `frames` array, (F, 12)."""
+    parts: tuple[str, ...]
+    part_frame: Indices
+    """(p,) the frame of each part."""
+    solids: Array
+    """(n, 52) packed bodies with their bounding spheres, each in its own frame."""
+    frame: Indices
+    """(n,) the frame of each solid."""
+    groups: Indices
+    """(g, 2) the two parts of each group."""
+    pairs: Indices
+    """(m, 2) the two solids of each pair, those of a group together and in the order of the groups."""
+    begins: Indices
+    """(g + 1,) where each group's pairs begin; the last is m."""
+
+    def named(self, group: int) -> PartPair:
+        """What the two parts of a group are called."""
+        a, b = self.groups[group]
+        return self.parts[a], self.parts[b]
+
+    def part(self, name: str) -> int:
+        """The index of a part.
+
+        Raises:
+            InputError: no part of that name.
+        """
+        if name not in self.parts:
+            raise InputError(f"no part is called {name!r}; there are {', '.join(self.parts)}")
+        return self.parts.index(name)
+
+    def between(self, some: Collection[str], others: Collection[str]) -> Mask:
+        """(g,) 1 for each group that has one of `some` parts on one side and one of the `others` on the other."""
+        a, b = (np.isin(self.groups, [self.part(name) for name in names]) for names in (some, others))
+        return ((a[:, 0] & b[:, 1]) | (a[:, 1] & b[:, 0])).astype(np.uint8)
+
+    def carried(self, frames: Collection[str]) -> Mask:
+        """(g,) 1 for each group of which a part stands in one of these frames."""
+        unknown = set(frames) - set(self.frames)
+        if unknown:
+            raise InputError(f"no frame is called {min(unknown)!r}; there are {', '.join(self.frames)}")
+        inside = np.isin(self.part_frame, [self.frames.index(name) for name in frames])
+        return np.asarray(inside[self.groups[:, 0]] | inside[self.groups[:, 1]], np.uint8)
+
+    def parts_in(self, frame: str) -> tuple[str, ...]:
+        """The parts that stand in a frame."""
+        return tuple(part for part, k in zip(self.parts, self.part_frame, strict=True) if self.frames[k] == frame)
+
+
+def layout_of(frames: tuple[str, ...], solids: Sequence[Solid], part_pairs: Iterable[PartPair]) -> Layout:
+    """Checks and packs the solids of a flight.
+
+    Args:
+        frames: names of the rows of the `frames` arrays to come.
+        solids: every solid; one whose part is in no pair is packed too.
+        part_pairs: which parts are watched, each pair once.
+
+    Raises:
+        InputError: a solid that is no convex hexahedron or whose frame is unknown, a part in two frames, a pair of
+            parts that are unknown, fixed to one frame, or named before.
+    """
+    home: dict[str, str] = {}
+    for solid in solids:
+        if solid.frame not in frames:
+            raise InputError(f"{solid.part}: no frame is called {solid.frame!r}; there are {', '.join(frames)}")
+        if home.setdefault(solid.part, solid.frame) != solid.frame:
+            raise InputError(
+                f"{solid.part} has solids in {home[solid.part]} and in {solid.frame}; a part has one frame"
+            )
+    parts = tuple(home)
+    of_part: dict[str, list[int]] = {part: [] for part in parts}
+    for k, solid in enumerate(solids):
+        of_part[solid.part].append(k)
+    groups: list[PartPair] = []
+    for a, b in part_pairs:
+        _watchable(a, b, home)
+        if (a, b) in groups or (b, a) in groups:
+            raise InputError(f"{a} and {b} are named as a watched pair twice")
+        groups.append((a, b))
+    pairs = [list(product(of_part[a], of_part[b])) for a, b in groups]
+    return Layout(
+        frames,
+        parts,
+        _fixed([frames.index(frame) for frame in home.values()]),
+        _packed(solids),
+        _fixed([frames.index(solid.frame) for solid in solids]),
+        _fixed([(parts.index(a), parts.index(b)) for a, b in groups]).reshape(-1, 2),
+        _fixed([pair for group in pairs for pair in group]).reshape(-1, 2),
+        _fixed(np.cumsum([0, *map(len, pairs)])),
+    )
+
+
+def _watchable(a: str, b: str, home: dict[str, str]) -> None:
+    """Refuses a pair of parts that is none."""
+    for part in (a, b):
+        if part not in home:
+            raise InputError(f"{a} – {b}: no solid belongs to {part!r}; there are {', '.join(home)}")
+    if home[a] == home[b]:
+        raise InputError(f"{a} – {b}: both are fixed to {home[a]}, so that they never move against each other")
+
+
+def _packed(solids: Sequence[Solid]) -> Array:
+    """(n, 52) bodies with their bounding spheres: about the middle of their extent."""
+    packed = np.empty((len(solids), SOLID))
+    for row, solid in zip(packed, solids, strict=True):
+        row[:BODY] = hexahedron(solid.vertices, solid.part)
+        points = unpack(row[:BODY])
+        middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        row[CENTRE:RADIUS] = middle
+        row[RADIUS] = np.linalg.norm(points - middle, axis=1).max() + _ROOM
+    packed.flags.writeable = False
+    return packed
+
+
+def _fixed(numbers: object) -> Indices:
+    found = np.array(numbers, dtype=np.int64)
+    found.flags.writeable = False
+    return found

@@ -1,0 +1,83 @@
+"""How a frame moves, from where it was a step ago: the screw that takes it from there to here at a constant pace."""
+
+from __future__ import annotations
+
+from math import atan2, sqrt, tan
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.law import law
+from aftdeck.worksite.layout import POSE
+
+Array = NDArray[np.float64]
+
+_SMALL = 1e-2
+"""Angle below which the series is taken [rad]: its next term is 3e-13, what the closed form loses there 1e-12."""
+
+
+class Motion(NamedTuple):
+    """Angular velocity [rad/s], and the velocity of the frame's origin at the end of the step [m/s], in L."""
+
+    wx: float
+    wy: float
+    wz: float
+    vx: float
+    vy: float
+    vz: float
+
+
+@law
+def motion(before: Array, now: Array, period: float) -> Motion:
+    """The motion at the end of a step that took a frame from one pose to another, both (12,) in L.
+
+    Exact for a body that turns and moves at a constant twist; turns of half a circle in a step are not told apart.
+    """
+    still = True
+    for k in range(POSE):
+        still = still and before[k] == now[k]
+    if still:
+        return Motion(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    r, q = now[3:], before[3:]
+    # the turn R Q' less its transpose, and its trace
+    x = 0.5 * (_dot(r, q, 6, 3) - _dot(r, q, 3, 6))
+    y = 0.5 * (_dot(r, q, 0, 6) - _dot(r, q, 6, 0))
+    z = 0.5 * (_dot(r, q, 3, 0) - _dot(r, q, 0, 3))
+    sine = sqrt(x * x + y * y + z * z)
+    angle = atan2(sine, 0.5 * (_dot(r, q, 0, 0) + _dot(r, q, 3, 3) + _dot(r, q, 6, 6) - 1.0))
+    scale = angle / sine if sine > 0.0 else 1.0
+    x, y, z = scale * x, scale * y, scale * z
+    dx, dy, dz = now[0] - before[0], now[1] - before[1], now[2] - before[2]
+    # The way is a chord; at its end the origin goes along V^-1 d + angle x d, of the exponential's V.
+    ux, uy, uz = y * dz - z * dy, z * dx - x * dz, x * dy - y * dx
+    wx, wy, wz = y * uz - z * uy, z * ux - x * uz, x * uy - y * ux
+    square = angle * angle
+    share = (1.0 - 0.5 * angle / tan(0.5 * angle)) / square if angle > _SMALL else 1.0 / 12.0 + square / 720.0
+    per = 1.0 / period
+    return Motion(
+        x * per,
+        y * per,
+        z * per,
+        (dx + 0.5 * ux + share * wx) * per,
+        (dy + 0.5 * uy + share * wy) * per,
+        (dz + 0.5 * uz + share * wz) * per,
+    )
+
+
+@law
+def _dot(r: Array, q: Array, i: int, j: int) -> float:
+    """The product of two rows that begin at i and j."""
+    product: float = r[i] * q[j] + r[i + 1] * q[j + 1] + r[i + 2] * q[j + 2]
+    return product
+
+
+@law
+def velocity(frames: Array, motions: Array, f: int, x: float, y: float, z: float) -> tuple[float, float, float]:
+    """Velocity [m/s] of the point (x, y, z) that moves with frame f: poses (F, 12), motions (F, 6)."""
+    x, y, z = x - frames[f, 0], y - frames[f, 1], z - frames[f, 2]
+    return (
+        motions[f, 3] + motions[f, 1] * z - motions[f, 2] * y,
+        motions[f, 4] + motions[f, 2] * x - motions[f, 0] * z,
+        motions[f, 5] + motions[f, 0] * y - motions[f, 1] * x,
+    )

@@ -1,0 +1,158 @@
+"""What an inhibit lets through: motion that deepens no contact and makes no new one; and which way leads out.
+
+The report's inhibit holds all motion until the collision is relieved, and leaves open how it could be. Here each step
+of an inhibited arm is tried before it is made, so that whatever leads out of a contact is flown and nobody is stranded.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies import pair as packed
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.law import law
+from aftdeck.worksite.found import CLEARANCE, WHICH
+from aftdeck.worksite.layout import Indices, Mask
+from aftdeck.worksite.watch import Watch, nearest_pair, place_moved
+
+Array = NDArray[np.float64]
+
+DEEPER = 1e-12
+"""By how much a clearance may fall in a step and count as kept [m]: clearances are right to that.
+
+Without it, sliding along a wall would be let through or not as rounding has it. A contact that creeps in by it in
+every step of 0.02 s is deeper by 0.2 micrometres after an hour.
+"""
+
+
+class Trial(NamedTuple):
+    """What a motion would do to the contacts.
+
+    Attributes:
+        worst: the greatest fall of the clearance of a contact, present or new, negative; without a fall the least rise,
+            inf where there is no contact [m].
+        gained: by how much the clearances of the present contacts rise, taken together [m].
+        deeper: how much deeper in each other two parts are then than now, at most; negative or 0 where none are [m].
+    """
+
+    worst: float
+    gained: float
+    deeper: float
+
+
+@law
+def tried(
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    counts: Mask,
+    after: Array,
+    at: Array,
+    placed: Array,
+    memory: Array,
+    found: Array,
+) -> Trial:
+    """What a motion would do to the contacts of the groups that count.
+
+    Args:
+        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,): of the layout.
+        frame: see solids.
+        pairs: see solids.
+        begins: see solids.
+        counts: (g,) 1 for groups to keep from each other; they have to be active.
+        after: (F, 12) the frames after the motion, in L.
+        at: (F, 12), placed (n, 52) and memory (m, 17): copies of the watch's; used up.
+        placed: see at.
+        memory: see at.
+        found: (g, 15) what the watch found before the motion.
+    """
+    place_moved(solids, frame, after, at, placed)
+    worst, gained, deeper = np.inf, 0.0, -np.inf
+    for g in range(len(counts)):
+        if counts[g] == 0:
+            continue
+        before = found[g, CLEARANCE]
+        limit = np.inf if before <= CONTACT else 2.0 * CONTACT
+        k = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], int(found[g, WHICH]), limit)
+        if before <= CONTACT:
+            rise = memory[k, packed.CLEARANCE] - before
+            worst, gained = min(worst, rise), gained + rise
+        elif k >= 0 and memory[k, packed.CLEARANCE] <= CONTACT:
+            worst = min(worst, memory[k, packed.CLEARANCE] - before)
+        if k >= 0:
+            deeper = max(deeper, min(before, 0.0) - memory[k, packed.CLEARANCE])
+    return Trial(worst, gained, deeper)
+
+
+@law
+def tried_many(
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    counts: Mask,
+    afters: Array,
+    at: Array,
+    placed: Array,
+    memory: Array,
+    found: Array,
+    trials: Array,
+) -> None:
+    """`tried` for each of several motions, afters (k, F, 12), into trials (k, 3); what the watch holds is copied."""
+    for k in range(len(afters)):
+        t = tried(solids, frame, pairs, begins, counts, afters[k], at.copy(), placed.copy(), memory.copy(), found)
+        trials[k, 0], trials[k, 1], trials[k, 2] = t.worst, t.gained, t.deeper
+
+
+def allowed(watch: Watch, counts: Mask, after: Array) -> bool:
+    """Whether an inhibited arm may make a step's motion: it deepens no contact and makes no new one.
+
+    Args:
+        watch: as it has looked at the present frames.
+        counts: (g,) 1 for the detrimental groups that move with the arm.
+        after: (F, 12) the frames after the motion, in L; what does not move with the arm stands where it is.
+    """
+    return bool(_trials(watch, counts, after[None])[0, 0] >= -DEEPER)
+
+
+def deeper(watch: Watch, counts: Mask, after: Array) -> float:
+    """How much deeper in each other a step takes two parts [m]; as `allowed`, for contacts that may be there."""
+    return float(_trials(watch, counts, after[None])[0, 2])
+
+
+def ways_out(watch: Watch, counts: Mask, afters: Array) -> Array:
+    """How fast each of several motions leads out of the present contacts.
+
+    Args:
+        watch: as it has looked at the present frames.
+        counts: (g,) 1 for the detrimental groups that move with the arm.
+        afters: (k, F, 12) the frames after a step of each, in L: one for each stick direction.
+
+    Returns:
+        (k,) by how much the clearances of all contacts rise together, where the step is allowed; else by how much the
+        worst one falls, negative [m].
+    """
+    trials = _trials(watch, counts, afters)
+    return np.where(trials[:, 0] >= -DEEPER, trials[:, 1], trials[:, 0])
+
+
+def _trials(watch: Watch, counts: Mask, afters: Array) -> Array:
+    own, trials = watch.layout, np.empty((len(afters), 3))
+    tried_many(
+        own.solids,
+        own.frame,
+        own.pairs,
+        own.begins,
+        counts & watch.active,
+        afters,
+        watch.at,
+        watch.placed,
+        watch.memory,
+        watch.found,
+        trials,
+    )
+    return trials

@@ -1,0 +1,181 @@
+"""A worksite's file as it is written: every dimension of the place, each table with the source of its numbers.
+
+Places are in the axes of the body that a table belongs to; the first body's are the scene's: x aft, y starboard, z up.
+`source` says where a table's numbers come from, or ``assumed``. What types cannot say is checked where the parts are
+made (`solids`, `seats`, `cargo`) and in `check`.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from aftdeck.bodies.camera_file import CameraFile, DriveFile
+from aftdeck.shapes import Material, Shape
+from aftdeck.units import Angle, Length, Speed, Time
+from aftdeck.worksite.cargo_file import CargoFile
+from aftdeck.worksite.solid_file import SolidFile
+from aftdeck.worksite.tables import Placed, Point, Range, Table, Text, ordered, positive
+
+
+class BodyFile(Placed, frozen=True, kw_only=True):
+    """A body that stands still on the orbiter, or in space."""
+
+    name: Text
+    fixed_to: Literal["orbiter", "space"] = "orbiter"
+    source: Text
+    shapes: tuple[Shape, ...] = ()
+    """What it looks like, besides the solids that have a material."""
+    solids: tuple[SolidFile, ...] = ()
+
+
+class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
+    """Where a cargo can be fixed to a body."""
+
+    name: Text
+    title: Text
+    body: Text
+    latch: Literal["auto", "command"]
+    """Whether it holds a cargo as soon as it may, or when it is told to."""
+    time: Time = Time(0.0)
+    """How long its latches take."""
+    distance: Length
+    """How far from its place a cargo may be."""
+    angle: Angle
+    """How far it may be turned."""
+    source: Text
+
+    def __post_init__(self) -> None:
+        """Refuse tolerances that are not above zero (ValueError)."""
+        positive(distance=self.distance, angle=self.angle)
+        if self.time < 0.0:
+            raise ValueError(f"time is {self.time:g} s; it cannot be below 0")
+
+
+class PortFile(_SeatFile, frozen=True, kw_only=True, tag="port"):
+    """A docking port: its centre lies on a face of a solid, its axes are those of a docked cargo; x looks outwards."""
+
+    radius: Length
+    """Of the disc that shows where it is."""
+    material: Material
+
+
+class GuidesFile(Table, frozen=True, kw_only=True):
+    """V-shaped guides over each longeron latch."""
+
+    height: Length
+    """From the trunnion's place to their upper ends."""
+    half_angle: Angle
+    """Of the V's opening, from the vertical."""
+    throat: Length
+    """Half the width of the V at the trunnion's place, less the trunnion's radius."""
+    play: Length
+    """How far a trunnion may stand either way along its own axis."""
+
+    def __post_init__(self) -> None:
+        """Refuse what is not above zero (ValueError)."""
+        positive(height=self.height, half_angle=self.half_angle, throat=self.throat, play=self.play)
+
+
+class RetentionFile(_SeatFile, frozen=True, kw_only=True, tag="retention"):
+    """A place in the bay: position and rotation are those of a seated cargo."""
+
+    guides: GuidesFile | None = None
+    """With them a cargo needs trunnions."""
+
+
+SeatFile = PortFile | RetentionFile
+
+
+class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
+    """When the concept's hand has acquired a bar; the report's names in brackets."""
+
+    spacing: Length
+    """Between the fingers, below which the prong is fully closed (PRGSPC)."""
+    window: Length
+    """Of the palm's height over the bar's top (TOPB)."""
+    front: Length
+    """How far from the bar's forward end the palm's centre has to be, inwards (FRONT)."""
+    rear: Length
+    """The same of the aft end (REAR)."""
+    fingers_within: Length
+    """Distance of palm and bar beyond which the fingers are not tested."""
+    source: Text
+
+    def __post_init__(self) -> None:
+        """Refuse distances that are not above zero (ValueError)."""
+        positive(spacing=self.spacing, window=self.window, fingers_within=self.fingers_within)
+
+
+class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare"):
+    """When the Shuttle's end effector can capture a grapple fixture, and how long it takes."""
+
+    radial: Length
+    """From the end effector's axis."""
+    nearest: Length
+    """Along the axis, outwards, from where the fixture stands when it is rigid."""
+    farthest: Length
+    """The same."""
+    pitch: Angle
+    """To either side."""
+    yaw: Angle
+    roll: Angle
+    ring: Time
+    """To close or open the snares."""
+    carriage: Time
+    """To retract or extend."""
+    tension: Time
+    """To rigidize or derigidize."""
+    source: Text
+
+    def __post_init__(self) -> None:
+        """Refuse what is not above zero (ValueError)."""
+        positive(radial=self.radial, pitch=self.pitch, yaw=self.yaw, roll=self.roll)
+        positive(ring=self.ring, carriage=self.carriage, tension=self.tension)
+        if not self.nearest < self.farthest:
+            raise ValueError(f"nearest is {self.nearest:g} m and farthest {self.farthest:g} m; nearest has to be less")
+
+
+class BayFile(Table, frozen=True, kw_only=True):
+    """The inside of the cargo bay: a cargo that is all above it has been extracted."""
+
+    x: Range
+    y: Range
+    z: Range
+    source: Text
+
+    def __post_init__(self) -> None:
+        """Refuse ranges without an inside (ValueError)."""
+        ordered(x=self.x, y=self.y, z=self.z)
+
+
+class TranslationFile(Table, frozen=True, kw_only=True):
+    """How the orbiter moves against what does not move with it."""
+
+    speed: Speed
+    reached_in: Time
+    source: Text
+
+    def __post_init__(self) -> None:
+        """Refuse what is not above zero (ValueError)."""
+        positive(speed=self.speed, reached_in=self.reached_in)
+
+
+class WorksiteFile(Table, frozen=True, kw_only=True):
+    """A worksite's file, decoded."""
+
+    name: Text
+    title: Text
+    origin: Point
+    """Structural Xo, Yo, Zo of the scene's origin."""
+    body: tuple[BodyFile, ...]
+    seat: tuple[SeatFile, ...] = ()
+    cargo: tuple[CargoFile, ...] = ()
+    camera: tuple[CameraFile, ...] = ()
+    drive: tuple[DriveFile, ...] = ()
+    camera_clearance: Length = Length(0.0)
+    """Least distance of a camera from every solid."""
+    essential: tuple[tuple[Text, Text], ...] = ()
+    """Pairs of parts that are made to touch; a cargo's fittings by their own names (``receptacle``)."""
+    acquisition: BarFile | SnareFile | None = None
+    bay: BayFile | None = None
+    translation: TranslationFile | None = None

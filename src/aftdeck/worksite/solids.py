@@ -1,0 +1,138 @@
+"""The convex hexahedra of a body, and their drawing, from the solids that its file lists."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import assert_never
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.check import hexahedron
+from aftdeck.bodies.cover import prism, tube_wall
+from aftdeck.bodies.solid import Solid
+from aftdeck.errors import InputError
+from aftdeck.frames import Pose, endori
+from aftdeck.shapes import Hexahedron, Material, Shape, Vec3
+from aftdeck.worksite.solid_file import (
+    BlockFile,
+    BoxFile,
+    HexahedronFile,
+    PlateFile,
+    PrismFile,
+    SolidFile,
+    TubeWallFile,
+)
+
+Array = NDArray[np.float64]
+
+CORNERS = np.array([(v >> 1 & 1, v >> 2 & 1, v & 1) for v in range(8)], dtype=np.float64)
+"""(8, 3) vertices of the unit cube, numbered as a hexahedron."""
+_REFLECTED = np.array([v ^ 4 for v in range(8)])
+"""Which vertex of a body becomes which of its reflection in y = 0."""
+_ACROSS = {"x": (2, 0, 1), "y": (0, 2, 1), "z": (0, 1, 2)}
+"""Which of (first, second, across) of a plate is x, y and z."""
+
+
+def solids_of(file: SolidFile) -> dict[str, Array]:
+    """Each part that a listed solid makes, with its hexahedra (n, 8, 3) in the body's axes [m].
+
+    Raises:
+        InputError: no convex hexahedra; names the part and the vertex.
+    """
+    placed = moved(_own(file), Pose(np.array(file.position, dtype=np.float64), endori(*file.rotation)))
+    if not file.mirror:
+        return {file.part: checked(placed, file.part)}
+    reflected = placed[:, _REFLECTED] * [1.0, -1.0, 1.0]
+    starboard, port = (placed, reflected) if placed[..., 1].mean() > 0.0 else (reflected, placed)
+    parts = {f"{file.part} port": port, f"{file.part} starboard": starboard}
+    return {part: checked(bodies, part) for part, bodies in parts.items()}
+
+
+def checked(bodies: Array, part: str) -> Array:
+    """Hexahedra (n, 8, 3) that are convex, with their read-only vertices.
+
+    Raises:
+        InputError: one of them is not; names the part and the vertex.
+    """
+    for k, body in enumerate(bodies):
+        hexahedron(body, part if len(bodies) == 1 else f"{part}, hexahedron {k + 1} of {len(bodies)}")
+    bodies.flags.writeable = False
+    return bodies
+
+
+def moved(bodies: Array, pose: Pose) -> Array:
+    """Hexahedra (n, 8, 3) in the frame in which their own has a pose [m]."""
+    return np.asarray(bodies @ pose.rotation.T + pose.position)
+
+
+def as_solids(part: str, frame: str, bodies: Iterable[Array]) -> tuple[Solid, ...]:
+    """Hexahedra as solids of a part."""
+    return tuple(Solid(part, frame, vertices) for vertices in bodies)
+
+
+def drawn(bodies: Iterable[Array], material: Material) -> tuple[Shape, ...]:
+    """Hexahedra as they are drawn, from the same vertices."""
+    return tuple(Hexahedron(material=material, vertices=tuple(map(_point, vertices))) for vertices in bodies)
+
+
+def _point(vertex: Array) -> Vec3:
+    x, y, z = vertex.tolist()
+    return x, y, z
+
+
+def _own(file: SolidFile) -> Array:
+    """(n, 8, 3) hexahedra in the solid's own axes [m]."""
+    match file:
+        case BlockFile():
+            return _block(file)[None]
+        case BoxFile():
+            return ((CORNERS - 0.5) * np.array(file.size, dtype=np.float64))[None]
+        case PlateFile():
+            return _plate(file)[None]
+        case HexahedronFile():
+            return np.array(file.vertices, dtype=np.float64)[None]
+        case TubeWallFile():
+            return tube_wall(
+                file.radius,
+                file.thickness,
+                file.length,
+                radius_end=file.radius_end,
+                axis=file.axis,
+                start=file.start,
+                sweep=file.sweep,
+                count=file.count,
+            )
+        case PrismFile():
+            return prism(
+                file.radius, file.length, radius_end=file.radius_end, axis=file.axis, sides=file.sides, turn=file.turn
+            )
+        case _:
+            assert_never(file)
+
+
+def _block(file: BlockFile) -> Array:
+    near, far = (file.y, file.z), (file.y_end or file.y, file.z_end or file.z)
+    for axis, (low, high) in (("x", file.x), *zip("yzyz", (*near, *far), strict=True)):
+        if not low < high:
+            raise InputError(f"{file.part}: {axis} goes from {low:g} to {high:g} m; the first has to be less")
+    vertices = np.empty((8, 3))
+    for v, (x, y, z) in enumerate(CORNERS.astype(int)):
+        across, up = far if x else near
+        vertices[v] = file.x[x], across[y], up[z]
+    return vertices
+
+
+def _plate(file: PlateFile) -> Array:
+    """The outline's corners go round as (-, -), (+, -), (+, +), (-, +) of the first two axes of the body's own."""
+    outline = np.array(file.outline, dtype=np.float64)
+    turn = outline[[1, 2, 3, 0]]
+    area = float(np.sum(outline[:, 0] * turn[:, 1] - turn[:, 0] * outline[:, 1]))
+    counter_clockwise = (area > 0.0) != (file.normal == "y")  # x to z goes the other way round y
+    if not counter_clockwise:
+        outline = outline[::-1]
+    vertices = np.empty((8, 3))
+    for v, (first, second, across) in enumerate(CORNERS.astype(int)):
+        u, w = outline[(0, 1, 3, 2)[first + 2 * second]]
+        vertices[v] = u, w, file.thickness * (across - 0.5)
+    return vertices[:, _ACROSS[file.normal]]

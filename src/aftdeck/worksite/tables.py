@@ -1,0 +1,41 @@
+"""What the tables of a worksite's file have in common."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import msgspec
+
+from aftdeck.units import Angle, Length, Quantity
+
+Text = Annotated[str, msgspec.Meta(min_length=1)]
+Point = tuple[Length, Length, Length]
+Turn = tuple[Angle, Angle, Angle]
+"""Roll, pitch, yaw about fixed x, y, z, applied in that order."""
+Range = tuple[Length, Length]
+"""From and to."""
+
+
+class Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """A table of a worksite file."""
+
+
+class Placed(Table, frozen=True, kw_only=True):
+    """A table of something that has a place, in the axes of what it belongs to."""
+
+    position: Point = (Length(0.0), Length(0.0), Length(0.0))
+    rotation: Turn = (Angle(0.0), Angle(0.0), Angle(0.0))
+
+
+def positive(**sizes: Quantity | None) -> None:
+    """Refuse a quantity that is given and not above zero, by name (ValueError)."""
+    for name, value in sizes.items():
+        if value is not None and not value > 0.0:
+            raise ValueError(f"{name} is {value:g} {value.unit}; it has to be above 0")
+
+
+def ordered(**ranges: Range) -> None:
+    """Refuse a range that does not go upwards, by name (ValueError)."""
+    for name, (low, high) in ranges.items():
+        if not low < high:
+            raise ValueError(f"{name} goes from {low:g} to {high:g} m; the first has to be less")

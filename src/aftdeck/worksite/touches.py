@@ -1,0 +1,119 @@
+"""Where what the arm holds touches, or is about to touch, the walls that it may slide along."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.hexahedron import NX, NY, NZ, SIDES, VERTICES, D, X, Y, Z
+from aftdeck.law import law
+from aftdeck.worksite.found import CLEARANCE, NORMAL, POINT_A, POINT_B, WHICH
+from aftdeck.worksite.layout import Indices, Mask
+from aftdeck.worksite.slide import LEAST, OUTWARD, POINT, TOUCH
+from aftdeck.worksite.watch import Watch
+
+Array = NDArray[np.float64]
+
+_EACH = VERTICES + 1
+"""Touches that a pair of solids can have."""
+
+
+@law
+def touching(
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    counts: Mask,
+    slides: int,
+    placed: Array,
+    found: Array,
+    reach: float,
+    period: float,
+    out: float,
+    touches: Array,
+) -> int:
+    """Write the touches of groups that count; how many there are.
+
+    They are the closest point, and every vertex that stands over a face of a wall within reach: a wall that is met
+    with a whole side is met at its corners, so that no turning takes one of them in.
+
+    Args:
+        frame: (n,), pairs (m, 2), begins (g + 1,): of the layout.
+        pairs: see frame.
+        begins: see frame.
+        counts: (g,) 1 for groups of a part that slides and a wall.
+        slides: the frame of what slides.
+        placed: (n, 52) the solids in L.
+        found: (g, 15) of the last look.
+        reach: clearance up to which a wall is looked at [m].
+        period: in which a gap may be closed [s].
+        out: greatest speed at which what stands inside a wall comes out [m/s].
+        touches: (k, 7) rows, room for nine of each pair.
+    """
+    count = 0
+    for g in range(len(counts)):
+        if counts[g] == 0 or not found[g, CLEARANCE] <= reach:
+            continue
+        first = frame[pairs[int(found[g, WHICH]), 0]] == slides
+        row = touches[count]
+        row[POINT : POINT + 3] = found[g, POINT_A : POINT_A + 3] if first else found[g, POINT_B : POINT_B + 3]
+        row[OUTWARD : OUTWARD + 3] = (-1.0 if first else 1.0) * found[g, NORMAL : NORMAL + 3]
+        row[LEAST] = _least(found[g, CLEARANCE], period, out)
+        count += 1
+        for k in range(begins[g], begins[g + 1]):
+            body, wall = (pairs[k, 0], pairs[k, 1]) if first else (pairs[k, 1], pairs[k, 0])
+            for v in range(VERTICES):
+                count += _over(placed[wall], placed[body], v, reach, period, out, touches[count])
+    return count
+
+
+@law
+def _least(clearance: float, period: float, out: float) -> float:
+    """How fast a point has to leave a wall: the gap may be closed in one period, a depth opened at `out` at most."""
+    return min(-clearance / period, out)
+
+
+@law
+def _over(wall: Array, body: Array, v: int, reach: float, period: float, out: float, row: Array) -> int:
+    """1, and its touch, if vertex v of a body stands over a face of the wall within reach; 0 if not."""
+    x, y, z = body[X + v], body[Y + v], body[Z + v]
+    face, height = 0, -np.inf
+    for f in range(SIDES):
+        above = wall[NX + f] * x + wall[NY + f] * y + wall[NZ + f] * z - wall[D + f]
+        if above > height:
+            face, height = f, above
+    if height > reach:
+        return 0
+    row[POINT], row[POINT + 1], row[POINT + 2] = x, y, z
+    row[OUTWARD], row[OUTWARD + 1], row[OUTWARD + 2] = wall[NX + face], wall[NY + face], wall[NZ + face]
+    row[LEAST] = _least(height, period, out)
+    return 1
+
+
+def touches(watch: Watch, counts: Mask, slides: str, reach: float, period: float, out: float) -> Array:
+    """The touches (k, 7) of a frame that slides along walls, rows as `worksite.slide` says.
+
+    Args:
+        watch: as it has looked at the present frames.
+        counts: (g,) 1 for groups of a part that slides and a wall.
+        slides: name of the frame of what slides.
+        reach: clearance up to which a wall is looked at [m]: as far as anything moves in a step.
+        period: of a step [s].
+        out: greatest speed at which what stands inside a wall comes out [m/s].
+    """
+    own = watch.layout
+    found = np.empty((_EACH * len(own.pairs), TOUCH))
+    count = touching(
+        own.frame,
+        own.pairs,
+        own.begins,
+        counts & watch.active,
+        own.frames.index(slides),
+        watch.placed,
+        watch.found,
+        reach,
+        period,
+        out,
+        found,
+    )
+    return found[:count]

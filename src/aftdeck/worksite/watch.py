@@ -1,0 +1,286 @@
+"""The dynamic collision program in flight: every watched group, frame after frame.
+
+Remote Manipulator Simulation, final report, chapter IV. Its program looked at three hexahedra and one body a frame;
+here are all parts that can meet. What is remembered of a pair makes its next answer quicker and may change that in its
+last digits, so it belongs to the flight's state.
+"""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies import pair as packed
+from aftdeck.bodies.depth import greatest
+from aftdeck.bodies.hexahedron import SIDES, VERTICES, place
+from aftdeck.bodies.pair import CONTACT, PAIR
+from aftdeck.bodies.planes import sides
+from aftdeck.bodies.watch import measure
+from aftdeck.bodies.words import heights
+from aftdeck.law import law
+from aftdeck.worksite.found import (
+    CLEARANCE,
+    DISTANCE,
+    FEATURE_A,
+    FEATURE_B,
+    FOUND,
+    NORMAL,
+    POINT_A,
+    POINT_B,
+    SPEED,
+    WHICH,
+)
+from aftdeck.worksite.layout import CENTRE, POSE, RADIUS, SOLID, Indices, Layout, Mask
+from aftdeck.worksite.motion import motion, velocity
+
+Array = NDArray[np.float64]
+
+
+FARTHER, FARTHEST = 4.0, 100.0
+"""By how much the search for the nearest group grows, and from where on everything is looked at [1, m]."""
+
+
+@law
+def place_moved(solids: Array, frame: Indices, frames: Array, at: Array, placed: Array) -> None:
+    """Place the solids whose frame is not where it was.
+
+    Args:
+        solids: (n, 52) in their own frames.
+        frame: (n,) which frame each stands in.
+        frames: (F, 12) where the frames are, in L.
+        at: (F, 12) where they were when the solids were placed; brought up to date.
+        placed: (n, 52) the solids in L, brought up to date.
+    """
+    moved = np.zeros(len(frames), np.bool_)
+    for f in range(len(frames)):
+        for k in range(POSE):
+            if frames[f, k] != at[f, k]:
+                moved[f] = True
+                at[f, k] = frames[f, k]
+    for i in range(len(solids)):
+        f = frame[i]
+        if not moved[f]:
+            continue
+        r = frames[f, 3:].reshape(3, 3)
+        place(solids[i], frames[f], r, placed[i])
+        x, y, z = solids[i, CENTRE], solids[i, CENTRE + 1], solids[i, CENTRE + 2]
+        placed[i, CENTRE] = r[0, 0] * x + r[0, 1] * y + r[0, 2] * z + frames[f, 0]
+        placed[i, CENTRE + 1] = r[1, 0] * x + r[1, 1] * y + r[1, 2] * z + frames[f, 1]
+        placed[i, CENTRE + 2] = r[2, 0] * x + r[2, 1] * y + r[2, 2] * z + frames[f, 2]
+        placed[i, RADIUS] = solids[i, RADIUS]
+
+
+@law
+def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
+    """Whether two solids cannot be nearer than `best` [m]: by their spheres, or along the pair's last normal."""
+    x, y, z = b[CENTRE] - a[CENTRE], b[CENTRE + 1] - a[CENTRE + 1], b[CENTRE + 2] - a[CENTRE + 2]
+    reach = best + a[RADIUS] + b[RADIUS]
+    if reach < 0.0 or x * x + y * y + z * z > reach * reach:
+        return True
+    along = sides(a, b, pair[packed.NORMAL], pair[packed.NORMAL + 1], pair[packed.NORMAL + 2])
+    apart = along.b - along.a
+    # a pair without a normal has zeros there, and 0 between its sides
+    return apart > 0.0 and apart > best
+
+
+@law
+def nearest_pair(placed: Array, pairs: Indices, memory: Array, begin: int, end: int, first: int, limit: float) -> int:
+    """Which of a group's pairs of solids, `begin` up to `end`, has the least clearance; what is told of it is filled.
+
+    It begins with pair `first`, and passes over what cannot be nearer. -1 where none is below the limit [m].
+    """
+    best, least = -1, limit
+    for turn in range(begin - 1, end):
+        k = first if turn < begin else turn
+        a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
+        pair = memory[k]
+        if turn == first or not_nearer(a, b, pair, least):
+            continue
+        clearance = measure(a, b, pair)
+        if clearance < least:
+            best, least = k, clearance
+    return best
+
+
+@law
+def watch(
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    active: Mask,
+    before: Array,
+    now: Array,
+    period: float,
+    within: float,
+    at: Array,
+    placed: Array,
+    memory: Array,
+    found: Array,
+) -> None:
+    """Look at every group that counts and is nearer than `within`; the others are passed over.
+
+    Args:
+        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,): of the layout.
+        frame: see solids.
+        pairs: see solids.
+        begins: see solids.
+        active: (g,) 1 where the group counts.
+        before: (F, 12) the frames a step ago, in L.
+        now: (F, 12) the frames now.
+        period: from then till now [s].
+        within: how far groups are looked at [m]; inf: all.
+        at: (F, 12) where frames were when placed, and
+        placed: (n, 52) solids in L, both brought up to date.
+        memory: (m, 17) what is remembered of each pair.
+        found: (g, 15) out; of the last step in.
+    """
+    place_moved(solids, frame, now, at, placed)
+    motions = np.empty((len(now), 6))
+    for f in range(len(now)):
+        m = motion(before[f], now[f], period)
+        for k in range(6):
+            motions[f, k] = m[k]
+    for g in range(len(active)):
+        k = -1
+        if active[g] != 0:
+            k = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], int(found[g, WHICH]), within)
+        if k < 0:
+            found[g, CLEARANCE], found[g, SPEED:WHICH] = np.inf, 0.0
+            continue
+        i, j = pairs[k, 0], pairs[k, 1]
+        row = found[g]
+        row[WHICH] = k
+        _tell(memory, k, row)
+        if row[CLEARANCE] <= CONTACT:
+            _way_out(placed[i], placed[j], row)
+        va = velocity(now, motions, frame[i], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
+        vb = velocity(now, motions, frame[j], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
+        row[SPEED] = (
+            row[NORMAL] * (va[0] - vb[0]) + row[NORMAL + 1] * (va[1] - vb[1]) + row[NORMAL + 2] * (va[2] - vb[2])
+        )
+
+
+@law
+def _tell(memory: Array, k: int, row: Array) -> None:
+    """Write what pair k, just measured, says into its group's row."""
+    row[CLEARANCE] = memory[k, packed.CLEARANCE]
+    for c in range(3):
+        row[POINT_A + c] = memory[k, packed.POINT_A + c]
+        row[POINT_B + c] = memory[k, packed.POINT_B + c]
+        row[NORMAL + c] = memory[k, packed.NORMAL + c]
+    row[DISTANCE] = memory[k, packed.DISTANCE]
+    row[FEATURE_A], row[FEATURE_B] = memory[k, packed.FEATURE_A], memory[k, packed.FEATURE_B]
+
+
+@law
+def _way_out(a: Array, b: Array, row: Array) -> None:
+    """Write the plane of two solids in contact into their group's row."""
+    above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
+    heights(a, b, above_b)
+    heights(b, a, above_a)
+    out = greatest(a, b, above_b, above_a)
+    row[NORMAL], row[NORMAL + 1], row[NORMAL + 2] = out.x, out.y, out.z
+    row[DISTANCE] = 0.5 * (
+        out.x * (row[POINT_A] + row[POINT_B])
+        + out.y * (row[POINT_A + 1] + row[POINT_B + 1])
+        + out.z * (row[POINT_A + 2] + row[POINT_B + 2])
+    )
+
+
+@law
+def nearest_group(found: Array, counts: Mask) -> int:
+    """The group of least clearance among those with a 1 in `counts` (g,); -1 where none of them is active."""
+    best, least = -1, np.inf
+    for g in range(len(found)):
+        if counts[g] != 0 and found[g, CLEARANCE] < least:
+            best, least = g, found[g, CLEARANCE]
+    return best
+
+
+class SavedWatch(msgspec.Struct, frozen=True):
+    """What `Watch.save` gives: the arrays' bytes."""
+
+    active: bytes
+    memory: bytes
+    found: bytes
+
+
+class Watch:
+    """The watched groups of a flight.
+
+    Attributes:
+        layout: what is watched.
+        active: (g,) 1 where a group counts; the caller sets it.
+        found: (g, 15) what the last look found, as `worksite.found` says.
+        memory: (m, 17) what is remembered of each pair of solids.
+        at: (F, 12) where the frames were at the last look, in L.
+        placed: (n, 52) the solids there, in L.
+    """
+
+    def __init__(self, layout: Layout) -> None:
+        self.layout = layout
+        self.active = np.ones(len(layout.groups), np.uint8)
+        self.found = np.zeros((len(layout.groups), FOUND))
+        self.found[:, CLEARANCE] = np.inf
+        self.found[:, WHICH] = layout.begins[:-1]
+        self.memory = np.zeros((len(layout.pairs), PAIR))
+        # Both follow from the frames alone, so that they are no state.
+        self.at = np.full((len(layout.frames), POSE), np.nan)
+        self.placed = np.zeros((len(layout.solids), SOLID))
+
+    def look(self, before: Array, now: Array, period: float, within: float = np.inf) -> None:
+        """Look at every group that counts and is nearer than `within`, into `found`; the others are inf there.
+
+        Args:
+            before: (F, 12) the frames a step ago, in L; those of now, where nothing came before.
+            now: (F, 12) the frames now.
+            period: from then till now [s].
+            within: [m]
+        """
+        own = self.layout
+        watch(
+            own.solids,
+            own.frame,
+            own.pairs,
+            own.begins,
+            self.active,
+            before,
+            now,
+            period,
+            within,
+            self.at,
+            self.placed,
+            self.memory,
+            self.found,
+        )
+
+    def look_near(self, before: Array, now: Array, period: float, counts: Mask, within: float) -> None:
+        """Look as far as it takes to find the nearest of the groups with a 1 in `counts` (g,), and at least so far [m].
+
+        What is passed over is farther than what is found, so that the nearest is the nearest of all.
+        """
+        while True:
+            self.look(before, now, period, within)
+            if within == np.inf or self.nearest(counts) >= 0:
+                return
+            within = FARTHER * within if within < FARTHEST else np.inf
+
+    def place(self, frames: Array) -> None:
+        """Put the solids where the frames (F, 12) are, without a look; after `restore`, at those of that look."""
+        place_moved(self.layout.solids, self.layout.frame, frames, self.at, self.placed)
+
+    def nearest(self, counts: Mask) -> int:
+        """The group of least clearance among those with a 1 in `counts` (g,); -1 where none of them is active."""
+        return nearest_group(self.found, counts)
+
+    def save(self) -> SavedWatch:
+        """Everything that the next look depends on."""
+        return SavedWatch(self.active.tobytes(), self.memory.tobytes(), self.found.tobytes())
+
+    def restore(self, saved: SavedWatch) -> None:
+        """Go on from what `save` gave."""
+        self.active[:] = np.frombuffer(saved.active, np.uint8)
+        self.memory.ravel()[:] = np.frombuffer(saved.memory)
+        self.found.ravel()[:] = np.frombuffer(saved.found)

@@ -1,0 +1,265 @@
+"""The 32 words that the report's program sent to its scene generator each frame, and its control word, TABLE II.
+
+A word has 24 bits, kept as an integer from 0 to 2**24 - 1. Bit 0 is the first, the sign of a number (likely: XDS counts
+its bits so). A number at scale Bn is two's complement with the binary point n bits behind the sign: it lies in
+[-2**n, 2**n) in steps of 2**(n - 23). Source: the final report of the Remote Manipulator Simulation; sines and cosines
+at B1, distances in feet, the order of sines and cosines and the codes of the stations I to W are assumed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import atan2, cos, hypot, isfinite, sin
+from typing import Literal, NamedTuple
+
+from aftdeck.errors import InputError
+from aftdeck.units import FOOT
+
+BITS = 24
+WORDS = 32
+"""Of a frame block."""
+ANGLES = ("HO", "PO", "P1", "H2", "P2", "R2")
+"""The joint angles, in their order."""
+PLANES = 3
+"""Separating planes of a frame block."""
+STATIONS = {
+    "A": 0b0000,
+    "B": 0b0001,
+    "C": 0b0010,
+    "D": 0b0011,
+    "E": 0b0100,
+    "F": 0b1000,
+    "G": 0b1001,
+    "H": 0b1010,
+    "I": 0b1011,
+    "P1": 0b0101,
+    "P2": 0b0110,
+    "CAE2": 0b0111,
+    "W": 0b1100,
+}
+"""Codes of the station points; from I on ours, of those that the report leaves free."""
+SPARE = range(14, 18)
+UNIT = 1e-5
+"""How far from 1 the sum of squares of a sine and a cosine, or of a normal, may be [1] (assumed)."""
+
+Way = Literal[-1, 0, 1]
+
+
+class ControlWord(NamedTuple):
+    """What the scene generator is told to do, TABLE II.
+
+    Attributes:
+        mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked.
+        station: camera position: A to I, P1, P2, CAE2, W.
+        initialise: whether the run is being initialised.
+        telescope: 1 longer, -1 shorter, 0 stopped.
+        pan: 1, -1 or 0; shares its sign with `tilt`.
+        tilt: 1, -1 or 0.
+        zoom: 1 in, -1 out, 0 none.
+        prong: 1 closes, -1 opens, 0 stopped.
+        finger_inhibited: whether the finger's motion is inhibited.
+        arm_inhibited: whether the arm's motion is inhibited.
+    """
+
+    mode: Literal[1, 2, 3, 4]
+    station: str
+    initialise: bool = False
+    telescope: Way = 0
+    pan: Way = 0
+    tilt: Way = 0
+    zoom: Way = 0
+    prong: Way = 0
+    finger_inhibited: bool = False
+    arm_inhibited: bool = False
+
+
+class WordPlane(NamedTuple):
+    """A separating plane in R: the points p with normal.p = distance.
+
+    Attributes:
+        normal: unit normal.
+        distance: from R's origin along it [m].
+    """
+
+    normal: tuple[float, float, float]
+    distance: float
+
+
+class FrameBlock(NamedTuple):
+    """What a frame tells the scene generator.
+
+    Attributes:
+        control: the control word.
+        angles: HO, PO, P1, H2, P2, R2 [rad]; decoded ones lie in (-pi, pi].
+        planes: the three separating planes of fingers and receptacle; None where there is none, four words of 0.
+    """
+
+    control: ControlWord
+    angles: tuple[float, float, float, float, float, float]
+    planes: tuple[WordPlane | None, WordPlane | None, WordPlane | None]
+
+
+def encode_control(control: ControlWord) -> int:
+    """The 24-bit word.
+
+    Raises:
+        InputError: a mode or a station without a code, a motion other than -1, 0, 1, or pan and tilt of two signs.
+    """
+    if control.mode not in (1, 2, 3, 4):
+        raise InputError(f"the control word's mode is {control.mode!r}; it has to be 1, 2, 3 or 4")
+    if control.station not in STATIONS:
+        raise InputError(
+            f"the control word has no code for station {control.station!r}; only for {', '.join(STATIONS)}"
+        )
+    for name in ("telescope", "pan", "tilt", "zoom", "prong"):
+        if getattr(control, name) not in (-1, 0, 1):
+            raise InputError(f"the control word's {name} is {getattr(control, name)!r}; it has to be -1, 0 or 1")
+    if control.pan * control.tilt < 0:
+        raise InputError("the control word has one sign for pan and tilt; they cannot go opposite ways at once")
+    bits = {
+        0: control.initialise,
+        1: control.telescope != 0,
+        2: control.telescope > 0,
+        3: control.tilt != 0,
+        4: control.tilt + control.pan > 0,
+        5: control.pan != 0,
+        6: control.zoom != 0,
+        7: control.zoom > 0,
+        12: control.prong < 0,
+        13: control.prong > 0,
+        18: control.finger_inhibited,
+        19: control.arm_inhibited,
+        24 - control.mode: True,
+    }
+    code = STATIONS[control.station] << (BITS - 1 - 11)
+    return code | sum(_bit(bit) for bit, on in bits.items() if on)
+
+
+def decode_control(word: int) -> ControlWord:
+    """What a control word says.
+
+    Raises:
+        InputError: no word of 24 bits, spare bits set, a code of no station, a prong that both opens and closes, or
+            not just one mode.
+    """
+    _is_word(word, "the control word")
+    on = [bool(word & _bit(bit)) for bit in range(BITS)]
+    if any(on[bit] for bit in SPARE):
+        raise InputError(f"the control word {word:#08x} has one of its spare bits set, 14 to 17")
+    code = word >> (BITS - 1 - 11) & 0b1111
+    station = next((name for name, known in STATIONS.items() if known == code), None)
+    if station is None:
+        raise InputError(f"the control word {word:#08x} has station code {code:04b}, which is that of none")
+    if on[12] and on[13]:
+        raise InputError(f"the control word {word:#08x} opens and closes the prong at once")
+    modes = [mode for mode in (1, 2, 3, 4) if on[24 - mode]]
+    if len(modes) != 1:
+        raise InputError(f"the control word {word:#08x} has {len(modes)} modes set; it has to have 1")
+    mode: Literal[1, 2, 3, 4] = modes[0]  # type: ignore[assignment]
+    return ControlWord(
+        mode=mode,
+        station=station,
+        initialise=on[0],
+        telescope=_way(on[1], on[2]),
+        pan=_way(on[5], on[4]),
+        tilt=_way(on[3], on[4]),
+        zoom=_way(on[6], on[7]),
+        prong=_way(on[12] or on[13], on[13]),
+        finger_inhibited=on[18],
+        arm_inhibited=on[19],
+    )
+
+
+def encode_block(block: FrameBlock) -> tuple[int, ...]:
+    """The 32 words: control; sine and cosine of each angle; normal and distance of each plane; 7 blank.
+
+    Raises:
+        InputError: a control word that has no code, a number that its scale cannot hold (names the word), or a normal
+            that is no unit vector.
+    """
+    words = [encode_control(block.control)]
+    for name, angle in zip(ANGLES, block.angles, strict=True):
+        words += [fixed(sin(angle), 1, f"sin {name}"), fixed(cos(angle), 1, f"cos {name}")]
+    for k, plane in enumerate(block.planes, 1):
+        if plane is None:
+            words += [0, 0, 0, 0]
+            continue
+        _unit(plane.normal, f"the normal of plane {k}")
+        words += [fixed(part, 0, f"normal {axis} of plane {k}") for axis, part in zip("xyz", plane.normal, strict=True)]
+        words.append(fixed(plane.distance / FOOT, 11, f"distance of plane {k} [ft]"))
+    return (*words, *[0] * (WORDS - len(words)))
+
+
+def decode_block(words: Sequence[int]) -> FrameBlock:
+    """What a frame block says; the blank words are not looked at.
+
+    Raises:
+        InputError: not 32 words of 24 bits, a control word that says nothing, or words that are no sine and cosine, or
+            no unit normal.
+    """
+    if len(words) != WORDS:
+        raise InputError(f"a frame block has {WORDS} words; {len(words)} are given")
+    for k, word in enumerate(words, 1):
+        _is_word(word, f"word {k} of the frame block")
+    turns = [number(word, 1) for word in words[1 : 1 + 2 * len(ANGLES)]]
+    angles = []
+    for name, s, c in zip(ANGLES, turns[::2], turns[1::2], strict=True):
+        _unit((s, c), f"sine and cosine of {name}")
+        angles.append(atan2(s, c))
+    ho, po, p1, h2, p2, r2 = angles
+    first, second, third = (_plane(words[13 + 4 * k : 17 + 4 * k], k + 1) for k in range(PLANES))
+    return FrameBlock(decode_control(words[0]), (ho, po, p1, h2, p2, r2), (first, second, third))
+
+
+def _plane(words: Sequence[int], k: int) -> WordPlane | None:
+    """The k-th plane of a frame block, of its four words."""
+    if not any(words):
+        return None
+    x, y, z, distance = words
+    normal = (number(x, 0), number(y, 0), number(z, 0))
+    _unit(normal, f"the normal of plane {k}")
+    return WordPlane(normal, number(distance, 11) * FOOT)
+
+
+def fixed(value: float, scale: int, name: str) -> int:
+    """A number at scale Bn as a word, rounded to the nearest step.
+
+    2**n itself, which no word holds (the 1 of a normal at B0), is written as the greatest number below it.
+
+    Raises:
+        InputError: NaN, or a number outside of [-2**n, 2**n].
+    """
+    most = 2.0**scale
+    if not (isfinite(value) and -most <= value <= most):
+        raise InputError(f"{name} is {value:.9g}; a word at scale B{scale} holds {-most:g} to {most:g}")
+    half = 1 << (BITS - 1)
+    steps = min(round(value / most * half), half - 1)
+    return steps & ((1 << BITS) - 1)
+
+
+def number(word: int, scale: int) -> float:
+    """The number that a word holds at scale Bn."""
+    half = 1 << (BITS - 1)
+    return float((word ^ half) - half) / half * 2.0**scale
+
+
+def _bit(bit: int) -> int:
+    """A word with one bit set; bit 0 is the first."""
+    return 1 << (BITS - 1 - bit)
+
+
+def _way(moves: bool, forwards: bool) -> Way:
+    if not moves:
+        return 0
+    return 1 if forwards else -1
+
+
+def _is_word(word: int, name: str) -> None:
+    if not 0 <= word < 1 << BITS:
+        raise InputError(f"{name} is {word}; it has to be an integer of {BITS} bits, 0 to {(1 << BITS) - 1}")
+
+
+def _unit(parts: Sequence[float], name: str) -> None:
+    size = hypot(*parts)
+    if not abs(size * size - 1.0) <= UNIT:
+        raise InputError(f"{name}: the sum of squares is {size * size:.7g}; it has to be 1 to within {UNIT:g}")

@@ -1,0 +1,194 @@
+"""What of an arm collides: whole, where the arm is, and never smaller than what is drawn."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import aftdeck
+from aftdeck.arms.load import HERE, ArmModel, load_model
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.arms.shapes import shapes_of
+from aftdeck.arms.solids import solids_of
+from aftdeck.bodies.check import hexahedron
+from aftdeck.bodies.hexahedron import FACES, pack
+from aftdeck.bodies.solid import Solid
+from aftdeck.errors import ScenarioError
+from aftdeck.kinematics.frames import frames_of, place_frames
+from aftdeck.kinematics.linkage import L5
+from aftdeck.scene.mesh import moved
+from aftdeck.scene.placed import placed
+from aftdeck.scene.solids import solid as surface_of
+
+Array = NDArray[np.float64]
+
+FOOT = 0.3048
+HAIR = 1e-3
+"""How far what is drawn may stand out of the solids [m]: the rounding of places in the arm file, turned."""
+ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
+
+
+@pytest.fixture(scope="module")
+def concept() -> ArmModel:
+    return load_model("concept-1972")
+
+
+@pytest.fixture(scope="module")
+def file(concept: ArmModel) -> HeadingArmFile:
+    assert isinstance(concept.source, HeadingArmFile)
+    return concept.source
+
+
+def depth(points: Array, solids: list[Solid]) -> Array:
+    """(n,) how far each point stands out of all the solids [m]; negative inside one."""
+    out = []
+    for solid in solids:
+        body = pack(solid.vertices)
+        out.append((points @ body[24:42].reshape(3, 6) - body[42:]).max(axis=1))
+    return np.asarray(np.min(out, axis=0))
+
+
+def the(model: ArmModel, part: str) -> Solid:
+    (found,) = [solid for solid in solids_of(model) if solid.part == part]
+    return found
+
+
+def face(solid: Solid, letter: str) -> tuple[Array, Array]:
+    """A face's outward normal (3,) and its corners (4, 3), in the solid's frame."""
+    body = pack(solid.vertices)
+    k = list(FACES).index(letter)
+    return body[[24 + k, 30 + k, 36 + k]], solid.vertices[[v - 1 for v in FACES[letter]]]
+
+
+@ARMS
+def test_every_solid_is_a_hexahedron_in_a_frame_of_the_arm_and_cannot_be_changed(name: str) -> None:
+    model = load_model(name)
+    for solid in solids_of(model):
+        hexahedron(solid.vertices, solid.part)
+        assert solid.frame in model.frames
+        with pytest.raises(ValueError, match="read-only"):
+            solid.vertices[0, 0] = 1.0
+
+
+@ARMS
+def test_what_is_drawn_lies_inside_the_solids_of_its_frame(name: str) -> None:
+    model = load_model(name)
+    rng = np.random.default_rng(71)
+    for frame, shapes in shapes_of(model).bodies.items():
+        solids = [solid for solid in solids_of(model) if solid.frame == frame]
+        for shape, pose in placed(shapes):
+            surface = moved(surface_of(shape, 64), pose)
+            corners = surface.vertices[surface.faces]
+            inside = np.einsum("nkv,nvc->nkc", rng.dirichlet(np.ones(3), (len(corners), 4)), corners).reshape(-1, 3)
+            assert depth(surface.vertices, solids).max() <= HAIR, (frame, shape)
+            assert depth(inside, solids).max() <= HAIR, (frame, shape)
+
+
+def test_the_parts_have_the_names_that_people_use() -> None:
+    def parts(name: str) -> list[str]:
+        return list(dict.fromkeys(solid.part for solid in solids_of(load_model(name))))
+
+    assert parts("concept-1972") == [
+        "stand", "telescope", "shoulder", "upper boom", "elbow", "lower boom", "wrist", "stub", "palm", "fixed finger",
+        "prong",
+    ]  # fmt: skip
+    assert parts("srms") == [
+        "shoulder base", "shoulder yaw", "shoulder pitch", "upper boom", "elbow", "elbow camera", "lower boom",
+        "wrist pitch", "wrist yaw", "end effector", "wrist camera", "wrist light",
+    ]  # fmt: skip
+
+
+def test_the_palms_face_d_looks_out_of_the_hand_and_has_the_tip_in_its_middle(concept: ArmModel) -> None:
+    normal, corners = face(the(concept, "palm"), "d")
+    assert normal == pytest.approx([1.0, 0.0, 0.0])
+    assert corners.mean(axis=0) == pytest.approx([concept.links[L5], 0.0, 0.0])
+    assert face(the(concept, "palm"), "c")[0] == pytest.approx([-1.0, 0.0, 0.0])
+
+
+def test_the_fingers_look_at_each_other_with_their_faces_b_and_e(concept: ArmModel, file: HeadingArmFile) -> None:
+    normal, corners = face(the(concept, "fixed finger"), "b")
+    assert normal == pytest.approx([0.0, -1.0, 0.0])
+    assert corners[:, 1] == pytest.approx(np.full(4, file.effector.fixed_finger.value))
+    prong = the(concept, "prong")
+    normal, corners = face(prong, "e")
+    assert prong.frame == "arm.prong" and normal == pytest.approx([0.0, 1.0, 0.0])
+    assert corners[:, 1] == pytest.approx(np.zeros(4))  # its frame moves with it
+
+
+def test_the_first_vertex_of_the_palm_is_the_reports(concept: ArmModel, file: HeadingArmFile) -> None:
+    # v1 = -W Y2 + H Z2 (worksite findings), at the palm's inner end; v2 stands L along X2 from it
+    e = file.effector
+    v1, v2 = the(concept, "palm").vertices[:2]
+    assert v1 == pytest.approx([e.palm.value[0], -e.palm_half_width.value, e.palm_half_height.value])
+    assert v2 - v1 == pytest.approx([e.palm.value[1] - e.palm.value[0], 0.0, 0.0])
+
+
+@pytest.mark.parametrize("share", np.linspace(0.0, 1.0, 9))
+def test_the_stand_is_covered_from_its_foot_to_below_the_shoulder(
+    concept: ArmModel, file: HeadingArmFile, share: float
+) -> None:
+    s = file.stand
+    height = s.least.value + share * (s.greatest.value - s.least.value)
+    rows = rows_of(concept, np.zeros(6), height)
+    solids = [in_base(solid, rows) for solid in solids_of(concept) if solid.part in ("stand", "telescope")]
+    assert len(solids) == 2
+    half, top = 0.5 * s.tube_side.value, height - s.top_below_shoulder.value
+    for up in np.linspace(0.0, top, 200):
+        ring = np.array([[x, y, -up] for x in (-half, half) for y in (-half, half)])
+        assert depth(ring, solids).max() <= 1e-12
+    above = depth(np.array([[0.0, 0.0, -top - 1e-6]]), solids)
+    assert above[0] > 0.0
+
+
+def rows_of(model: ArmModel, q: Array, stand: float) -> dict[str, Array]:
+    frames = frames_of(model)
+    rows = frames.rows()
+    place_frames(frames.joints, q, stand, -0.4, rows)
+    return dict(zip(frames.names, rows, strict=True))
+
+
+def in_base(solid: Solid, rows: dict[str, Array]) -> Solid:
+    row = rows[solid.frame]
+    return solid._replace(vertices=solid.vertices @ row[3:].reshape(3, 3).T + row[:3])
+
+
+def test_inside_the_soft_limits_the_booms_the_stub_and_the_housings_keep_clear_of_each_other(concept: ArmModel) -> None:
+    soft = concept.limits.soft
+    rng = np.random.default_rng(72)
+    apart = (
+        ("stand", "upper boom"), ("stand", "shoulder"), ("telescope", "upper boom"), ("telescope", "shoulder"),
+        ("shoulder", "upper boom"), ("upper boom", "elbow"), ("upper boom", "lower boom"), ("elbow", "lower boom"),
+        ("lower boom", "wrist"), ("lower boom", "stub"), ("wrist", "stub"),
+    )  # fmt: skip
+    for k in range(200):
+        q = rng.uniform(soft[:, 0], soft[:, 1]) if k > 20 else np.where(rng.random(6) < 0.5, soft[:, 0], soft[:, 1])
+        rows = rows_of(concept, q, 3.0)
+        bodies = [in_base(solid, rows) for solid in solids_of(concept)]
+        for a, b in apart:
+            for one in (body for body in bodies if body.part == a):
+                for other in (body for body in bodies if body.part == b):
+                    assert aftdeck.separation(one.vertices, other.vertices).clearance > -1e-9, (a, b, np.degrees(q))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('frame = "arm.base"', 'frame = "arm.foot"', "bodies[0].frame: 'arm.foot' is no frame of the arm; there are"),
+        ("radius = 0.27", "radius = 0.0", "bodies[0]: the radius is 0; it has to be above 0"),
+        ("sides = 6", "sides = 7", "bodies[0]: the prism has 7 sides; an even number, 4 or more, is allowed"),
+        ("size = [0.7, 0.34, 0.12]", "size = [0.7, 0.0, 0.12]", "bodies[1]: shoulder base: "),
+        ("size = [0.7, 0.34, 0.12]", "size = [0.7, 0.34, -0.12]", "bodies[1]: shoulder base: "),
+        ('kind = "box"', 'kind = "ball"', "bodies[1]"),
+    ],
+)
+def test_a_body_that_is_none_is_refused_with_its_place(tmp_path: Path, old: str, new: str, said: str) -> None:
+    text = (HERE / "srms.toml").read_text(encoding="utf-8").replace('shapes = "srms.shapes.toml"\n', "")
+    assert old in text
+    bad = tmp_path / "bad.toml"
+    bad.write_text(text.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(ScenarioError) as caught:
+        load_model(bad)
+    assert any(said in problem for problem in caught.value.problems), caught.value.problems

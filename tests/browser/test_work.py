@@ -1,0 +1,235 @@
+"""The worksite on the page: clearance, contacts, capture conditions, and what the end effector is told."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import msgspec
+import pytest
+
+from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.flight import Flight
+from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.worksite import PRONG, SNARES, Worksite, condition, info, near, work
+
+pytestmark = pytest.mark.browser
+
+Sited = Callable[..., tuple[Flight, Worksite]]
+
+BEFORE_CAPTURE = (
+    condition("off axis", 0.124, 0.1016, "4.9 in off the axis, at most 4 in allowed"),
+    condition("distance", 1.14, 0.1, "fixture 45 in away, at most 4 in allowed"),
+    condition("tilt", 0.07, 0.26, "4.2° tilted, at most 15° allowed", "rad"),
+    condition("roll", 0.05, 0.17, "2.9° rolled, at most 10° allowed", "rad"),
+)
+BEFORE_ACQUISITION = (
+    condition("palm over bar", 0.0, 0.1, "bar clear of the palm"),
+    condition("fixed finger beside bar", 0.3, 0.1, "bar past the fixed finger's face"),
+    condition("prong beside bar", 0.05, 0.1, "bar clear of the prong"),
+    condition("prong closed", 0.3, 0.244, "fingers 11.8 in apart, at most 9.6 in allowed"),
+    condition("palm height", 0.0635, 0.019, "palm 2.5 in above the bar, 0 to 0.75 in allowed"),
+    condition("palm along bar", 0.1, 0.3, "palm 3.9 in from the bar's middle to its rear"),
+)
+HIT = near("palm", "payload top", -0.0102)
+TOUCHED = near("prong", "receptacle", 0.0, essential=True)
+GRASPING = work(
+    nearest=HIT,
+    contacts=(HIT, TOUCHED),
+    arm_inhibit=True,
+    inhibits=("arm inhibited: the palm touches the payload top; THC −Z or the telescope longer frees it",),
+    pursuit="acquire payload",
+    conditions=BEFORE_ACQUISITION,
+    hand=PRONG,
+    stand=3.6,
+)
+
+
+@pytest.fixture
+def sited(open_page: OpenPage) -> Sited:
+    """Opens a page of a station with a worksite of the test's own."""
+
+    def open_one(
+        worksite: Worksite, width: int = 1280, height: int = 720, pad: bool = False
+    ) -> tuple[Flight, Worksite]:
+        flight = open_page(width, height, pad, worksite.stand_between)
+        flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
+        return flight, worksite
+
+    return open_one
+
+
+def test_the_nearest_pair_is_told_lit_and_drawn(sited: Sited) -> None:
+    flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38, 0.021))))
+    flight.until("document.querySelector('.clearance .number').textContent.trim() === '15 in'")
+    group = flight.page.locator(".clearance").inner_text()
+    assert "Lower boom to bay wall port" in group
+    assert "closing 0.8 in/s" in group
+    assert "contact in 18 s" in group
+    flight.page.locator(".lamp.caution", has_text="CLEARANCE").wait_for()
+    flight.until("document.querySelector('.gap-label').textContent === '15 in'")
+    flight.until("document.querySelector('.gap').getAttribute('visibility') === 'visible'")
+
+
+def test_a_gap_that_opens_far_from_both_lights_nothing(sited: Sited) -> None:
+    flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 4.1, -0.021))))
+    flight.until("/opening/.test(document.querySelector('.clearance').textContent)")
+    assert "contact in" not in flight.page.locator(".clearance").inner_text()
+    assert flight.page.locator(".lamp.caution", has_text="CLEARANCE").count() == 0
+    assert flight.script("document.querySelector('.gap').getAttribute('visibility')") == "hidden"
+
+
+def test_a_contact_is_marked_and_what_it_inhibits_says_what_frees_it(sited: Sited) -> None:
+    flight, site = sited(Worksite(info("prong", stand=True), GRASPING))
+    flight.page.locator(".flag.lit", has_text="Arm inhibit").wait_for()
+    flight.page.locator(".lamp.warning", has_text="CLEARANCE").wait_for()
+    lines = flight.page.locator(".touching").inner_text()
+    assert "Palm touches payload top, 0.4 in deep" in lines
+    assert "the telescope longer frees it" in lines
+    marks = "[...document.querySelector('.gaps').querySelectorAll('.touch[visibility=visible]')]"
+    flight.until(f"{marks}.length === 2 && {marks}.filter((mark) => mark.matches('.essential')).length === 1")
+    site.work = msgspec.structs.replace(GRASPING, contacts=(), arm_inhibit=False, inhibits=())
+    flight.until(f"{marks}.length === 0 && !document.querySelector('.inhibits .lit')")
+
+
+def test_conditions_stand_worst_first_and_say_when_all_are_met(sited: Sited) -> None:
+    flight, site = sited(Worksite(info(), work(pursuit="capture payload", conditions=BEFORE_CAPTURE)))
+    names = "[...document.querySelectorAll('.cells li:not([hidden]) .name')].map((name) => name.textContent).join()"
+    flight.until(f"{names} === 'distance,off axis,roll,tilt'")
+    title = "document.querySelector('.conditions h2').textContent"
+    flight.until(f"{title} === 'capture payloadfixture 45 in away, at most 4 in allowed'")
+    flight.until("document.querySelectorAll('.cells .holds').length === 2")
+    met = tuple(condition(each.name, 0.3 * each.limit, each.limit, "", each.unit) for each in BEFORE_CAPTURE)
+    site.work = work(pursuit="capture payload", conditions=met)
+    flight.until(f"{title} === 'capture payloadall met: squeeze, hold G'")
+
+
+def test_without_a_pursuit_the_payloads_are_told(sited: Sited) -> None:
+    flight, _ = sited(Worksite(info(), work()))
+    flight.until("document.querySelector('.cargo tr').textContent === 'payloadCargo bay0.0 in/s'")
+    assert flight.script("document.querySelectorAll('.cargo tr')[1].textContent") == "free flyerfree0.5 in/s"
+    assert not flight.page.locator(".conditions").is_visible()
+
+
+def test_capture_and_release_act_only_when_held(sited: Sited) -> None:
+    flight, site = sited(Worksite(info(), work()))
+    full = "document.querySelectorAll('.grips .fill')[{}].style.transform === 'scaleX(1)'"
+    flight.press("r")
+    flight.hold("g")
+    flight.until(full.format(0))
+    flight.release("g")
+    assert [m["switch"] for m in site.asked if m["type"] == "effector"] == ["close"]
+    release = flight.page.get_by_role("button", name="Release, hold 1 s")
+    release.focus()
+    flight.hold("Enter")
+    flight.until(full.format(1))
+    flight.release("Enter")
+    assert [m["switch"] for m in site.asked if m["type"] == "effector"] == ["close", "open"]
+
+
+def test_a_press_stops_the_prong_while_it_moves(sited: Sited) -> None:
+    flight, site = sited(Worksite(info("prong", stand=True), work(hand=PRONG, stand=3.6)))
+    flight.until("document.querySelector('.effector [aria-pressed=true]').textContent.startsWith('Close')")
+    flight.press("g")
+    site.until_asked(flight, "effector", switch="stop")
+
+
+def test_a_pads_north_captures_and_menu_with_it_releases(sited: Sited) -> None:
+    flight, site = sited(Worksite(info(), work()), pad=True)
+    flight.script("window.testPad.buttons[3].pressed = true")
+    site.until_asked(flight, "effector", switch="close")
+    flight.script("window.testPad.buttons[3].pressed = false")
+    flight.script("window.testPad.buttons[9].pressed = window.testPad.buttons[3].pressed = true")
+    site.until_asked(flight, "effector", switch="open")
+
+
+def test_the_thc_flies_the_orbiter_when_told_to_and_says_so(sited: Sited) -> None:
+    flight, site = sited(Worksite(info(), work(orbiter=(1.2, 0.0, -0.1), orbiter_velocity=(0.06, 0.0, 0.0))))
+    flight.press("`")
+    flight.until("document.querySelector('.thc .about').textContent === 'flies the orbiter'")
+    flight.until("document.querySelector('.orbiter').textContent.includes('+3.9')")
+    flight.hold("w")
+    flight.until("document.querySelector('.thc .value').textContent === '+1.00'")
+    flight.release("w")
+    flown = [m for m in site.asked if m["type"] == "sticks"]
+    assert max(m["orbiter"][0] for m in flown) == 1
+    assert all(m["translation"] == [0, 0, 0] for m in flown)
+    flight.press("`")
+    flight.until("document.querySelector('.thc .about').textContent === 'left hand'")
+
+
+def test_the_telescope_has_its_row_and_its_keys(sited: Sited) -> None:
+    flight, site = sited(Worksite(info("prong", stand=True), work(hand=SNARES, stand=3.6)))
+    flight.until("document.querySelector('.stand .angle').textContent === '141.7'")
+    flight.hold("y")
+    site.until_asked(flight, "sticks", telescope=1)
+    flight.release("y")
+
+
+def test_the_arm_follows_the_masters_sliders(sited: Sited) -> None:
+    site = Worksite(info(), work())
+    site.mode = "MASTER"
+    flight, _ = sited(site)
+    joints = flight.frame().joints
+    elbow = flight.page.get_by_role("slider", name="Master Elbow")
+    elbow.wait_for()
+    elbow.focus()
+    flight.press("PageUp")
+    site.until_asked(flight, "master")
+    angles = site.last("master")["angles"]
+    assert angles[2] - joints[2] == pytest.approx(math.radians(5.0), abs=1e-3)
+    assert [*angles[:2], *angles[3:]] == pytest.approx([*joints[:2], *joints[3:]], abs=1e-3)
+    flight.press("Space")
+    site.until_asked(flight, "stop")
+
+
+def test_a_part_of_the_problem_begins_anew_from_the_rail(sited: Sited) -> None:
+    flight, site = sited(Worksite(info("prong", stand=True), work(task=2)))
+    flight.until("document.querySelector('.phases .present').textContent === 'Extract'")
+    flight.press_key("Initialise")
+    flight.press_key("extraction")
+    site.until_asked(flight, "initialise", part="extraction")
+    assert not flight.page.get_by_role("button", name="extraction").is_visible()
+
+
+def test_the_separating_plane_is_shown_on_demand(sited: Sited) -> None:
+    flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
+    key = flight.page.get_by_role("button", name="Plane")
+    flight.press("f")
+    flight.until("document.querySelector('.clearance .more').ariaPressed === 'true'")
+    key.click()
+    flight.until("document.querySelector('.clearance .more').ariaPressed === 'false'")
+
+
+@pytest.mark.parametrize("mode", ["ORB UNL", "OPR CMD", "SINGLE", "MASTER"])
+def test_a_worksite_at_work_is_tidy_and_readable(sited: Sited, mode: str) -> None:
+    site = Worksite(info("prong", stand=True), GRASPING)
+    site.mode = mode
+    flight, _ = sited(site)
+    flight.until("document.querySelector('.inhibits .lit') && frame.work.contacts.length === 2")
+    _assert_looks(flight)
+    site.work = work(pursuit="capture payload", conditions=BEFORE_CAPTURE, hand=PRONG, stand=3.6)
+    flight.until(
+        "document.querySelectorAll('.cells .holds:not([hidden])').length === 2"
+        " && !document.querySelector('.inhibits .lit')"
+    )
+    _assert_looks(flight)
+
+
+def test_snares_and_payloads_are_tidy_and_readable(sited: Sited) -> None:
+    flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38, 0.02))))
+    flight.until("document.querySelector('.cargo td').textContent !== ''")
+    _assert_looks(flight)
+    flight.press("`")
+    flight.until("document.querySelector('.orbiter').checkVisibility()")
+    _assert_looks(flight)
+
+
+def _assert_looks(flight: Flight) -> None:
+    """Nothing overlaps, leaves its group or is hard to read, at any of the sizes."""
+    for width, height in SIZES:
+        flight.page.set_viewport_size({"width": width, "height": height})
+        drawn = flight.script("window.__aftdeck.frames")
+        flight.until(f"window.__aftdeck.frames > {drawn + 1}")
+        assert_tidy(flight)
+        assert_readable(flight)

@@ -1,0 +1,121 @@
+"""A station whose worksite is as a test says: its frames pass through here, and the page's commands end here."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import msgspec
+from playwright.sync_api import Page, WebSocketRoute
+
+from aftdeck.station import protocol as wire
+from tests.browser.flight import WAIT_MS, Flight
+
+Message = dict[str, Any]
+
+LOOK_MS = 20
+"""Time between two looks at what the page asked for [ms]."""
+HERE, THERE = (2.0, -1.2, 1.2), (2.2, -1.6, 0.9)
+"""Two points over the bay that camera B sees."""
+
+SNARES = wire.HandFrame("stop", 1.0, None, 0.0, ("EXTEND", "OPEN"), "auto", "off")
+PRONG = wire.HandFrame("close", 0.6, 0.3, None, (), "auto", "off")
+PARTS: tuple[wire.ProblemPart, ...] = ("full problem", "acquisition", "extraction", "manoeuvring")
+
+
+def near(a: str, b: str, clearance: float, closing: float = 0.0, essential: bool = False) -> wire.Near:
+    """Two watched parts between the two points."""
+    middle = wire_vec([(p + q) / 2.0 for p, q in zip(HERE, THERE, strict=True)])
+    normal = (0.3714, -0.7428, -0.5571) if clearance > 0.0 else (0.0, 0.0, 0.0)
+    return wire.Near(a, b, clearance, closing, HERE, THERE, middle, normal, essential)
+
+
+def wire_vec(values: list[float]) -> wire.Vec3:
+    """Three numbers as a vector of the protocol."""
+    x, y, z = values
+    return x, y, z
+
+
+def condition(name: str, value: float, limit: float, text: str, unit: str = "m") -> wire.Condition:
+    """A value that is allowed up to a limit."""
+    return wire.Condition(name, value <= limit, value, limit, unit, limit - value, text)
+
+
+def info(hand: Any = "snares", stand: bool = False) -> wire.WorkInfo:
+    """A worksite with two payloads and a seat."""
+    telescope = wire.StandInfo(2.4, 5.5, 0.3) if stand else None
+    return wire.WorkInfo(hand, telescope, ("payload", "free flyer"), ("Cargo bay",), PARTS, 0.6, 0.15)
+
+
+def work(**changes: Any) -> wire.WorkFrame:
+    """A worksite where nothing is near and nothing moves, but for the changes."""
+    cargo = (wire.CargoFrame("payload", False, "Cargo bay", 0.0), wire.CargoFrame("free flyer", False, "", 0.012))
+    still = wire.WorkFrame(
+        task=1,
+        nearest=None,
+        contacts=(),
+        arm_inhibit=False,
+        finger_inhibit=False,
+        inhibits=(),
+        pursuit="",
+        conditions=(),
+        hand=SNARES,
+        stand=None,
+        orbiter=(0.0, 0.0, 0.0),
+        orbiter_velocity=(0.0, 0.0, 0.0),
+        cargo=cargo,
+        master=None,
+    )
+    return msgspec.structs.replace(still, **changes)
+
+
+class Worksite:
+    """What the page is told of the worksite, and what it asked for.
+
+    Attributes:
+        work: of every frame from now on.
+        mode: of every frame from now on; empty: the station's own.
+        asked: every message of the page but its measurements, as decoded JSON.
+    """
+
+    def __init__(self, told: wire.WorkInfo, now: wire.WorkFrame) -> None:
+        self.info, self.work = told, now
+        self.mode = ""
+        self.asked: list[Message] = []
+
+    def stand_between(self, page: Page) -> None:
+        """Passes everything between the page and its station, as changed."""
+        page.route_web_socket("**/ws", self._connect)
+
+    def last(self, kind: str) -> Message:
+        """The page's last message of that type; empty where there is none."""
+        return next((message for message in reversed(self.asked) if message["type"] == kind), {})
+
+    def until_asked(self, flight: Flight, kind: str, **fields: Any) -> None:
+        """Waits until the page's last message of that type has these fields."""
+        for _ in range(WAIT_MS // LOOK_MS):
+            if fields.items() <= self.last(kind).items():
+                return
+            flight.page.wait_for_timeout(LOOK_MS)
+        raise AssertionError(f"the page asked for {self.last(kind)}, not for {fields}")
+
+    def _connect(self, socket: WebSocketRoute) -> None:
+        server = socket.connect_to_server()
+
+        def asked(text: str | bytes) -> None:
+            message = json.loads(text)
+            if message["type"] not in ("hello", "shown"):
+                self.asked.append(message)
+            if message["type"] in ("hello", "sticks", "restart"):
+                server.send(text)
+
+        socket.on_message(asked)
+        server.on_message(lambda text: socket.send(self._changed(json.loads(text))))
+
+    def _changed(self, message: Message) -> str:
+        if message["type"] == "welcome":
+            message["work"] = msgspec.to_builtins(self.info)
+        if message["type"] == "frame":
+            message["work"] = msgspec.to_builtins(self.work)
+            message["mode"] = self.mode or message["mode"]
+        return json.dumps(message)

@@ -1,0 +1,85 @@
+"""The scripted missions at the worksites, each flown once: what was seen on the way, and states saved on it."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+from typing import NamedTuple
+
+import msgspec
+import numpy as np
+
+import aftdeck
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Event, Frame
+from aftdeck.simulation.run import SavedSimulation
+from aftdeck.worksite.report import Work
+
+MISSIONS = ("concept-1972-script", "free-flyer", "srms-berth", "srms-deploy")
+TURNING_POINTS = {"acquired", "released", "docked", "unseated", "latch", "latched", "unlatched"}
+"""Kinds of the log's lines that tell how a mission goes on."""
+_SAVED = 1.0 / 1500.0
+"""How likely a state is saved before a step; it is as well after every turning point."""
+
+
+class Flown(NamedTuple):
+    """A mission flown to its end.
+
+    Attributes:
+        scenario: what was flown.
+        work: the worksite after each step.
+        digests: SHA-256 of each step's frame.
+        events: the log.
+        saved: states by the number of steps flown.
+        ended: how the script ended.
+    """
+
+    scenario: Scenario
+    work: list[Work]
+    digests: list[bytes]
+    events: list[Event]
+    saved: dict[int, SavedSimulation]
+    ended: str
+
+    def turning_points(self) -> list[str]:
+        """Kinds of the log's lines that tell how the mission went."""
+        return [event.kind for event in self.events if event.kind in TURNING_POINTS]
+
+    def at(self, kind: str, which: int = 0) -> Work:
+        """The worksite after the step in which the log has a line of a kind for the first time, or a later one."""
+        ticks = [self.tick(event) for event in self.events if event.kind == kind]
+        return self.work[ticks[which] - 1]
+
+    def tick(self, event: Event) -> int:
+        """The step that a line of the log is of, from 1."""
+        return round(event.time_s / self.scenario.control_period)
+
+    def during(self, phase: str) -> list[Work]:
+        """The worksite in each step of a phase but its first and last."""
+        begins = [(self.tick(event), event.text) for event in self.events if event.kind == "phase"]
+        begin = next(k for k, (_, text) in enumerate(begins) if text == f"phase {phase!r} begins")
+        end = begins[begin + 1][0] if begin + 1 < len(begins) else len(self.work)
+        return self.work[begins[begin][0] : end - 1]
+
+
+@functools.cache
+def flown(name: str) -> Flown:
+    """A mission flown to its end, once for all tests."""
+    sim = aftdeck.Simulation(name)
+    rng = np.random.default_rng(5)
+    done = Flown(sim.scenario, [], [], [], {}, "")
+    while not sim.ended:
+        if rng.random() < _SAVED:
+            done.saved[len(done.work)] = sim.save()
+        frame = sim.step()
+        done.work.append(frame.work)
+        done.digests.append(digest(frame))
+        done.events.extend(frame.events)
+        if {event.kind for event in frame.events} & TURNING_POINTS:
+            done.saved[len(done.work)] = sim.save()
+    return done._replace(ended=sim.ended)
+
+
+def digest(frame: Frame) -> bytes:
+    """SHA-256 of a frame as it is encoded."""
+    return hashlib.sha256(msgspec.msgpack.encode(frame)).digest()

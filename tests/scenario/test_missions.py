@@ -1,0 +1,317 @@
+"""Missions flown by script at both worksites: how they end, what touches on the way, and what is refused."""
+
+from __future__ import annotations
+
+import math
+import re
+from itertools import pairwise
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+import aftdeck
+from aftdeck.errors import ScenarioError
+from aftdeck.frames import angle_between
+from aftdeck.scenario.load import parse_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.worksite.report import Work
+from tests.scenario.missions import MISSIONS, digest, flown
+from tests.steering.flying import fly, log_of
+
+FOOT, INCH = 0.3048, 0.0254
+GOES_ON = 150
+"""Steps that are compared after a state is restored."""
+
+HOLD, LET_GO, DOCK, UNDOCK = "acquired", "released", "docked", "unseated"
+TOLD = {
+    "concept-1972-script": [HOLD, DOCK, LET_GO, HOLD, UNDOCK, LET_GO],
+    "free-flyer": [HOLD, DOCK, LET_GO, HOLD, UNDOCK, LET_GO],
+    "srms-berth": ["latch", "latched", LET_GO, LET_GO],  # the pin, then the payload
+    "srms-deploy": [HOLD, "unlatched", UNDOCK, LET_GO, LET_GO],
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", MISSIONS)
+def test_a_mission_goes_as_it_is_told(name: str) -> None:
+    done = flown(name)
+    assert done.ended == "completed"
+    assert done.turning_points() == TOLD[name]
+    assert not {event.kind for event in done.events} & {"refused", "missed", "fault", "inhibit"}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", MISSIONS)
+def test_nothing_touches_on_a_mission_but_what_is_made_to(name: str) -> None:
+    for work in flown(name).work:
+        assert not work.arm_inhibit and not work.finger_inhibit
+        assert all(contact.essential for contact in work.contacts)
+        assert work.nearest is not None and work.nearest.clearance > 0.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", MISSIONS)
+def test_a_payload_never_jumps_and_never_moves_while_it_is_fixed_in_the_bay(name: str) -> None:
+    done = flown(name)
+    period = done.scenario.control_period
+    for before, now in pairwise(done.work):
+        (was,), (is_now,) = before.cargo, now.cargo
+        step = math.dist(was.position, is_now.position)
+        assert step <= 1.0 * period  # m/s; the fastest a tip goes is 2 ft/s
+        assert is_now.velocity == pytest.approx(
+            [(b - a) / period for a, b in zip(was.position, is_now.position, strict=True)], abs=1e-9
+        )
+        if was.seat == is_now.seat == "bay" and done.scenario.name != "srms-berth":
+            assert step == 0.0
+
+
+def seated(name: str) -> Work:
+    """A mission's worksite after its first step, with the payload in the bay."""
+    return aftdeck.Simulation(name).step().work
+
+
+def turned(one: Work, other: Work) -> float:
+    """The angle between a mission's payload in two instants [rad]."""
+    return angle_between(one.cargo[0].orientation, other.cargo[0].orientation)
+
+
+@pytest.mark.slow
+def test_a_deployed_payload_floats_at_rest_where_it_was_let_go() -> None:
+    done = flown("srms-deploy")
+    first, last = done.work[0], done.work[-1]
+    (payload,) = last.cargo
+    assert not payload.held and not payload.seat and not last.hand.flags.count("CAPTURE")
+    down = done.scenario.arm.model.mount.rotation.T @ [0.0, 0.0, 1.0]
+    lifted = np.subtract(payload.position, first.cargo[0].position)
+    assert lifted == pytest.approx(-11.0 * FOOT * down, abs=1e-3)  # as the script says
+    assert turned(first, last) < 1e-4
+    assert math.hypot(*payload.velocity) < 1e-6
+    assert done.at("released", 1).cargo[0].position == pytest.approx(payload.position, abs=1e-6)
+
+
+@pytest.mark.slow
+def test_a_captured_payload_is_held_only_once_its_fixture_is_in_the_envelope() -> None:
+    work = flown("srms-deploy").at("acquired")
+    assert work.cargo[0].held and work.cargo[0].seat == "bay"
+    assert {condition.name for condition in work.conditions} >= {"pin off axis", "pin depth", "roll"}
+    assert all(condition.holds and condition.margin >= 0.0 for condition in work.conditions)
+
+
+@pytest.mark.slow
+def test_a_berthed_payload_is_drawn_to_its_place_in_the_latches() -> None:
+    done, stowed = flown("srms-berth"), seated("srms-deploy")
+    (before,), (payload,) = done.at("latch").cargo, done.work[-1].cargo
+    assert math.dist(before.position, stowed.cargo[0].position) == pytest.approx(0.5 * INCH, abs=1e-3)
+    assert payload.position == pytest.approx(stowed.cargo[0].position, abs=1e-9)
+    assert turned(done.work[-1], stowed) < 1e-7
+    assert payload.seat == "bay" and not payload.held
+    latching = [event.time_s for event in done.events if event.kind in ("latch", "latched")]
+    assert latching[1] - latching[0] == pytest.approx(30.0, abs=0.03)
+
+
+@pytest.mark.slow
+def test_a_docked_payload_stands_at_its_port_within_what_the_port_allows() -> None:
+    for name in ("concept-1972-script", "free-flyer"):
+        done = flown(name)
+        (port,) = (seat for seat in done.scenario.worksite.seats if seat.name == "port")
+        (cargo,) = done.scenario.cargo
+        mount, docked = done.scenario.arm.model.mount, done.at("docked")
+        assert cargo.probe is not None
+        # R: X aft, Y port, Z down; the scene: x aft, y starboard, z up, both from the stand's foot
+        turn = np.array(docked.cargo[0].orientation)
+        tip = np.add(docked.cargo[0].position, turn @ cargo.probe.position) * [1.0, -1.0, -1.0]
+        moved = mount.rotation @ docked.orbiter * [-1.0, 1.0, -1.0]  # the port has stayed behind
+        assert math.dist(tip, port.pose.position - moved) <= port.distance
+
+
+@pytest.mark.slow
+def test_the_free_flyer_wanders_in_its_deadband_until_it_is_held() -> None:
+    done = flown("free-flyer")
+    (flyer,) = done.scenario.cargo
+    assert flyer.limit_cycle is not None
+    most = float(np.linalg.norm(flyer.limit_cycle.deadband))
+    free = done.work[: next(done.tick(e) for e in done.events if e.kind == "acquired") - 1]
+    angles = [turned(free[0], work) for work in free]
+    assert max(angles) <= 2.0 * most
+    assert max(angles) > 0.25 * most  # it does turn
+    assert all(not work.cargo[0].held for work in free)
+
+
+@pytest.mark.slow
+def test_what_is_docked_in_space_stays_behind_when_the_orbiter_moves() -> None:
+    done = flown("free-flyer")
+    for phase in ("close in", "stand off", "come back"):
+        steady = done.during(phase)[150:]  # its speed is reached in 2 s
+        assert steady
+        for work in steady:
+            assert math.hypot(*work.orbiter_velocity) == pytest.approx(0.2 * FOOT)
+            assert work.cargo[0].velocity == pytest.approx([-v for v in work.orbiter_velocity], abs=1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", MISSIONS)
+def test_a_mission_saved_anywhere_goes_on_bit_for_bit(name: str) -> None:
+    done = flown(name)
+    assert len(done.saved) > 3
+    for tick, saved in done.saved.items():
+        other = aftdeck.Simulation(done.scenario)
+        other.restore(msgspec.msgpack.decode(msgspec.msgpack.encode(saved), type=type(saved)))
+        for expected in done.digests[tick : tick + GOES_ON]:
+            assert digest(other.step()) == expected, tick
+
+
+# --- what is refused --------------------------------------------------------------------------------------
+
+SRMS = """
+arm = "srms"
+worksite = "orbiter"
+[[cargo]]
+name = "payload"
+[initial]
+near = ["-35 deg", "87 deg", "-109 deg", "-79 deg", "16 deg", "-123 deg"]
+{grasped}
+[initial.pose]
+frame = "panel"
+position = ["-903.7323 in", "{y} in", "{z} in"]
+pitch = "270 deg"
+roll = "{roll} deg"
+"""
+GRASPED = """
+[initial.grasped]
+cargo = "payload"
+joints = ["-31.09 deg", "80.88 deg", "-120.02 deg", "-61.22 deg", "16.59 deg", "-127.91 deg"]
+"""
+FIXTURE = 400.0 + 2.26 / INCH
+"""Zo of the payload's grapple fixture in the bay [in]."""
+
+
+def made(text: str) -> Scenario:
+    return parse_scenario(f'title = "t"\n{text}', "t", "t.toml", Path("."))
+
+
+def srms(above: float, y: float = 0.0, roll: float = 0.0, grasped: str = "") -> aftdeck.Simulation:
+    """The end effector over the fixture's place [in], aside of it [in] and turned [deg]."""
+    return aftdeck.Simulation(made(SRMS.format(y=y, z=-(FIXTURE + above), roll=roll, grasped=grasped)))
+
+
+def capture(sim: aftdeck.Simulation) -> list[Frame]:
+    """CAPTURE, until the snares are closed."""
+    return fly(sim, 2.6, aftdeck.Inputs(effector="close"))
+
+
+def test_capture_outside_the_envelope_says_what_fails_and_by_how_much() -> None:
+    frames = capture(srms(above=2.0, y=6.0, roll=13.0))
+    missed = [text for text in log_of(frames) if text.startswith("snares closed empty")]
+    assert len(missed) == 1
+    assert "pin 6 in off the end effector's axis, at most 4 in allowed" in missed[0]
+    assert "roll" in missed[0] and "13°" in missed[0] and "at most 10° allowed" in missed[0]
+    assert "depth" not in missed[0] and "pitch" not in missed[0]
+    work = frames[-1].work
+    assert not work.cargo[0].held
+    margins = {condition.name: condition.margin for condition in work.conditions}
+    assert margins["pin off axis"] == pytest.approx(-2.0 * INCH, abs=1e-3)
+    assert margins["roll"] == pytest.approx(math.radians(-3.0), abs=1e-3)
+    assert margins["pin depth"] == pytest.approx(2.0 * INCH, abs=1e-3)
+
+
+def test_capture_inside_the_envelope_holds() -> None:
+    work = capture(srms(above=2.0, y=2.0, roll=3.0))[-1].work
+    assert work.cargo[0].held and work.cargo[0].seat == "bay"
+
+
+def test_capture_far_from_any_fixture_says_so() -> None:
+    assert "snares closed empty: no grapple fixture was near" in log_of(capture(srms(above=140.0)))
+
+
+def test_latch_is_refused_with_every_trunnion_that_is_not_on_its_seat_and_by_how_much() -> None:
+    frames = fly(srms(above=5.0, grasped=GRASPED), 0.1, aftdeck.Inputs(latch="latch"))
+    (refused,) = [text for text in log_of(frames) if text.startswith("LATCH refused: ")]
+    for trunnion in ("forward port", "forward starboard", "aft port", "aft starboard", "keel"):
+        assert re.search(f"{trunnion} trunnion 5(.0.)? in from its seat, at most 1.97 in allowed", refused)
+    work = frames[-1].work
+    assert work.cargo[0].held and not work.cargo[0].seat
+    ready = [condition for condition in work.conditions if condition.name.endswith("latch ready")]
+    assert [condition.margin for condition in ready] == pytest.approx([0.05 - 5.0 * INCH] * 5, abs=2e-3)
+
+
+def test_latch_far_from_every_seat_and_unlatch_of_nothing_are_refused() -> None:
+    sim = srms(above=150.0, grasped=GRASPED)
+    assert "LATCH refused: no payload is at a seat" in log_of(fly(sim, 0.1, aftdeck.Inputs(latch="latch")))
+    assert "UNLATCH refused: no payload is at a seat" in log_of(fly(sim, 0.1, aftdeck.Inputs(latch="unlatch")))
+
+
+CONCEPT = """
+arm = "concept-1972"
+worksite = "concept-1972"
+duration = "60 s"
+[initial]
+joints = ["0 deg", "32.25 deg", "-106.33 deg", "0 deg", "-15.92 deg", "0 deg"]
+stand = "16 ft"
+[[cargo]]
+name = "payload"
+"""
+BAR = 7.12 - 6.5 * math.cos(math.pi / 6) - 0.75
+"""Top of the bar, 0.75 ft high, on the payload of 13 ft across corners, 7.12 ft below the deck, at 28 ft [ft, Z]."""
+
+
+def test_a_prong_closed_too_high_acquires_nothing_and_says_why() -> None:
+    frames = fly(aftdeck.Simulation(made(CONCEPT)), 4.0, aftdeck.Inputs(effector="close"))
+    work = frames[-1].work
+    assert not work.cargo[0].held and work.hand.opening == 0.0
+    failing = [condition for condition in work.conditions if not condition.holds]
+    assert len(failing) == 1 and "above the bar" in failing[0].text
+    height = BAR * FOOT - frames[-1].position[2]
+    assert failing[0].margin == pytest.approx(0.75 * INCH - height, abs=1e-6)
+
+
+# --- targets by what is there -----------------------------------------------------------------------------
+
+
+def phase(goal: str) -> str:
+    return f'{CONCEPT}[[phase]]\nmode = "OPR CMD"\nduration = "30 s"\ntarget = {goal}\n'
+
+
+def test_a_target_by_cargo_is_where_the_hand_takes_it() -> None:
+    sim = aftdeck.Simulation(made(phase('{ cargo = "payload", above = "0.5 ft" }')))
+    while not sim.ended:
+        frame = sim.step()
+    assert sim.ended == "completed"
+    assert frame.position == pytest.approx([28.0 * FOOT, 0.0, (BAR - 0.5) * FOOT], abs=1e-3)
+    assert np.array(frame.orientation)[:, 0] == pytest.approx([0.0, 0.0, 1.0], abs=1e-4)
+
+
+def test_a_target_by_seat_needs_something_in_the_grasp() -> None:
+    sim = aftdeck.Simulation(
+        made(phase('{ seat = "port" }').replace('mode = "OPR CMD"', 'name = "p"\nmode = "OPR CMD"'))
+    )
+    frame = sim.step()
+    assert sim.ended == "fault"
+    assert "phase 'p' failed: nothing is held that could be brought to a seat" in log_of([frame])
+
+
+@pytest.mark.parametrize(
+    ("goal", "message"),
+    [
+        ('{ cargo = "box" }', "phase[0].target.cargo: no cargo 'box': there is payload"),
+        ('{ seat = "dock" }', "phase[0].target.seat: no seat 'dock': there is port, bay"),
+        ('{ seat = "bay", cargo = "payload" }', "phase[0].target: give cargo or seat, with above"),
+        ('{ seat = "bay", roll = "1 deg" }', "phase[0].target: give cargo or seat, with above"),
+        ('{ above = "1 ft" }', "phase[0].target: cargo, seat and above are for the target of a phase"),
+        ('{ joints = [0, 1, -1, 0, 0, 0], above = "1 ft" }', "phase[0].target: cargo, seat and above are for"),
+    ],
+)
+def test_a_target_by_what_is_not_there_is_refused(goal: str, message: str) -> None:
+    with pytest.raises(ScenarioError) as caught:
+        made(phase(goal))
+    assert any(message in problem for problem in caught.value.problems), caught.value.problems
+
+
+def test_a_start_is_not_given_by_what_is_there() -> None:
+    text = CONCEPT.replace(
+        'joints = ["0 deg", "32.25 deg", "-106.33 deg", "0 deg", "-15.92 deg", "0 deg"]', 'pose = { cargo = "payload" }'
+    )
+    with pytest.raises(ScenarioError, match=r"initial.pose: cargo, seat and above are for the target of a phase"):
+        made(text)

@@ -1,0 +1,105 @@
+"""The concept arm at its worksite: flights that begin anywhere, with the payload in the hand or not."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import aftdeck
+from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
+from aftdeck.scenario.load import parse_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+
+Array = NDArray[np.float64]
+Vec3 = tuple[float, float, float]
+
+FOOT = 0.3048
+DOWN = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
+"""The hand's axes in R with X2 down."""
+STAND = 16.0
+NATURAL = np.radians([0.0, 32.0, -106.0, 0.0, -16.0, 0.0])
+"""Elbow up, wrist not flipped."""
+ABOVE: Vec3 = (28.0, 0.0, -3.3)
+"""Where the palm begins: 4 ft over the bar of the payload in the bay [ft]."""
+ON_BAR: Vec3 = (28.0, 0.0, 0.71)
+"""Where it takes the bar: 0.03 ft over it."""
+AT_PORT: Vec3 = (12.02, 16.0, -28.41)
+"""Where it is with the payload at the docking port."""
+IN_BAY = 'name = "payload"'
+"""A [[cargo]] table."""
+
+
+@functools.cache
+def arm() -> aftdeck.Arm:
+    return aftdeck.load_arm("concept-1972")
+
+
+def joints(at: Vec3, turned: Vec3 = (0.0, 0.0, 0.0), stand: float = STAND) -> list[str]:
+    """Joint angles with the palm's centre at a place in R [ft] and its X2 down, turned by roll, pitch, yaw [deg]."""
+    roll, pitch, yaw = np.radians(turned)
+    turn = rotation_z(yaw) @ rotation_y(pitch) @ rotation_x(roll) @ DOWN
+    standing = arm().at(stand=stand * FOOT)
+    found = standing.inverse(Pose(np.array(at) * FOOT, turn), near=NATURAL)[0]
+    return [f"{angle!r} deg" for angle in np.degrees(found).tolist()]
+
+
+def scenario(
+    at: Vec3 = ABOVE,
+    turned: Vec3 = (0.0, 0.0, 0.0),
+    *,
+    held: bool = False,
+    stand: float = STAND,
+    cargo: str = IN_BAY,
+    extra: str = "",
+) -> Scenario:
+    """A flight that begins with the palm at a place in R [ft], with the payload of the bay held by its middle or not.
+
+    Args:
+        at: of the palm's centre [ft].
+        turned: roll, pitch and yaw about R's axes from X2 down [deg].
+        held: whether the payload was taken as it lies in the bay.
+        stand: the telescope's length [ft].
+        cargo: the lines of the [[cargo]] table.
+        extra: more lines of the scenario's head.
+    """
+    name = cargo.split('"')[1]
+    grasped = f'grasped = {{ cargo = "{name}", joints = {joints(ON_BAR)}, stand = "{STAND} ft" }}' if held else ""
+    text = f"""title = "test"
+arm = "concept-1972"
+worksite = "concept-1972"
+duration = "3600 s"
+{extra}
+[initial]
+joints = {joints(at, turned, stand)}
+stand = "{stand!r} ft"
+{grasped}
+[[cargo]]
+{cargo}
+"""
+    return parse_scenario(text, "test", "test.toml", Path("."))
+
+
+def flown(sim: aftdeck.Simulation, given: Iterable[aftdeck.Inputs]) -> list[Frame]:
+    """The frames of a flight by hand."""
+    return [sim.step(inputs) for inputs in given]
+
+
+def held_for(steps: int, inputs: aftdeck.Inputs) -> Iterator[aftdeck.Inputs]:
+    """Inputs held for a number of steps; their switches act at every one."""
+    return (inputs for _ in range(steps))
+
+
+def log_of(frames: Iterable[Frame]) -> list[str]:
+    """The log's lines."""
+    return [event.text for frame in frames for event in frame.events]
+
+
+def vec3(values: Array) -> Vec3:
+    """Three numbers as a tuple."""
+    x, y, z = values.tolist()
+    return x, y, z

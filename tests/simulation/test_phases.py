@@ -1,0 +1,133 @@
+"""The report's modes 1 to 4: none is entered unless its conditions hold at that very frame, computed anew."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.simulation.frame import Frame
+from tests.simulation.anew import acquisition, depth_in_bay, docking
+from tests.simulation.concept import ABOVE, AT_PORT, ON_BAR, flown, scenario, vec3
+
+ROUNDING = 1e-9
+"""Conditions that hold or fail by less [ft] are not told apart: one way of computing them has them so, one not."""
+FIRST, EXTRACTION, MANOEUVRING, DOCKED = 1, 2, 3, 4
+AT_RIM = (28.0, 0.0, -12.04)
+"""Where the palm is when the payload that it holds comes clear of the bay [ft]."""
+seeds = st.integers(0, 2**32 - 1)
+
+
+def wandering(rng: np.random.Generator, steps: int, pace: float, **first: str) -> Iterator[Inputs]:
+    """Small sticks in all directions, changed every half second; switches act at the first step."""
+    inputs = Inputs()
+    for k in range(steps):
+        if k % 25 == 0:
+            translation, rotation = (vec3(pace * rng.uniform(-1.0, 1.0, 3)) for _ in range(2))
+            inputs = Inputs(translation, rotation)
+        yield Inputs(inputs.translation, inputs.rotation, **first) if k == 0 else inputs  # type: ignore[arg-type]
+
+
+def is_so(margins: np.ndarray, said: bool) -> bool:
+    """Whether a verdict is that of the conditions' margins."""
+    return bool((margins >= -ROUNDING).all() if said else not (margins > ROUNDING).all())
+
+
+def check_entries(frames: Sequence[Frame]) -> None:
+    """What holds at every frame at which a mode is entered, and of the modes themselves."""
+    for before, now in pairwise(frames):
+        cargo, was = now.work.cargo[0], before.work.cargo[0]
+        if cargo.held and not was.held:
+            assert is_so(acquisition(now), True), now.time_s
+        if cargo.seat == "port" and not was.seat:
+            assert is_so(docking(now), True), now.time_s
+        if not cargo.held:
+            assert now.work.task == FIRST
+        elif cargo.seat == "port":
+            assert now.work.task == DOCKED
+        elif abs(depth := depth_in_bay(now)) > ROUNDING:
+            assert now.work.task == (EXTRACTION if depth > 0.0 else MANOEUVRING), now.time_s
+        told = [event.text for event in now.events if event.kind == "task"]
+        assert bool(told) == (now.work.task != before.work.task)
+        assert all(f"MODE {now.work.task}" in text for text in told)
+
+
+@settings(max_examples=15)
+@given(seeds, st.floats(0.0, 1.0))
+def test_the_payload_is_acquired_in_just_the_frames_in_which_all_six_conditions_hold(seed: int, spread: float) -> None:
+    rng = np.random.default_rng(seed)
+    off = spread * rng.uniform(-1.0, 1.0, 3) * [1.3, 0.15, 0.05] - [0.0, 0.0, 0.02]
+    turned = spread * rng.uniform(-1.0, 1.0, 3) * [1.5, 1.2, 4.0]
+    sim = aftdeck.Simulation(scenario(vec3(ON_BAR + off), vec3(turned)))
+    frames = flown(sim, wandering(rng, 200, 0.05, rate="vernier", effector="close"))
+    check_entries(frames)
+    for before, now in pairwise(frames):
+        if not before.work.cargo[0].held:
+            assert is_so(acquisition(now), now.work.cargo[0].held), now.time_s
+
+
+def test_a_hand_that_closes_well_over_the_bar_acquires_nothing() -> None:
+    sim = aftdeck.Simulation(scenario((ON_BAR[0], ON_BAR[1], ON_BAR[2] - 0.1)))
+    frames = flown(sim, [Inputs(effector="close"), *[Inputs()] * 220])
+    assert frames[-1].work.hand.opening == 0.0
+    assert not any(frame.work.cargo[0].held for frame in frames)
+    failing = [condition.name for condition in frames[-1].work.conditions if not condition.holds]
+    assert failing == ["palm height"]
+    assert frames[-1].work.pursuit == "acquire Payload"
+
+
+@settings(max_examples=12)
+@given(seeds, st.floats(0.0, 1.0), st.sampled_from(["all axes", "y axis"]))
+def test_a_payload_docks_in_just_the_first_frame_in_which_all_conditions_hold(
+    seed: int, spread: float, axes: str
+) -> None:
+    rng = np.random.default_rng(seed)
+    off = spread * rng.uniform(-1.0, 1.0, 3) * [0.3, 0.3, 0.3] + [0.3, 0.0, 0.0]
+    turned = spread * rng.uniform(-1.0, 1.0, 3) * (6.0 if axes == "y axis" else 2.5)
+    made = scenario(vec3(AT_PORT + off), vec3(turned), held=True, extra=f'docking = "{axes}"')
+    sim = aftdeck.Simulation(made)
+    inward = Inputs(translation=(0.3, 0.0, 0.0))
+    frames = flown(sim, [*wandering(rng, 50, 0.2), *[inward] * 150])
+    compared = "y" if axes == "y axis" else "xyz"
+    for before, now in pairwise(frames):
+        if not before.work.cargo[0].seat:
+            assert is_so(docking(now, axes=compared), now.work.cargo[0].seat == "port"), now.time_s
+    if axes == "all axes":
+        check_entries(frames)
+
+
+@settings(max_examples=8)
+@given(seeds)
+def test_a_payload_in_the_grasp_is_extracted_in_just_the_frames_in_which_it_is_above_the_bay(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    at = np.array(AT_RIM) + rng.uniform(-1.0, 1.0, 3) * [0.5, 0.4, 0.3]
+    sim = aftdeck.Simulation(scenario(vec3(at), held=True))
+    frames = flown(sim, wandering(rng, 250, 0.5))
+    check_entries(frames)
+
+
+def test_a_payload_beside_the_orbiter_is_not_in_its_bay() -> None:
+    sim = aftdeck.Simulation(scenario((28.0, 20.0, -8.0), held=True))
+    assert sim.step(Inputs()).work.task == MANOEUVRING
+
+
+@pytest.mark.slow
+def test_every_mode_of_the_whole_problem_is_entered_when_its_conditions_hold() -> None:
+    run = aftdeck.run("concept-1972-script")
+    assert run.summary.ended == "completed"
+    check_entries(run.frames)
+    modes = [frame.work.task for frame in run.frames]
+    entered = [modes[0], *(now for before, now in pairwise(modes) if now != before)]
+    assert entered == [1, 2, 3, 4, 1, 4, 3, 2, 1]
+
+
+def test_the_flight_begins_in_mode_1_over_the_bar() -> None:
+    frame = aftdeck.Simulation(scenario(ABOVE)).step(Inputs())
+    assert frame.work.task == FIRST
+    assert (acquisition(frame)[:3] > 0.0).all()

@@ -1,0 +1,178 @@
+"""MASTER: each joint follows the master arm's within its limits, arrives without passing it, and stays."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import aftdeck
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.carried import carrying
+from aftdeck.steering.layout import (
+    ARRIVED,
+    CAUSE,
+    COMMAND,
+    CULPRIT,
+    DT,
+    HIGH,
+    LAW,
+    LOW,
+    MASTER,
+    MASTER_LAW,
+    RATE,
+    RATE_UP,
+    RATES,
+    REPORT,
+    STATE,
+)
+from aftdeck.steering.limiters import BY_STOP
+from aftdeck.steering.msteer import msteer
+from tests.steering.flying import BAY, fly, kinds, scenario
+
+Array = NDArray[np.float64]
+
+HAIR = 1e-12
+"""Rounding of an angle [rad]."""
+ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
+CONCEPT = (20.0, 60.0, -100.0, 5.0, -30.0, 10.0)
+
+
+def an_arm(name: str, extra: str = "") -> Scenario:
+    return scenario(BAY if name == "srms" else CONCEPT, f'arm = "{name}"\nmode = "MASTER"\n{extra}')
+
+
+class Follower:
+    """An arm that follows exactly what MASTER commands, step by step."""
+
+    def __init__(self, made: Scenario, angles: Array, rate: str = "coarse") -> None:
+        self.rules = carrying(made, made.payload).rules["MASTER", "coarse" if rate == "coarse" else "vernier"]
+        self.command, self.state, self.report = np.zeros(COMMAND), np.zeros(STATE), np.zeros(REPORT)
+        self.command[LAW] = MASTER_LAW
+        self.state[:6] = angles
+
+    def step(self, master: Array) -> tuple[Array, Array]:
+        """Rates of a step, and the angles after it; checks what is promised of every step."""
+        self.command[MASTER : MASTER + 6] = master
+        before = self.state[RATES : RATES + 6].copy()
+        msteer(self.rules, self.command, self.state, self.report)
+        rates = self.state[RATES : RATES + 6].copy()
+        dt, most, up = self.rules[DT], self.rules[RATE : RATE + 6], self.rules[RATE_UP : RATE_UP + 6]
+        assert (np.abs(rates) <= most).all()
+        assert (np.abs(rates - before) <= up * dt * (1.0 + 1e-9) + HAIR).all()
+        self.state[:6] += rates * dt
+        return rates, self.state[:6].copy()
+
+    @property
+    def stops(self) -> tuple[Array, Array]:
+        return self.rules[LOW : LOW + 6], self.rules[HIGH : HIGH + 6]
+
+    @property
+    def longest(self) -> float:
+        """Longer than any way between the stops takes [s]."""
+        low, high = self.stops
+        ways = (high - low) / self.rules[RATE : RATE + 6] + self.rules[RATE : RATE + 6] / self.rules[
+            RATE_UP : RATE_UP + 6
+        ]
+        return float(ways.max()) + 10.0
+
+
+@ARMS
+@pytest.mark.parametrize("seed", range(8))
+def test_from_any_start_every_joint_comes_to_its_masters_angle_never_passes_it_and_stays(name: str, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    period = float(rng.choice([0.005, 0.02, 0.08, 0.2])) if seed else 0.02
+    made = an_arm(name, f"control_period = {period}\nduration = {1000 * period}")
+    soft = made.arm.limits.soft
+    start, master = rng.uniform(soft[:, 0], soft[:, 1], (2, 6))
+    if seed % 3 == 0:
+        master = start + rng.normal(0.0, 0.02, 6).clip(-0.05, 0.05)
+        master = master.clip(soft[:, 0], soft[:, 1])
+    arm = Follower(made, start, "vernier" if seed % 4 == 3 else "coarse")
+    way = np.sign(master - start)
+    last = start
+    for _ in range(int(arm.longest / period) + 1):
+        _, angles = arm.step(master)
+        assert (way * (angles - last) >= -HAIR).all()  # never back
+        assert (way * (angles - master) <= HAIR).all()  # never past
+        last = angles
+        if arm.report[ARRIVED]:
+            break
+    assert last == pytest.approx(master, abs=1e-9)
+    for _ in range(50):
+        rates, angles = arm.step(master)
+        assert angles == pytest.approx(master, abs=1e-9) and np.abs(rates).max() < 1e-9 / period
+        assert arm.report[ARRIVED] == 1.0
+
+
+@ARMS
+@pytest.mark.parametrize("seed", range(6))
+def test_a_master_that_jumps_about_is_followed_within_every_limit_and_stop(name: str, seed: int) -> None:
+    rng = np.random.default_rng(100 + seed)
+    made = an_arm(name)
+    soft = made.arm.limits.soft
+    arm = Follower(made, rng.uniform(soft[:, 0], soft[:, 1]))
+    master = arm.state[:6].copy()
+    for _ in range(6000):
+        if rng.random() < 0.01:
+            master = rng.uniform(soft[:, 0] - 0.5, soft[:, 1] + 0.5)
+        _, angles = arm.step(master)
+        assert (angles >= soft[:, 0] - HAIR).all() and (angles <= soft[:, 1] + HAIR).all()
+
+
+@pytest.mark.parametrize("joint", range(6))
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_master_beyond_a_stop_leads_the_joint_up_to_it_and_the_report_names_it(joint: int, way: int) -> None:
+    made = an_arm("concept-1972")
+    soft = made.arm.limits.soft
+    arm = Follower(made, soft.mean(axis=1))
+    master = soft.mean(axis=1)
+    master[joint] = soft[joint, 1 if way > 0 else 0] + 0.3 * way
+    for _ in range(int(arm.longest / 0.02)):
+        _, angles = arm.step(master)
+    assert angles[joint] == pytest.approx(soft[joint, 1 if way > 0 else 0], abs=1e-9)
+    assert (int(arm.report[CAUSE]), int(arm.report[CULPRIT])) == (BY_STOP, joint)
+
+
+def test_joints_past_their_stops_stand_until_the_master_leads_them_back() -> None:
+    # the Shuttle's arm at its cradle: shoulder and elbow pitch outside their soft stops
+    made = an_arm("srms")
+    arm = Follower(made, np.zeros(6))
+    for master in (np.zeros(6), np.radians([0.0, -1.0, 1.0, 0.0, 0.0, 0.0])):
+        for _ in range(100):
+            rates, _ = arm.step(master)
+            assert (rates == 0.0).all()
+    back = np.radians([0.0, 20.0, -20.0, 0.0, 0.0, 0.0])
+    for _ in range(int(arm.longest / 0.02)):
+        _, angles = arm.step(back)
+    assert angles == pytest.approx(back, abs=1e-9)
+
+
+@ARMS
+def test_until_the_master_is_moved_the_arm_stands(name: str) -> None:
+    sim = aftdeck.Simulation(an_arm(name))
+    frames = fly(sim, 2.0, aftdeck.Inputs())
+    assert (np.array([frame.angles for frame in frames]) == sim.scenario.initial_angles).all()
+    assert frames[-1].mode == "MASTER" and frames[-1].law == 10
+
+
+def test_entered_in_motion_the_arm_comes_back_to_where_it_was_entered() -> None:
+    sim = aftdeck.Simulation(scenario())
+    before = fly(sim, 4.0, aftdeck.Inputs(translation=(0.0, 0.0, -0.5)))[-1]
+    frames = fly(sim, 20.0, aftdeck.Inputs(mode="MASTER"))
+    assert frames[-1].angles == pytest.approx(before.angles, abs=1e-9)
+    assert np.abs(frames[-1].rates).max() < 1e-9
+
+
+def test_too_fast_towards_a_soft_stop_from_single_the_joint_is_held_at_it() -> None:
+    sim = aftdeck.Simulation(scenario((0.0, 140.0, -80.0, 10.0, 0.0, 0.0)))
+    fly(sim, 1.9, aftdeck.Inputs(mode="SINGLE", joint=1, drive=1.0))
+    frames = fly(sim, 5.0, aftdeck.Inputs(mode="MASTER"))
+    assert max(frame.angles[1] for frame in frames) <= sim.scenario.arm.limits.soft[1, 1] + HAIR
+
+
+def test_with_a_payload_the_master_is_followed_more_slowly() -> None:
+    made = scenario(BAY, 'mode = "MASTER"\n[payload]\nmass = "32000 lb"')
+    plain, loaded = (carrying(s, s.payload).rules["MASTER", "coarse"] for s in (scenario(BAY, 'mode = "MASTER"'), made))
+    assert loaded[RATE : RATE + 6] == pytest.approx(plain[RATE : RATE + 6] * 0.115 / 2.0)
+    assert kinds(aftdeck.Simulation(made).step(aftdeck.Inputs())) == set()

@@ -1,0 +1,238 @@
+"""Acquisition: the six conditions against half-space arithmetic, and the capture envelope in closed form."""
+
+from __future__ import annotations
+
+from math import asin, atan, atan2, hypot, radians
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from aftdeck.frames import rotation_x, rotation_y, rotation_z
+from aftdeck.units import FOOT
+from aftdeck.worksite.acquisition import (
+    ALONG,
+    AWAY,
+    FIXED,
+    HEIGHT,
+    PALM,
+    PITCH,
+    PRONG,
+    ROLL,
+    SIDE,
+    SPACING,
+    YAW,
+    acquisition,
+    grasp,
+)
+from aftdeck.worksite.conditions import all_hold, failing, refusal
+from tests.bodies.shapes import rotations, skewed
+from tests.worksite.grips import BAR, TOLERANCES, bar, found_at, over, over_face
+
+Array = NDArray[np.float64]
+SEEDS = st.integers(0, 2**32 - 1)
+A, B, C, D, E, F = (1, 2, 5, 6), (1, 2, 3, 4), (1, 3, 5, 7), (2, 4, 6, 8), (5, 6, 7, 8), (3, 4, 7, 8)
+
+
+def anywhere(seed: int, bodies: list[Array]) -> list[Array]:
+    """The bodies moved and turned as one."""
+    rng = np.random.default_rng(seed)
+    turn, shift = rotations(rng, 1)[0], rng.uniform(-20.0, 20.0, 3)
+    return [body @ turn.T + shift for body in bodies]
+
+
+def names(bodies: list[Array]) -> set[str]:
+    """What fails."""
+    _, found = found_at(bodies)
+    return {condition.name for condition in failing(acquisition(found, TOLERANCES, "ft-in"))}
+
+
+@settings(max_examples=60, deadline=None)
+@given(SEEDS)
+def test_the_conditions_are_those_of_plain_half_spaces(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    along, across, height, pitch, roll, yaw = (rng.normal(size=6) * [0.5, 0.1, 0.05, 0.03, 0.1, 0.1]).tolist()
+    hand = over(along, across, height, pitch, roll, yaw, spacing=rng.uniform(0.7, 0.9), way=int(rng.choice([-1, 1])))
+    palm, fixed, prong, held = bodies = anywhere(seed, [*hand, bar()])
+    taken, found = found_at(bodies)
+    centre, face = palm[[1, 3, 5, 7]].mean(axis=0), prong[4:].mean(axis=0)
+    axis = held[[2, 3, 6, 7]].mean(axis=0) - held[[0, 1, 4, 5]].mean(axis=0)
+    length = np.linalg.norm(axis)
+    middle = (centre - held.mean(axis=0)) @ axis / length
+    expected = {
+        PALM: over_face(palm, D, held).min(),
+        FIXED: over_face(fixed, B, held).min(),
+        PRONG: over_face(prong, E, held).min(),
+        SPACING: over_face(fixed, B, face[None])[0],
+        HEIGHT: over_face(held, C, centre[None])[0],
+        ALONG: middle,
+        AWAY: np.linalg.norm(centre - held[[0, 2, 4, 6]].mean(axis=0)),
+    }
+    for k, value in expected.items():
+        assert found[k] == pytest.approx(value, abs=1e-12)
+    conditions = acquisition(found, TOLERANCES, "ft-in")
+    assert taken == all_hold(conditions)
+    held_by = [
+        expected[PALM] >= 0.0,
+        expected[FIXED] >= 0.0,
+        expected[PRONG] >= 0.0,
+        expected[SPACING] <= TOLERANCES.spacing,
+        0.0 <= expected[HEIGHT] <= TOLERANCES.window,
+        0.5 * FOOT - length / 2.0 <= middle <= length / 2.0 - 0.5 * FOOT,
+    ]
+    assert [condition.holds for condition in conditions] == held_by
+
+
+@settings(max_examples=40, deadline=None)
+@given(SEEDS)
+def test_skewed_fingers_and_bars_are_taken_by_the_same_planes(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    bodies = [body + rng.normal(size=3) for body in skewed(rng, 4)]
+    _, found = found_at(bodies)
+    palm, fixed, prong, held = bodies
+    for k, body, rim in ((PALM, palm, D), (FIXED, fixed, B), (PRONG, prong, E)):
+        assert found[k] == pytest.approx(over_face(body, rim, held).min(), abs=1e-9)
+
+
+FINGERS = {"fixed finger beside bar", "prong beside bar"}
+ENVELOPE = [  # what fails, and where one axis alone reaches it, palm 0.03 ft over the bar (feet, radians)
+    ("palm along bar", "along", 1.0),
+    ("palm along bar", "along", -1.0),
+    ("fixed finger beside bar", "across", -0.125),
+    ("prong beside bar", "across", 0.125),
+    ("palm height", "height", 1.0 / 16.0),
+    ("palm height", "height", 0.0),
+    ("palm over bar", "roll", atan(0.03 / 0.25)),  # 6.84 deg
+    ("palm over bar", "roll", -atan(0.03 / 0.25)),
+    ("palm over bar", "pitch", atan(0.03 / 1.5)),  # 1.146 deg
+    ("palm over bar", "pitch", -atan(0.03 / 1.5)),
+    ("prong closed", "spacing", 0.8),
+]
+
+
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize(("name", "axis", "limit"), ENVELOPE)
+def test_the_envelope_ends_where_its_closed_form_says(name: str, axis: str, limit: float, way: int) -> None:
+    middle = {"height": 0.03, "spacing": 0.75}.get(axis, 0.0)
+    inside, outside = limit + 1e-7 * np.sign(middle - limit), limit - 1e-7 * np.sign(middle - limit)
+    taken, _ = found_at(anywhere(5, [*over(**{axis: inside}, way=way), bar()]))
+    assert taken
+    failed = names(anywhere(5, [*over(**{axis: outside}, way=way), bar()]))
+    if way < 0 and name in FINGERS:  # turned half round, the fingers have changed places
+        name = next(iter(FINGERS - {name}))
+    # A palm that is below the bar's top is in it.
+    assert failed == ({name, "palm over bar"} if (axis, limit) == ("height", 0.0) else {name})
+
+
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_yaw_is_held_by_both_fingers(sense: float) -> None:
+    # Both of the bar's corners reach a finger's inner face at once: 1.5 sin t + 0.25 cos t = 0.375.
+    limit = asin(0.375 / hypot(1.5, 0.25)) - atan2(0.25, 1.5)
+    assert limit == pytest.approx(radians(4.8), abs=radians(0.05))
+    assert found_at([*over(yaw=sense * (limit - 1e-7)), bar()])[0]
+    assert names([*over(yaw=sense * (limit + 1e-7)), bar()]) == FINGERS
+
+
+def test_a_long_bar_leaves_the_less_pitch() -> None:
+    for half, figure in ((1.0, 1.72), (1.5, 1.146), (2.0, 0.859)):
+        longer = bar() * [half * 2.0 * FOOT / BAR[0], 1.0, 1.0]
+        _, found = found_at([*over(), longer])
+        assert found[PITCH] == pytest.approx(atan(0.03 / half), abs=1e-12)
+        assert np.degrees(found[PITCH]) == pytest.approx(figure, abs=5e-3)
+        _, aside = found_at([*over(along=0.3), longer])
+        assert aside[PITCH] == pytest.approx(atan(0.03 / (half + 0.3)), abs=1e-12)
+
+
+@settings(max_examples=60, deadline=None)
+@given(SEEDS, st.sampled_from([(PITCH, "pitch"), (ROLL, "roll"), (YAW, "yaw")]))
+def test_a_hand_about_the_bar_may_turn_as_far_as_is_said_and_no_farther(seed: int, axis: tuple[int, str]) -> None:
+    rng = np.random.default_rng(seed)
+    k, name = axis
+    along, across, height, pitch, roll, yaw = (rng.normal(size=6) * [0.3, 0.03, 0.01, 0.004, 0.02, 0.02]).tolist()
+    hand = over(along, across, 0.03 + height, pitch, roll, yaw)
+    _, found = found_at([*hand, bar()])
+    left = found[k]
+    if found[PALM] < 0.0 or found[FIXED] < 0.0 or found[PRONG] < 0.0:
+        return
+    # Turned about its own axes through the palm's centre: X2 out of the palm, Y2 to the fixed finger.
+    palm = hand[0]
+    centre = palm[[1, 3, 5, 7]].mean(axis=0)
+    x2, y2 = palm[1] - palm[0], palm[4] - palm[0]
+    own = np.array([x2 / np.linalg.norm(x2), y2 / np.linalg.norm(y2), np.zeros(3)])
+    own[2] = np.cross(own[0], own[1])
+    make = {"pitch": rotation_y, "roll": rotation_z, "yaw": rotation_x}[name]
+    least = []
+    for angle in (left * (1.0 - 1e-6), left * (1.0 + 1e-6)):
+        both = []
+        for sense in (1.0, -1.0):
+            turn = own.T @ make(sense * angle) @ own
+            _, turned = found_at([*((body - centre) @ turn.T + centre for body in hand), bar()])
+            both.append(min(turned[PALM], turned[FIXED], turned[PRONG]))
+        least.append(min(both))
+    assert least[0] > 0.0 > least[1]
+
+
+@pytest.mark.parametrize("pitch", [radians(2.0), radians(-2.0)])
+def test_a_hand_pitched_too_far_is_told_how_far_to_turn_back(pitch: float) -> None:
+    _, found = found_at([*over(pitch=pitch), bar()])
+    back = found[PITCH]
+    assert back < 0.0
+    _, turned = found_at([*over(pitch=pitch + np.sign(pitch) * back), bar()])
+    assert turned[PALM] == pytest.approx(0.0, abs=1e-12)
+
+
+@settings(max_examples=30, deadline=None)
+@given(SEEDS)
+def test_the_side_of_the_prong_is_the_same_in_any_frame(seed: int) -> None:
+    for way, face in ((1, "b"), (-1, "e")):
+        bodies = anywhere(seed, [*over(way=way), bar()])
+        _, found = found_at(bodies)
+        assert found[SIDE] == pytest.approx(-way, abs=1e-12)
+        assert grasp(found).prong_at == face
+        prong, held = bodies[2], bodies[3]
+        near = {rim: abs(over_face(held, rim, prong).mean()) for rim in (B, E)}
+        assert min(near, key=lambda rim: near[rim]) == {"b": B, "e": E}[face]
+
+
+def test_beyond_their_distance_the_fingers_are_not_tested() -> None:
+    taken, found = found_at([*over(height=8.5), bar()])
+    assert not taken
+    conditions = {condition.name: condition for condition in acquisition(found, TOLERANCES, "ft-in")}
+    assert conditions["palm over bar"].holds
+    assert not conditions["prong beside bar"].holds
+    assert conditions["prong beside bar"].text == (
+        "prong not tested with the palm 8.5 ft from the bar, at most 8 ft allowed"
+    )
+    near = acquisition(found_at([*over(height=7.9), bar()])[1], TOLERANCES, "ft-in")
+    assert {condition.name for condition in failing(near)} == {"palm height"}
+
+
+def test_a_refusal_says_what_is_wrong() -> None:
+    _, found = found_at([*over(height=2.5 / 12.0, along=1.3, spacing=1.6), bar()])
+    assert refusal("CAPTURE", acquisition(found, TOLERANCES, "ft-in")) == (
+        "CAPTURE refused: fingers 19.2 in apart, at most 9.6 in allowed; palm 2.5 in above the bar, 0 to 0.75 in "
+        "allowed; palm 15.6 in from the bar's middle to its rear, at most 12 in allowed"
+    )
+
+
+def test_lowering_onto_the_bar_and_closing_acquires_it() -> None:
+    # From 4 ft above, 0.3 ft off along, 0.06 ft across: down at 0.5 ft/s to 0.03 ft, then the prong at 0.25 ft/s.
+    held: dict[str, float] = {}
+    down = (4.0 - 0.03) / 0.5
+    for tick in range(600):
+        time = tick * 0.02
+        height, spacing = max(0.03, 4.0 - 0.5 * time), 1.625 - 0.25 * max(0.0, time - down)
+        taken, found = found_at([*over(0.3, 0.06, height, spacing=spacing), bar()])
+        for condition in acquisition(found, TOLERANCES, "ft-in"):
+            if condition.holds:
+                held.setdefault(condition.name, time)
+            else:
+                assert condition.name not in held
+        if taken:
+            break
+    assert time == pytest.approx(down + (1.625 - 0.8) / 0.25, abs=0.021)  # 11.24 s
+    assert held.pop("palm height") == pytest.approx((4.0 - 1.0 / 16.0) / 0.5, abs=0.021)
+    assert held.pop("prong closed") == time
+    assert set(held.values()) == {0.0}

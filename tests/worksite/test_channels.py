@@ -1,0 +1,86 @@
+"""The operator's channels against TABLE I, and there and back through noise."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from aftdeck.errors import InputError
+from aftdeck.worksite.channels import CAMERA, START, STATION, OperatorInputs, decode_inputs, encode_inputs
+
+AT_REST = OperatorInputs(False, "full problem", (0.0,) * 6, 0, "none", 0, "E", 0)
+inputs = st.builds(
+    OperatorInputs,
+    initialise=st.booleans(),
+    start=st.sampled_from(sorted(START)),
+    angles=st.tuples(*[st.floats(-math.tau, math.tau)] * 6),
+    telescope=st.sampled_from([-1, 0, 1]),
+    camera=st.sampled_from(sorted(CAMERA)),
+    zoom=st.sampled_from([-1, 0, 1]),
+    station=st.sampled_from(sorted(STATION)),
+    prong=st.sampled_from([-1, 0, 1]),
+)
+
+
+@pytest.mark.parametrize(
+    ("setting", "channel", "volts"),
+    [
+        ({"initialise": True}, 1, 1.0),
+        ({"start": "mode 1"}, 2, 1.0),
+        ({"start": "mode 2 or 3"}, 2, -1.0),
+        ({"angles": (0.0, math.pi / 2, 0.0, 0.0, 0.0, 0.0)}, 4, 0.25),
+        ({"telescope": 1}, 9, 1.0),
+        ({"telescope": -1}, 9, -1.0),
+        ({"camera": "+pan"}, 10, 1.0),
+        ({"camera": "-pan"}, 10, 0.5),
+        ({"camera": "+tilt"}, 10, -0.5),
+        ({"camera": "-tilt"}, 10, -1.0),
+        ({"zoom": 1}, 11, 1.0),
+        ({"station": "A"}, 12, 1.0),
+        ({"station": "B"}, 12, 0.75),
+        ({"station": "D"}, 12, 0.25),
+        ({"station": "F"}, 12, -0.25),
+        ({"station": "G"}, 12, -0.5),
+        ({"station": "H"}, 12, -1.0),
+        ({"prong": 1}, 13, 1.0),
+        ({"prong": -1}, 13, -1.0),
+    ],
+)
+def test_a_setting_has_the_level_of_table_i(setting: dict[str, Any], channel: int, volts: float) -> None:
+    expected = [0.0] * 13
+    expected[channel - 1] = volts
+    assert encode_inputs(AT_REST._replace(**setting)) == pytest.approx(tuple(expected))
+
+
+@given(inputs, st.tuples(*[st.floats(-0.12, 0.12)] * 13))
+def test_switches_are_read_right_through_noise_of_an_eighth_of_a_volt(
+    told: OperatorInputs, noise: tuple[float, ...]
+) -> None:
+    read = decode_inputs([volts + n for volts, n in zip(encode_inputs(told), noise, strict=True)])
+    assert read._replace(angles=told.angles) == told
+    for got, angle, n in zip(read.angles, told.angles, noise[2:8], strict=True):
+        assert got == pytest.approx(angle + n * math.tau, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("setting", "message"),
+    [
+        ({"station": "I"}, "channel 12, camera position: 'I' has no level; there are: A, B, C, D, E, F, G, H"),
+        ({"telescope": 2}, "channel 9, telescope: 2 has no level"),
+        ({"angles": (0.0, 0.0, 0.0, 0.0, 0.0, 6.3)}, "channel 8, R2, is 6.3 rad; it holds at most a whole turn"),
+    ],
+)
+def test_a_setting_without_a_level_is_refused(setting: dict[str, Any], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        encode_inputs(AT_REST._replace(**setting))
+
+
+def test_other_channels_are_refused() -> None:
+    with pytest.raises(InputError, match="the operator has 13 channels; 12 are given"):
+        decode_inputs([0.0] * 12)
+    with pytest.raises(InputError, match="channel 2 is nan V; it has to be finite"):
+        decode_inputs([0.0, math.nan, *[0.0] * 11])

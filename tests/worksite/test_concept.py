@@ -1,0 +1,210 @@
+"""The concept's worksite against the report's text, and whether its mission can be flown there."""
+
+from __future__ import annotations
+
+import math
+from itertools import combinations, product
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import aftdeck
+from aftdeck import separation
+from aftdeck.bodies.cameras import setting
+from aftdeck.bodies.check import hexahedron
+from aftdeck.bodies.hexahedron import NX, D
+from aftdeck.frames import Pose
+from aftdeck.worksite import Cargo, Worksite, load_worksite
+from aftdeck.worksite.model import BarAcquisition
+
+Array = NDArray[np.float64]
+
+FOOT = 0.3048
+REPORT = np.diag([1.0, -1.0, -1.0])
+"""The report's R (x aft, y port, z down) in the scene, and back."""
+DOWN = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
+"""The hand's axes in R with X2 down."""
+
+
+@pytest.fixture(scope="module")
+def concept() -> Worksite:
+    return load_worksite("concept-1972")
+
+
+def extent(vertices: list[Array]) -> Array:
+    """(2, 3) least and greatest coordinates [ft]."""
+    points = np.concatenate(vertices) / FOOT
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def of_part(worksite: Worksite, part: str) -> Array:
+    return extent([solid.vertices for solid in worksite.solids if solid.part == part])
+
+
+def test_the_bay_is_sixty_by_fifteen_feet_inside(concept: Worksite) -> None:
+    assert of_part(concept, "aft body")[0, 0] - of_part(concept, "cabin")[1, 0] == pytest.approx(60.0)
+    assert of_part(concept, "bay wall starboard")[0, 1] - of_part(concept, "bay wall port")[1, 1] == pytest.approx(15.0)
+    assert concept.bay is not None
+    inside = np.array([concept.bay.low, concept.bay.high]) / FOOT
+    assert inside[:, 0].tolist() == pytest.approx([of_part(concept, "cabin")[1, 0], of_part(concept, "aft body")[0, 0]])
+    walls = [of_part(concept, "bay wall port")[1, 1], of_part(concept, "bay wall starboard")[0, 1]]
+    assert inside[:, 1].tolist() == pytest.approx(walls)
+    assert inside[:, 2].tolist() == pytest.approx(
+        [of_part(concept, "bay floor")[1, 2], of_part(concept, "bay wall port")[1, 2]]
+    )
+
+
+def test_bodies_touch_and_do_not_overlap(concept: Worksite) -> None:
+    for a, b in combinations(concept.solids, 2):
+        assert separation(a.vertices, b.vertices).clearance > -1e-9, (a.part, b.part)
+
+
+def test_what_is_drawn_of_a_body_is_what_collides(concept: Worksite) -> None:
+    for body in concept.bodies:
+        shapes = [np.array(shape.vertices) for shape in body.shapes if hasattr(shape, "vertices")]
+        placed = [shape @ body.pose.rotation.T + body.pose.position for shape in shapes]
+        corners = {tuple(v.round(9)) for v in np.concatenate(placed)}
+        frame = body.fixed_to
+        solids = [solid.vertices for solid in concept.solids if solid.frame == frame]
+        assert corners == {tuple(v.round(9)) for v in np.concatenate(solids)}
+
+
+def test_the_payload_lies_clear_in_the_bay(concept: Worksite) -> None:
+    payload = concept.cargoes[0]
+    pose = payload.start.pose
+    gaps = {
+        solid.part: min(
+            separation(own.vertices @ pose.rotation.T + pose.position, solid.vertices).clearance
+            for own in payload.solids
+        )
+        for solid in concept.solids
+    }
+    assert gaps["bay floor"] / FOOT == pytest.approx(0.75, abs=0.005)
+    assert gaps["bay wall port"] / FOOT == pytest.approx(1.0)
+    assert min(gaps.values()) == gaps["bay floor"]
+
+
+def test_a_payload_is_a_hexagonal_prism_with_a_side_on_top(concept: Worksite) -> None:
+    own = [solid.vertices for solid in concept.cargoes[0].solids if solid.part == "payload"]
+    apothem = 6.5 * math.cos(math.radians(30.0))
+    assert len(own) == 2
+    assert extent(own) == pytest.approx(np.array([[-15.0, -6.5, -apothem], [15.0, 6.5, apothem]]))
+
+
+def test_the_receptacle_is_numbered_as_the_reports(concept: Worksite) -> None:
+    """C on top, b and e its sides towards -Y and +Y (port), a and f its ends; 3 by 0.5 by 0.75 ft, on the top."""
+    cargo = concept.cargoes[0]
+    bar = cargo.receptacle
+    assert bar is not None
+    body = hexahedron(bar)
+    normals = body[NX:D].reshape(3, 6).T @ REPORT
+    expected = [[-1, 0, 0], [0, -1, 0], [0, 0, -1], [0, 0, 1], [0, 1, 0], [1, 0, 0]]
+    assert normals == pytest.approx(np.array(expected, dtype=float), abs=1e-12)
+    top = 6.5 * math.cos(math.radians(30.0))
+    assert extent([bar]) == pytest.approx(np.array([[-1.5, -0.25, top], [1.5, 0.25, top + 0.75]]))
+    assert any((solid.vertices == bar).all() for solid in cargo.solids if solid.part == "payload receptacle")
+
+
+def test_a_docked_cargos_probe_stands_on_the_ports_centre(concept: Worksite) -> None:
+    port = concept.seats[0]
+    assert port.pose.position / FOOT == pytest.approx([-4.0, -16.0, 22.0])
+    for cargo in concept.cargoes:
+        assert cargo.probe is not None
+        seated = port.seated(cargo.probe)
+        tip = seated.rotation @ cargo.probe.position + seated.position
+        assert tip == pytest.approx(port.pose.position)
+        for own, solid in product(cargo.solids, concept.solids):
+            placed = own.vertices @ seated.rotation.T + seated.position
+            gap = separation(placed, solid.vertices).clearance
+            assert gap > 0.3 or (gap > -1e-9 and own.part.endswith("probe") and solid.part == "CAE")
+
+
+def test_the_docking_envelope_is_a_wedge_that_closes_an_apothem_before_the_port(concept: Worksite) -> None:
+    port = concept.seats[0]
+
+    def inside(x: float, y: float, z: float) -> bool:
+        planes = port.envelope
+        return bool((planes[:, :3] @ np.array([x, y, z]) * FOOT <= planes[:, 3]).all())
+
+    half_side = 7.5 / math.sqrt(3.0)
+    for share in (0.01, 0.3, 0.99):
+        edge = half_side * (1.0 - share)
+        assert inside(7.5 * share, 0.99 * edge, 7.4)
+        assert inside(7.5 * share, -0.99 * edge, -7.4)
+        assert not inside(7.5 * share, edge + 0.01, 0.0)
+        assert not inside(7.5 * share, 0.0, 7.6)
+    assert not inside(-0.01, 0.0, 0.0)
+    assert not inside(7.51, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(("name", "stand"), [("payload", 16.0), ("free flyer", 12.0)])
+def test_the_arm_reaches_a_cargos_bar_at_the_start_in_the_bay_and_docked(
+    concept: Worksite, name: str, stand: float
+) -> None:
+    arm = aftdeck.load_arm("concept-1972").at(stand=stand * FOOT)
+    cargo = next(cargo for cargo in concept.cargoes if cargo.name == name)
+    assert cargo.receptacle is not None
+    top = float(cargo.receptacle[:, 2].max())
+    for pose in (cargo.start.pose, *(seat.seated(cargo.probe) for seat in concept.seats)):
+        bar = pose.rotation @ [0.0, 0.0, top + 0.03 * FOOT] + pose.position
+        assert len(arm.inverse(Pose(REPORT @ bar, DOWN))) > 0
+
+
+def test_the_report_s_tolerances(concept: Worksite) -> None:
+    rules = concept.acquisition
+    assert isinstance(rules, BarAcquisition)
+    assert (rules.window / FOOT, rules.front / FOOT, rules.rear / FOOT) == pytest.approx((1 / 16, 0.5, 0.5))
+    assert rules.fingers_within / FOOT == pytest.approx(8.0)
+    port = concept.seats[0]
+    assert (port.distance / FOOT, math.degrees(port.angle)) == pytest.approx((0.25, 2.0 + 32.0 / 60.0))
+
+
+def test_every_station_point_is_there_and_zooms_from_25_to_60_degrees(concept: Worksite) -> None:
+    assert [camera.name for camera in concept.cameras] == [*"ABCDEFGHI", "P1", "P2", "CAE2", "W"]
+    for camera in concept.cameras:
+        assert camera.drive is not None
+        assert camera.drive.zoom is not None
+        zoom = (camera.drive.zoom.least, camera.drive.zoom.greatest)
+        assert np.degrees(zoom) == pytest.approx([25.0, 60.0])
+
+
+def seen(worksite: Worksite, name: str, point: Array, pose: Pose) -> bool:
+    """Whether a camera on a body at a pose has a point of the scene in its picture, as it starts, 5 wide by 3 high."""
+    camera = next(camera for camera in worksite.cameras if camera.name == name)
+    towards = pose.rotation.T @ (point - pose.position) - np.array(camera.position)
+    ahead = np.array(camera.boresight) / math.hypot(*camera.boresight)
+    right = np.cross(ahead, camera.up)
+    right /= np.linalg.norm(right)
+    along, half = towards @ ahead, math.tan(camera.field_of_view / 2)
+    across, up = towards @ right / along / half, towards @ np.cross(right, ahead) / along / half / 0.6
+    return bool(along > 0.0 and abs(across) < 0.95 and abs(up) < 0.95)
+
+
+@pytest.mark.parametrize(
+    ("name", "at"),
+    [("A", "bay"), ("B", "bay"), ("C", "bay"), ("D", "bay"), ("H", "port"), ("I", "port"), ("P2", "bar")],
+)
+def test_a_camera_sees_the_work(concept: Worksite, name: str, at: str) -> None:
+    """The payload's bar in the bay, the port, and from the payload its own bar, in the picture of the start."""
+    payload: Cargo = concept.cargoes[0]
+    still = Pose(np.zeros(3), np.eye(3))
+    body = next(camera for camera in concept.cameras if camera.name == name).body
+    pose = next((b.pose for b in concept.bodies if b.name == body), payload.start.pose if body == "payload" else still)
+    start = payload.start.pose
+    bar = start.position + start.rotation @ [0.0, 0.0, 6.2 * FOOT]
+    if at == "port":
+        docked = concept.seats[0].seated(payload.probe)
+        assert seen(concept, name, docked.position, pose)
+    else:
+        assert seen(concept, name, bar, pose)
+
+
+def test_essential_pairs_name_every_cargos_fittings(concept: Worksite) -> None:
+    assert ("prong", "payload receptacle") in concept.essential
+    assert ("free flyer probe", "CAE") in concept.essential
+
+
+def test_cameras_start_within_their_drives(concept: Worksite) -> None:
+    for camera in concept.cameras:
+        assert abs(setting(camera).tilt) < math.radians(80.0)

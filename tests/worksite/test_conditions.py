@@ -1,0 +1,99 @@
+"""Conditions: bounds, margins, and what they say to an operator in feet and inches or in SI."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from aftdeck.units import FOOT, INCH
+from aftdeck.worksite.conditions import Units, all_hold, failing, refusal, shown, tightest, within
+
+HEIGHT = ("palm {} above the bar", "palm {} below the bar")
+NUMBERS = st.floats(-50.0, 50.0)
+
+
+@settings(deadline=None)
+@given(NUMBERS, NUMBERS, st.floats(0.0, 20.0), st.sampled_from(["ft-in", "SI"]))
+@example(0.01905 + 1e-9, 0.0, 0.01905, "ft-in")
+def test_a_condition_holds_between_its_bounds_and_its_margin_leads_to_the_nearer(
+    value: float, least: float, wide: float, units: Units
+) -> None:
+    greatest = least + wide
+    found = within("palm height", value, least, greatest, "m", units, HEIGHT)
+    assert found.holds == (least <= value <= greatest) == (found.margin >= 0.0)
+    assert found.limit in (least, greatest)
+    assert abs(found.margin) == pytest.approx(abs(value - found.limit), abs=0.0)
+    assert not found.holds or found.margin <= wide / 2.0 + 1e-12
+
+
+@settings(deadline=None)
+@given(NUMBERS)
+def test_one_bound_alone_is_the_one_that_counts(value: float) -> None:
+    most = within("spacing", value, -math.inf, 1.0, "m", "SI", ("{}", "−{}"))
+    assert (most.margin, most.limit) == (1.0 - value, 1.0)
+    least = within("clear", value, 0.0, math.inf, "m", "SI", ("{}", "−{}"))
+    assert (least.margin, least.limit) == (value, 0.0)
+
+
+def test_what_is_no_number_holds_nowhere() -> None:
+    assert not within("palm height", math.nan, -1.0, 1.0, "m", "SI", HEIGHT).holds
+
+
+@pytest.mark.parametrize(
+    ("value", "units", "text"),
+    [
+        (2.5 * INCH, "ft-in", "palm 2.5 in above the bar, 0 to 0.75 in allowed"),
+        (-0.31 * INCH, "ft-in", "palm 0.31 in below the bar, 0 to 0.75 in allowed"),
+        (12.5 * FOOT, "ft-in", "palm 12.5 ft above the bar, 0 to 0.75 in allowed"),
+        (2.5 * INCH, "SI", "palm 63.5 mm above the bar, 0 to 19 mm allowed"),
+        (0.0, "SI", "palm 0 mm above the bar, 0 to 19 mm allowed"),
+        # Said to as many figures as tell it from the bound that it has passed.
+        (-2e-7 * INCH, "ft-in", "palm 0.0000002 in below the bar, 0 to 0.75 in allowed"),
+        (0.7502 * INCH, "ft-in", "palm 0.7502 in above the bar, 0 to 0.75 in allowed"),
+    ],
+)
+def test_it_speaks_the_operators_units(value: float, units: Units, text: str) -> None:
+    assert within("palm height", value, 0.0, 0.75 * INCH, "m", units, HEIGHT).text == text
+
+
+def test_what_is_allowed_is_said_as_people_would() -> None:
+    says = ("bar {} clear of the palm", "bar {} past the palm's face")
+    assert within("a", 0.1, 0.0, math.inf, "m", "SI", says).text == "bar 100 mm clear of the palm"
+    assert within("a", -0.1, 0.0, math.inf, "m", "SI", says).text == "bar 100 mm past the palm's face, none allowed"
+    turned = ("turned {}", "turned back {}")
+    assert within("a", -0.1, -0.05, 0.05, "rad", "SI", turned).text == "turned back 5.73°, at most 2.86° allowed"
+    assert within("a", 2.0, 3.0, math.inf, "s", "SI", ("{} held", "")).text == "2 s held, at least 3 s allowed"
+
+
+def test_a_refusal_lists_what_fails_and_only_that() -> None:
+    conditions = [
+        within("palm height", x, 0.0, 0.75 * INCH, "m", "ft-in", HEIGHT) for x in (2.5 * INCH, 0.01, -1.0 * INCH)
+    ]
+    assert refusal("CAPTURE", conditions) == (
+        "CAPTURE refused: palm 2.5 in above the bar, 0 to 0.75 in allowed; "
+        "palm 1 in below the bar, 0 to 0.75 in allowed"
+    )
+    assert failing(conditions) == (conditions[0], conditions[2])
+    assert not all_hold(conditions)
+    assert refusal("CAPTURE", conditions[1:2]) == ""
+    assert all_hold(conditions[1:2])
+
+
+def test_the_tightest_is_found_among_those_of_one_unit() -> None:
+    wide = within("a", 0.0, -1.0, 1.0, "m", "SI", HEIGHT)
+    tight = within("b", 0.9, -1.0, 1.0, "m", "SI", HEIGHT)
+    angle = within("c", 0.0, -1e-3, 1e-3, "rad", "SI", HEIGHT)
+    assert tightest([wide, tight, angle], "m") is tight
+    assert tightest([wide, tight, angle], "rad") is angle
+    assert tightest([wide, tight], "rad") is None
+
+
+@settings(deadline=None)
+@given(st.floats(1e-3, 1e4))
+def test_what_is_shown_is_right_to_its_figures_and_has_no_exponent(value: float) -> None:
+    text = shown(value, "", "SI")
+    assert "e" not in text
+    assert float(text) == pytest.approx(value, rel=5.1e-3, abs=5.1e-4)

@@ -1,0 +1,130 @@
+"""The two-frame rule: what raises a flag, what inhibits, what relieves."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from aftdeck.bodies.solid import Solid
+from aftdeck.worksite.contacts import Contacts
+from aftdeck.worksite.found import CLEARANCE, FOUND
+from aftdeck.worksite.layout import layout_of
+from aftdeck.worksite.pairs import among
+from tests.bodies.shapes import CUBE
+
+HOME = {"palm": "arm.hand", "prong": "arm.prong", "bar": "can", "can": "can", "wall": "orbiter"}
+PAIRS = [("palm", "bar"), ("palm", "can"), ("prong", "bar"), ("prong", "can"), ("can", "wall")]
+PALM_BAR, PALM_CAN, PRONG_BAR, PRONG_CAN, CAN_WALL = range(5)
+
+
+def contacts(*, holding: bool = False) -> Contacts:
+    layout = layout_of(tuple(dict.fromkeys(HOME.values())), [Solid(p, f, CUBE) for p, f in HOME.items()], PAIRS)
+    arm = layout.carried(["arm.hand", "arm.prong", *(["can"] if holding else [])])
+    return Contacts(layout, among(layout, [("prong", "bar")]), arm, layout.carried(["arm.prong"]))
+
+
+def frame(*colliding: int, clearance: float = -0.02) -> np.ndarray:
+    found = np.full((len(PAIRS), FOUND), 0.5)
+    found[list(colliding), CLEARANCE] = clearance
+    return found
+
+
+def after(watched: Contacts, mode: int, *frames: np.ndarray) -> tuple[bool, bool]:
+    """Arm and finger inhibited, after these frames."""
+    for found in frames:
+        watched.look(found, mode)
+    return watched.inhibit.arm, watched.inhibit.finger
+
+
+def test_one_frame_raises_the_flag_and_the_second_inhibits() -> None:
+    watched = contacts()
+    assert after(watched, 1, frame(PALM_CAN)) == (False, False)
+    assert [c.inhibits for c in watched.standing(frame(PALM_CAN))] == [False]
+    assert after(watched, 1, frame(PALM_CAN)) == (True, False)
+    assert [c.inhibits for c in watched.standing(frame(PALM_CAN))] == [True]
+    assert after(watched, 1, frame()) == (False, False)
+    assert watched.standing(frame()) == ()
+
+
+@pytest.mark.parametrize(
+    ("mode", "holding", "group", "arm", "finger"),
+    [
+        pytest.param(1, False, PALM_CAN, True, False, id="acquisition: the palm stops the arm"),
+        pytest.param(1, False, PALM_BAR, True, False, id="acquisition: the palm on the bar too"),
+        pytest.param(1, False, PRONG_CAN, False, True, id="acquisition: the prong stops itself alone"),
+        pytest.param(1, False, PRONG_BAR, False, False, id="the prong is made to touch the bar"),
+        pytest.param(1, False, CAN_WALL, False, False, id="a payload that is not held is not the arm's to move"),
+        pytest.param(1, True, CAN_WALL, True, False, id="what is held counts as the arm"),
+        pytest.param(2, True, CAN_WALL, True, True, id="extraction: both"),
+        pytest.param(3, True, PRONG_CAN, True, True, id="manoeuvring: both"),
+        pytest.param(3, True, PRONG_BAR, False, False, id="essential in every mode"),
+    ],
+)
+def test_what_is_inhibited_goes_by_the_mode(mode: int, holding: bool, group: int, arm: bool, finger: bool) -> None:
+    assert after(contacts(holding=holding), mode, *[frame(group)] * 2) == (arm, finger)
+
+
+def test_the_prong_and_the_palm_together_stop_both() -> None:
+    assert after(contacts(), 1, *[frame(PALM_CAN, PRONG_CAN)] * 2) == (True, True)
+
+
+def test_contact_is_a_clearance_of_at_most_a_nanometre() -> None:
+    assert after(contacts(), 1, *[frame(PALM_CAN, clearance=1e-9)] * 2) == (True, False)
+    assert after(contacts(), 1, *[frame(PALM_CAN, clearance=1.01e-9)] * 2) == (False, False)
+
+
+hits = st.lists(st.booleans(), min_size=5, max_size=5)
+
+
+@settings(deadline=None)
+@given(st.lists(hits, min_size=1, max_size=12), st.integers(1, 4), st.booleans(), st.integers(0, 11))
+def test_motion_is_inhibited_just_where_a_detrimental_contact_of_the_arm_is_in_two_frames(
+    frames: list[list[bool]], mode: int, holding: bool, cut: int
+) -> None:
+    watched, before = contacts(holding=holding), [False] * 5
+    for k, now in enumerate(frames):
+        if k == cut:
+            saved = watched.save()
+            watched = contacts(holding=holding)
+            watched.restore(saved)
+        inhibit = watched.look(frame(*np.flatnonzero(now).tolist()), mode)
+        both = [a and b for a, b in zip(before, now, strict=True)]
+        palm = both[PALM_BAR] or both[PALM_CAN] or (holding and both[CAN_WALL])
+        prong = both[PRONG_CAN]
+        expected = (palm, prong) if mode == 1 else (palm or prong,) * 2
+        assert (inhibit.arm, inhibit.finger) == expected
+        assert {c.group for c in watched.standing(frame())} == set(np.flatnonzero(now).tolist())
+        before = now
+
+
+def test_a_change_is_told_in_the_frame_in_which_it_is() -> None:
+    watched = contacts()
+    frames = [frame(), frame(PALM_CAN), frame(PALM_CAN), frame(PALM_CAN), frame(), frame()]
+    assert [watched.look(found, 1).changed for found in frames] == [False, True, True, False, True, False]
+
+
+def test_flags_that_are_reset_take_two_frames_again() -> None:
+    watched = contacts()
+    assert after(watched, 1, *[frame(PALM_CAN)] * 5) == (True, False)
+    watched.forget()
+    assert not watched.inhibit.arm
+    assert after(watched, 1, frame(PALM_CAN)) == (False, False)
+
+
+def test_contacts_are_told_deepest_first_with_what_they_are() -> None:
+    watched, found = contacts(holding=True), frame(PRONG_BAR, clearance=0.0)
+    found[CAN_WALL, CLEARANCE], found[PALM_CAN, CLEARANCE] = -0.3, -0.0213
+    after(watched, 2, found, found)
+    told = watched.standing(found)
+    assert [c.text for c in told] == [
+        "can touches wall: 0.3 m deep",
+        "palm touches can: 0.021 m deep",
+        "prong touches bar, as it is made to",
+    ]
+    assert [(c.a, c.b, c.depth, c.essential, c.inhibits) for c in told] == [
+        ("can", "wall", 0.3, False, True),
+        ("palm", "can", 0.0213, False, True),
+        ("prong", "bar", 0.0, True, False),
+    ]

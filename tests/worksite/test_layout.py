@@ -1,0 +1,132 @@
+"""Which parts are watched, how they are packed, and what is asked of them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from aftdeck.bodies.hexahedron import BODY, unpack
+from aftdeck.bodies.solid import Solid
+from aftdeck.errors import InputError
+from aftdeck.worksite.layout import CENTRE, RADIUS, Layout, layout_of
+from aftdeck.worksite.pairs import among, counting, part_pairs
+from tests.bodies.shapes import CUBE
+from tests.worksite.scenes import scene
+
+CHAIN = ("arm.base", "arm.upper", "arm.empty", "arm.lower", "arm.hand", "arm.prong")
+FRAMES = (*CHAIN, "orbiter", "space", "can", "box")
+HOME = {
+    "wall": "orbiter",
+    "floor": "orbiter",
+    "station": "space",
+    "can": "can",
+    "bar": "can",
+    "box": "box",
+    "mount": "arm.base",
+    "upper boom": "arm.upper",
+    "lower boom": "arm.lower",
+    "palm": "arm.hand",
+    "prong": "arm.prong",
+}
+SOLIDS = [Solid(part, frame, CUBE) for part, frame in HOME.items()]
+
+
+def worksite() -> Layout:
+    return layout_of(FRAMES, SOLIDS, part_pairs(SOLIDS, CHAIN, apart=[("wall", "mount"), ("mount", "floor")]))
+
+
+def test_every_two_parts_are_a_pair_once_but_what_is_joined_or_left_out() -> None:
+    pairs = part_pairs(SOLIDS, CHAIN, apart=[("wall", "mount"), ("mount", "floor")])
+    found = {frozenset(pair) for pair in pairs}
+    assert len(found) == len(pairs)
+    missing = {frozenset((a, b)) for a in HOME for b in HOME if a < b} - found
+    assert missing == {
+        frozenset(pair)
+        for pair in [
+            ("wall", "floor"),
+            ("can", "bar"),
+            ("mount", "upper boom"),
+            ("upper boom", "lower boom"),  # the frame between them carries nothing
+            ("lower boom", "palm"),
+            ("palm", "prong"),
+            ("wall", "mount"),
+            ("mount", "floor"),
+        ]
+    }
+
+
+def test_a_pair_is_told_from_what_moves() -> None:
+    pairs = part_pairs(SOLIDS, CHAIN)
+    for pair in [("lower boom", "wall"), ("palm", "bar"), ("can", "wall"), ("can", "station"), ("station", "wall")]:
+        assert pair in pairs
+
+
+def test_pairs_stand_together_in_the_order_of_their_groups_and_are_all_there() -> None:
+    made, layout = scene(np.random.default_rng(1))
+    assert layout.begins[0] == 0
+    assert layout.begins[-1] == len(layout.pairs)
+    for g in range(len(layout.groups)):
+        a, b = layout.named(g)
+        pairs = layout.pairs[layout.begins[g] : layout.begins[g + 1]].tolist()
+        expected = [[i, j] for i, p in enumerate(made) for j, q in enumerate(made) if p.part == a and q.part == b]
+        assert sorted(pairs) == expected
+
+
+def test_solids_are_packed_as_they_are_inside_their_spheres() -> None:
+    made, layout = scene(np.random.default_rng(2))
+    for solid, row, frame in zip(made, layout.solids, layout.frame, strict=True):
+        assert np.array_equal(unpack(row[:BODY]), solid.vertices)
+        assert layout.frames[frame] == solid.frame
+        away = np.linalg.norm(solid.vertices - row[CENTRE:RADIUS], axis=1)
+        assert away.max() <= row[RADIUS] <= 1.5 * np.linalg.norm(np.ptp(solid.vertices, axis=0))
+    assert not layout.solids.flags.writeable
+
+
+def test_what_is_held_or_seated_does_not_count_against_what_holds_it() -> None:
+    layout = worksite()
+    active = counting(layout, ("palm", "prong"), ("can", "bar"), {"box": ("floor",)})
+    off = {frozenset(layout.named(g)) for g in np.flatnonzero(active == 0).tolist()}
+    held = {frozenset((a, b)) for a in ("palm", "prong") for b in ("can", "bar")}
+    assert off == held | {frozenset(("box", "floor"))}
+    assert counting(layout).all()
+
+
+def test_groups_are_found_by_name_and_by_frame() -> None:
+    layout = worksite()
+    named = [layout.named(g) for g in np.flatnonzero(among(layout, [("bar", "prong"), ("can", "bar")])).tolist()]
+    assert named == [("prong", "bar")]
+    carried = layout.carried(["can"])
+    for g in range(len(layout.groups)):
+        assert carried[g] == bool({"can", "bar"} & set(layout.named(g)))
+    assert layout.parts_in("can") == ("can", "bar")
+
+
+@pytest.mark.parametrize(
+    ("solids", "pairs", "message"),
+    [
+        ([Solid("a", "moon", CUBE)], [], "a: no frame is called 'moon'; there are arm.base, "),
+        (
+            [Solid("a", "can", CUBE), Solid("a", "box", CUBE)],
+            [],
+            "a has solids in can and in box; a part has one frame",
+        ),
+        (SOLIDS, [("can", "tin")], "can – tin: no solid belongs to 'tin'; there are wall, floor, "),
+        (SOLIDS, [("can", "bar")], "can – bar: both are fixed to can, so that they never move against each other"),
+        (SOLIDS, [("can", "box"), ("box", "can")], "box and can are named as a watched pair twice"),
+        ([Solid("a", "can", CUBE[::-1])], [], "a: vertex 2 "),
+    ],
+)
+def test_what_cannot_be_laid_out_is_refused(solids: list[Solid], pairs: list[tuple[str, str]], message: str) -> None:
+    with pytest.raises(InputError) as refused:
+        layout_of(FRAMES, solids, pairs)
+    assert str(refused.value).startswith(message)
+
+
+def test_unknown_names_are_refused() -> None:
+    layout = worksite()
+    with pytest.raises(InputError, match=r"no part is called 'tin'; there are wall, "):
+        among(layout, [("tin", "can")])
+    with pytest.raises(InputError, match=r"no frame is called 'moon'; there are arm.base, "):
+        layout.carried(["moon"])
+    with pytest.raises(InputError, match=r"a pair to leave out names 'tin'; there are wall, "):
+        part_pairs(SOLIDS, CHAIN, apart=[("tin", "can")])

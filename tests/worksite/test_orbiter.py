@@ -1,0 +1,148 @@
+"""What collides of the orbiter against what is drawn of it, and against what a payload needs."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import aftdeck
+from aftdeck import separation
+from aftdeck.bodies.cameras import setting
+from aftdeck.bodies.hexahedron import NX, D, pack
+from aftdeck.frames import SCENE_FROM_PANEL_AXES, SCENE_ORIGIN, Pose, rotation_x
+from aftdeck.scene.mesh import moved
+from aftdeck.scene.placed import placed
+from aftdeck.scene.solids import solid
+from aftdeck.shapes import Light, Ring
+from aftdeck.worksite import Worksite, load_worksite
+from aftdeck.worksite.check import distance
+
+Array = NDArray[np.float64]
+
+INCH = 0.0254
+ENVELOPE = 90.0 * INCH
+"""Radius that a payload may take up in the bay [m]."""
+
+
+@pytest.fixture(scope="module")
+def orbiter() -> Worksite:
+    return load_worksite("orbiter")
+
+
+def heights(worksite: Worksite, points: Array) -> Array:
+    """(n, s) how far each point stands over the nearest face of each solid; below zero inside [m]."""
+    packed = np.array([pack(solid.vertices) for solid in worksite.solids])
+    normals = packed[:, NX:D].reshape(-1, 3, 6).transpose(0, 2, 1)
+    return np.asarray((np.einsum("sfk,vk->vsf", normals, points) - packed[:, D:]).max(axis=2))
+
+
+def test_all_that_is_drawn_lies_in_the_solids(orbiter: Worksite) -> None:
+    """The bay's frames stand 2 cm into the tube, which is otherwise covered as it is drawn; lamps are not solid."""
+    for shape, pose in placed(orbiter.bodies[0].shapes):
+        if isinstance(shape, Light):
+            continue
+        points = np.unique(moved(solid(shape, 24), pose).vertices, axis=0)
+        over = heights(orbiter, points)
+        allowed = 0.02 if isinstance(shape, Ring) else 0.001
+        for point, order in zip(points, over.argsort(axis=1), strict=True):
+            nearest = (distance(point, orbiter.solids[k].vertices) for k in order)
+            assert any(room < allowed for room in nearest), (shape, point)
+
+
+def test_a_payload_of_90_inches_radius_lies_clear_in_the_bay(orbiter: Worksite) -> None:
+    """But for the bay cameras on the bulkheads, which stand in that envelope at its very ends."""
+    assert orbiter.bay is not None
+    x = np.linspace(orbiter.bay.low[0] + 0.6, orbiter.bay.high[0] - 0.6, 40)
+    t = np.linspace(0.0, math.tau, 361)
+    points = np.array([(a, ENVELOPE * math.cos(b), ENVELOPE * math.sin(b)) for a in x for b in t])
+    assert heights(orbiter, points).min() > 0.0
+
+
+def test_the_payload_in_the_latches_touches_nothing_but_them(orbiter: Worksite) -> None:
+    (cargo,) = orbiter.cargoes
+    pose = cargo.start.pose
+    for own in cargo.solids:
+        vertices = own.vertices @ pose.rotation.T + pose.position
+        for other in orbiter.solids:
+            gap = separation(vertices, other.vertices).clearance
+            if own.part == "payload trunnions" and other.part.startswith("latches"):
+                assert gap > -1e-3, "they rest in the latches"
+            else:
+                assert gap > 0.015, (own.part, other.part)
+
+
+def test_trunnions_stand_at_their_published_places_over_the_latches(orbiter: Worksite) -> None:
+    """Longeron Yo 93.925, Zo 414.05, attach points 3.933 in apart from Xo 608.80; keel Yo 0, Zo 305.025."""
+    (cargo,) = orbiter.cargoes
+    pose = cargo.start.pose
+    places = (cargo.trunnions @ pose.rotation.T + pose.position) / INCH + [942.0, 0.0, 400.0]
+    *pairs, keel = places
+    assert cargo.trunnion_names == ("forward port", "forward starboard", "aft port", "aft starboard", "keel")
+    for x, y, z in pairs:
+        assert (abs(y), z) == pytest.approx((93.925, 414.05))
+        steps = (x - 608.80) / 3.933
+        assert steps == pytest.approx(round(steps), abs=0.01)
+        latch = next(
+            other.vertices
+            for other in orbiter.solids
+            if other.part == f"latches {'port' if y < 0.0 else 'starboard'}"
+            and abs(other.vertices[:, 0].mean() / INCH + 942.0 - x) < 0.1
+        )
+        assert latch[:, 2].max() / INCH + 400.0 == pytest.approx(z - 1.625, abs=0.01)
+    assert keel[1:] == pytest.approx([0.0, 305.025])
+
+
+def test_the_arm_reaches_the_grapple_fixture_in_the_bay(orbiter: Worksite) -> None:
+    (cargo,) = orbiter.cargoes
+    assert cargo.grapple is not None
+    arm = aftdeck.load_arm("srms")
+    pose, grapple = cargo.start.pose, cargo.grapple
+    position = pose.rotation @ grapple.position + pose.position + SCENE_ORIGIN
+    axes = SCENE_FROM_PANEL_AXES.T @ pose.rotation @ grapple.rotation
+    tip = arm.model.mount.from_("panel", Pose(SCENE_FROM_PANEL_AXES.T @ position, axes))
+    found = arm.inverse(Pose(tip.position, tip.rotation @ rotation_x(arm.model.end_effector_roll)))
+    assert len(found) > 0
+    assert grapple.rotation @ [1.0, 0.0, 0.0] == pytest.approx([0.0, 0.0, -1.0]), "the hand looks into the payload"
+
+
+def test_the_bay_cameras_pan_and_tilt_as_published(orbiter: Worksite) -> None:
+    for camera in orbiter.cameras[:4]:
+        assert camera.drive is not None
+        pan, zoom = camera.drive.pan, camera.drive.zoom
+        assert pan is not None
+        assert zoom is not None
+        assert pan.slow is not None
+        assert np.degrees([pan.least, pan.greatest, pan.rate, pan.slow]) == pytest.approx([-170.0, 170.0, 12.0, 1.2])
+        assert np.degrees([zoom.least, zoom.greatest]) == pytest.approx([9.0, 77.0])
+        assert abs(setting(camera).pan) < math.radians(30.0), "about the way that its base faces"
+
+
+def test_the_scenes_origin_is_that_of_the_frames(orbiter: Worksite) -> None:
+    assert orbiter.origin == pytest.approx(SCENE_ORIGIN)
+
+
+def test_the_guides_of_the_seat_are_those_of_the_latches_solids(orbiter: Worksite) -> None:
+    """A trunnion's middle has room to either side as the seat says: at its place, and where the V is highest."""
+    (seat,) = orbiter.seats
+    (cargo,) = orbiter.cargoes
+    assert seat.guides is not None
+    x, y, z = cargo.trunnions[0] + cargo.start.pose.position
+    latches = [body.vertices for body in orbiter.solids if body.part == "latches port"]
+    blades = [body for body in latches if abs(body[:, 0].mean() - x) < 0.3]
+    top = min(blade[:, 2].max() for blade in blades if blade[:, 2].max() > z)
+    assert top - z == pytest.approx(seat.guides.height, abs=0.02)
+    for height in (0.1, 0.4):
+        free = seat.guides.throat + 1.625 * INCH + height * math.tan(seat.guides.half_angle)
+        room = min(distance(np.array([x, y, z + height]), blade) for blade in blades)
+        assert room / math.cos(seat.guides.half_angle) == pytest.approx(free, abs=0.02)
+
+
+def test_the_trunnions_are_made_to_touch_the_latches_of_both_sides(orbiter: Worksite) -> None:
+    assert set(orbiter.essential) == {
+        ("payload trunnions", "latches port"),
+        ("payload trunnions", "latches starboard"),
+        ("end effector", "payload grapple fixture"),
+    }

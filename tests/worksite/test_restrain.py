@@ -1,0 +1,145 @@
+"""An inhibited arm: no contact is deepened, no new one is made, and what leads out is let through."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.bodies.solid import Solid
+from aftdeck.worksite.found import CLEARANCE
+from aftdeck.worksite.layout import layout_of
+from aftdeck.worksite.restrain import allowed, ways_out
+from aftdeck.worksite.watch import Watch
+from tests.bodies.shapes import boxes, skewed
+from tests.worksite.scenes import CHAIN, clearances, moved, poses, scene
+
+Array = NDArray[np.float64]
+
+PERIOD = 0.02
+seeds = st.integers(0, 2**32 - 1)
+
+
+def arm_moved(rng: np.random.Generator, frames: Array, pace: float) -> Array:
+    """The arm's frames a step on, each at a twist of its own; all else stands."""
+    twists = np.zeros((len(frames), 6))
+    twists[1:4] = pace * rng.normal(size=(3, 6))
+    return moved(frames, twists, PERIOD)
+
+
+def spoils(before: Array, after: Array) -> Array:
+    """(g,) how far each group that is in contact, or gets into it, loses clearance [m]."""
+    touched = (before <= CONTACT) | (after <= CONTACT)
+    return np.where(touched, before - after, 0.0)
+
+
+@settings(max_examples=15, deadline=None)
+@given(seeds, st.sampled_from([1e-6, 0.1, 10.0]))
+def test_just_the_motions_that_deepen_a_contact_or_make_one_are_held(seed: int, pace: float) -> None:
+    rng = np.random.default_rng(seed)
+    made, layout = scene(rng)
+    watch, now = Watch(layout), poses(rng)
+    counts = layout.carried(CHAIN)
+    watch.look(now, now, PERIOD)
+    remembered = watch.save()
+    here = clearances(made, layout, now)
+    for _ in range(3):
+        then = arm_moved(rng, now, pace)
+        worst = spoils(here, clearances(made, layout, then))[counts == 1].max()
+        if abs(worst - 1e-12) > 5e-13:
+            assert allowed(watch, counts, then) == (worst < 1e-12)
+    assert allowed(watch, counts, now)
+    assert watch.save() == remembered
+
+
+@settings(max_examples=8, deadline=None)
+@given(seeds)
+def test_an_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    made, layout = scene(rng)
+    watch, now = Watch(layout), poses(rng)
+    counts = layout.carried(CHAIN)
+    watch.look(now, now, PERIOD)
+    start = before = clearances(made, layout, now)
+    assume((before[counts == 1] <= CONTACT).any())
+    flown = 0
+    for _ in range(25):
+        then = arm_moved(rng, now, rng.choice([0.01, 1.0]))
+        if allowed(watch, counts, then):
+            watch.look(now, then, PERIOD)
+            now, flown = then, flown + 1
+            after = clearances(made, layout, now)
+            assert (after[before <= CONTACT] >= before[before <= CONTACT] - 2e-12).all()
+            assert (after[before > CONTACT] > CONTACT).all()
+            before = after
+    assert (before[start <= CONTACT] >= start[start <= CONTACT] - flown * 2e-12).all()
+
+
+def directions(frames: Array, step: float) -> Array:
+    """(12, F, 12) the hand's frame, the last but one, turned and moved both ways about and along three axes."""
+    found = []
+    for axis in range(6):
+        for sign in (1.0, -1.0):
+            twists = np.zeros((len(frames), 6))
+            twists[1, axis] = sign
+            if axis < 3:  # about its own origin
+                twists[1, 3:] = -np.cross(twists[1, :3], frames[1, :3])
+            found.append(moved(frames, twists, step))
+    return np.array(found)
+
+
+@settings(max_examples=15, deadline=None)
+@given(seeds, st.booleans())
+def test_some_direction_always_frees_a_single_contact(seed: int, box: bool) -> None:
+    rng = np.random.default_rng(seed)
+    shapes = (boxes if box else skewed)(rng, 2)
+    made = [Solid("palm", "hand", shapes[0]), Solid("wall", "orbiter", shapes[1])]
+    layout = layout_of(("orbiter", "hand"), made, [("palm", "wall")])
+    now = poses(rng)[[0, 2]]
+    now[1, :3] = 0.2 * rng.normal(size=3) * np.ptp(shapes, axis=1).min()
+    watch, counts = Watch(layout), np.ones(1, np.uint8)
+    watch.look(now, now, PERIOD)
+    assume(watch.found[0, CLEARANCE] <= CONTACT)
+    step = 0.02
+    for _ in range(400):
+        clearance = watch.found[0, CLEARANCE]
+        if clearance > CONTACT:
+            break
+        ways = directions(now, step)
+        gains = ways_out(watch, counts, ways)
+        best = int(gains.argmax())
+        # one of three square axes is within 55 degrees of any way out
+        assert gains[best] >= step / sqrt(3.0) - 1e-12
+        assert allowed(watch, counts, ways[best])
+        watch.look(now, ways[best], PERIOD)
+        now = ways[best]
+        assert watch.found[0, CLEARANCE] - clearance == pytest.approx(gains[best], abs=1e-12)
+    assert watch.found[0, CLEARANCE] > CONTACT
+
+
+def test_a_way_out_of_one_contact_into_another_is_none() -> None:
+    cube = boxes(np.random.default_rng(0), 1)[0]
+    cube = cube / np.ptp(cube, axis=0)
+    made = [
+        Solid("palm", "hand", cube),
+        Solid("floor", "orbiter", cube * [9.0, 9.0, 1.0] + [0.0, 0.0, 0.9]),
+        Solid("roof", "orbiter", cube * [9.0, 9.0, 1.0] - [0.0, 0.0, 1.01]),
+    ]
+    layout = layout_of(("orbiter", "hand"), made, [("palm", "floor"), ("palm", "roof")])
+    watch, counts = Watch(layout), np.ones(2, np.uint8)
+    now = np.zeros((2, 12))
+    now[:, 3:] = np.eye(3).ravel()
+    watch.look(now, now, PERIOD)
+    up = now.copy()
+    for height, free in ((0.005, True), (0.0101, False)):
+        up[1, 2] = -height
+        assert allowed(watch, counts, up) is free
+        assert (ways_out(watch, counts, up[None])[0] > 0.0) == free
+    watch.active[1] = 0
+    watch.look(now, now, PERIOD)
+    assert allowed(watch, counts, up)

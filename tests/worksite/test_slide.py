@@ -1,0 +1,159 @@
+"""Sliding: nothing goes into a wall, and what goes along it stays."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from scipy.optimize import nnls
+
+from aftdeck.bodies.solid import Solid
+from aftdeck.kinematics.jacobian import Twist
+from aftdeck.worksite.found import CLEARANCE
+from aftdeck.worksite.layout import layout_of
+from aftdeck.worksite.slide import SLACK, slide
+from aftdeck.worksite.touches import touches
+from aftdeck.worksite.watch import Watch
+from tests.bodies.shapes import CUBE, rotations
+from tests.worksite.scenes import clearances, moved
+
+Array = NDArray[np.float64]
+
+seeds = st.integers(0, 2**32 - 1)
+
+
+def contacts(rng: np.random.Generator, count: int) -> Array:
+    """(count, 7) contacts anywhere about the tip, none of which may be entered."""
+    rows = np.zeros((count, 7))
+    rows[:, :3] = 3.0 * rng.normal(size=(count, 3))
+    rows[:, 3:6] = rotations(rng, count)[:, 0] if count else 0.0
+    return rows
+
+
+def slid(rows: Array, tip: Array, wanted: Array) -> Array:
+    """(6,) the twist that `slide` leaves."""
+    return np.array(slide(rows, tip[0], tip[1], tip[2], Twist(*wanted)))
+
+
+def outward(rows: Array, tip: Array, twist: Array) -> Array:
+    """(k,) how fast each touching point leaves its wall [m/s]."""
+    return np.asarray(((twist[3:] + np.cross(twist[:3], rows[:, :3] - tip)) * rows[:, 3:6]).sum(axis=1))
+
+
+@settings(deadline=None)
+@given(seeds, st.integers(0, 8))
+def test_no_point_goes_into_its_wall(seed: int, count: int) -> None:
+    rng = np.random.default_rng(seed)
+    rows, tip, wanted = contacts(rng, count), rng.normal(size=3), rng.normal(size=6)
+    rows[:, 6] = -0.2 * rng.random(count)
+    found = slid(rows, tip, wanted)
+    assert (outward(rows, tip, found) >= rows[:, 6] - 1.1 * SLACK).all()
+    if (outward(rows, tip, wanted) >= rows[:, 6]).all():
+        assert np.array_equal(found, wanted)
+
+
+@settings(deadline=None)
+@given(seeds)
+def test_along_a_single_wall_nothing_changes(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    rows, tip, wanted = contacts(rng, 1), rng.normal(size=3), rng.normal(size=6)
+    wanted[:3] *= rng.integers(2)
+    found, normal = slid(rows, tip, wanted), rows[0, 3:6]
+    before, after = (t[3:] + np.cross(t[:3], rows[0, :3] - tip) for t in (wanted, found))
+    assert np.array_equal(found[:3], wanted[:3])
+    assert after - (after @ normal) * normal == pytest.approx(before - (before @ normal) * normal, abs=1e-13)
+    assert after @ normal == pytest.approx(max(before @ normal, 0.0), abs=1e-13)
+
+
+@settings(deadline=None)
+@given(seeds, st.integers(1, 8), st.sampled_from([1, 2, 3]))
+def test_the_velocity_is_the_nearest_one_of_all(seed: int, count: int, repeats: int) -> None:
+    rng = np.random.default_rng(seed)
+    rows, wanted = contacts(rng, count), np.array([0.0, 0.0, 0.0, *rng.normal(size=3)])
+    found = slid(np.repeat(rows, repeats, axis=0), np.zeros(3), wanted)
+    # Moreau: what is taken off is the nearest combination of the normals that pushes outwards
+    push, _ = nnls(rows[:, 3:6].T, -wanted[3:])
+    assert found[3:] == pytest.approx(wanted[3:] + rows[:, 3:6].T @ push, abs=1e-7)
+
+
+def test_between_walls_all_round_the_arm_stands_still() -> None:
+    rows = np.zeros((6, 7))
+    rows[:, 3:6] = np.concatenate([np.eye(3), -np.eye(3)])
+    assert not slid(rows, np.zeros(3), np.array([0.0, 0.0, 0.0, 0.3, -0.2, 0.1])).any()
+
+
+def test_between_two_walls_turning_goes_and_sliding_stays() -> None:
+    rows = np.array([[4.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0], [-4.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0]])
+    wanted = np.array([0.0, 0.0, 0.1, 0.3, 0.2, 0.4])
+    assert slid(rows, np.zeros(3), wanted) == pytest.approx([0.0, 0.0, 0.0, 0.3, 0.0, 0.4])
+    # the other way round it turns off both walls, and may
+    wanted[2] = -0.1
+    assert slid(rows, np.zeros(3), wanted) == pytest.approx(wanted)
+
+
+def test_what_cannot_come_out_does_not_move() -> None:
+    rows = np.array([[0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.1], [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.1]])
+    assert not slid(rows, np.zeros(3), np.array([0.0, 0.0, 0.1, 0.3, 0.2, 0.4])).any()
+
+
+@settings(max_examples=20, deadline=None)
+@given(seeds, st.booleans())
+def test_a_payload_pushed_about_in_a_trough_slides_and_stays_out_of_its_walls(seed: int, turning: bool) -> None:
+    rng = np.random.default_rng(seed)
+    size = np.array([6.0, 2.0, 2.0])
+    made = [
+        Solid("payload", "can", CUBE * size),
+        Solid("wall port", "orbiter", CUBE * [30.0, 1.0, 8.0] + [0.0, 2.0, 0.0]),
+        Solid("wall starboard", "orbiter", CUBE * [30.0, 1.0, 8.0] - [0.0, 2.0, 0.0]),
+        Solid("floor", "orbiter", CUBE * [30.0, 5.0, 1.0] + [0.0, 0.0, 3.0]),
+    ]
+    pairs = [("payload", part) for part in ("wall port", "wall starboard", "floor")]
+    layout = layout_of(("orbiter", "can"), made, pairs)
+    watch, counts, period = Watch(layout), np.ones(3, np.uint8), 0.02
+    now = np.zeros((2, 12))
+    now[:, 3:] = np.eye(3).ravel()
+    wanted = rng.normal(size=6) * np.repeat([0.05 * turning, 0.5], 3)
+    tip = np.array([0.0, 0.0, -1.0])
+    along = 0.0
+    watch.look(now, now, period)
+    for _ in range(120):
+        rows = touches(watch, counts, "can", 0.1, period, 0.02)
+        grip = now[1, :3] + now[1, 3:].reshape(3, 3) @ tip
+        twist = slid(rows, grip, wanted)
+        carried = np.zeros((2, 6))
+        carried[1] = twist
+        carried[1, 3:] -= np.cross(twist[:3], grip)
+        before, now = now, moved(now, carried, period)
+        along += twist[3] * period
+        watch.look(before, now, period)
+        # a turn by 0.005 rad a step takes a corner 4 m away beside its straight way by 5e-5 m
+        assert watch.found[:, CLEARANCE].min() > (-1e-4 if turning else -1e-9)
+    assert clearances(made, layout, now) == pytest.approx(watch.found[:, CLEARANCE], abs=1e-12)
+    if not turning:
+        assert along == pytest.approx(120 * wanted[3] * period)
+        assert now[1, 0] == pytest.approx(along)
+        # it lies at the wall and on the floor that it was pushed to, and not before
+        far = np.minimum(np.abs(wanted[4:]) * 120 * period, [0.5, 1.5])
+        assert abs(now[1, 1]) == pytest.approx(far[0], abs=1e-9)
+        if wanted[5] > 0.0:
+            assert now[1, 2] == pytest.approx(far[1], abs=1e-9)
+
+
+def test_the_touches_of_a_payload_are_its_corners_at_the_wall() -> None:
+    made = [Solid("payload", "can", CUBE), Solid("wall", "orbiter", CUBE * [9.0, 1.0, 9.0])]
+    layout = layout_of(("orbiter", "can"), made, [("payload", "wall")])
+    watch, counts = Watch(layout), np.ones(1, np.uint8)
+    now = np.zeros((2, 12))
+    now[:, 3:] = np.eye(3).ravel()
+    now[1, 1] = 1.01
+    watch.look(now, now, 0.1)
+    rows = touches(watch, counts, "can", 0.02, 0.1, 0.05)
+    assert rows[:, 3:6] == pytest.approx(np.tile([0.0, 1.0, 0.0], (5, 1)), abs=1e-12)
+    assert rows[:, 6] == pytest.approx(np.full(5, -0.1))
+    assert {tuple(row) for row in rows[1:, :3].round(9)} == {(x, 0.51, z) for x in (-0.5, 0.5) for z in (-0.5, 0.5)}
+    assert len(touches(watch, counts, "can", 0.005, 0.1, 0.05)) == 0
+    now[1, 1] = 0.99
+    watch.look(now, now, 0.1)
+    assert touches(watch, counts, "can", 0.02, 0.1, 0.05)[:, 6] == pytest.approx(np.full(5, 0.05))

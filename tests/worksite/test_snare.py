@@ -1,0 +1,286 @@
+"""The snare end effector: its envelope, the times and order of its sequences, and what it says when it misses."""
+
+from __future__ import annotations
+
+from math import radians
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from aftdeck.frames import Pose, endori
+from aftdeck.units import INCH
+from aftdeck.worksite.conditions import Condition, all_hold, failing
+from aftdeck.worksite.draw_in import placed, relative, remaining, turned_by
+from aftdeck.worksite.grapple import CaptureEnvelope, in_envelope
+from aftdeck.worksite.said import Said
+from aftdeck.worksite.snare import Flags, Snare, SnareCommand, SnareTimes, advance, flags
+
+ENVELOPE = CaptureEnvelope(4.0 * INCH, -0.001, 4.0 * INCH, radians(10.0), radians(10.0), radians(10.0))
+TIMES = SnareTimes(2.5, 7.0, 4.0)
+AUTO, MAN, OFF = SnareCommand("AUTO"), SnareCommand("MAN"), SnareCommand("OFF")
+
+
+def near(position: tuple[float, float, float] = (0.05, 0.0, 0.0), turn: NDArray[np.float64] | None = None) -> Pose:
+    return Pose(np.array(position), np.eye(3) if turn is None else turn)
+
+
+INSIDE = in_envelope(near(), ENVELOPE, "ft-in")
+BESIDE = in_envelope(near((0.05, 5.2 * INCH, 0.0)), ENVELOPE, "ft-in")
+
+
+def fly(
+    snare: Snare,
+    command: SnareCommand,
+    seconds: float,
+    dt: float = 0.02,
+    conditions: tuple[Condition, ...] = (),
+) -> tuple[Snare, list[Said]]:
+    """Steps of dt, the trigger pressed in the first."""
+    said: list[Said] = []
+    for k in range(round(seconds / dt)):
+        pressed = command if k == 0 else msgspec.structs.replace(command, trigger="")
+        snare, more = advance(snare, TIMES, pressed, dt, conditions)
+        said += more
+    return snare, said
+
+
+def capture(command: SnareCommand) -> SnareCommand:
+    return msgspec.structs.replace(command, trigger="capture")
+
+
+def release(command: SnareCommand) -> SnareCommand:
+    return msgspec.structs.replace(command, trigger="release")
+
+
+RIGID_PIN = fly(Snare(), capture(AUTO), 14.0, conditions=INSIDE)[0]
+
+
+# --- the envelope
+
+
+@pytest.mark.parametrize(
+    ("name", "inside", "outside"),
+    [
+        ("pin off axis", near((0.05, 0.0, 3.999 * INCH)), near((0.05, 0.0, 4.001 * INCH))),
+        ("pin depth", near((3.999 * INCH, 0.0, 0.0)), near((4.001 * INCH, 0.0, 0.0))),
+        ("pin depth", near((0.0, 0.0, 0.0)), near((-0.002, 0.0, 0.0))),
+        ("roll", near(turn=endori(radians(9.99), 0, 0)), near(turn=endori(radians(10.01), 0, 0))),
+        ("pitch", near(turn=endori(0, radians(-9.99), 0)), near(turn=endori(0, radians(-10.01), 0))),
+        ("yaw", near(turn=endori(0, 0, radians(9.99))), near(turn=endori(0, 0, radians(10.01)))),
+    ],
+)
+def test_the_envelope_ends_at_its_bounds(name: str, inside: Pose, outside: Pose) -> None:
+    assert all_hold(in_envelope(inside, ENVELOPE, "ft-in"))
+    assert [condition.name for condition in failing(in_envelope(outside, ENVELOPE, "ft-in"))] == [name]
+
+
+# --- the sequences
+
+
+@pytest.mark.parametrize("dt", [0.001, 0.02, 0.037, 0.2, 3.0, 20.0])
+def test_capture_and_release_take_their_time_whatever_the_step(dt: float) -> None:
+    marks = {"captured": 2.5, "rigid": 13.5}
+    snare, time = Snare(), 0.0
+    for trigger, ends in (("capture", marks), ("release", {"released": 13.5})):
+        came: dict[str, float] = {}
+        time, command = 0.0, SnareCommand("AUTO", trigger=trigger)  # type: ignore[arg-type]
+        while snare.motion or command.trigger:
+            snare, said = advance(snare, TIMES, command, dt, INSIDE)
+            command, time = AUTO, time + dt
+            came |= {line.kind: time for line in said}
+        assert came.keys() == ends.keys()
+        for kind, end in ends.items():
+            assert end - 1e-6 <= came[kind] < end + dt + 1e-6
+    assert snare == Snare(met=True)
+
+
+@settings(deadline=None, max_examples=60)
+@given(st.floats(0.0, 14.0), st.integers(1, 400), st.sampled_from(["capture", "release"]))
+def test_where_the_parts_are_depends_on_the_time_alone(time: float, steps: int, trigger: str) -> None:
+    start = Snare() if trigger == "capture" else RIGID_PIN
+    once = advance(start, TIMES, SnareCommand("AUTO", trigger=trigger), time, INSIDE).snare  # type: ignore[arg-type]
+    many = advance(start, TIMES, SnareCommand("AUTO", trigger=trigger), 0.0, INSIDE).snare  # type: ignore[arg-type]
+    for _ in range(steps):
+        many = advance(many, TIMES, AUTO, time / steps, INSIDE).snare
+    if trigger == "capture":
+        ring, carriage, tension = (np.clip((time - a) / (b - a), 0, 1) for a, b in ((0, 2.5), (2.5, 9.5), (9.5, 13.5)))
+    else:
+        tension, carriage, ring = (
+            np.clip((b - time) / (b - a), 0, 1) for a, b in ((0, 4.0), (4.0, 11.0), (11.0, 13.5))
+        )
+    for snare in (once, many):
+        assert (snare.ring, snare.carriage, snare.tension) == pytest.approx((ring, carriage, tension), abs=1e-8)
+
+
+def test_the_flags_are_those_of_the_panel() -> None:
+    assert flags(Snare()) == Flags(False, True, False, True, False, True)
+    closing = fly(Snare(), capture(AUTO), 1.0, conditions=INSIDE)[0]
+    assert flags(closing) == Flags(False, True, False, False, False, True)
+    retracting = fly(Snare(), capture(AUTO), 5.0, conditions=INSIDE)[0]
+    assert flags(retracting) == Flags(True, False, True, False, False, True)
+    assert flags(RIGID_PIN) == Flags(True, False, True, False, True, False)
+    derigidizing = fly(RIGID_PIN, release(AUTO), 2.0)[0]
+    assert flags(derigidizing) == Flags(True, False, True, False, False, False)
+
+
+def test_the_pin_is_held_until_the_snares_are_open() -> None:
+    almost, said = fly(RIGID_PIN, release(AUTO), 13.4)
+    assert almost.captured and not said
+    free, said = fly(almost, AUTO, 0.2)
+    assert not free.captured
+    assert [line.kind for line in said] == ["released"]
+
+
+def test_snares_that_close_beside_the_pin_say_so_and_stop() -> None:
+    snare, said = fly(Snare(), capture(AUTO), 20.0, conditions=BESIDE)
+    assert [line.text for line in said] == [
+        "snares closed empty: pin 5.2 in off the end effector's axis, at most 4 in allowed"
+    ]
+    assert flags(snare) == Flags(False, True, True, False, False, True)
+    again, said = fly(snare, capture(AUTO), 1.0, conditions=INSIDE)
+    assert [line.text for line in said] == ["CAPTURE refused: the snares are closed on nothing; RELEASE opens them"]
+    opened, _ = fly(again, release(AUTO), 3.0)
+    assert flags(opened) == flags(Snare())
+    assert fly(opened, capture(AUTO), 3.0, conditions=INSIDE)[0].captured
+
+
+def test_snares_that_close_on_nothing_at_all_say_so() -> None:
+    assert fly(Snare(), capture(AUTO), 3.0)[1][0].text == "snares closed empty: no grapple fixture was near"
+
+
+def test_a_pin_that_leaves_while_the_snares_close_is_missed() -> None:
+    snare, _ = fly(Snare(), capture(AUTO), 1.0, conditions=INSIDE)
+    snare, said = fly(snare, AUTO, 2.0, conditions=BESIDE)
+    assert not snare.captured
+    assert said[0].text.startswith("snares closed empty: the pin left the envelope while they closed: pin 5.2 in")
+
+
+def test_a_pin_that_comes_while_the_snares_close_is_taken() -> None:
+    snare, _ = fly(Snare(), capture(AUTO), 2.0, conditions=BESIDE)
+    assert fly(snare, AUTO, 1.0, conditions=INSIDE)[0].captured
+
+
+def test_in_man_the_trigger_moves_the_snares_alone() -> None:
+    snare, said = fly(Snare(), capture(MAN), 20.0, conditions=INSIDE)
+    assert [line.kind for line in said] == ["captured"]
+    assert (snare.ring, snare.carriage, snare.tension) == (1.0, 0.0, 0.0)
+    part, _ = fly(snare, SnareCommand("MAN", contr="RIGID"), 3.5)
+    assert part.carriage == pytest.approx(0.5)
+    rest, _ = fly(part, MAN, 5.0)
+    assert rest == part
+    rigid, said = fly(rest, SnareCommand("MAN", contr="RIGID"), 7.6)
+    assert flags(rigid).RIGID and [line.kind for line in said] == ["rigid"]
+    _, said = fly(rigid, release(MAN), 1.0)
+    assert [line.text for line in said] == [
+        "RELEASE refused: the carriage is not extended; MAN CONTR DERIGID extends it"
+    ]
+    loose, _ = fly(rigid, SnareCommand("MAN", contr="DERIGID"), 11.1)
+    assert flags(loose).EXTEND and flags(loose).DERIGID and loose.captured
+    free, _ = fly(loose, release(MAN), 2.6)
+    assert flags(free) == flags(Snare())
+
+
+def test_off_stops_everything_and_takes_no_trigger() -> None:
+    part, _ = fly(Snare(), capture(AUTO), 5.0, conditions=INSIDE)
+    stopped, _ = fly(part, OFF, 5.0)
+    assert (stopped.carriage, stopped.motion) == (part.carriage, "")
+    assert fly(stopped, AUTO, 5.0)[0] == stopped
+    refused, said = fly(stopped, release(OFF), 1.0)
+    assert refused == stopped
+    assert said[0].text == "RELEASE refused: END EFFECTOR MODE is OFF; AUTO and MAN take the trigger"
+    # CAPTURE again finishes what was begun.
+    assert flags(fly(stopped, capture(AUTO), 12.0)[0]).RIGID
+
+
+def test_release_while_closing_opens_again() -> None:
+    closing, _ = fly(Snare(), capture(AUTO), 1.0, conditions=INSIDE)
+    opened, said = fly(closing, release(AUTO), 1.02)
+    assert flags(opened) == flags(Snare()) and not said
+
+
+def test_release_of_open_snares_and_capture_of_a_held_pin_are_refused() -> None:
+    assert fly(Snare(), release(AUTO), 0.02)[1][0].text == "RELEASE refused: the snares are open already"
+    assert fly(RIGID_PIN, capture(AUTO), 0.02)[1][0].text == "CAPTURE refused: the pin is captured already"
+
+
+def test_snares_do_not_close_with_the_carriage_retracted() -> None:
+    retracted, _ = fly(Snare(), SnareCommand("MAN", contr="RIGID"), 3.0)
+    snare, said = fly(retracted, capture(AUTO), 3.0, conditions=INSIDE)
+    assert snare.ring == 0.0 and said[0].text.startswith("CAPTURE refused: the carriage is not extended")
+    assert flags(fly(snare, release(AUTO), 12.0)[0]) == flags(Snare())
+
+
+COMMANDS = st.builds(
+    SnareCommand,
+    st.sampled_from(["AUTO", "OFF", "MAN"]),
+    st.sampled_from(["", "", "capture", "release"]),
+    st.sampled_from(["RIGID", "OFF", "DERIGID"]),
+)
+
+
+@settings(deadline=None, max_examples=150)
+@given(st.lists(st.tuples(COMMANDS, st.floats(0.0, 5.0), st.booleans()), max_size=30))
+def test_no_order_of_switches_takes_or_loses_a_pin_otherwise_than_by_the_snares(
+    steps: list[tuple[SnareCommand, float, bool]],
+) -> None:
+    snare = Snare()
+    for command, dt, inside in steps:
+        after, said = advance(snare, TIMES, command, dt, INSIDE if inside else BESIDE)
+        if after.captured and not snare.captured:
+            assert inside and after.ring == 1.0 and "captured" in [line.kind for line in said]
+        if snare.captured and not after.captured:
+            retracts_after = command.mode == "MAN" and command.contr == "RIGID"
+            assert after.ring == 0.0 and (retracts_after or after.carriage == after.tension == 0.0)
+        for part in (after.ring, after.carriage, after.tension):
+            assert 0.0 <= part <= 1.0
+        assert after.tension == 0.0 or after.carriage == 1.0
+        assert snare.drawn <= after.drawn or not after.captured
+        assert not after.captured or after.ring > 0.0
+        if command.mode == "OFF":
+            assert (after.ring, after.carriage, after.tension) == (snare.ring, snare.carriage, snare.tension)
+        snare = msgspec.json.decode(msgspec.json.encode(after), type=Snare)  # the struct is its own save
+        assert snare == after
+    # From anywhere RELEASE in AUTO gives the pin back, and the snares are ready again.
+    assert flags(fly(fly(snare, release(AUTO), 14.0)[0], AUTO, 0.02)[0]) == flags(Snare())
+
+
+# --- drawing in
+
+VECTORS = st.tuples(*[st.floats(-1.0, 1.0)] * 3).map(np.array)
+
+
+@settings(deadline=None)
+@given(VECTORS, VECTORS, st.floats(0.0, 1.0))
+def test_a_misalignment_shrinks_along_its_offset_and_about_its_own_axis(
+    offset: NDArray[np.float64], vector: NDArray[np.float64], fraction: float
+) -> None:
+    found = remaining(Pose(offset, Rotation.from_rotvec(vector).as_matrix()), fraction)
+    assert found.position == pytest.approx(offset * fraction)
+    assert found.rotation == pytest.approx(Rotation.from_rotvec(vector * fraction).as_matrix(), abs=1e-12)
+    assert turned_by(found) == pytest.approx(fraction * np.linalg.norm(vector), abs=1e-9)
+
+
+@settings(deadline=None)
+@given(VECTORS, VECTORS, VECTORS, VECTORS)
+def test_a_body_is_placed_in_its_seat_as_it_was_found_there(
+    a: NDArray[np.float64], b: NDArray[np.float64], c: NDArray[np.float64], d: NDArray[np.float64]
+) -> None:
+    body, seat = Pose(a, Rotation.from_rotvec(b).as_matrix()), Pose(c, Rotation.from_rotvec(d).as_matrix())
+    again = placed(seat, relative(body, seat))
+    assert again.position == pytest.approx(body.position, abs=1e-12)
+    assert again.rotation == pytest.approx(body.rotation, abs=1e-12)
+
+
+def test_the_pin_is_drawn_in_once_and_does_not_go_out_again() -> None:
+    captured, _ = fly(Snare(), capture(MAN), 3.0, conditions=INSIDE)
+    assert captured.misaligned == 1.0
+    half, _ = fly(captured, SnareCommand("MAN", contr="RIGID"), 3.5)
+    assert half.misaligned == pytest.approx(0.5)
+    out, _ = fly(half, SnareCommand("MAN", contr="DERIGID"), 4.0)
+    assert (out.carriage, out.misaligned) == (0.0, half.misaligned)
+    assert RIGID_PIN.misaligned == 0.0

@@ -1,0 +1,133 @@
+"""What the watch finds in flight, against every pair of solids looked at by itself."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.worksite.found import CLEARANCE, DISTANCE, NORMAL, POINT_A, POINT_B, SPEED, WHICH
+from aftdeck.worksite.watch import Watch
+from tests.worksite.scenes import Array, clearances, moved, placed, poses, scene
+
+PERIOD = 0.02
+seeds = st.integers(0, 2**32 - 1)
+
+
+def drift(rng: np.random.Generator, pace: float = 1.0) -> Array:
+    """(5, 6) twists; the orbiter stands still."""
+    twists = pace * rng.normal(size=(5, 6))
+    twists[0] = 0.0
+    return twists
+
+
+@settings(max_examples=12, deadline=None)
+@given(seeds)
+def test_a_group_is_as_far_apart_as_its_nearest_solids(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    made, layout = scene(rng)
+    watch, before, twists = Watch(layout), poses(rng), drift(rng, 5.0)
+    for step in range(4):
+        # in between, a jump, after which nothing that is remembered is of use
+        now = poses(rng, 1.0) if step == 2 else moved(before, twists, PERIOD)
+        watch.look(before, now, PERIOD)
+        expected = clearances(made, layout, now)
+        assert watch.found[:, CLEARANCE] == pytest.approx(expected, abs=1e-12)
+        for g, row in enumerate(watch.found):
+            i, j = layout.pairs[int(row[WHICH])]
+            assert (made[i].part, made[j].part) == layout.named(g)
+            a, b = placed(made[i], now), placed(made[j], now)
+            way = row[POINT_B : POINT_B + 3] - row[POINT_A : POINT_A + 3]
+            normal = row[NORMAL : NORMAL + 3]
+            assert np.linalg.norm(normal) == pytest.approx(1.0, abs=1e-12)
+            assert way == pytest.approx(expected[g] * normal, abs=1e-9)
+            # along the normal, the two are apart, or overlap, by just the clearance
+            assert (b @ normal).min() - (a @ normal).max() == pytest.approx(expected[g], abs=1e-9)
+            if expected[g] > CONTACT:
+                assert (a @ normal).max() < row[DISTANCE] < (b @ normal).min()
+        before = now
+
+
+@settings(max_examples=12, deadline=None)
+@given(seeds)
+def test_the_closing_speed_is_how_fast_the_clearance_falls(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    made, layout = scene(rng)
+    now, twists, instant = poses(rng), drift(rng), 1e-5
+    watch = Watch(layout)
+    watch.look(moved(now, twists, -PERIOD), now, PERIOD)
+    here = clearances(made, layout, now)
+    fall = (here - clearances(made, layout, moved(now, twists, instant))) / instant
+    fell = (clearances(made, layout, moved(now, twists, -instant)) - here) / instant
+    smooth = np.abs(fall - fell) < 1e-3
+    assume(smooth.sum() > len(smooth) // 2)
+    assert watch.found[smooth, SPEED] == pytest.approx(0.5 * (fall + fell)[smooth], abs=2e-3)
+    assert np.median(np.abs(watch.found[smooth, SPEED] - 0.5 * (fall + fell)[smooth])) < 1e-7
+
+
+def test_bodies_that_neither_moves_do_not_close() -> None:
+    rng = np.random.default_rng(5)
+    _, layout = scene(rng)
+    watch, now = Watch(layout), poses(rng)
+    watch.look(now, now, PERIOD)
+    assert not watch.found[:, SPEED].any()
+
+
+@settings(max_examples=10, deadline=None)
+@given(seeds)
+def test_a_group_that_does_not_count_is_not_looked_at_and_changes_no_other(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    _, layout = scene(rng)
+    whole, part, now, twists = Watch(layout), Watch(layout), poses(rng), drift(rng)
+    part.active[:] = rng.integers(0, 2, len(part.active))
+    for _ in range(3):
+        before, now = now, moved(now, twists, PERIOD)
+        whole.look(before, now, PERIOD)
+        part.look(before, now, PERIOD)
+    counts = part.active == 1
+    assert np.array_equal(part.found[counts], whole.found[counts])
+    assert np.isinf(part.found[~counts, CLEARANCE]).all()
+    part.active[:] = 1
+    part.look(before, now, PERIOD)
+    assert part.found[:, CLEARANCE] == pytest.approx(whole.found[:, CLEARANCE], abs=1e-12)
+    assert part.found[:, SPEED] == pytest.approx(whole.found[:, SPEED], abs=1e-6)
+
+
+@settings(max_examples=10, deadline=None)
+@given(seeds)
+def test_a_restored_watch_goes_on_bit_for_bit(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    _, layout = scene(rng)
+    watch, now, twists = Watch(layout), poses(rng), drift(rng, 3.0)
+    watch.active[rng.integers(len(watch.active))] = 0
+    found, saved, middle = [], watch.save(), now
+    for step in range(8):
+        if step == 4:
+            saved, middle = watch.save(), now
+        before, now = now, moved(now, twists, PERIOD)
+        watch.look(before, now, PERIOD)
+        found.append(watch.found.tobytes())
+    again, now = Watch(layout), middle
+    again.restore(saved)
+    for expected in found[4:]:
+        before, now = now, moved(now, twists, PERIOD)
+        again.look(before, now, PERIOD)
+        assert again.found.tobytes() == expected
+    assert again.save() == watch.save()
+
+
+def test_the_nearest_group_is_the_nearest_of_those_asked_for() -> None:
+    rng = np.random.default_rng(6)
+    _, layout = scene(rng)
+    watch, now = Watch(layout), poses(rng)
+    watch.look(now, now, PERIOD)
+    counts = np.ones(len(layout.groups), np.uint8)
+    for expected in np.argsort(watch.found[:, CLEARANCE]):
+        assert watch.nearest(counts) == expected
+        counts[expected] = 0
+    assert watch.nearest(counts) == -1
+    watch.active[:] = 0
+    watch.look(now, now, PERIOD)
+    assert watch.nearest(counts + 1) == -1

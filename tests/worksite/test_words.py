@@ -1,0 +1,216 @@
+"""The scene generator's words against TABLE II, bit by bit, and there and back."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from aftdeck.errors import InputError
+from aftdeck.worksite.words import (
+    STATIONS,
+    ControlWord,
+    FrameBlock,
+    WordPlane,
+    decode_block,
+    decode_control,
+    encode_block,
+    encode_control,
+    fixed,
+    number,
+)
+
+ways = st.sampled_from([-1, 0, 1])
+controls = st.builds(
+    ControlWord,
+    mode=st.sampled_from([1, 2, 3, 4]),
+    station=st.sampled_from(sorted(STATIONS)),
+    initialise=st.booleans(),
+    telescope=ways,
+    pan=ways,
+    tilt=ways,
+    zoom=ways,
+    prong=ways,
+    finger_inhibited=st.booleans(),
+    arm_inhibited=st.booleans(),
+).filter(lambda control: control.pan * control.tilt >= 0)
+
+LEVEL = WordPlane((0.0, 0.0, -1.0), 0.0)
+AT_REST = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("control", "bits"),
+    [
+        (ControlWord(1, "A"), "0000 0000 0000 0000 0000 0001"),
+        (ControlWord(2, "B"), "0000 0000 0001 0000 0000 0010"),
+        (ControlWord(3, "C"), "0000 0000 0010 0000 0000 0100"),
+        (ControlWord(4, "H"), "0000 0000 1010 0000 0000 1000"),
+        (ControlWord(1, "A", initialise=True), "1000 0000 0000 0000 0000 0001"),
+        (ControlWord(1, "A", telescope=1), "0110 0000 0000 0000 0000 0001"),
+        (ControlWord(1, "A", telescope=-1), "0100 0000 0000 0000 0000 0001"),
+        (ControlWord(1, "A", tilt=1), "0001 1000 0000 0000 0000 0001"),
+        (ControlWord(1, "A", tilt=-1), "0001 0000 0000 0000 0000 0001"),
+        (ControlWord(1, "A", pan=1), "0000 1100 0000 0000 0000 0001"),
+        (ControlWord(1, "A", pan=-1), "0000 0100 0000 0000 0000 0001"),
+        (ControlWord(1, "A", zoom=1), "0000 0011 0000 0000 0000 0001"),
+        (ControlWord(1, "A", zoom=-1), "0000 0010 0000 0000 0000 0001"),
+        (ControlWord(1, "A", prong=-1), "0000 0000 0000 1000 0000 0001"),
+        (ControlWord(1, "A", prong=1), "0000 0000 0000 0100 0000 0001"),
+        (ControlWord(1, "A", finger_inhibited=True), "0000 0000 0000 0000 0010 0001"),
+        (ControlWord(1, "A", arm_inhibited=True), "0000 0000 0000 0000 0001 0001"),
+    ],
+)
+def test_each_bit_of_the_control_word_stands_where_table_ii_has_it(control: ControlWord, bits: str) -> None:
+    assert encode_control(control) == int(bits.replace(" ", ""), 2)
+
+
+def test_stations_have_codes_of_their_own() -> None:
+    assert len(set(STATIONS.values())) == len(STATIONS)
+
+
+@given(controls)
+def test_a_control_word_says_what_it_was_told(control: ControlWord) -> None:
+    assert decode_control(encode_control(control)) == control
+
+
+@given(st.integers(0, 2**24 - 1))
+def test_a_word_is_refused_or_is_that_of_what_it_says(word: int) -> None:
+    try:
+        control = decode_control(word)
+    except InputError:
+        return
+    idle = 0  # signs of what does not move say nothing
+    if not control.telescope:
+        idle |= 1 << 21
+    if not (control.pan or control.tilt):
+        idle |= 1 << 19
+    if not control.zoom:
+        idle |= 1 << 16
+    assert encode_control(control) == word & ~idle
+
+
+@pytest.mark.parametrize(
+    ("word", "message"),
+    [
+        (1 << 24, "the control word is 16777216; it has to be an integer of 24 bits"),
+        (-1, "the control word is -1"),
+        (0x000201, "has one of its spare bits set, 14 to 17"),
+        (0x00D001, "has station code 1101, which is that of none"),
+        (0x000C01, "opens and closes the prong at once"),
+        (0x000000, "has 0 modes set; it has to have 1"),
+        (0x000003, "has 2 modes set"),
+    ],
+)
+def test_a_word_that_says_nothing_is_refused(word: int, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        decode_control(word)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ({"mode": 5}, "mode is 5; it has to be 1, 2, 3 or 4"),
+        ({"station": "Z"}, "no code for station 'Z'; only for A, B"),
+        ({"zoom": 2}, "zoom is 2; it has to be -1, 0 or 1"),
+        ({"pan": 1, "tilt": -1}, "one sign for pan and tilt"),
+    ],
+)
+def test_what_has_no_code_is_refused(wrong: dict[str, Any], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        encode_control(ControlWord(**{"mode": 1, "station": "A", **wrong}))
+
+
+@pytest.mark.parametrize(
+    ("value", "scale", "word"),
+    [
+        (0.0, 0, 0x000000),
+        (0.5, 0, 0x400000),
+        (-0.5, 0, 0xC00000),
+        (-1.0, 0, 0x800000),
+        (1.0, 0, 0x7FFFFF),
+        (1.0, 1, 0x400000),
+        (-1.0, 1, 0xC00000),
+        (1.0, 11, 0x001000),
+        (-2048.0, 11, 0x800000),
+        (2.0**-23, 0, 0x000001),
+        (-(2.0**-23), 0, 0xFFFFFF),
+    ],
+)
+def test_a_number_stands_in_its_word_as_by_hand(value: float, scale: int, word: int) -> None:
+    assert fixed(value, scale, "it") == word
+
+
+@given(st.sampled_from([0, 1, 11]), st.integers(0, 2**24 - 1))
+def test_every_word_is_that_of_its_number(scale: int, word: int) -> None:
+    assert fixed(number(word, scale), scale, "it") == word
+
+
+@given(st.sampled_from([0, 1, 11]), st.floats(-1.0, 1.0))
+def test_a_number_is_rounded_by_half_a_step(scale: int, share: float) -> None:
+    step = 2.0 ** (scale - 23)
+    value = share * 2.0**scale
+    assume(share < 1.0 - 2.0**-23)
+    assert abs(number(fixed(value, scale, "it"), scale) - value) <= 0.5 * step
+
+
+@pytest.mark.parametrize("value", [2048.1, -2048.1, math.nan, math.inf])
+def test_a_number_that_its_scale_cannot_hold_is_refused_by_name(value: float) -> None:
+    plane = WordPlane((0.0, 0.0, -1.0), value * 0.3048)
+    with pytest.raises(InputError, match=r"distance of plane 2 \[ft\] is .*; a word at scale B11 holds -2048 to 2048"):
+        encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (LEVEL, plane, LEVEL)))
+
+
+def test_a_frame_block_by_hand() -> None:
+    """HO = 90 deg, PO = -30 deg, plane 1 X = 8 ft, the others Z = 0 from below."""
+    angles = (math.pi / 2, -math.pi / 6, 0.0, 0.0, 0.0, math.pi)
+    plane = WordPlane((1.0, 0.0, 0.0), 8 * 0.3048)
+    words = encode_block(FrameBlock(ControlWord(1, "A"), angles, (plane, LEVEL, LEVEL)))
+    assert len(words) == 32
+    assert words[0] == 1
+    assert words[1:5] == (0x400000, 0, 0xE00000, round(math.sqrt(0.75) * 2**22))
+    assert words[5:13] == (0, 0x400000, 0, 0x400000, 0, 0x400000, 0, 0xC00000)
+    assert words[13:17] == (0x7FFFFF, 0, 0, 8 << 12)
+    assert words[17:25] == (0, 0, 0x800000, 0) * 2
+    assert words[25:] == (0,) * 7
+
+
+units = st.tuples(*[st.floats(-1.0, 1.0)] * 3).filter(lambda v: math.hypot(*v) > 0.1)
+planes = st.builds(
+    lambda v, d: WordPlane((v[0] / math.hypot(*v), v[1] / math.hypot(*v), v[2] / math.hypot(*v)), d),
+    units,
+    st.floats(-600.0, 600.0),
+)
+
+
+@given(controls, st.tuples(*[st.floats(-3.2, 3.2)] * 6), st.tuples(*[planes | st.none()] * 3))
+def test_a_frame_block_says_what_it_was_told(
+    control: ControlWord,
+    angles: tuple[float, float, float, float, float, float],
+    three: tuple[WordPlane | None, WordPlane | None, WordPlane | None],
+) -> None:
+    block = decode_block(encode_block(FrameBlock(control, angles, three)))
+    assert block.control == control
+    for got, told in zip(block.angles, angles, strict=True):
+        assert math.remainder(got - told, math.tau) == pytest.approx(0.0, abs=2.0**-21)
+    for plane, given_plane in zip(block.planes, three, strict=True):
+        if plane is None or given_plane is None:
+            assert plane is given_plane
+            continue
+        assert plane.normal == pytest.approx(given_plane.normal, abs=2.0**-23)
+        assert plane.distance == pytest.approx(given_plane.distance, abs=0.3048 * 2.0**-13)
+
+
+def test_a_block_that_says_nothing_is_refused() -> None:
+    words = list(encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (LEVEL, LEVEL, LEVEL))))
+    with pytest.raises(InputError, match="a frame block has 32 words; 31 are given"):
+        decode_block(words[:-1])
+    with pytest.raises(InputError, match="sine and cosine of PO: the sum of squares is 0"):
+        decode_block([*words[:4], 0, *words[5:]])
+    with pytest.raises(InputError, match="word 5 of the frame block is 16777216"):
+        decode_block([*words[:4], 1 << 24, *words[5:]])
+    with pytest.raises(InputError, match="the normal of plane 1: the sum of squares is 4"):
+        encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (WordPlane((2.0, 0.0, 0.0), 0.0), LEVEL, LEVEL)))

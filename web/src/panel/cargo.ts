@@ -1,0 +1,39 @@
+/** The payloads of the worksite: what holds each, and how fast it moves. */
+
+import { small } from '../format';
+import type { CargoFrame } from '../protocol';
+import { el, group, setAbout, setText } from './dom';
+import type { Desk, Part } from './part';
+
+/** The report's modes, by their numbers from 1 on. */
+export const TASKS = ['Acquire', 'Extract', 'Manoeuvre', 'Docked'] as const;
+const DOING = ['acquisition', 'extraction', 'manoeuvring', 'docked'] as const;
+const ROWS = 3;
+
+export function cargoGroup({ welcome }: Desk): Part {
+  const rows = welcome.work.cargo.slice(0, ROWS).map((name) => {
+    const state = el('td', { class: 'state' });
+    const speed = el('td', { class: 'speed' });
+    const row = el('tr', {}, el('th', { scope: 'row', title: name }, name), state, speed);
+    return { name, state, speed, row };
+  });
+  const table = el('table', {}, el('tbody', {}, ...rows.map(({ row }) => row)));
+  const element = group('cargo', rows.length === 1 ? 'Payload' : 'Payloads', table);
+  return {
+    element,
+    values({ frame, units: { creep } }) {
+      setAbout(element, `mode ${frame.work.task}, ${DOING[frame.work.task - 1] ?? ''}`);
+      for (const { name, state, speed } of rows) {
+        const cargo = frame.work.cargo.find((each) => each.name === name);
+        setText(state, cargo ? whereIs(cargo) : '–');
+        setText(speed, cargo ? `${small(cargo.speed, creep)} ${creep.name}` : '');
+      }
+    },
+  };
+}
+
+/** What a payload is fixed to: the arm, a seat, both, or nothing. */
+export function whereIs({ held, seat }: CargoFrame): string {
+  if (!held) return seat === '' ? 'free' : seat;
+  return seat === '' ? 'in the grasp' : `in the grasp, ${seat}`;
+}

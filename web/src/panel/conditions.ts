@@ -1,0 +1,113 @@
+/** What has to hold before something is captured, docked or latched: each with its limit, the worst first. */
+
+import { degrees, fixed, small } from '../format';
+import { nameOf } from '../input/layout';
+import type { Condition, WorkFrame } from '../protocol';
+import type { Units } from '../units';
+import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
+import type { Part } from './part';
+import { Ranking } from './ranking';
+
+/** Cells that there is room for. */
+const MOST = 6;
+/** Length of a bar; its limit stands in the middle. */
+const LENGTH = 100;
+
+export function conditionsGroup(): Part {
+  const cells = Array.from({ length: MOST }, cell);
+  const element = group(
+    'conditions',
+    'Conditions',
+    el('ol', { class: 'cells' }, ...cells.map((each) => each.element)),
+  );
+  const title = element.querySelector('h2 b');
+  const ranking = new Ranking();
+  let shown: readonly Condition[] = [];
+  return {
+    element,
+    bars({ frame }) {
+      const { conditions } = frame.work;
+      ranking.learn(conditions);
+      shown = ranking.order(conditions, frame.time_s).slice(0, MOST);
+      cells.forEach((each, i) => {
+        const condition = shown[i];
+        if (condition) each.fill(ranking.part(condition));
+      });
+    },
+    values({ frame, units }) {
+      const { pursuit, conditions } = frame.work;
+      if (title) setText(title, pursuit || 'Conditions');
+      cells.forEach((each, i) => {
+        each.set(shown[i], units);
+      });
+      const met = conditions.length > 0 && conditions.every(({ holds }) => holds);
+      setClass(element, 'met', met);
+      setAbout(
+        element,
+        met ? `all met${whatNow(frame.work)}` : (shown.find(({ holds }) => !holds)?.text ?? ''),
+      );
+    },
+  };
+}
+
+/** What the operator does once all conditions are met; nothing where it happens by itself. */
+export function whatNow({ pursuit, hand, cargo }: Pick<WorkFrame, 'pursuit' | 'hand' | 'cargo'>): string {
+  if (/\b(latch|berth)/.test(pursuit)) return `: latch, hold ${nameOf('KeyT')}`;
+  const grasping = !cargo.some(({ held }) => held);
+  return grasping && hand.carriage !== null ? `: squeeze, hold ${nameOf('KeyG')}` : '';
+}
+
+function cell() {
+  const name = el('span', { class: 'name' });
+  const value = el('b');
+  const unit = el('span', { class: 'unit' });
+  const tick = el('i', { class: 'tick', 'aria-label': 'met' });
+  const fill = svg('rect', { class: 'fill', x: '0', y: '3', width: '0', height: '4' });
+  const element = el(
+    'li',
+    {},
+    name,
+    el('span', { class: 'value' }, value, ' ', unit, tick),
+    svg(
+      'svg',
+      { viewBox: `0 0 ${LENGTH} 10`, preserveAspectRatio: 'none', 'aria-hidden': 'true' },
+      svg('rect', { class: 'track', x: '0', y: '3', width: String(LENGTH), height: '4' }),
+      fill,
+      svg('path', { class: 'limit', d: `M${LENGTH / 2} 0V10` }),
+    ),
+  );
+  return {
+    element,
+    /** `part` of the bar; its middle is the limit. */
+    fill(part: number) {
+      setAttribute(fill, 'width', (part * LENGTH).toFixed(1));
+    },
+    set(condition: Condition | undefined, units: Units) {
+      element.hidden = condition === undefined;
+      if (!condition) return;
+      const shown = figures(condition, units);
+      setText(name, condition.name);
+      setText(value, shown.value);
+      setText(unit, shown.unit);
+      setClass(element, 'holds', condition.holds);
+      setAttribute(element, 'title', condition.text);
+    },
+  };
+}
+
+/** A condition's value in the operator's units. */
+export function figures({ value, unit }: Condition, units: Units): { value: string; unit: string } {
+  if (!Number.isFinite(value)) return { value: '–', unit: '' };
+  switch (unit) {
+    case 'm':
+      return { value: small(value, units.gap), unit: units.gap.name };
+    case 'm/s':
+      return { value: small(value, units.creep), unit: units.creep.name };
+    case 'rad':
+      return { value: degrees(value, 1, false), unit: '°' };
+    case 'rad/s':
+      return { value: degrees(value, 2, false), unit: '°/s' };
+    default:
+      return { value: fixed(value, Number.isInteger(value) ? 0 : 1, false), unit };
+  }
+}

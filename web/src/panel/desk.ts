@@ -1,0 +1,102 @@
+/** The desk's groups, flown and replayed: which stand where, and which give way to others. */
+
+import type { Pad } from '../input/gamepad';
+import type { GripAction } from '../input/keymap';
+import type { Level } from '../protocol';
+import { cargoGroup } from './cargo';
+import { clearanceGroup } from './clearance';
+import { conditionsGroup } from './conditions';
+import { el, setClass } from './dom';
+import { effectorGroup } from './effector';
+import type { EventsGroup } from './events';
+import { joints } from './joints';
+import { limits } from './limits';
+import { masterGroup } from './master';
+import { type ModeGroup, modeGroup } from './mode';
+import type { Desk, View } from './part';
+import { resolution } from './resolution';
+import { rhc } from './rhc';
+import { singularity } from './singularity';
+import { type TargetGroup, targetGroup } from './target';
+import { thc } from './thc';
+
+export interface DeskListener {
+  /** Shows or hides the separating plane. */
+  plane(): void;
+  /** Hands the THC to the orbiter, or back to the arm. */
+  flyOrbiter(on: boolean): void;
+}
+
+export interface Groups {
+  /** The groups in the order of the focus: the upper row from the left, then the lower one. */
+  readonly elements: readonly HTMLElement[];
+  readonly mode: ModeGroup;
+  readonly target: TargetGroup;
+  /** What the present clearance calls for. */
+  clearance(): Level;
+  setPlane(on: boolean): void;
+  grip(action: GripAction): void;
+  /** Puts the master arm where the arm is. */
+  meetMaster(): void;
+  bars(view: View): void;
+  values(view: View): void;
+}
+
+export function deskGroups(desk: Desk, events: EventsGroup, pad: Pad, listener: DeskListener): Groups {
+  const target = targetGroup(desk);
+  const master = masterGroup(desk);
+  const mode = modeGroup(desk, () => target.proceed());
+  const clearance = clearanceGroup(desk, () => listener.plane());
+  const effector = effectorGroup(desk);
+  const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
+  const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
+  const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc(desk, pad)];
+  const own = joints(desk);
+  const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
+  const last = singularity();
+  const parts = [...upper, effector, acting, cargo, conditions, last];
+  const row = el(
+    'div',
+    { class: 'lower' },
+    events.element,
+    effector.element,
+    resting,
+    conditions.element,
+    last.element,
+  );
+  const elements = [...upper.map(({ element }) => element), row];
+  cargo.element.hidden = desk.welcome.work.cargo.length === 0;
+  setClass(resting, 'alone', cargo.element.hidden);
+
+  /** Each of these stands in the other's place, where it is the one that matters. */
+  function give(view: View): void {
+    const kind = (position: string) => desk.welcome.modes.find((each) => each.position === position)?.kind;
+    const entered = kind(view.frame.mode);
+    const automatic = entered === 'automatic' || mode.inView()?.kind === 'automatic';
+    target.element.hidden = !automatic;
+    turns.element.hidden = automatic;
+    setClass(clearance.element, 'narrow', automatic);
+    master.element.hidden = entered !== 'master';
+    own.element.hidden = entered === 'master';
+    const pursuing = view.frame.work.conditions.length > 0;
+    conditions.element.hidden = !pursuing;
+    resting.hidden = pursuing;
+  }
+
+  return {
+    elements,
+    mode,
+    target,
+    clearance: () => clearance.level,
+    setPlane: (on) => clearance.setPlane(on),
+    grip: (action) => effector.grip(action),
+    meetMaster: () => master.meet(),
+    bars(view) {
+      for (const part of parts) part.bars?.(view);
+    },
+    values(view) {
+      for (const part of parts) part.values?.(view);
+      give(view);
+    },
+  };
+}

@@ -1,0 +1,70 @@
+/** The end effector: its switches and flags, and the seat that holds a payload; what is held to act. */
+
+import type { GripAction } from '../input/keymap';
+import type { HandFrame, WorkFrame } from '../protocol';
+import type { Units } from '../units';
+import { group, setAbout } from './dom';
+import type { HoldButton } from './hold-button';
+import type { Desk, Part } from './part';
+import { prong } from './prong';
+import { seat } from './seat';
+import { snares } from './snares';
+
+export interface EffectorGroup extends Part {
+  /** A grip's key or button went down or up. */
+  grip(action: GripAction): void;
+}
+
+/** One kind of end effector. */
+export interface Hand {
+  readonly element: HTMLElement;
+  /** What is held to close and to open it. */
+  readonly close: HoldButton;
+  readonly open: HoldButton;
+  /** Whether a press of either stops it now, before anything is held. */
+  stops(hand: HandFrame): boolean;
+  bars(hand: HandFrame): void;
+  set(hand: HandFrame, units: Units): void;
+}
+
+export function effectorGroup(desk: Desk): EffectorGroup {
+  const { work } = desk.welcome;
+  const hand = work.hand === 'prong' ? prong(desk) : snares(desk);
+  const seats = work.seats.length > 0 && work.cargo.length > 0 ? seat(desk) : null;
+  const element = group('effector', 'End effector', hand.element, ...(seats ? [seats.element] : []));
+  element.classList.add(work.hand);
+  let latest: WorkFrame | null = null;
+
+  function grip({ grip: which, down, at }: GripAction): void {
+    if (which === 'latch') {
+      if (down) seats?.keyed().press(at);
+      else seats?.lift(at);
+      return;
+    }
+    if (!down) hand[which].lift(at);
+    else if (latest && hand.stops(latest.hand)) desk.send({ type: 'effector', switch: 'stop' });
+    else hand[which].press(at);
+  }
+
+  return {
+    element,
+    grip,
+    bars({ frame }) {
+      latest = frame.work;
+      hand.bars(frame.work.hand);
+      seats?.tick();
+    },
+    values({ frame, units }) {
+      hand.set(frame.work.hand, units);
+      seats?.set(frame.work);
+      setAbout(element, graspWords(frame.work));
+    },
+  };
+}
+
+/** What the end effector holds. */
+export function graspWords({ cargo }: Pick<WorkFrame, 'cargo'>): string {
+  const held = cargo.find((each) => each.held);
+  if (!held) return cargo.length > 0 ? 'empty' : '';
+  return `${held.name} in the grasp`;
+}

@@ -1,0 +1,61 @@
+/** A button that acts once it was held for a while, by pointer, by Enter, or by a key of its own. */
+
+import { Hold } from '../input/hold';
+import { nameOf } from '../input/layout';
+import { el, setText } from './dom';
+
+export interface HoldButton {
+  readonly element: HTMLButtonElement;
+  /** It went down, or came up, at `at` [ms, as performance.now()]. */
+  press(at: number): void;
+  lift(at: number): void;
+  /** Fills with the time gone; acts when that is over. */
+  tick(): void;
+}
+
+/** `code`: the key that the operator holds instead; empty: none. */
+export function holdButton(label: string, code: string, seconds: number, act: () => void): HoldButton {
+  const hold = new Hold(seconds, act);
+  const fill = el('i', { class: 'fill' });
+  const key = el('small');
+  const element = el(
+    'button',
+    {
+      type: 'button',
+      class: 'hold-button',
+      title: `Hold ${seconds} s`,
+      'aria-label': `${label}, hold ${seconds} s`,
+    },
+    fill,
+    el('b', {}, label),
+    key,
+  );
+  let filled = 0;
+  element.addEventListener('pointerdown', ({ timeStamp }) => hold.press(timeStamp));
+  for (const ends of ['pointerup', 'pointerleave', 'pointercancel', 'blur'] as const) {
+    element.addEventListener(ends, ({ timeStamp }) => hold.lift(timeStamp));
+  }
+  element.addEventListener('keydown', (event) => {
+    if (event.key !== 'Enter') return;
+    event.preventDefault();
+    if (!event.repeat) hold.press(event.timeStamp);
+  });
+  element.addEventListener('keyup', (event) => {
+    if (event.key === 'Enter') hold.lift(event.timeStamp);
+  });
+  element.addEventListener('click', (event) => {
+    if (event.detail > 0) element.blur();
+    else act(); // neither pointer nor key: an assistive device, which cannot hold
+  });
+  return {
+    element,
+    press: (at) => hold.press(at),
+    lift: (at) => hold.lift(at),
+    tick() {
+      const part = hold.tick(performance.now());
+      if (part !== filled) fill.style.transform = `scaleX(${part.toFixed(3)})`;
+      filled = part;
+      if (code) setText(key, nameOf(code));
+    },
+  };
+}

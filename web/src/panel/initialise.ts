@@ -1,0 +1,47 @@
+/** The report's INITIALISE: where the problem begins anew, in a list that opens under its key. */
+
+import type { ProblemPart } from '../protocol';
+import { button, el } from './dom';
+import type { Desk } from './part';
+
+const ABOUT: Readonly<Record<ProblemPart, string>> = {
+  'full problem': 'From the first instant of the problem',
+  acquisition: 'Mode 1: the end effector over the payload',
+  extraction: 'Mode 2: the payload held, still in its place',
+  manoeuvring: 'Mode 3: the payload held, clear of the bay',
+};
+
+export interface Initialise {
+  readonly element: HTMLElement;
+  close(): void;
+}
+
+export function initialise({ welcome, send }: Desk): Initialise {
+  const parts = welcome.work.parts.map((part) =>
+    button({ title: ABOUT[part] }, [part], () => {
+      send({ type: 'initialise', part });
+      open(false);
+    }),
+  );
+  const list = el(
+    'div',
+    { class: 'choices', role: 'group', 'aria-label': 'Part of the problem', hidden: '' },
+    ...parts,
+  );
+  const key = button(
+    { 'aria-expanded': 'false', title: 'Begins a part of the problem anew' },
+    ['Initialise'],
+    () => open(list.hidden === true),
+  );
+  const open = (on: boolean) => {
+    list.hidden = !on;
+    key.setAttribute('aria-expanded', String(on));
+  };
+  const element = el('div', { class: 'initialise' }, key, list);
+  element.hidden = parts.length === 0;
+  // It closes as the focus or a pointer goes elsewhere.
+  element.addEventListener('focusout', ({ relatedTarget }) => {
+    if (relatedTarget instanceof Node && !element.contains(relatedTarget)) open(false);
+  });
+  return { element, close: () => open(false) };
+}

@@ -1,0 +1,90 @@
+/** Where a label goes beside a line in a picture. All in px from the picture's top left. */
+
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+export interface Box {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+/** From the line to the label's nearer edge. */
+const APART = 12;
+/** From the picture's edge. */
+const MARGIN = 6;
+
+/** The part of a line that lies in a box; null where none does. */
+export function clipped(a: Point, b: Point, box: Box): readonly [Point, Point] | null {
+  const [dx, dy] = [b.x - a.x, b.y - a.y];
+  let [from, to] = [0, 1];
+  for (const [step, room] of [
+    [-dx, a.x - box.left],
+    [dx, box.right - a.x],
+    [-dy, a.y - box.top],
+    [dy, box.bottom - a.y],
+  ] as const) {
+    if (step === 0) {
+      if (room < 0) return null;
+    } else if (step < 0) from = Math.max(from, room / step);
+    else to = Math.min(to, room / step);
+  }
+  if (from > to) return null;
+  return [
+    { x: a.x + from * dx, y: a.y + from * dy },
+    { x: a.x + to * dx, y: a.y + to * dy },
+  ];
+}
+
+/**
+ * Top left of a label beside the middle of a line: on the side away from the picture's middle, as what is worked on
+ * is mostly there, else wherever it fits and covers nothing of `taken`.
+ */
+export function labelPlace(
+  ends: readonly [Point, Point],
+  label: Size,
+  picture: Size,
+  taken: readonly Box[],
+): Point {
+  const [a, b] = ends;
+  const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+  const reach = { x: Math.abs(a.x - b.x) / 2 + APART, y: Math.abs(a.y - b.y) / 2 + APART };
+  const beside = middle.y - label.height / 2;
+  const over = middle.x - label.width / 2;
+  const left = { x: middle.x - reach.x - label.width, y: beside };
+  const right = { x: middle.x + reach.x, y: beside };
+  const above = { x: over, y: middle.y - reach.y - label.height };
+  const below = { x: over, y: middle.y + reach.y };
+  const sides = middle.x < picture.width / 2 ? [left, right] : [right, left];
+  const ways = middle.y < picture.height / 2 ? [above, below] : [below, above];
+  const places = [...sides, ...ways];
+  const fits = ({ x, y }: Point) => {
+    const box = { left: x, top: y, right: x + label.width, bottom: y + label.height };
+    return isInside(box, picture) && !taken.some((each) => overlap(box, each));
+  };
+  return places.find(fits) ?? into(places[0] ?? middle, label, picture);
+}
+
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+function isInside(box: Box, { width, height }: Size): boolean {
+  return (
+    box.left >= MARGIN && box.top >= MARGIN && box.right <= width - MARGIN && box.bottom <= height - MARGIN
+  );
+}
+
+function overlap(a: Box, b: Box): boolean {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+/** The nearest place that lies in the picture. */
+function into({ x, y }: Point, label: Size, picture: Size): Point {
+  const within = (value: number, most: number) => Math.max(MARGIN, Math.min(most - MARGIN, value));
+  return { x: within(x, picture.width - label.width), y: within(y, picture.height - label.height) };
+}

@@ -1,0 +1,53 @@
+/** The switch that fixes a payload in its seat, or frees it: retention latches, docking port. */
+
+import type { WorkFrame } from '../protocol';
+import { el, setClass, setText } from './dom';
+import { type HoldButton, holdButton } from './hold-button';
+import type { Desk } from './part';
+
+/** Held so long to latch or to unlatch [s]. */
+const LATCH_S = 1;
+
+export interface Seat {
+  readonly element: HTMLElement;
+  /** The button that the key presses now. */
+  keyed(): HoldButton;
+  /** Whichever it pressed comes up: by then the other may be the one. */
+  lift(at: number): void;
+  tick(): void;
+  set(work: WorkFrame): void;
+}
+
+export function seat(desk: Desk): Seat {
+  const latch = holdButton('Latch', 'KeyT', LATCH_S, () => desk.send({ type: 'latch', latch: 'latch' }));
+  const unlatch = holdButton('Unlatch', 'KeyT', LATCH_S, () =>
+    desk.send({ type: 'latch', latch: 'unlatch' }),
+  );
+  const where = el('span', { class: 'where' });
+  let fixed = false;
+  return {
+    element: el('div', { class: 'seat' }, latch.element, unlatch.element, where),
+    keyed: () => (fixed ? unlatch : latch),
+    lift(at) {
+      latch.lift(at);
+      unlatch.lift(at);
+    },
+    tick() {
+      latch.tick();
+      unlatch.tick();
+    },
+    set(work) {
+      const at = seatNow(work);
+      fixed = at !== '';
+      setText(where, at === '' ? 'in no seat' : at);
+      setClass(latch.element, 'keyed', !fixed);
+      setClass(unlatch.element, 'keyed', fixed);
+    },
+  };
+}
+
+/** The seat of the payload that is held, else of any; empty where that is in none. */
+export function seatNow({ cargo }: Pick<WorkFrame, 'cargo'>): string {
+  const held = cargo.find((each) => each.held);
+  return held ? held.seat : (cargo.find((each) => each.seat !== '')?.seat ?? '');
+}

@@ -1,0 +1,63 @@
+/** What touches, what that inhibits, and what frees it, in a few lines. */
+
+import { small } from '../format';
+import type { WorkFrame } from '../protocol';
+import type { Units } from '../units';
+import { el } from './dom';
+
+export interface Line {
+  readonly text: string;
+  readonly level: 'info' | 'caution' | 'warning';
+}
+
+export interface Touching {
+  readonly element: HTMLElement;
+  /** Writes the lines of a frame; returns whether any of them calls for the operator. */
+  set(work: WorkFrame, units: Units): boolean;
+}
+
+export function touching(): Touching {
+  const list = el('ul', { class: 'touching' });
+  let shown = '';
+  return {
+    element: list,
+    set(work, units) {
+      const lines = linesOf(work, units);
+      const key = lines.map(({ level, text }) => `${level} ${text}`).join('\n');
+      if (key !== shown) {
+        shown = key;
+        list.replaceChildren(
+          ...lines.map(({ level, text }) =>
+            el('li', { class: level, title: text }, el('i', { class: 'sign' }), el('span', {}, text)),
+          ),
+        );
+      }
+      return lines.some(({ level }) => level !== 'info');
+    },
+  };
+}
+
+/** Detrimental contacts, deepest first; what frees the arm of them; the contacts that are made to be, in one line. */
+export function linesOf({ contacts, inhibits }: WorkFrame, { gap }: Units): readonly Line[] {
+  const harmful = contacts
+    .filter(({ essential }) => !essential)
+    .sort((a, b) => a.clearance - b.clearance)
+    .map(({ a, b, clearance }) => {
+      const deep = clearance < 0 ? `, ${small(-clearance, gap)} ${gap.name} deep` : '';
+      return { touch: `${a} touches ${b}`, deep };
+    });
+  // What is told above in the operator's units is not told again.
+  const rest = inhibits.filter((text) => !harmful.some(({ touch }) => text.startsWith(touch)));
+  const essential = contacts.filter((each) => each.essential).map(({ a, b }) => `${a} – ${b}`);
+  return [
+    ...harmful.map(({ touch, deep }): Line => ({ text: sentence(touch + deep), level: 'warning' })),
+    ...rest.map((text): Line => ({ text: sentence(text), level: 'caution' })),
+    ...essential
+      .slice(0, 1)
+      .map((): Line => ({ text: `Made to touch: ${essential.join(', ')}`, level: 'info' })),
+  ];
+}
+
+function sentence(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}

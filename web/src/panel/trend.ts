@@ -1,0 +1,46 @@
+/** The last minute of a quantity, as a curve that grows from the right. */
+
+/** Length of the curve [s], and the least time between two of its points. */
+export const SPAN_S = 60;
+const SPACING_S = 0.25;
+/** Time that goes on by more than this was put there, by a restart or a replay's playhead [s]. */
+const LEAP_S = 5;
+
+interface Sample {
+  readonly time: number;
+  readonly value: number | null;
+}
+
+export class Trend {
+  private samples: Sample[] = [];
+
+  /** The value at `time` [s], null where there is none. */
+  add(time: number, value: number | null): void {
+    const last = this.samples.at(-1);
+    if (last && (time < last.time || time - last.time > LEAP_S)) this.samples = [];
+    else if (last && time - last.time < SPACING_S) return;
+    this.samples.push({ time, value });
+    this.samples = this.samples.filter((sample) => time - sample.time <= SPAN_S);
+  }
+
+  /** Greatest value of the last minute. */
+  get greatest(): number {
+    return Math.max(0, ...this.samples.map(({ value }) => value ?? 0));
+  }
+
+  /** An SVG path over a width of 1, now at its right, and a height of 1, `top` at its upper edge. */
+  path(now: number, top: number): string {
+    let pen = 'M';
+    let text = '';
+    for (const { time, value } of this.samples) {
+      if (value === null) {
+        pen = 'M';
+        continue;
+      }
+      const height = Math.min(1, Math.max(0, value / top));
+      text += `${pen}${(1 - (now - time) / SPAN_S).toFixed(4)} ${(1 - height).toFixed(4)}`;
+      pen = 'L';
+    }
+    return text;
+  }
+}

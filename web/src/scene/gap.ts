@@ -1,0 +1,188 @@
+import {
+  type Box3,
+  BufferGeometry,
+  DoubleSide,
+  Float32BufferAttribute,
+  LineBasicMaterial,
+  LineLoop,
+  Mesh,
+  MeshBasicMaterial,
+  Object3D,
+  ShaderMaterial,
+  type Scene as Stage,
+  Vector2,
+  Vector3,
+} from 'three';
+import type { Near } from '../protocol';
+import type { Body } from './bodies';
+
+/** Width of the line and of its edge [CSS px]. */
+const WIDTH = 2;
+const EDGE = 1.5;
+/** A body this near to a point is one of the two that the point lies between [m]. */
+const NEAR = 0.3;
+/** Sides of the plane [m]. */
+const LEAST = 0.6;
+const GREATEST = 6;
+
+const UP = new Vector3(0, 0, 1);
+const FORE = new Vector3(1, 0, 0);
+const point = new Vector3();
+const size = new Vector3();
+
+/** The line is widened on the screen; an end behind the camera is moved to just before it. */
+const vertexShader = /* glsl */ `
+  uniform vec3 a, b;
+  uniform vec2 viewport;
+  uniform float halfWidth;
+  varying float side;
+  void main() {
+    vec4 p = modelViewMatrix * vec4(a, 1.0), q = modelViewMatrix * vec4(b, 1.0);
+    const float nearest = -0.09;
+    if (p.z > nearest) p = mix(q, p, (nearest - q.z) / (p.z - q.z));
+    if (q.z > nearest) q = mix(p, q, (nearest - p.z) / (q.z - p.z));
+    vec4 start = projectionMatrix * p, end = projectionMatrix * q;
+    vec2 along = (end.xy / end.w - start.xy / start.w) * viewport;
+    vec2 way = length(along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
+    gl_Position = position.x < 0.5 ? start : end;
+    gl_Position.xy += position.y * vec2(-way.y, way.x) * halfWidth * 2.0 / viewport * gl_Position.w;
+    gl_Position.z -= 2e-5 * gl_Position.w;
+    side = position.y;
+  }`;
+
+const fragmentShader = /* glsl */ `
+  uniform vec3 colour;
+  uniform float core;
+  varying float side;
+  void main() {
+    gl_FragColor = vec4(abs(side) < core ? colour : vec3(0.0), 1.0);
+  }`;
+
+/** The line across the narrowest gap where nothing hides it, and, on demand, the plane that separates the two. */
+export class Gap {
+  private readonly line = new Mesh(quad(), strokeMaterial());
+  private readonly plane = new Object3D();
+  private readonly fill = new MeshBasicMaterial({
+    color: '#d9dbdc',
+    transparent: true,
+    opacity: 0.16,
+    side: DoubleSide,
+    depthWrite: false,
+    toneMapped: false,
+  });
+  private readonly rim = new LineBasicMaterial({
+    color: '#ffffff',
+    transparent: true,
+    opacity: 0.7,
+    toneMapped: false,
+  });
+  private readonly square = square();
+  private readonly boxes: readonly Box3[];
+
+  constructor(
+    stage: Stage,
+    private readonly bodies: readonly Body[],
+  ) {
+    this.boxes = bodies.map((body) => body.box());
+    this.line.frustumCulled = false;
+    this.line.renderOrder = 2;
+    this.plane.add(new Mesh(this.square, this.fill), new LineLoop(this.square, this.rim));
+    for (const part of this.plane.children) part.renderOrder = 1;
+    stage.add(this.line, this.plane);
+    this.set(null, '#ffffff', false);
+  }
+
+  /** Draws the gap of a pair in a colour; null: none. `plane`: with the separating plane. */
+  set(near: Near | null, colour: string, plane: boolean): void {
+    this.line.visible = near !== null;
+    this.plane.visible = plane && near !== null && Math.hypot(...near.normal) > 0;
+    if (!near) return;
+    const { uniforms } = this.line.material;
+    uniforms['a']?.value.set(...near.point_a);
+    uniforms['b']?.value.set(...near.point_b);
+    uniforms['colour']?.value.set(...rgb(colour));
+    if (this.plane.visible) this.turn(near);
+  }
+
+  /** A picture of this size is drawn next [CSS px]. */
+  fit(width: number, height: number): void {
+    this.line.material.uniforms['viewport']?.value.set(width, height);
+  }
+
+  dispose(): void {
+    this.line.geometry.dispose();
+    this.line.material.dispose();
+    this.square.dispose();
+    this.fill.dispose();
+    this.rim.dispose();
+    this.line.removeFromParent();
+    this.plane.removeFromParent();
+  }
+
+  /** Puts the square halfway between the two, as large as the smaller of them. */
+  private turn(near: Near): void {
+    const { plane } = this;
+    const normal = new Vector3(...near.normal);
+    plane.position.set(...near.plane);
+    plane.up.copy(Math.abs(normal.dot(UP)) > 0.9 ? FORE : UP);
+    plane.lookAt(normal.add(plane.position));
+    const side = Math.min(this.sizeAt(near.point_a), this.sizeAt(near.point_b));
+    plane.scale.setScalar(Math.min(GREATEST, Math.max(LEAST, side)));
+    plane.updateMatrixWorld(true);
+  }
+
+  /** Length of the smallest body at a point of the scene. */
+  private sizeAt(at: Near['point_a']): number {
+    let least = Number.POSITIVE_INFINITY;
+    this.bodies.forEach(({ group }, i) => {
+      const box = this.boxes[i];
+      if (!box || box.isEmpty()) return;
+      point.set(...at);
+      if (box.distanceToPoint(group.worldToLocal(point)) > NEAR) return;
+      least = Math.min(least, Math.max(...box.getSize(size).toArray()));
+    });
+    return least;
+  }
+}
+
+/** x: which end; y: which side. */
+function quad(): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new Float32BufferAttribute([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0], 3));
+  geometry.setIndex([0, 1, 2, 0, 2, 3]);
+  return geometry;
+}
+
+/** A square of side 1 across z. */
+function square(): BufferGeometry {
+  const geometry = new BufferGeometry();
+  const corners = [-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0];
+  geometry.setAttribute('position', new Float32BufferAttribute(corners, 3));
+  geometry.setIndex([0, 1, 2, 0, 2, 3]);
+  return geometry;
+}
+
+function strokeMaterial(): ShaderMaterial {
+  const half = WIDTH / 2 + EDGE;
+  return new ShaderMaterial({
+    uniforms: {
+      a: { value: new Vector3() },
+      b: { value: new Vector3() },
+      viewport: { value: new Vector2(1, 1) },
+      colour: { value: new Vector3() },
+      halfWidth: { value: half },
+      core: { value: WIDTH / 2 / half },
+    },
+    vertexShader,
+    fragmentShader,
+    side: DoubleSide,
+    depthWrite: false,
+    transparent: true,
+  });
+}
+
+/** `#rrggbb` as the screen has it. */
+function rgb(colour: string): [number, number, number] {
+  const part = (from: number) => Number.parseInt(colour.slice(from, from + 2), 16) / 255;
+  return [part(1), part(3), part(5)];
+}

@@ -1,0 +1,303 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { Hold } from '../src/input/hold';
+import { whereIs } from '../src/panel/cargo';
+import { figures, whatNow } from '../src/panel/conditions';
+import { graspWords } from '../src/panel/effector';
+import { contactIn, FARTHEST, levelOf, NEAREST, placeOf } from '../src/panel/gap-scale';
+import { angleAt, BAR, place } from '../src/panel/joint-scale';
+import { clipped, labelPlace } from '../src/panel/label-place';
+import { replaced } from '../src/panel/master';
+import { isMoving } from '../src/panel/orbiter';
+import { Paced } from '../src/panel/paced';
+import { Ranking } from '../src/panel/ranking';
+import { seatNow } from '../src/panel/seat';
+import { linesOf } from '../src/panel/touching';
+import { SPAN_S, Trend } from '../src/panel/trend';
+import { drawnGap } from '../src/pictures';
+import type { CargoFrame, Condition, Near, WorkFrame } from '../src/protocol';
+import { unitsOf } from '../src/units';
+
+const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
+const THRESHOLDS = { caution: 0.6, warning: 0.15 };
+
+function near(parts: Partial<Near>): Near {
+  return { a: 'palm', b: 'bar', clearance: 0.3, closing: 0, essential: false, ...parts } as Near;
+}
+
+function condition(parts: Partial<Condition>): Condition {
+  const given = { name: 'palm height', unit: 'm', value: 0, limit: 0.1, margin: 0.1, text: '', ...parts };
+  return { ...given, holds: given.margin >= 0 };
+}
+
+function work(parts: Partial<WorkFrame>): WorkFrame {
+  return { contacts: [], inhibits: [], conditions: [], cargo: [], pursuit: '', ...parts } as WorkFrame;
+}
+
+test('the gauge is logarithmic between its ends, and stays on itself', () => {
+  expect([placeOf(NEAREST), placeOf(FARTHEST)]).toEqual([0, 1]);
+  expect([placeOf(-0.1), placeOf(0), placeOf(50)]).toEqual([0, 0, 1]);
+  expect(placeOf(Math.sqrt(NEAREST * FARTHEST))).toBeCloseTo(0.5);
+});
+
+test('a level is left only well beyond its threshold', () => {
+  expect(levelOf(0.61, THRESHOLDS)).toBe('info');
+  expect(levelOf(0.59, THRESHOLDS)).toBe('caution');
+  expect(levelOf(0.61, THRESHOLDS, 'caution')).toBe('caution');
+  expect(levelOf(0.63, THRESHOLDS, 'caution')).toBe('info');
+  expect(levelOf(0.14, THRESHOLDS)).toBe('warning');
+  expect(levelOf(0.152, THRESHOLDS, 'warning')).toBe('warning');
+  expect(levelOf(0.16, THRESHOLDS, 'warning')).toBe('caution');
+  expect(levelOf(-0.01, THRESHOLDS)).toBe('warning');
+});
+
+test('time to contact is told only while the gap closes', () => {
+  expect(contactIn(0.4, 0.02)).toBeCloseTo(20);
+  expect(contactIn(0.4, 0)).toBeNull();
+  expect(contactIn(0.4, -0.02)).toBeNull();
+  expect(contactIn(0, 0.02)).toBeNull();
+  expect(contactIn(5, 0.002)).toBeNull();
+});
+
+test('the last minute runs from the left to now, and forgets what is older', () => {
+  const trend = new Trend();
+  for (let time = 0; time <= 100; time += 0.5) trend.add(time, time / 100);
+  const path = trend.path(100, 1);
+  expect(path.startsWith('M0.0000 0.6000L')).toBe(true);
+  expect(path.endsWith('L1.0000 0.0000')).toBe(true);
+  expect(trend.greatest).toBe(1);
+  expect(path.match(/[ML]/g)).toHaveLength(2 * SPAN_S + 1);
+});
+
+test('where nothing is watched the curve has a gap, and a restart begins it anew', () => {
+  const trend = new Trend();
+  for (const [time, value] of [
+    [0, 1],
+    [1, null],
+    [2, 1],
+    [3, 0.5],
+  ] as const)
+    trend.add(time, value);
+  expect(trend.path(3, 2).match(/M/g)).toHaveLength(2);
+  trend.add(0.02, 1);
+  expect(trend.path(0.02, 2)).toBe('M1.0000 0.5000');
+});
+
+test('what inhibits stands above what is made to touch, the deepest contact first', () => {
+  const lines = linesOf(
+    work({
+      contacts: [
+        near({ a: 'prong', essential: true, clearance: 0 }),
+        near({ a: 'wrist', b: 'payload top', clearance: -0.01 }),
+        near({ b: 'payload top', clearance: -0.02 }),
+      ],
+      inhibits: ['palm touches payload top: 0.02 m deep', 'way out: THC −Z'],
+    }),
+    SI,
+  );
+  expect(lines.map(({ level }) => level)).toEqual(['warning', 'warning', 'caution', 'info']);
+  expect(lines[0]?.text).toBe('Palm touches payload top, 2.0 cm deep');
+  expect(lines[2]?.text).toBe('Way out: THC −Z');
+  expect(lines[3]?.text).toBe('Made to touch: prong – bar');
+});
+
+test('a wide gap is not drawn, nor one that is closed', () => {
+  expect(drawnGap(near({ clearance: 0.4 }))?.clearance).toBe(0.4);
+  expect([drawnGap(null), drawnGap(near({ clearance: 5 })), drawnGap(near({ clearance: -0.01 }))]).toEqual([
+    null,
+    null,
+    null,
+  ]);
+});
+
+test('conditions stand worst first, what fails before what holds', () => {
+  const ranking = new Ranking();
+  const all = [
+    condition({ name: 'roll', unit: 'rad', limit: 0.2, margin: 0.15 }),
+    condition({ name: 'distance', margin: -0.9 }),
+    condition({ name: 'tilt', unit: 'rad', limit: 0.2, margin: 0.01 }),
+    condition({ name: 'off axis', margin: -0.01 }),
+    condition({ name: 'far', value: Number.NaN, margin: Number.NaN }),
+  ];
+  ranking.learn(all);
+  expect(ranking.order(all, 0).map(({ name }) => name)).toEqual([
+    'distance',
+    'far',
+    'off axis',
+    'tilt',
+    'roll',
+  ]);
+});
+
+test('conditions keep their places for a while, unless one begins or ceases to hold', () => {
+  const ranking = new Ranking();
+  const at = (a: number, b: number) => [
+    condition({ name: 'a', margin: a }),
+    condition({ name: 'b', margin: b }),
+  ];
+  const order = (conditions: Condition[], time: number) =>
+    ranking
+      .order(conditions, time)
+      .map(({ name }) => name)
+      .join('');
+  expect(order(at(-0.3, -0.2), 0)).toBe('ab');
+  expect(order(at(-0.1, -0.2), 1)).toBe('ab');
+  expect(order(at(-0.1, -0.2), 3)).toBe('ba');
+  expect(order(at(-0.3, 0.2), 3.5)).toBe('ab');
+  expect(ranking.order(at(-0.3, 0.2), 3.6)[1]?.holds).toBe(true);
+});
+
+test('a condition’s limit is at the middle of its bar, what holds is short of it', () => {
+  const ranking = new Ranking();
+  const part = (value: number, limit: number) => {
+    const one = condition({ value, limit, margin: limit - value });
+    ranking.learn([one]);
+    return ranking.part(one);
+  };
+  expect(part(0.05, 0.1)).toBeCloseTo(0.25);
+  expect(part(0.1, 0.1)).toBeCloseTo(0.5);
+  expect(part(0.15, 0.1)).toBeCloseTo(0.75);
+  expect(part(5, 0.1)).toBe(1);
+});
+
+test('a window’s bar does not leap where the nearer bound changes', () => {
+  const ranking = new Ranking();
+  const within = (value: number) => {
+    const [limit, margin] = value > 0.05 ? [0.1, 0.1 - value] : [0, value];
+    const one = condition({ value, limit, margin });
+    ranking.learn([one]);
+    return ranking.part(one);
+  };
+  within(0.2);
+  expect(within(0.0501)).toBeCloseTo(within(0.0499), 2);
+});
+
+test('figures are in the operator’s small units', () => {
+  expect(figures(condition({ value: 0.0635 }), FEET)).toEqual({ value: '2.5', unit: 'in' });
+  expect(figures(condition({ value: 1.2 }), SI)).toEqual({ value: '120', unit: 'cm' });
+  expect(figures(condition({ value: 0.1, unit: 'rad' }), SI)).toEqual({ value: '5.7', unit: '°' });
+  expect(figures(condition({ value: 0.03, unit: 'm/s' }), SI)).toEqual({ value: '3.0', unit: 'cm/s' });
+  expect(figures(condition({ value: null as never }), SI).value).toBe('–');
+});
+
+test('once all is met the title says what to do, or nothing where it happens by itself', () => {
+  const snares = { carriage: 0 } as WorkFrame['hand'];
+  const prong = { carriage: null } as WorkFrame['hand'];
+  expect(whatNow(work({ pursuit: 'capture payload', hand: snares }))).toBe(': squeeze, hold G');
+  expect(whatNow(work({ pursuit: 'acquire payload', hand: prong }))).toBe('');
+  expect(whatNow(work({ pursuit: 'latch payload', hand: snares }))).toBe(': latch, hold T');
+});
+
+const CARGO: CargoFrame = { name: 'payload', held: false, seat: '', speed: 0 };
+
+test('a payload is in the grasp, in a seat, both, or free', () => {
+  expect(whereIs(CARGO)).toBe('free');
+  expect(whereIs({ ...CARGO, seat: 'bay' })).toBe('bay');
+  expect(whereIs({ ...CARGO, held: true })).toBe('in the grasp');
+  expect(whereIs({ ...CARGO, held: true, seat: 'bay' })).toBe('in the grasp, bay');
+  expect(graspWords({ cargo: [CARGO, { ...CARGO, name: 'beacon', held: true }] })).toBe(
+    'beacon in the grasp',
+  );
+  expect(graspWords({ cargo: [] })).toBe('');
+});
+
+test('the latch speaks of what is held, else of what is in a seat', () => {
+  const seated = { ...CARGO, seat: 'bay' };
+  expect(seatNow({ cargo: [seated, { ...CARGO, held: true }] })).toBe('');
+  expect(seatNow({ cargo: [CARGO, seated] })).toBe('bay');
+});
+
+test('a switch that is held acts once, after its time', () => {
+  const acted = vi.fn();
+  const hold = new Hold(0.3, acted);
+  hold.press(1000);
+  expect(hold.tick(1150)).toBeCloseTo(0.5);
+  expect(acted).not.toHaveBeenCalled();
+  hold.tick(1310);
+  hold.tick(1900);
+  hold.lift(2000);
+  expect(acted).toHaveBeenCalledTimes(1);
+  hold.press(3000);
+  hold.lift(3200);
+  expect(acted).toHaveBeenCalledTimes(1);
+});
+
+test('a switch held long enough acts though nobody looked meanwhile', () => {
+  const acted = vi.fn();
+  const hold = new Hold(0.3, acted);
+  hold.press(1000);
+  hold.lift(1400);
+  expect(acted).toHaveBeenCalledTimes(1);
+});
+
+beforeEach(() => {
+  vi.useFakeTimers();
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
+
+test('the master is told at most twenty times a second, and its last place always', () => {
+  const told: number[] = [];
+  const paced = new Paced<number>(50, (value) => told.push(value));
+  for (let i = 0; i < 100; i += 1) {
+    paced.put(i);
+    vi.advanceTimersByTime(10);
+  }
+  vi.advanceTimersByTime(200);
+  expect(told.length).toBeLessThanOrEqual(21);
+  expect([told[0], told.at(-1)]).toEqual([0, 99]);
+  vi.advanceTimersByTime(1000);
+  paced.put(7);
+  expect(told.at(-1)).toBe(7);
+});
+
+test('one slider moves one angle of the master', () => {
+  expect(replaced([1, 2, 3, 4, 5, 6], 2, 9)).toEqual([1, 2, 9, 4, 5, 6]);
+});
+
+test('a place on a joint’s bar is the angle that stands there', () => {
+  const joint = { hard: [-3, 3], soft: [-2.9, 2.9], reach: [-2.7, 2.7] } as const;
+  for (let at = 0; at <= BAR; at += 8.5) expect(place(joint, angleAt(joint, at))).toBeCloseTo(at);
+  expect([angleAt(joint, -5), angleAt(joint, BAR + 5)]).toEqual([-3, 3]);
+});
+
+test('the orbiter rests below a tenth of a millimetre a second', () => {
+  expect(isMoving({ orbiter_velocity: [0, 5e-5, 0] })).toBe(false);
+  expect(isMoving({ orbiter_velocity: [0, 0, -0.01] })).toBe(true);
+});
+
+const BOX = { left: 0, top: 0, right: 100, bottom: 80 };
+
+test('a line is cut off at the picture’s edges', () => {
+  expect(clipped({ x: -50, y: 40 }, { x: 50, y: 40 }, BOX)).toEqual([
+    { x: 0, y: 40 },
+    { x: 50, y: 40 },
+  ]);
+  expect(clipped({ x: 10, y: -5 }, { x: 90, y: -1 }, BOX)).toBeNull();
+  expect(clipped({ x: -30, y: 70 }, { x: 30, y: 130 }, BOX)).toBeNull();
+  expect(clipped({ x: 10, y: 10 }, { x: 10, y: 10 }, BOX)).not.toBeNull();
+});
+
+test('a label stands on the side away from the middle, inside the picture, and covers nothing', () => {
+  const picture = { width: 600, height: 400 };
+  const label = { width: 60, height: 20 };
+  const at = (x: number, y: number, taken: (typeof BOX)[] = []) =>
+    labelPlace(
+      [
+        { x, y },
+        { x: x + 20, y },
+      ],
+      label,
+      picture,
+      taken,
+    );
+  expect(at(200, 200).x + label.width).toBeLessThan(200);
+  expect(at(400, 200).x).toBeGreaterThan(420);
+  expect(at(10, 200).x).toBeGreaterThan(30);
+  const beside = { left: 100, top: 150, right: 199, bottom: 250 };
+  expect(at(200, 200, [beside]).x).toBeGreaterThan(220);
+  for (const x of [-10, 0, 300, 590, 620]) {
+    const { x: left, y: top } = at(x, 2);
+    expect(left >= 0 && top >= 0 && left + label.width <= 600 && top + label.height <= 400).toBe(true);
+  }
+});
