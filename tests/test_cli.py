@@ -104,7 +104,7 @@ def test_wrong_usage_ends_with_2_and_says_what_is_wrong(run: Run, arguments: tup
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        (("run", "nowhere"), "aftdeck: no scenario 'nowhere': built in are first-flight, "),
+        (("run", "nowhere"), "aftdeck: no scenario 'nowhere': built in are concept-1972, "),
         (("run", "nowhere.toml"), "aftdeck: nowhere.toml: cannot be read: No such file or directory"),
         (("fly", "nowhere"), "aftdeck: no scenario 'nowhere'"),
         (("fly", "--port", "70000"), "aftdeck: ports are numbered 0 to 65535, got 70000"),

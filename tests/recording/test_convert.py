@@ -12,11 +12,13 @@ from hypothesis import given, settings
 
 import aftdeck
 from aftdeck.recording.convert import DECIMALS, frame_of, frame_record, input_record, inputs_of
+from aftdeck.recording.convert_work import DECIMALS as WORK_DECIMALS
 from aftdeck.recording.records import FrameRecord, Input
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.steering.mode import MODES
+from aftdeck.worksite.report import Work
 from tests.steering.flying import scenario
 from tests.steering.test_promises import equipped, inputs, start
 
@@ -34,6 +36,10 @@ COARSER = {
 """What is recorded to seven decimals."""
 GRAIN = 0.5000001 * 10**-DECIMALS
 """Rounding of a number."""
+COARSE_WORK = 0.5000001 * 10**-WORK_DECIMALS
+"""Rounding of what is measured between bodies."""
+PLACES = {"stand", "orbiter", "orbiter_velocity", "master"}
+"""Of the worksite, what is recorded as finely as the arm."""
 TURNED = 4e-9
 """Of an attitude's matrix: each entry is made of products of its quaternion's four rounded numbers."""
 
@@ -62,6 +68,14 @@ anything = st.builds(
     position_hold=st.none() | st.booleans(),
     proceed=st.booleans(),
     stop=st.booleans(),
+    effector=st.sampled_from([None, "stop", "close", "open"]),
+    effector_mode=st.sampled_from([None, "auto", "manual"]),
+    rigid=st.sampled_from([None, "off", "rigid", "derigid"]),
+    latch=st.sampled_from([None, "latch", "unlatch"]),
+    telescope=stick,
+    orbiter=three,
+    master=st.none() | st.tuples(*[number] * 6),
+    initialise=st.sampled_from([None, "full problem", "acquisition", "extraction", "manoeuvring"]),
 )
 
 
@@ -99,9 +113,22 @@ def near(one: Any, other: Any, grain: float) -> bool:
     """Whether all numbers of two values are alike, and everything else equal."""
     if isinstance(one, float) and isinstance(other, float | int):
         return abs(one - other) <= grain
+    if isinstance(one, msgspec.Struct) and type(one) is type(other):
+        return near(msgspec.structs.astuple(one), msgspec.structs.astuple(other), grain)
     if isinstance(one, tuple | list):
         return len(one) == len(other) and all(near(a, b, grain) for a, b in zip(one, other, strict=True))
     return bool(one == other)
+
+
+def check_work(was: Work, now: Work) -> None:
+    for name in Work.__struct_fields__:
+        one, other = getattr(was, name), getattr(now, name)
+        if name == "cargo":
+            for a, b in zip(one, other, strict=True):
+                assert near(a.orientation, b.orientation, TURNED)
+                assert near(a, msgspec.structs.replace(b, orientation=a.orientation), GRAIN)
+        else:
+            assert near(one, other, GRAIN if name in PLACES else COARSE_WORK), name
 
 
 def check_round_trip(frame: Frame) -> None:
@@ -119,6 +146,8 @@ def check_round_trip(frame: Frame) -> None:
             assert near(was.rotation, now.rotation, TURNED) and near(was.position, now.position, GRAIN)
             left, left_now = ((g.distance, g.angle, g.remaining_s) for g in (was, now))
             assert near(left, left_now, GRAIN)
+        elif name == "work":
+            check_work(was, now)
         else:
             assert near(was, now, COARSE if name in COARSER else GRAIN), name
 
@@ -133,6 +162,15 @@ def test_frames_of_random_flights_come_back_to_nine_decimals(seed: int) -> None:
     for k in range(150):
         frame = sim.step(next(operator))
         if k % 10 == 0:
+            check_round_trip(frame)
+
+
+@pytest.mark.parametrize("name", ["concept-1972-script", "srms-berth", "free-flyer"])
+def test_frames_of_a_worksite_come_back(name: str) -> None:
+    sim = aftdeck.Simulation(name)
+    for k in range(2500):
+        frame = sim.step()
+        if k % 50 == 0 or frame.events:
             check_round_trip(frame)
 
 

@@ -18,10 +18,10 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Closing, FrameRecord, Input, Opening
 from aftdeck.recording.replay import verify
 from aftdeck.recording.run import record
-from aftdeck.scenario.load import built_in
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.summary import Summary
 from tests.recording.flown import bay, messages, random_flight, recorded, rewritten
+from tests.scenario.missions import SCRIPTED
 
 QUICK = ("uncradle", "sequence")
 SCRIPT = """seed = 4
@@ -72,7 +72,7 @@ def test_a_scripted_run_repeats_itself(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [name for name in built_in() if name not in QUICK])
+@pytest.mark.parametrize("name", [name for name in SCRIPTED if name not in QUICK])
 def test_every_other_scripted_run_repeats_itself(name: str, tmp_path: Path) -> None:
     check_equal(name, tmp_path / "run.mcap")
 

@@ -10,12 +10,15 @@ import msgspec
 import numpy as np
 
 import aftdeck
+from aftdeck.scenario.load import built_in
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.run import SavedSimulation
 from aftdeck.worksite.report import Work
 
 MISSIONS = ("concept-1972-script", "free-flyer", "srms-berth", "srms-deploy")
+SCRIPTED = tuple(name for name in built_in() if name != "concept-1972")
+"""Built-in scenarios that fly themselves; the other is for a person."""
 TURNING_POINTS = {"acquired", "released", "docked", "unseated", "latch", "latched", "unlatched"}
 """Kinds of the log's lines that tell how a mission goes on."""
 _SAVED = 1.0 / 1500.0

@@ -14,6 +14,7 @@ from aftdeck.scenario.limits import por_with
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.schema import Rate
+from aftdeck.scenario.target import Target
 from tests.kinematics.poses import AXES, BODY, structural
 from tests.steering.flying import BAY, fly, kinds, scenario, speed
 
@@ -86,7 +87,7 @@ def test_a_pose_by_joints_is_the_pose_of_those_joints() -> None:
         "[initial]\njoints = [0, 1, -1, 0, 0, 0]\n[[phase]]\nmode = 2\n[phase.target]\njoints = [0.1, 1, -1, 0, 0, 0]"
     )
     target = made.phases[0].target
-    assert target is not None
+    assert isinstance(target, Target)
     assert target.position == pytest.approx(made.arm.forward([0.1, 1, -1, 0, 0, 0]).position)
 
 

@@ -12,7 +12,7 @@ import aftdeck
 from aftdeck.errors import InputError
 from tests.steering.flying import BAY, PAYLOAD, fly, joint_target, log_of, scenario, speed, target
 
-POSITIONS = "OPR CMD, AUTO 1, AUTO 2, AUTO 3, AUTO 4, TEST, ORB UNL, END EFF, ORB LD, PL, SINGLE, DIRECT"
+POSITIONS = "OPR CMD, AUTO 1, AUTO 2, AUTO 3, AUTO 4, TEST, ORB UNL, END EFF, ORB LD, PL, SINGLE, DIRECT, MASTER"
 LEVEL = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from itertools import pairwise
 
 import msgspec
@@ -22,28 +21,25 @@ def concept(extra: str = "") -> Scenario:
     return scenario(START, f'arm = "concept-1972"\n{extra}')
 
 
-def drive(sim: aftdeck.Simulation, stand: float) -> None:
-    """Drives the stand from now on: -1 shorter, +1 longer, 0 stop."""
-    plant = sim._state.plant
-    setattr(plant, "move", partial(type(plant).move, plant, stand=stand))  # noqa: B010
-
-
 def flown(sim: aftdeck.Simulation, seconds: float, inputs: aftdeck.Inputs) -> list[Frame]:
     return [sim.step(inputs) for _ in range(round(seconds / sim.scenario.control_period))]
 
 
+def driven(stand: float) -> aftdeck.Inputs:
+    """Sticks at rest while the stand is driven: -1 shorter, +1 longer."""
+    return aftdeck.Inputs(telescope=stand)
+
+
 def test_the_tip_is_where_the_arm_on_a_stand_of_the_present_length_has_it() -> None:
     sim = aftdeck.Simulation(concept())
-    drive(sim, 1.0)
-    for frame in flown(sim, 3.0, aftdeck.Inputs(translation=(0.2, 0.1, 0.0))):
+    for frame in flown(sim, 3.0, aftdeck.Inputs(translation=(0.2, 0.1, 0.0), telescope=1.0)):
         tip = sim.scenario.arm.at(stand=(12.0 + frame.time_s) * FOOT).forward(frame.angles)
         assert frame.position == pytest.approx(tip.position, abs=1e-12)
 
 
 def test_the_twist_is_how_the_tip_moves_with_its_stand() -> None:
     sim = aftdeck.Simulation(concept())
-    drive(sim, -1.0)
-    frames = flown(sim, 3.0, aftdeck.Inputs(translation=(0.2, 0.1, 0.3)))
+    frames = flown(sim, 3.0, aftdeck.Inputs(translation=(0.2, 0.1, 0.3), telescope=-1.0))
     for before, frame in pairwise(frames[100:]):
         moved = (np.array(frame.position) - before.position) / 0.02
         assert frame.twist[3:] == pytest.approx(moved, abs=2e-3)
@@ -56,9 +52,7 @@ def test_the_twist_is_how_the_tip_moves_with_its_stand() -> None:
 def test_an_automatic_motion_after_the_stand_has_moved_ends_at_its_pose(law: str, stand: float) -> None:
     sim = aftdeck.Simulation(concept(f'mode = "OPR CMD"\nlaw = "{law}"'))
     goal = target(sim.scenario.arm, GOAL)  # at 12 ft
-    drive(sim, stand)
-    flown(sim, 1.5, aftdeck.Inputs())
-    drive(sim, 0.0)
+    flown(sim, 1.5, driven(stand))
     frame = sim.step(aftdeck.Inputs(target=goal, proceed=True))
     assert frame.check is not None and frame.check.good, frame.check
     while frame.sequence == "in progress":
@@ -72,9 +66,7 @@ def test_the_closed_loop_comes_to_its_pose_while_the_stand_moves() -> None:
     sim = aftdeck.Simulation(concept('mode = "OPR CMD"'))
     goal = target(sim.scenario.arm, GOAL)
     sim.step(aftdeck.Inputs(target=goal, proceed=True))
-    drive(sim, 0.5)
-    flown(sim, 5.0, aftdeck.Inputs())
-    drive(sim, 0.0)
+    flown(sim, 5.0, driven(0.5))
     frame = flown(sim, 40.0, aftdeck.Inputs())[-1]
     assert frame.sequence == "idle"
     assert frame.goal is not None and frame.goal.distance < 1e-3
@@ -83,9 +75,7 @@ def test_the_closed_loop_comes_to_its_pose_while_the_stand_moves() -> None:
 def test_position_hold_keeps_the_tip_while_the_stand_moves() -> None:
     sim = aftdeck.Simulation(concept("position_hold = true"))
     start = flown(sim, 0.1, aftdeck.Inputs())[-1]
-    drive(sim, 0.3)
-    frames = flown(sim, 4.0, aftdeck.Inputs())
-    drive(sim, 0.0)
+    frames = flown(sim, 4.0, driven(0.3))
     frames += flown(sim, 8.0, aftdeck.Inputs())
     assert max(np.linalg.norm(np.array(frame.position) - start.position) for frame in frames) < 0.2
     assert frames[-1].position == pytest.approx(start.position, abs=2e-3)
@@ -95,9 +85,7 @@ def test_target_angles_given_at_another_length_lead_to_the_pose_and_not_to_the_a
     goal = [f"{angle} deg" for angle in GOAL]
     point = f"[[sequence]]\nslot = 1\n[[sequence.point]]\ntarget = {{ joints = {goal} }}"
     sim = aftdeck.Simulation(concept(f'mode = "AUTO 1"\nlaw = "position"\n{point}'))
-    drive(sim, 1.0)
-    flown(sim, 1.0, aftdeck.Inputs())
-    drive(sim, 0.0)
+    flown(sim, 1.0, driven(1.0))
     frame = sim.step(aftdeck.Inputs(proceed=True))
     while frame.sequence == "in progress":
         frame = sim.step(aftdeck.Inputs())
@@ -108,16 +96,13 @@ def test_target_angles_given_at_another_length_lead_to_the_pose_and_not_to_the_a
 def test_a_restored_flight_goes_on_with_its_stand_bit_for_bit() -> None:
     made = concept()
     sim = aftdeck.Simulation(made)
-    drive(sim, 1.0)
-    push = aftdeck.Inputs(translation=(0.4, -0.2, 0.1), rotation=(0.0, 0.3, 0.0))
+    push = aftdeck.Inputs(translation=(0.4, -0.2, 0.1), rotation=(0.0, 0.3, 0.0), telescope=1.0)
     flown(sim, 1.0, push)
     saved = sim.save()
     on = flown(sim, 1.0, push)
     other = aftdeck.Simulation(made)
-    drive(other, -1.0)
-    flown(other, 0.5, aftdeck.Inputs())
+    flown(other, 0.5, driven(-1.0))
     other.restore(saved)
-    drive(other, 1.0)
     again = flown(other, 1.0, push)
     assert msgspec.msgpack.encode(on) == msgspec.msgpack.encode(again)
     sim.restore(msgspec.msgpack.decode(msgspec.msgpack.encode(saved), type=type(saved)))

@@ -44,9 +44,10 @@ BODY_FROM_L = np.diag([-1.0, 1.0, -1.0]) @ np.array(
 
 
 def scenario(joints: Sequence[float] = BAY, extra: str = "", name: str = "test") -> Scenario:
-    """A scenario that starts at joint angles [deg], with more lines of TOML."""
+    """A scenario that starts at joint angles [deg], in empty space unless one of its further lines names a worksite."""
     head, _, tables = extra.partition("\n[")
-    text = f'title = "test"\n{head}\n[initial]\njoints = {[f"{q!r} deg" for q in map(float, joints)]}\n'
+    place = "" if "worksite" in head else 'worksite = "space"\n'
+    text = f'title = "test"\n{place}{head}\n[initial]\njoints = {[f"{q!r} deg" for q in map(float, joints)]}\n'
     return parse_scenario(text + (f"[{tables}" if tables else ""), name, f"{name}.toml", Path("."))
 
 

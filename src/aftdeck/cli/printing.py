@@ -44,8 +44,17 @@ def print_json(value: object, indent: int | None = None) -> None:
     print(json.dumps(msgspec.to_builtins(value), indent=indent))
 
 
+_LEAST_ROOM = 24
+"""Characters that a table's last column has at least."""
+_INDENT = 4
+"""Of a last column that stands below its row."""
+
+
 def print_table(rows: Sequence[Mapping[str, object]], columns: tuple[str, ...], as_json: bool) -> None:
-    """Print rows as JSON or as a table, whose last column is wrapped between words to the terminal's width."""
+    """Print rows as JSON or as a table, whose last column is wrapped between words to the terminal's width.
+
+    Where the other columns leave too little room for that, it stands below each row.
+    """
     if as_json:
         print_json(rows)
         return
@@ -53,15 +62,20 @@ def print_table(rows: Sequence[Mapping[str, object]], columns: tuple[str, ...], 
     widths = [max(len(row[i]) for row in cells) for i in range(len(columns))]
     numeric = [all(isinstance(row[column], int | float) for row in rows) for column in columns]
     before = sum(widths[:-1]) + 2 * (len(columns) - 1)
-    room = max(shutil.get_terminal_size().columns - before, 24)
+    width = shutil.get_terminal_size().columns
+    below = width - before < _LEAST_ROOM
+    before = _INDENT if below else before
     for row in cells:
         start = "  ".join(
             f"{cell:>{width}}" if right else f"{cell:<{width}}"
             for cell, width, right in zip(row[:-1], widths, numeric, strict=False)
         )
-        first, *rest = textwrap.wrap(row[-1], room) or [""]
-        print(f"{start}  {first}")
-        for line in rest:
+        lines = textwrap.wrap(row[-1], max(width - before, _LEAST_ROOM)) or [""]
+        if below:
+            print(start.rstrip())
+        else:
+            print(f"{start}  {lines.pop(0)}")
+        for line in lines:
             print(" " * before + line)
 
 

@@ -27,3 +27,31 @@ def observe(arm: Array, angles: Array, rates: Array, seen: Array) -> None:
     for i in range(6):
         seen[12 + i] = w[i]
     seen[18], seen[19], seen[20] = distances(arm, a)
+
+
+CARRIED = 18
+"""A payload's centre (3) and axes (9, row by row), its point of resolution (3) and that point's velocity (3)."""
+
+
+@law
+def observe_payload(seen: Array, payload: Array, carried: Array) -> None:
+    """LNKAGE for PA = 1: the payload of a tip that was just seen, in L, into `carried` (18,).
+
+    Args:
+        seen: (21,) of `observe`.
+        payload: (15,) as `Payload.packed` has it.
+        carried: (18,) out.
+    """
+    for i in range(3):
+        for j in range(3):
+            carried[3 + 3 * i + j] = (
+                seen[3 + 3 * i] * payload[j] + seen[4 + 3 * i] * payload[3 + j] + seen[5 + 3 * i] * payload[6 + j]
+            )
+    for i in range(3):
+        x, y, z = carried[3 + 3 * i], carried[4 + 3 * i], carried[5 + 3 * i]
+        carried[i] = seen[i] + x * payload[9] + y * payload[10] + z * payload[11]
+        carried[12 + i] = carried[i] + x * payload[12] + y * payload[13] + z * payload[14]
+    x, y, z = carried[12] - seen[0], carried[13] - seen[1], carried[14] - seen[2]
+    carried[15] = seen[15] + seen[13] * z - seen[14] * y
+    carried[16] = seen[16] + seen[14] * x - seen[12] * z
+    carried[17] = seen[17] + seen[12] * y - seen[13] * x

@@ -6,6 +6,7 @@ JSC-12628, subroutine LNKAGE, the part for PA = 1.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +34,11 @@ class Payload:
     centre: Array
     por: Array
     shapes: tuple[Shape, ...] = ()
+
+    @cached_property
+    def packed(self) -> Array:
+        """(15,) rotation, row by row, centre and point of resolution, for the laws."""
+        return np.concatenate((self.rotation.ravel(), self.centre, self.por))
 
     def pose(self, tip: Pose) -> Pose:
         """The payload's centre and axes (T_B8 = T_B7 T_78, r_7B = r_6B + T_B8 r_87) for tip poses (...)."""

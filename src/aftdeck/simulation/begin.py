@@ -33,13 +33,12 @@ def first_state(flight: Flight) -> State:
 
 
 def resume(flight: Flight, state: State) -> None:
-    """What follows from a state that was just restored: the steering's rules, what is watched, where the solids are."""
+    """What follows from a state that was just restored: the steering's rules, what is watched."""
     things, held = state.site, state.site.held
     state.carried = carrying(flight.scenario, flight.scenario.payload)
     if held is not None:
         steer_with(flight, state, held)
     things.mask(flight.site)
-    things.watch.place(things.frames)
 
 
 def initialise(flight: Flight, state: State, part: Part) -> None:

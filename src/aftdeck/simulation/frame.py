@@ -17,7 +17,7 @@ FREE, PAST_REACH, PAST_SOFT, AT_HARD = 0, 1, 2, 3
 """Zones of a joint."""
 
 
-class Event(msgspec.Struct, frozen=True):
+class Event(msgspec.Struct, frozen=True, gc=False):
     """Something that happened, for the log."""
 
     time_s: float
@@ -26,7 +26,7 @@ class Event(msgspec.Struct, frozen=True):
     text: str
 
 
-class Limit(msgspec.Struct, frozen=True):
+class Limit(msgspec.Struct, frozen=True, gc=False):
     """A limit that acted in a step."""
 
     kind: Literal[
@@ -51,7 +51,7 @@ class Check(msgspec.Struct, frozen=True):
     """``GOOD: 83 s`` or ``FAIL: elbow pitch meets its soft stop after 12 s``."""
 
 
-class WayOut(msgspec.Struct, frozen=True):
+class WayOut(msgspec.Struct, frozen=True, gc=False):
     """How to leave a singularity or a joint's stop."""
 
     cause: str
@@ -64,7 +64,7 @@ class WayOut(msgspec.Struct, frozen=True):
     sign: int
 
 
-class Goal(msgspec.Struct, frozen=True):
+class Goal(msgspec.Struct, frozen=True, gc=False):
     """An automatic mode's target, frame 7 in L, and what is left to it."""
 
     position: Vec3
@@ -79,7 +79,7 @@ class Goal(msgspec.Struct, frozen=True):
     """ETA - TP [s]; 0 when not under way, and while modes 1 and 3 still bring the arm to rest."""
 
 
-class Frame(msgspec.Struct, frozen=True):
+class Frame(msgspec.Struct, frozen=True, gc=False):
     """The state after a control step, the inputs that it flew and what acted in it.
 
     Vectors are in L, the longeron frame, unless said otherwise; the tip is frame 7.

@@ -6,9 +6,10 @@ import math
 from typing import cast
 
 import numpy as np
+from numpy.typing import NDArray
 
-from aftdeck.frames import Pose, Rows, angle_between
-from aftdeck.kinematics.observe import OBSERVED, observe
+from aftdeck.frames import Rows, angle_between
+from aftdeck.kinematics.observe import CARRIED, OBSERVED, observe, observe_payload
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.acting import acting_limits
 from aftdeck.simulation.flight import Flight
@@ -20,14 +21,21 @@ from aftdeck.simulation.state import State
 from aftdeck.simulation.ways_out import ways_out
 from aftdeck.steering.layout import (
     DEMAND,
+    DRIVE,
     RATE,
+    RATES,
     RATIO,
     REMAINING,
     SPEED,
+    STICKS,
     TURN,
+    TWIST,
 )
 from aftdeck.steering.mode import MODES
 
+Array = NDArray[np.float64]
+
+_ALL_FREE = (FREE,) * 6
 TOUCHING = 1e-6
 """How near to a hard stop counts as at it [rad]."""
 _BACK_TEXTS = {PAST_REACH: "back inside its soft stop", PAST_SOFT: "off its hard stop"}
@@ -46,13 +54,11 @@ def look(flight: Flight, state: State, by_script: bool, phase: str) -> Frame:
     zones = _zones(flight, angles)
     singular = tuple(name for name, d in zip(NAMES, seen[18:], strict=True) if abs(d) < scenario.arm.model.singular)
     _tell_changes(flight, state, zones, singular, seen[18:])
-    rules = state.carried.rules[panel.mode, panel.rate]
-    sticks, drive = state.sticks
-    steering = state.steering.tolist()
+    rules = state.carried.rules[panel.mode, panel.rate].tolist()
+    command, steering, report = state.command.tolist(), state.steering.tolist(), state.report.tolist()
     points = len(scenario.sequences.get(panel.mode, ()))
-    position = _vec3(seen[:3])
-    orientation = (_vec3(seen[3:6]), _vec3(seen[6:9]), _vec3(seen[9:12]))
-    resolution, twist, payload = _carried(flight, state, position, orientation, seen[12:18])
+    position, orientation = _vec3(seen, 0), _rows(seen, 3)
+    resolution, twist, payload = _carried(flight, state, position, seen_array, seen)
     return Frame(
         tick=state.tick,
         time_s=round(state.tick * scenario.control_period, 9),
@@ -70,61 +76,68 @@ def look(flight: Flight, state: State, by_script: bool, phase: str) -> Frame:
         point=min(panel.point + 1, points) if points else 0,
         points=points,
         check=panel.check,
-        translation=_vec3(sticks[3:]),
-        rotation=_vec3(sticks[:3]),
-        drive=drive,
-        angles=_six(angles),
-        rates=_six(state.plant.rates.tolist()),
-        angles_commanded=_six(state.commanded.tolist()),
-        rates_commanded=_six(steering[6:12]),
-        rate_limits=_six(rules[RATE : RATE + 6].tolist()),
+        translation=_vec3(command, STICKS + 3),
+        rotation=_vec3(command, STICKS),
+        drive=command[DRIVE],
+        angles=_six(angles, 0),
+        rates=_six(state.plant.rates.tolist(), 0),
+        angles_commanded=_six(state.commanded.tolist(), 0),
+        rates_commanded=_six(steering, RATES),
+        rate_limits=_six(rules, RATE),
         zones=cast("tuple[int, int, int, int, int, int]", zones),
         position=position,
         orientation=orientation,
         resolution=resolution,
         payload=payload,
         twist=twist,
-        twist_commanded=_six(steering[12:18]),
-        twist_demanded=_six(state.report[DEMAND : DEMAND + 6].tolist()),
-        por_limits=(float(rules[SPEED]), float(rules[TURN])),
-        ratio=float(state.report[RATIO]),
+        twist_commanded=_six(steering, TWIST),
+        twist_demanded=_six(report, DEMAND),
+        por_limits=(rules[SPEED], rules[TURN]),
+        ratio=report[RATIO],
         limits=acting_limits(flight, state),
-        singularity=_vec3(seen[18:]),
+        singularity=_vec3(seen, 18),
         singular=singular,
         ways_out=ways_out(flight, state, zones, singular),
-        goal=_goal(state, position, orientation),
+        goal=_goal(state, position, orientation, report[REMAINING]),
         work=look_work(flight, state),
         events=tuple(state.events),
     )
 
 
 def _carried(
-    flight: Flight, state: State, position: Vec3, orientation: Rows, tip_twist: list[float]
+    flight: Flight, state: State, position: Vec3, seen_array: Array, seen: list[float]
 ) -> tuple[Vec3, Six, tuple[Vec3, Rows] | None]:
     """The point of resolution, its twist, and the payload in the grasp, if any."""
     held = state.carried.payload
     if held is None:
-        return position, _six(tip_twist), None
-    tip = Pose(np.array(position), np.array(orientation))
-    centre = held.pose(tip)
-    a, b, c = (_vec3(row) for row in centre.rotation.tolist())
-    payload = (_vec3(centre.position.tolist()), (a, b, c))
+        return position, _six(seen, 12), None
+    carried_array = np.empty(CARRIED)
+    observe_payload(seen_array, held.packed, carried_array)
+    carried = carried_array.tolist()
+    payload = (_vec3(carried, 0), _rows(carried, 3))
     if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # the source moves the tip in every mode
-        return position, _six(tip_twist), payload
-    point = held.resolution(tip)
-    velocity = np.array(tip_twist[3:]) + np.cross(tip_twist[:3], point - tip.position)
-    return _vec3(point.tolist()), _six([*tip_twist[:3], *velocity.tolist()]), payload
+        return position, _six(seen, 12), payload
+    return _vec3(carried, 12), (seen[12], seen[13], seen[14], carried[15], carried[16], carried[17]), payload
 
 
-def _vec3(values: list[float]) -> Vec3:
-    return cast("Vec3", tuple(values))
+def _vec3(values: list[float], at: int) -> Vec3:
+    return values[at], values[at + 1], values[at + 2]
 
 
-def _six(values: list[float]) -> Six:
-    return cast("Six", tuple(values))
+def _rows(values: list[float], at: int) -> Rows:
+    return _vec3(values, at), _vec3(values, at + 3), _vec3(values, at + 6)
+
+
+def _six(values: list[float], at: int) -> Six:
+    return values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5]
 
 
 def _zones(flight: Flight, angles: list[float]) -> tuple[int, ...]:
+    for q, (low, high) in zip(angles, flight.reach, strict=True):
+        if not low <= q <= high:
+            break
+    else:
+        return _ALL_FREE
     return tuple(
         FREE
         if reach[0] <= q <= reach[1]
@@ -158,7 +171,7 @@ def _tell_changes(
         panel.singular = singular
 
 
-def _goal(state: State, position: Vec3, orientation: Rows) -> Goal | None:
+def _goal(state: State, position: Vec3, orientation: Rows, remaining: float) -> Goal | None:
     target = state.panel.target
     if target is None:
         return None
@@ -167,5 +180,5 @@ def _goal(state: State, position: Vec3, orientation: Rows) -> Goal | None:
         target.rotation,
         math.dist(target.position, position),
         angle_between(target.rotation, orientation),
-        float(state.report[REMAINING]) if state.panel.sequence == "in progress" else 0.0,
+        remaining if state.panel.sequence == "in progress" else 0.0,
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import cast
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,15 +10,18 @@ from numpy.typing import NDArray
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.separation import named
 from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.site import Site
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import MASTER
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
-from aftdeck.worksite.report import Cargo, Hand, Near, Rows, Six, Vec3, Work
-from aftdeck.worksite.snare import flags
+from aftdeck.worksite.report import Cargo, Hand, Near, Six, Vec3, Work
+from aftdeck.worksite.snare import Snare, flags
 from aftdeck.worksite.watch import Watch
 
 Array = NDArray[np.float64]
+
+_ZERO = (0.0, 0.0, 0.0)
 
 
 def look_work(flight: Flight, state: State) -> Work:
@@ -26,8 +29,6 @@ def look_work(flight: Flight, state: State) -> Work:
     site, things = flight.site, state.site
     group = things.watch.nearest(site.detrimental)
     inhibit = things.contacts.inhibit
-    x, y, z = (site.axes @ things.orbiter).tolist()
-    u, v, w = (site.axes @ things.orbiter_velocity).tolist()
     contacts: tuple[Near, ...] = ()
     reasons: tuple[str, ...] = ()
     if things.told:
@@ -46,8 +47,8 @@ def look_work(flight: Flight, state: State) -> Work:
         conditions=things.conditions,
         hand=_hand(flight, state),
         stand=state.plant.stand.position if site.prong else None,
-        orbiter=(x, y, z),
-        orbiter_velocity=(u, v, w),
+        orbiter=_in_l(site, things.orbiter),
+        orbiter_velocity=_in_l(site, things.orbiter_velocity),
         cargo=tuple(_cargo(flight, state, k) for k in range(len(site.cargo))),
         master=_six(state.command[MASTER : MASTER + 6]) if MODES[state.panel.mode].kind == "master" else None,
     )
@@ -64,8 +65,17 @@ def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
     return tuple(_near(flight, state, watch.found, int(g)) for g in groups[np.argsort(found[groups], kind="stable")])
 
 
+def _in_l(site: Site, along: Array) -> Vec3:
+    """A vector along the orbiter's axes, in L."""
+    if not along.any():
+        return _ZERO
+    x, y, z = (site.axes @ along).tolist()
+    return x, y, z
+
+
 def _six(values: Array) -> Six:
-    return cast("Six", tuple(values.tolist()))
+    a, b, c, d, e, f = values.tolist()
+    return a, b, c, d, e, f
 
 
 def _near(flight: Flight, state: State, found: Array, group: int) -> Near:
@@ -79,7 +89,7 @@ def _near(flight: Flight, state: State, found: Array, group: int) -> Near:
         row[SPEED],
         (row[POINT_A], row[POINT_A + 1], row[POINT_A + 2]),
         (row[POINT_B], row[POINT_B + 1], row[POINT_B + 2]),
-        (0.0, 0.0, 0.0) if touching else (row[NORMAL], row[NORMAL + 1], row[NORMAL + 2]),
+        _ZERO if touching else (row[NORMAL], row[NORMAL + 1], row[NORMAL + 2]),
         0.0 if touching else row[DISTANCE],
         bool(state.site.contacts.essential[group]),
         named(int(row[FEATURE_A])) if touching else "",
@@ -96,21 +106,21 @@ def _hand(flight: Flight, state: State) -> Hand:
         shows = (("CAPTURE", things.held is not None), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
         return Hand(things.switch, opening, spacing, None, tuple(name for name, on in shows if on))
     snare = things.snare
-    lit = tuple(name for name, on in flags(snare)._asdict().items() if on)
+    lit = _lit(snare)
     return Hand(things.switch, 1.0 - snare.ring, None, snare.carriage, lit, things.effector_mode, things.rigid)
+
+
+@lru_cache(maxsize=16)
+def _lit(snare: Snare) -> tuple[str, ...]:
+    """The panel's flags that are lit."""
+    return tuple(name for name, on in flags(snare)._asdict().items() if on)
 
 
 def _cargo(flight: Flight, state: State, k: int) -> Cargo:
     site, things = flight.site, state.site
     row, before = things.frames[site.cargo_row(k)].tolist(), things.before[site.cargo_row(k)].tolist()
     period, thing = flight.scenario.control_period, things.cargo[k]
-    velocity = tuple([(now - was) / period for now, was in zip(row[:3], before[:3], strict=True)])
-    rows = (tuple(row[3:6]), tuple(row[6:9]), tuple(row[9:12]))
-    return Cargo(
-        site.cargo[k].name,
-        cast("Vec3", tuple(row[:3])),
-        cast("Rows", rows),
-        cast("Vec3", velocity),
-        thing.held,
-        thing.seat,
-    )
+    x, y, z, *turn = row
+    a, b, c, d, e, f, g, h, i = turn
+    velocity = ((x - before[0]) / period, (y - before[1]) / period, (z - before[2]) / period)
+    return Cargo(site.cargo[k].name, (x, y, z), ((a, b, c), (d, e, f), (g, h, i)), velocity, thing.held, thing.seat)

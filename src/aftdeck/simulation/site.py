@@ -18,7 +18,7 @@ from aftdeck.kinematics.linkage import L5
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.berths import Berth, berth_of
 from aftdeck.simulation.hand import Bar, Snares, bar_of, snares_of
-from aftdeck.worksite.layout import Layout, Mask, PartPair, layout_of
+from aftdeck.worksite.layout import Indices, Layout, Mask, PartPair, layout_of
 from aftdeck.worksite.model import Cargo, Seat, Worksite
 from aftdeck.worksite.pairs import among, part_pairs
 
@@ -57,6 +57,9 @@ class Site:
         starts: for each cargo, (12,) its pose in the scene at the start.
         sliding: for each cargo, (g,) groups that may touch while it is held and slides.
         slides: for each cargo, (g,) groups along which it slides while it is held.
+        bodies: for each cargo, its solids.
+        bay: least and greatest coordinates (2, 3) of the bay's inside, in the scene, open downwards [m]; None:
+            there is none.
     """
 
     worksite: Worksite
@@ -81,6 +84,8 @@ class Site:
     starts: tuple[Array, ...]
     sliding: tuple[Mask, ...]
     slides: tuple[Mask, ...]
+    bodies: tuple[Indices, ...]
+    bay: Array | None
 
     @property
     def arm_rows(self) -> slice:
@@ -174,6 +179,8 @@ def site_of(scenario: Scenario) -> Site:
         starts=tuple(row_of(one.start.pose) for one in cargo),
         sliding=tuple(essential | layout.between(own_parts, walls) for own_parts in parts),
         slides=tuple(layout.between(own_parts, walls) & (1 - essential) for own_parts in parts),
+        bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)) for one in cargo),
+        bay=None if worksite.bay is None else np.array([(*worksite.bay.low[:2], -np.inf), worksite.bay.high]),
     )
 
 

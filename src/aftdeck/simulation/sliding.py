@@ -23,9 +23,11 @@ from aftdeck.steering.layout import ANGLES, DT, RATES, RISE, TWIST
 from aftdeck.steering.limiters import ratlmt
 from aftdeck.steering.msteer import FLOOR, cut, feed_back, scaled
 from aftdeck.worksite.found import CLEARANCE
+from aftdeck.worksite.layout import Mask
 from aftdeck.worksite.restrain import deeper
 from aftdeck.worksite.slide import LEAST, OUTWARD, POINT, slide
 from aftdeck.worksite.touches import touches
+from aftdeck.worksite.watch import nearest_group
 
 Array = NDArray[np.float64]
 
@@ -34,7 +36,7 @@ REACH_S = 2.0
 LEAST_REACH = 1e-6
 """[m]"""
 SIZE = 30.0
-"""Of a payload [m]: so much faster than its twist no point of it moves."""
+"""Of a payload [m]: no point of it is farther from the point of resolution."""
 OUT = 0.01
 """Speed at which what stands inside a wall is brought out of it [m/s] (assumed)."""
 INTO = 1e-7
@@ -59,9 +61,8 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
     """
     site, things, period = flight.site, state.site, flight.scenario.control_period
     counts, stand = site.slides[held], state.plant.stand
-    speed = float(np.abs(state.steering[TWIST : TWIST + 6]).sum()) * SIZE + abs(telescope) * stand.rate
-    near = max(REACH_S * speed * period, LEAST_REACH)
-    if not (things.watch.found[counts == 1, CLEARANCE] <= near).any():
+    near = met(things.watch.found, counts, state.steering, abs(telescope) * stand.rate, period)
+    if near == 0.0:
         return telescope
     found = touches(things.watch, counts, site.cargo[held].name, near, period, OUT)
     telescope *= _room(found, -telescope * stand.rate)
@@ -75,6 +76,26 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
         if deeper(things.watch, counts, after) <= INTO:
             return telescope
     return None
+
+
+@law
+def met(found: Array, counts: Mask, steering: Array, stand: float, period: float) -> float:
+    """How near a wall is looked at [m]; 0 where none is as near as that.
+
+    Args:
+        found: (g, 15) of the last look.
+        counts: (g,) 1 for groups of what slides and a wall.
+        steering: state of the steering, with the step's commanded twist.
+        stand: speed of the telescope [m/s].
+        period: of a step [s].
+    """
+    turn, speed = 0.0, stand
+    for k in range(3):
+        turn += abs(steering[TWIST + k])
+        speed += abs(steering[TWIST + 3 + k])
+    near: float = max(REACH_S * (speed + SIZE * turn) * period, LEAST_REACH)
+    wall = nearest_group(found, counts)
+    return near if wall >= 0 and found[wall, CLEARANCE] <= near else 0.0
 
 
 def _room(found: Array, speed: float) -> float:

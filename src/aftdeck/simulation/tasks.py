@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from aftdeck.bodies.hexahedron import VERTICES, X
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.log import log
 from aftdeck.simulation.state import State
+from aftdeck.worksite.bay import any_inside
 
 ACQUISITION, EXTRACTION, MANOEUVRING, DOCKED = 1, 2, 3, 4
 TASKS = {ACQUISITION: "acquisition", EXTRACTION: "extraction", MANOEUVRING: "manoeuvring", DOCKED: "docked"}
@@ -36,13 +34,7 @@ def _task(flight: Flight, state: State) -> int:
 
 def in_bay(flight: Flight, state: State, k: int) -> bool:
     """Whether a vertex of a cargo is below the bay's top and between its walls."""
-    site, bay = flight.site, flight.site.worksite.bay
-    if bay is None:
+    site = flight.site
+    if site.bay is None:
         return False
-    mine = site.layout.frame == site.cargo_row(k)
-    points = state.site.watch.placed[mine, X : X + 3 * VERTICES].reshape(-1, 3, VERTICES).transpose(0, 2, 1)
-    scene = site.scene
-    local = (points.reshape(-1, 3) - scene[:3]) @ scene[3:].reshape(3, 3)
-    low, high = np.array(bay.low), np.array(bay.high)
-    inside = (local[:, :2] > low[:2]).all(axis=1) & (local[:, :2] < high[:2]).all(axis=1)
-    return bool((inside & (local[:, 2] < high[2])).any())
+    return any_inside(state.site.watch.placed, site.bodies[k], site.scene, site.bay[0], site.bay[1])

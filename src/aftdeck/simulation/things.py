@@ -96,7 +96,10 @@ class Things:
     @property
     def held(self) -> int | None:
         """The payload in the grasp; None: none is."""
-        return next((k for k, thing in enumerate(self.cargo) if thing.held), None)
+        for k, thing in enumerate(self.cargo):
+            if thing.held:
+                return k
+        return None
 
     @property
     def fast(self) -> bool:

@@ -20,8 +20,10 @@ from aftdeck.worksite.restrain import allowed
 
 Array = NDArray[np.float64]
 
-WATCHED = 1.0
-"""What is nearer than this [m] is measured in every step; what is farther only until the nearest is found."""
+WATCHED = 0.1
+"""What is nearer than this [m], or than what comes nearer at `FAST`, is measured in every step."""
+FAST = 5.0
+"""More than anything moves at [m/s]."""
 _DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
 
 
@@ -36,7 +38,7 @@ def work(flight: Flight, state: State, inputs: Inputs) -> None:
         if thing.floating is not None:
             thing.floating.move(period)
     place_all(flight, state)
-    things.watch.look_near(things.before, things.frames, period, flight.site.detrimental, WATCHED)
+    things.watch.look_near(things.before, things.frames, period, flight.site.detrimental, max(WATCHED, FAST * period))
     _touch(flight, state)
     capture(flight, state, pressed=inputs.effector is not None)
     seat(flight, state, inputs.latch)

@@ -30,7 +30,7 @@ _SMALLEST, _GREATEST = 1e-3, 999.5
 """Numbers between these are short when written to some figures; neither has Python an exponent for them."""
 
 
-class Condition(msgspec.Struct, frozen=True):
+class Condition(msgspec.Struct, frozen=True, gc=False):
     """One condition as it stands."""
 
     name: str

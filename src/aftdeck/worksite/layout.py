@@ -51,10 +51,14 @@ class Layout(msgspec.Struct, frozen=True, eq=False):
     """(m, 2) the two solids of each pair, those of a group together and in the order of the groups."""
     begins: Indices
     """(g + 1,) where each group's pairs begin; the last is m."""
+    between_frames: Indices
+    """(g, 2) the frames of the two parts of each group."""
+    reach: Array
+    """(F,) how far from a frame's origin its solids reach [m]."""
 
     def named(self, group: int) -> PartPair:
         """What the two parts of a group are called."""
-        a, b = self.groups[group]
+        a, b = self.groups[group].tolist()
         return self.parts[a], self.parts[b]
 
     def part(self, name: str) -> int:
@@ -116,15 +120,23 @@ def layout_of(frames: tuple[str, ...], solids: Sequence[Solid], part_pairs: Iter
             raise InputError(f"{a} and {b} are named as a watched pair twice")
         groups.append((a, b))
     pairs = [list(product(of_part[a], of_part[b])) for a, b in groups]
+    part_frame = _fixed([frames.index(frame) for frame in home.values()])
+    indices = _fixed([(parts.index(a), parts.index(b)) for a, b in groups]).reshape(-1, 2)
+    packed, frame_of = _packed(solids), _fixed([frames.index(solid.frame) for solid in solids])
+    reach = np.zeros(len(frames))
+    np.maximum.at(reach, frame_of, np.linalg.norm(packed[:, CENTRE : CENTRE + 3], axis=1) + packed[:, RADIUS])
+    reach.flags.writeable = False
     return Layout(
         frames,
         parts,
-        _fixed([frames.index(frame) for frame in home.values()]),
-        _packed(solids),
-        _fixed([frames.index(solid.frame) for solid in solids]),
-        _fixed([(parts.index(a), parts.index(b)) for a, b in groups]).reshape(-1, 2),
+        part_frame,
+        packed,
+        frame_of,
+        indices,
         _fixed([pair for group in pairs for pair in group]).reshape(-1, 2),
         _fixed(np.cumsum([0, *map(len, pairs)])),
+        _fixed(part_frame[indices]),
+        reach,
     )
 
 

@@ -13,7 +13,7 @@ Rows = tuple[Vec3, Vec3, Vec3]
 Six = tuple[float, float, float, float, float, float]
 
 
-class Near(msgspec.Struct, frozen=True):
+class Near(msgspec.Struct, frozen=True, gc=False):
     """Two parts that are watched, in L."""
 
     a: str
@@ -37,7 +37,7 @@ class Near(msgspec.Struct, frozen=True):
     feature_b: str = ""
 
 
-class Cargo(msgspec.Struct, frozen=True):
+class Cargo(msgspec.Struct, frozen=True, gc=False):
     """A payload of the worksite, in L."""
 
     name: str
@@ -53,7 +53,7 @@ class Cargo(msgspec.Struct, frozen=True):
     """The seat that it is fixed to; empty: none."""
 
 
-class Hand(msgspec.Struct, frozen=True):
+class Hand(msgspec.Struct, frozen=True, gc=False):
     """The end effector."""
 
     switch: Literal["stop", "close", "open"]
@@ -72,7 +72,7 @@ class Hand(msgspec.Struct, frozen=True):
     """END EFFECTOR MAN CONTR of the snares."""
 
 
-class Work(msgspec.Struct, frozen=True):
+class Work(msgspec.Struct, frozen=True, gc=False):
     """The worksite after a step. Vectors in L."""
 
     task: int

@@ -1,11 +1,15 @@
 """The dynamic collision program in flight: every watched group, frame after frame.
 
 Remote Manipulator Simulation, final report, chapter IV. Its program looked at three hexahedra and one body a frame;
-here are all parts that can meet. What is remembered of a pair makes its next answer quicker and may change that in its
-last digits, so it belongs to the flight's state.
+here are all parts that can meet. Of each group it is known how near it can be at most, from when it was measured last
+and from how far its two frames have moved since; it is measured again when that is nearer than matters. What is
+remembered of a pair makes its next answer quicker and may change that in its last digits, so it belongs to the
+flight's state.
 """
 
 from __future__ import annotations
+
+from math import sqrt
 
 import msgspec
 import numpy as np
@@ -37,8 +41,8 @@ from aftdeck.worksite.motion import motion, velocity
 Array = NDArray[np.float64]
 
 
-FARTHER, FARTHEST = 4.0, 100.0
-"""By how much the search for the nearest group grows, and from where on everything is looked at [1, m]."""
+_SLACK = 1e-9
+"""By how much a group is taken to be nearer than it can be [m]: more than rounding takes off."""
 
 
 @law
@@ -69,6 +73,26 @@ def place_moved(solids: Array, frame: Indices, frames: Array, at: Array, placed:
         placed[i, CENTRE + 1] = r[1, 0] * x + r[1, 1] * y + r[1, 2] * z + frames[f, 1]
         placed[i, CENTRE + 2] = r[2, 0] * x + r[2, 1] * y + r[2, 2] * z + frames[f, 2]
         placed[i, RADIUS] = solids[i, RADIUS]
+
+
+@law
+def travelled(frames: Array, at: Array, reach: Array, ways: Array) -> None:
+    """How far any point of a frame's solids has come, at most, from where the frame was placed last: into ways (F,).
+
+    Args:
+        frames: (F, 12) where the frames are, in L.
+        at: (F, 12) where they were.
+        reach: (F,) how far from its frame's origin a solid reaches [m].
+        ways: (F,) out [m]; NaN from nowhere.
+    """
+    for f in range(len(frames)):
+        origin, turn = 0.0, 0.0
+        for k in range(3):
+            origin += (frames[f, k] - at[f, k]) ** 2
+        for k in range(3, POSE):
+            turn += (frames[f, k] - at[f, k]) ** 2
+        # of a difference of two rotations the spectral norm is the Frobenius norm over the root of 2
+        ways[f] = sqrt(origin) + sqrt(0.5 * turn) * reach[f]
 
 
 @law
@@ -109,62 +133,102 @@ def watch(
     frame: Indices,
     pairs: Indices,
     begins: Indices,
+    between: Indices,
+    reach: Array,
     active: Mask,
+    counts: Mask,
     before: Array,
     now: Array,
     period: float,
     within: float,
     at: Array,
     placed: Array,
+    bound: Array,
     memory: Array,
     found: Array,
 ) -> None:
-    """Look at every group that counts and is nearer than `within`; the others are passed over.
+    """Look at the groups that count: at all that are nearer than `within`, and where none is, at the nearest.
 
     Args:
-        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,): of the layout.
+        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,), between (g, 2), reach (F,): of the layout.
         frame: see solids.
         pairs: see solids.
         begins: see solids.
-        active: (g,) 1 where the group counts.
+        between: see solids.
+        reach: see solids.
+        active: (g,) 1 where the group is looked at.
+        counts: (g,) 1 for groups of which one may be the nearest.
         before: (F, 12) the frames a step ago, in L.
         now: (F, 12) the frames now.
         period: from then till now [s].
         within: how far groups are looked at [m]; inf: all.
         at: (F, 12) where frames were when placed, and
-        placed: (n, 52) solids in L, both brought up to date.
+        placed: (n, 52) solids in L, and
+        bound: (g,) how near the groups can be at most [m], all three brought up to date.
         memory: (m, 17) what is remembered of each pair.
         found: (g, 15) out; of the last step in.
     """
+    ways, motions = np.empty(len(now)), np.empty((len(now), 6))
+    travelled(now, at, reach, ways)
     place_moved(solids, frame, now, at, placed)
-    motions = np.empty((len(now), 6))
     for f in range(len(now)):
         m = motion(before[f], now[f], period)
         for k in range(6):
             motions[f, k] = m[k]
+    least, likely, lowest = np.inf, -1, np.inf
     for g in range(len(active)):
-        k = -1
-        if active[g] != 0:
-            k = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], int(found[g, WHICH]), within)
-        if k < 0:
+        bound[g] -= ways[between[g, 0]] + ways[between[g, 1]]
+        near = active[g] != 0 and not bound[g] >= within
+        if near:
+            bound[g] = _measured(placed, pairs, begins, g, memory, found) - _SLACK
+            near = bound[g] + _SLACK < within
+        if near:
+            _tell(placed, frame, pairs, now, motions, memory, found[g])
+        else:
             found[g, CLEARANCE], found[g, SPEED:WHICH] = np.inf, 0.0
-            continue
-        i, j = pairs[k, 0], pairs[k, 1]
-        row = found[g]
-        row[WHICH] = k
-        _tell(memory, k, row)
-        if row[CLEARANCE] <= CONTACT:
-            _way_out(placed[i], placed[j], row)
-        va = velocity(now, motions, frame[i], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
-        vb = velocity(now, motions, frame[j], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
-        row[SPEED] = (
-            row[NORMAL] * (va[0] - vb[0]) + row[NORMAL + 1] * (va[1] - vb[1]) + row[NORMAL + 2] * (va[2] - vb[2])
-        )
+        if active[g] != 0 and counts[g] != 0:
+            least = min(least, found[g, CLEARANCE])
+            if bound[g] < lowest:
+                likely, lowest = g, bound[g]
+    if least < np.inf or likely < 0:
+        return
+    best = likely
+    least = _measured(placed, pairs, begins, likely, memory, found)
+    bound[likely] = least - _SLACK
+    for g in range(len(active)):
+        if active[g] != 0 and counts[g] != 0 and bound[g] < least - _SLACK and g != likely:
+            clearance = _measured(placed, pairs, begins, g, memory, found)
+            bound[g] = clearance - _SLACK
+            if clearance < least:
+                best, least = g, clearance
+    _tell(placed, frame, pairs, now, motions, memory, found[best])
 
 
 @law
-def _tell(memory: Array, k: int, row: Array) -> None:
-    """Write what pair k, just measured, says into its group's row."""
+def _measured(placed: Array, pairs: Indices, begins: Indices, g: int, memory: Array, found: Array) -> float:
+    """The clearance of group g, and in `found` which of its pairs has it."""
+    k = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], int(found[g, WHICH]), np.inf)
+    found[g, WHICH] = k
+    clearance: float = memory[k, packed.CLEARANCE]
+    return clearance
+
+
+@law
+def _tell(placed: Array, frame: Indices, pairs: Indices, now: Array, motions: Array, memory: Array, row: Array) -> None:
+    """Write what the pair of a group, just measured, says into the group's row (15,)."""
+    k = int(row[WHICH])
+    i, j = pairs[k, 0], pairs[k, 1]
+    _copy(memory, k, row)
+    if row[CLEARANCE] <= CONTACT:
+        _way_out(placed[i], placed[j], row)
+    va = velocity(now, motions, frame[i], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
+    vb = velocity(now, motions, frame[j], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
+    row[SPEED] = row[NORMAL] * (va[0] - vb[0]) + row[NORMAL + 1] * (va[1] - vb[1]) + row[NORMAL + 2] * (va[2] - vb[2])
+
+
+@law
+def _copy(memory: Array, k: int, row: Array) -> None:
+    """Copy what is remembered of pair k into its group's row."""
     row[CLEARANCE] = memory[k, packed.CLEARANCE]
     for c in range(3):
         row[POINT_A + c] = memory[k, packed.POINT_A + c]
@@ -203,6 +267,8 @@ class SavedWatch(msgspec.Struct, frozen=True):
     """What `Watch.save` gives: the arrays' bytes."""
 
     active: bytes
+    at: bytes
+    bound: bytes
     memory: bytes
     found: bytes
 
@@ -217,6 +283,7 @@ class Watch:
         memory: (m, 17) what is remembered of each pair of solids.
         at: (F, 12) where the frames were at the last look, in L.
         placed: (n, 52) the solids there, in L.
+        bound: (g,) how near each group can have been there, at most [m].
     """
 
     def __init__(self, layout: Layout) -> None:
@@ -226,18 +293,24 @@ class Watch:
         self.found[:, CLEARANCE] = np.inf
         self.found[:, WHICH] = layout.begins[:-1]
         self.memory = np.zeros((len(layout.pairs), PAIR))
-        # Both follow from the frames alone, so that they are no state.
+        self.bound = np.full(len(layout.groups), -np.inf)
         self.at = np.full((len(layout.frames), POSE), np.nan)
         self.placed = np.zeros((len(layout.solids), SOLID))
 
-    def look(self, before: Array, now: Array, period: float, within: float = np.inf) -> None:
-        """Look at every group that counts and is nearer than `within`, into `found`; the others are inf there.
+    def look(self, before: Array, now: Array, period: float) -> None:
+        """Look at every group that is active, into `found`; the others are inf there.
 
         Args:
             before: (F, 12) the frames a step ago, in L; those of now, where nothing came before.
             now: (F, 12) the frames now.
             period: from then till now [s].
-            within: [m]
+        """
+        self.look_near(before, now, period, self.active, np.inf)
+
+    def look_near(self, before: Array, now: Array, period: float, counts: Mask, within: float) -> None:
+        """Look at the active groups that are nearer than `within`; the others are inf in `found`.
+
+        Where none with a 1 in `counts` (g,) is so near, the nearest of those is looked at as well. Else as `look`.
         """
         own = self.layout
         watch(
@@ -245,31 +318,20 @@ class Watch:
             own.frame,
             own.pairs,
             own.begins,
+            own.between_frames,
+            own.reach,
             self.active,
+            counts,
             before,
             now,
             period,
             within,
             self.at,
             self.placed,
+            self.bound,
             self.memory,
             self.found,
         )
-
-    def look_near(self, before: Array, now: Array, period: float, counts: Mask, within: float) -> None:
-        """Look as far as it takes to find the nearest of the groups with a 1 in `counts` (g,), and at least so far [m].
-
-        What is passed over is farther than what is found, so that the nearest is the nearest of all.
-        """
-        while True:
-            self.look(before, now, period, within)
-            if within == np.inf or self.nearest(counts) >= 0:
-                return
-            within = FARTHER * within if within < FARTHEST else np.inf
-
-    def place(self, frames: Array) -> None:
-        """Put the solids where the frames (F, 12) are, without a look; after `restore`, at those of that look."""
-        place_moved(self.layout.solids, self.layout.frame, frames, self.at, self.placed)
 
     def nearest(self, counts: Mask) -> int:
         """The group of least clearance among those with a 1 in `counts` (g,); -1 where none of them is active."""
@@ -277,10 +339,17 @@ class Watch:
 
     def save(self) -> SavedWatch:
         """Everything that the next look depends on."""
-        return SavedWatch(self.active.tobytes(), self.memory.tobytes(), self.found.tobytes())
+        return SavedWatch(*(array.tobytes() for array in (self.active, self.at, self.bound, self.memory, self.found)))
 
     def restore(self, saved: SavedWatch) -> None:
         """Go on from what `save` gave."""
         self.active[:] = np.frombuffer(saved.active, np.uint8)
-        self.memory.ravel()[:] = np.frombuffer(saved.memory)
-        self.found.ravel()[:] = np.frombuffer(saved.found)
+        for array, given in (
+            (self.bound, saved.bound),
+            (self.memory, saved.memory),
+            (self.found, saved.found),
+        ):
+            array.ravel()[:] = np.frombuffer(given)
+        frames = np.frombuffer(saved.at).reshape(self.at.shape)
+        self.at[:] = np.nan
+        place_moved(self.layout.solids, self.layout.frame, frames, self.at, self.placed)

@@ -1,0 +1,35 @@
+"""Whether something is in the bay."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.hexahedron import VERTICES, X, Y, Z
+from aftdeck.law import law
+from aftdeck.worksite.layout import Indices
+
+Array = NDArray[np.float64]
+
+
+@law
+def any_inside(placed: Array, which: Indices, frame: Array, low: Array, high: Array) -> bool:
+    """Whether a vertex of these solids is in a box.
+
+    Args:
+        placed: (n, 52) solids in L.
+        which: (k,) those that are asked for.
+        frame: (12,) that the box is told in, in L.
+        low: (3,) the box's least coordinates there [m].
+        high: (3,) the greatest [m].
+    """
+    for i in which:
+        for v in range(VERTICES):
+            x, y, z = placed[i, X + v] - frame[0], placed[i, Y + v] - frame[1], placed[i, Z + v] - frame[2]
+            inside = True
+            for c in range(3):
+                along = frame[3 + c] * x + frame[6 + c] * y + frame[9 + c] * z
+                inside = inside and low[c] < along < high[c]
+            if inside:
+                return True
+    return False
