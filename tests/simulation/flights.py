@@ -66,7 +66,9 @@ def srms(
 MODES = ("ORB UNL", "ORB LD", "END EFF", "PL", "SINGLE", "DIRECT", "MASTER")
 
 
-def anything(rng: np.random.Generator, steps: int, pace: float = 1.0, *, switches: float = 0.15) -> Iterator[Inputs]:
+def anything(
+    rng: np.random.Generator, steps: int, pace: float = 1.0, *, switches: float = 0.15, but: tuple[str, ...] = ()
+) -> Iterator[Inputs]:
     """Sticks in every direction, changed every third of a second, and switches that are put now and then.
 
     Args:
@@ -74,6 +76,7 @@ def anything(rng: np.random.Generator, steps: int, pace: float = 1.0, *, switche
         steps: how many.
         pace: of the sticks, 0 to 1.
         switches: how often one is put when the sticks change, 0 to 1.
+        but: switches that are left alone.
     """
     held = Inputs()
     for k in range(steps):
@@ -86,10 +89,8 @@ def anything(rng: np.random.Generator, steps: int, pace: float = 1.0, *, switche
                 telescope=float(pace * rng.choice([-1.0, 0.0, 1.0]) * some[2]),
                 orbiter=vec3(rng.choice([-1.0, 0.0, 1.0], 3) * some[3]),
             )
-            put = {name: rng.choice(values) for name, values in SWITCHES.items() if rng.random() < switches}
-            if "joint" in put:
-                put["joint"] = int(put["joint"])
-            yield _with(held, {name: v if isinstance(v, int) else str(v) for name, v in put.items()})
+            put = {name: values[rng.integers(len(values))] for name, values in SWITCHES.items() if name not in but}
+            yield _with(held, {name: value for name, value in put.items() if rng.random() < switches})
         else:
             yield held
 
@@ -118,9 +119,20 @@ def flown(made: Scenario | aftdeck.Simulation, given: Iterable[Inputs]) -> list[
     return [sim.step(inputs) for inputs in given]
 
 
+@functools.cache
+def arm_parts(arm: str) -> frozenset[str]:
+    """The parts of a built-in arm."""
+    return frozenset(solid.part for solid in solids_of(aftdeck.load_arm(arm).model))
+
+
+def log_of(frames: Iterable[Frame]) -> list[str]:
+    """The log's lines."""
+    return [event.text for frame in frames for event in frame.events]
+
+
 def movers(scenario: Scenario, frame: Frame) -> set[str]:
     """The parts that move with the arm at a frame: its own, and those of what it holds."""
-    own = {solid.part for solid in solids_of(scenario.arm.model)}
+    own = arm_parts("srms" if scenario.worksite.name == "orbiter" else "concept-1972")
     held = [cargo.name for cargo in frame.work.cargo if cargo.held]
     return own | {solid.part for cargo in scenario.cargo if cargo.name in held for solid in cargo.solids}
 

@@ -7,12 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import aftdeck
-from aftdeck import Inputs
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from tests.simulation.concept import AT_PORT, ON_BAR, scenario, vec3
-from tests.simulation.flights import anything, flown, harmful, in_turn, movers, same_possession, srms
+from tests.simulation.flights import anything, flown, harmful, in_turn, same_possession, srms
 
 DEPTH = 1e-9
 """By how much a clearance may fall and count as kept [m]."""
@@ -82,10 +80,7 @@ def check_two_frames(made: Scenario, frames: list[Frame]) -> None:
         touched = {(c.a, c.b) for c in before.work.contacts}
         twice = {pair for pair in harmful(made, now) if pair in touched}
         finger = {pair for pair in twice if PRONG in pair}
-        if now.work.task == 1:
-            expected = bool(twice - finger), bool(finger)
-        else:
-            expected = (bool(twice), bool(twice))
+        expected = (bool(twice - finger), bool(finger)) if now.work.task == 1 else (bool(twice), bool(twice))
         assert (now.work.arm_inhibit, now.work.finger_inhibit) == expected, now.time_s
         told = " ".join(event.text for event in now.events if event.kind == "inhibit")
         assert ("ARM INHIBIT:" in told) == (now.work.arm_inhibit and not before.work.arm_inhibit)

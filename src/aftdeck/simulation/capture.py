@@ -11,7 +11,7 @@ from aftdeck.bodies.hexahedron import BODY, place
 from aftdeck.bodies.pose import POSE, compose, pose_of, relative, row_of
 from aftdeck.frames import Pose
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.grasp import fixture_in_hand, hold_so, let_go, steer_with, take_hold
+from aftdeck.simulation.grasp import fixture_in_hand, let_go, steer_with, take_hold
 from aftdeck.simulation.hand import Bar, Snares
 from aftdeck.simulation.log import log
 from aftdeck.simulation.mechanism import would_deepen
@@ -131,7 +131,7 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
     compose(things.frames[site.last_joint], grasp, drawn)
     if would_deepen(flight, state, k, drawn):
         return False
-    hold_so(flight, state, k, grasp)
+    thing.grasp = grasp.tolist()
     if snare.drawn == 1.0:
         thing.steered = thing.grasp
         steer_with(flight, state, k)

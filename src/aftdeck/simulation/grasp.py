@@ -84,7 +84,10 @@ def place_held(flight: Flight, state: State) -> None:
         if thing.grasp is None:
             continue
         if not thing.seat:
-            compose(things.frames[site.last_joint], np.array(thing.grasp), things.frames[site.cargo_row(k)])
+            grasp = np.array(thing.grasp)
+            compose(things.frames[site.last_joint], grasp, things.frames[site.cargo_row(k)])
+            if things.snare.captured and things.snare.tension < 1.0:  # the carriage may have drawn it in
+                state.carried = state.carried._replace(payload=_payload(flight, k, grasp))
         elif thing.latches.motion:
             hold_so(flight, state, k, _relative_to_hand(flight, state, k))
 
