@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from itertools import pairwise
 from pathlib import Path
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -108,9 +109,7 @@ SWITCHES: dict[str, list[object]] = {
 
 def _with(inputs: Inputs, put: dict[str, object]) -> Inputs:
     """Inputs with switches put as well."""
-    return Inputs(
-        inputs.translation, inputs.rotation, inputs.drive, telescope=inputs.telescope, orbiter=inputs.orbiter, **put
-    )  # type: ignore[arg-type]
+    return msgspec.structs.replace(inputs, **put)
 
 
 def flown(made: Scenario | aftdeck.Simulation, given: Iterable[Inputs]) -> list[Frame]:
@@ -132,7 +131,7 @@ def log_of(frames: Iterable[Frame]) -> list[str]:
 
 def movers(scenario: Scenario, frame: Frame) -> set[str]:
     """The parts that move with the arm at a frame: its own, and those of what it holds."""
-    own = arm_parts("srms" if scenario.worksite.name == "orbiter" else "concept-1972")
+    own = set(arm_parts("srms" if scenario.worksite.name == "orbiter" else "concept-1972"))
     held = [cargo.name for cargo in frame.work.cargo if cargo.held]
     return own | {solid.part for cargo in scenario.cargo if cargo.name in held for solid in cargo.solids}
 

@@ -14,7 +14,7 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import fixture_in_hand, let_go, steer_with, take_hold
 from aftdeck.simulation.hand import Bar, Snares
 from aftdeck.simulation.log import log
-from aftdeck.simulation.mechanism import would_deepen
+from aftdeck.simulation.mechanism import waits
 from aftdeck.simulation.seating import stay_or_leave
 from aftdeck.simulation.state import State
 from aftdeck.worksite.acquisition import AWAY, FOUND, acquire, acquisition
@@ -89,11 +89,11 @@ def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None
         _CONTR[things.rigid],
     )
     snare, said = advance(things.snare, snares.times, command, scenario.control_period, conditions)
-    waits = held is not None and snare.drawn != things.snare.drawn and not _draw_in(flight, state, snares, held, snare)
+    halted = held is not None and snare.drawn != things.snare.drawn and not _draw_in(flight, state, snares, held, snare)
     for line in said:
-        if line.kind == "refused" or not waits:
+        if line.kind == "refused" or not halted:
             log(flight, state, line.kind, line.level, line.text)
-    if waits:
+    if halted:
         return
     things.snare = snare
     if held is None and k is not None and snare.captured:
@@ -129,12 +129,13 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
     compose(pin, centre, grasp)
     drawn = np.empty(POSE)
     compose(things.frames[site.last_joint], grasp, drawn)
-    if would_deepen(flight, state, k, drawn):
+    if waits(flight, state, k, drawn, "carriage"):
         return False
     thing.grasp = grasp.tolist()
     if snare.drawn == 1.0:
-        thing.steered = thing.grasp
+        shown, thing.steered = state.carried.payload, thing.grasp
         steer_with(flight, state, k)
+        state.carried = state.carried._replace(payload=shown)
     return True
 
 

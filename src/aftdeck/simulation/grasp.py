@@ -88,8 +88,8 @@ def place_held(flight: Flight, state: State) -> None:
             compose(things.frames[site.last_joint], grasp, things.frames[site.cargo_row(k)])
             if things.snare.captured and things.snare.tension < 1.0:  # the carriage may have drawn it in
                 state.carried = state.carried._replace(payload=_payload(flight, k, grasp))
-        elif thing.latches.motion:
-            hold_so(flight, state, k, _relative_to_hand(flight, state, k))
+        elif (grasp := _relative_to_hand(flight, state, k)).tolist() != thing.grasp:
+            hold_so(flight, state, k, grasp)
 
 
 def let_go(flight: Flight, state: State, k: int) -> None:

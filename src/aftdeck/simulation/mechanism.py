@@ -1,4 +1,4 @@
-"""What a mechanism may do to a payload while the arm is inhibited: carriage and latches wait before a contact."""
+"""What a mechanism may do to what the arm holds: carriage and latches wait before a contact."""
 
 from __future__ import annotations
 
@@ -6,24 +6,31 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.log import log
 from aftdeck.simulation.state import State
 from aftdeck.worksite.restrain import deepened
 
 Array = NDArray[np.float64]
 
 
-def would_deepen(flight: Flight, state: State, k: int, pose: Array) -> bool:
-    """Whether an inhibited arm's contacts would be deepened by putting cargo k to a pose (12,) in L.
+def waits(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
+    """Whether a mechanism may not draw cargo k on, since that would deepen or make a contact; told once.
+
+    Walls along which it slides count: a mechanism does not slide.
 
     Args:
         flight: what never changes.
         state: after its look.
         k: which cargo, held.
-        pose: where the mechanism draws it.
+        pose: (12,) where the mechanism draws it, in L.
+        what: the mechanism, for people.
     """
-    things = state.site
-    if not things.contacts.inhibit.arm:
-        return False
+    site, things = flight.site, state.site
     after = things.frames.copy()
-    after[flight.site.cargo_row(k)] = pose
-    return deepened(things.watch, things.contacts.arm & (1 - things.contacts.essential), things.frames, after) >= 0
+    after[site.cargo_row(k)] = pose
+    group = deepened(things.watch, things.contacts.arm & site.detrimental, things.frames, after)
+    if group >= 0 and not things.waiting:
+        a, b = site.layout.named(group)
+        log(flight, state, "waits", "caution", f"the {what} waits: it would bring {a} deeper into {b}")
+    things.waiting = group >= 0
+    return things.waiting

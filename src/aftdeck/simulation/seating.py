@@ -14,7 +14,7 @@ from aftdeck.simulation.berths import Berth
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import regrasp, set_free
 from aftdeck.simulation.log import log, refuse
-from aftdeck.simulation.mechanism import would_deepen
+from aftdeck.simulation.mechanism import waits
 from aftdeck.simulation.state import State
 from aftdeck.worksite.berthing import in_guides, places, ready_to_latch, retained
 from aftdeck.worksite.conditions import Condition, all_hold, reasons
@@ -113,14 +113,14 @@ def _fixed(flight: Flight, state: State, k: int, pressed: str | None) -> str | N
     command = pressed if pressed in ("latch", "unlatch") else ""
     before = thing.latches
     after, said = advance(before, berth.seat.time, command, flight.scenario.control_period, ())  # type: ignore[arg-type]
-    seated, waits = thing.seated, False
+    seated, halted = thing.seated, False
     if after.drawn != before.drawn:
         seated = row_of(remaining(pose_of(np.array(thing.off)), after.misaligned)).tolist()
-        waits = would_deepen(flight, state, k, _in_seat(flight, state, berth, seated))
+        halted = thing.held and waits(flight, state, k, _in_seat(flight, state, berth, seated), "latches")
     for line in said:
-        if line.kind == "refused" or not waits:
+        if line.kind == "refused" or not halted:
             log(flight, state, line.kind, line.level, line.text)
-    if not waits:
+    if not halted:
         thing.latches, thing.seated = after, seated
     if not thing.latches.hold:
         _unfix(flight, state, k, berth)

@@ -73,6 +73,7 @@ class Things:
         conditions: of the capture, docking or latching that comes next.
         advice: the way out of the contacts that was found last.
         refused_orbiter: whether the orbiter's translation was asked for and refused in the last step.
+        waiting: whether carriage or latches wait before a contact.
     """
 
     def __init__(self, scenario: Scenario, site: Site) -> None:
@@ -94,6 +95,7 @@ class Things:
         self.conditions: tuple[Condition, ...] = ()
         self.advice = ""
         self.refused_orbiter = False
+        self.waiting = False
 
     @property
     def held(self) -> int | None:
@@ -162,6 +164,7 @@ class Things:
             self.conditions,
             self.advice,
             self.refused_orbiter,
+            self.waiting,
         )
 
     def restore(self, saved: SavedThings) -> None:
@@ -176,7 +179,7 @@ class Things:
         self.switch, self.effector_mode, self.rigid = saved.switch, saved.effector_mode, saved.rigid
         self.task = saved.task
         self.pursuit, self.conditions, self.advice = saved.pursuit, saved.conditions, saved.advice
-        self.refused_orbiter = saved.refused_orbiter
+        self.refused_orbiter, self.waiting = saved.refused_orbiter, saved.waiting
 
 
 def _copied(thing: Thing) -> Thing:
@@ -206,3 +209,4 @@ class SavedThings(msgspec.Struct, frozen=True):
     conditions: tuple[Condition, ...]
     advice: str
     refused_orbiter: bool
+    waiting: bool
