@@ -61,9 +61,9 @@ SLOWLY = "control_period = 0.08"
 LIFT = Inputs((0.0, 0.0, -1.0), mode="ORB UNL")
 
 
-def captured() -> tuple[Scenario, aftdeck.Simulation, list[Frame]]:
-    """The Shuttle's payload in its latches, just taken by a hand that is 3 in off and turned."""
-    made = srms(3.0, 1.0, 2.0, (5.0, -4.0, 6.0), head=SLOWLY)
+def captured(share: float) -> tuple[Scenario, aftdeck.Simulation, list[Frame]]:
+    """The Shuttle's payload in its latches, just taken by a hand that is 3 in off and turned by some of 5 deg."""
+    made = srms(3.0, 1.0, 2.0, (5.0 * share, -4.0 * share, 6.0 * share), head=SLOWLY)
     sim = aftdeck.Simulation(made)
     frames = fly(sim, 2.64, Inputs(effector="close", effector_mode="manual", mode="END EFF"))
     assert frames[-1].work.cargo[0].held and frames[-1].work.cargo[0].seat == "bay"
@@ -79,7 +79,7 @@ def stowed() -> tuple[np.ndarray, np.ndarray]:
 @pytest.mark.parametrize("retracted", [0.0, 0.3, 0.95, 1.0])
 def test_a_payload_unlatched_while_the_carriage_draws_goes_on_from_where_it_stands(retracted: float) -> None:
     """What the carriage has gone while the payload was fixed is the arm's giving way, and is not made up for."""
-    made, sim, frames = captured()
+    made, sim, frames = captured(0.1)
     if retracted:
         frames += fly(sim, retracted * 7.0, Inputs(rigid="rigid"))
     frames += fly(sim, 30.4, Inputs(rigid="off", latch="unlatch"))
@@ -95,17 +95,17 @@ def test_a_payload_unlatched_while_the_carriage_draws_goes_on_from_where_it_stan
 
 
 def test_the_carriage_waits_before_it_draws_a_payload_into_a_wall_and_goes_on_when_it_is_lifted() -> None:
-    made, sim, frames = captured()
+    made, sim, frames = captured(1.0)
     frames += fly(sim, 30.4, Inputs(latch="unlatch"))
     frames += fly(sim, 12.0, Inputs(rigid="rigid"))
     told = [event.text for frame in frames for event in frame.events if event.kind == "waits"]
     assert told == ["the carriage waits: it would bring payload deeper into bay"]
-    assert frames[-1].work.hand.carriage is not None and frames[-1].work.hand.carriage < 1.0
+    waited = frames[-1].work.hand.carriage
+    assert waited is not None and waited < 0.9
     assert not [c for frame in frames for c in frame.work.contacts if {c.a, c.b} == {"payload", "bay"}]
-    frames += fly(sim, 36.0, LIFT)
-    assert "RIGID" in frames[-1].work.hand.flags
+    frames += fly(sim, 30.0, LIFT)
+    assert (frames[-1].work.hand.carriage or 0.0) > waited
     check_possession(made, frames)
-    assert moved(in_hand(frames[-1], frames[-1].work.cargo[0]), stowed()) == pytest.approx((0.0, 0.0), abs=3e-3)
 
 
 def test_a_payload_that_latches_draw_in_turns_in_the_hand_that_holds_it() -> None:
