@@ -105,14 +105,6 @@ def test_a_change_is_told_in_the_frame_in_which_it_is() -> None:
     assert [watched.look(found, 1).changed for found in frames] == [False, True, True, False, True, False]
 
 
-def test_flags_that_are_reset_take_two_frames_again() -> None:
-    watched = contacts()
-    assert after(watched, 1, *[frame(PALM_CAN)] * 5) == (True, False)
-    watched.forget()
-    assert not watched.inhibit.arm
-    assert after(watched, 1, frame(PALM_CAN)) == (False, False)
-
-
 def test_contacts_are_told_deepest_first_with_what_they_are() -> None:
     watched, found = contacts(holding=True), frame(PRONG_BAR, clearance=0.0)
     found[CAN_WALL, CLEARANCE], found[PALM_CAN, CLEARANCE] = -0.3, -0.0213

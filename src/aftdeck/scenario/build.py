@@ -16,6 +16,7 @@ from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.scenario.sequences import stored_points
 from aftdeck.scenario.starts import parts, start
+from aftdeck.steering.mode import MODES
 from aftdeck.worksite.load import load_worksite
 from aftdeck.worksite.model import Worksite
 
@@ -56,6 +57,10 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
     begun = parts(problems, arm, spec.initialise, begin, names)
     sequences = stored_points(problems, arm, spec.sequence)
     check_mode(problems, mode.position, bool(payload or cargo), sequences, ("mode",))
+    if payload and cargo:
+        problems.wrong(("payload",), "stays in the grasp for good; where there is a [[cargo]], say initial.grasped")
+    elif cargo and begin is not None and begin.grasped is None and MODES[mode.position].loaded:
+        problems.wrong(("mode",), f"{mode.position} moves a payload, and none is in the grasp: give initial.grasped")
     loads = bool(payload or cargo)
     things = Things(cargo, tuple(seat.name for seat in worksite.seats) if worksite else ())
     phases = [phase_plan(problems, arm, phase, i, loads, sequences, things) for i, phase in enumerate(spec.phase)]

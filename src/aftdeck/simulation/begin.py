@@ -13,11 +13,13 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import floating
 from aftdeck.simulation.grasp import place_held, steer_with, take_hold
 from aftdeck.simulation.log import log, refuse
-from aftdeck.simulation.state import Panel, State
+from aftdeck.simulation.panel import make_ready
+from aftdeck.simulation.restrain import slider
+from aftdeck.simulation.state import State
 from aftdeck.simulation.tasks import change_task
-from aftdeck.simulation.things import Thing
 from aftdeck.simulation.work import place_all
 from aftdeck.steering.layout import MASTER, RATES, TWIST
+from aftdeck.steering.mode import MODES
 from aftdeck.worksite.latches import Latches
 from aftdeck.worksite.snare import Snare
 
@@ -26,9 +28,14 @@ _HERE = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
 def first_state(flight: Flight) -> State:
     """The state at the scenario's first instant."""
+    return _state_at(flight, flight.scenario.start)
+
+
+def _state_at(flight: Flight, start: Start) -> State:
+    """A state in which nothing has been flown yet."""
     scenario = flight.scenario
     state = State(scenario, flight.site, carrying(scenario, scenario.payload))
-    put(flight, state, scenario.start)
+    _put(flight, state, start)
     return state
 
 
@@ -39,6 +46,7 @@ def resume(flight: Flight, state: State) -> None:
     if held is not None:
         steer_with(flight, state, held)
     things.mask(flight.site)
+    things.contacts.essential = flight.site.essential_while(slider(state))
 
 
 def initialise(flight: Flight, state: State, part: Part) -> None:
@@ -48,37 +56,34 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
         there = f"this scenario has {', '.join(parts)}" if parts else "this scenario has none of them"
         refuse(flight, state, f"{part} cannot be begun anew: {there}")
         return
-    panel, scenario = state.panel, flight.scenario
-    state.panel = Panel(scenario.mode, panel.joint, panel.rate, law=panel.law, payload_axes=panel.payload_axes)
-    state.carried = carrying(scenario, scenario.payload)
-    put(flight, state, parts[part])
+    task = state.site.task
+    state.become(_state_at(flight, parts[part]))
+    if MODES[state.panel.mode].loaded and state.carried.payload is None:
+        state.panel.mode = "ORB UNL"  # nothing is in the grasp in this part
     log(flight, state, "initialise", "info", f"initialised to {part}")
+    state.site.task = task
+    change_task(flight, state)
+    if state.tick > 1:  # at the first step the panel sees to it
+        make_ready(flight, state)
 
 
-def put(flight: Flight, state: State, start: Start) -> None:
-    """Put the arm and the worksite to where something begins."""
+def _put(flight: Flight, state: State, start: Start) -> None:
+    """Put the arm and the worksite of a new state to where something begins."""
     site, things, scenario = flight.site, state.site, flight.scenario
     plant = state.plant
     plant.angles[:], plant.rates[:] = start.angles, start.rates
-    plant.stand.position, plant.stand.velocity = start.stand, 0.0
+    plant.stand.position = start.stand
     state.commanded[:] = start.angles
     seen = np.empty(OBSERVED)
     observe(scenario.arm.model.links, start.angles, start.rates, seen)
-    state.steering[:] = 0.0
-    state.command[:] = 0.0
     state.command[MASTER : MASTER + 6] = start.angles
     state.steering[RATES : RATES + 6], state.steering[TWIST : TWIST + 6] = start.rates, seen[12:18]
     state.measure(scenario)
-    things.orbiter[:], things.orbiter_velocity[:] = 0.0, 0.0
-    things.switch, things.snare, things.told, things.advice = "stop", Snare(), frozenset(), ""
-    things.prong.position, things.prong.velocity = things.prong.low, 0.0
-    things.contacts.forget()
     frames = things.frames
     frames[0], frames[site.space_row] = site.scene, site.scene
     for k, one in enumerate(site.cargo):
         pose = np.empty(POSE)
         compose(site.scene, site.starts[k], pose)
-        things.cargo[k] = Thing()
         if one.start.seat:
             things.cargo[k].seat, things.cargo[k].latches = one.start.seat, Latches(1.0, 1.0)
             things.cargo[k].off = things.cargo[k].seated = _HERE

@@ -11,16 +11,17 @@ from aftdeck.bodies.hexahedron import BODY, place
 from aftdeck.bodies.pose import POSE, compose, pose_of, relative, row_of
 from aftdeck.frames import Pose
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.grasp import let_go, place_held, regrasp, take_hold
+from aftdeck.simulation.grasp import fixture_in_hand, let_go, steer_with, take_hold
 from aftdeck.simulation.hand import Bar, Snares
 from aftdeck.simulation.log import log
+from aftdeck.simulation.mechanism import waits
 from aftdeck.simulation.seating import stay_or_leave
 from aftdeck.simulation.state import State
 from aftdeck.worksite.acquisition import AWAY, FOUND, acquire, acquisition
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.grapple import in_envelope
-from aftdeck.worksite.snare import SnareCommand, advance
+from aftdeck.worksite.snare import Snare, SnareCommand, advance
 
 Array = NDArray[np.float64]
 
@@ -78,64 +79,64 @@ def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None
     held = things.held
     k = held
     conditions: tuple[Condition, ...] = ()
-    if held is None and (k := _nearest(flight, state, snares)) is not None:
-        fixture = pose_of(_fixture(flight, state, snares, k))
-        conditions = in_envelope(fixture, snares.envelope, scenario.arm.model.units)
+    if held is None and (near := _nearest(flight, state, len(snares.fixtures))) is not None:
+        k, fixture = near
+        conditions = in_envelope(pose_of(fixture), snares.envelope, scenario.arm.model.units)
         things.pursuit, things.conditions = f"capture {site.cargo[k].title}", conditions
     command = SnareCommand(
         "AUTO" if things.effector_mode == "auto" else "MAN",
         _TRIGGERS[things.switch] if pressed else "",
         _CONTR[things.rigid],
     )
-    drawn = things.snare.drawn
-    things.snare, said = advance(things.snare, snares.times, command, scenario.control_period, conditions)
+    snare, said = advance(things.snare, snares.times, command, scenario.control_period, conditions)
+    halted = held is not None and snare.drawn != things.snare.drawn and not _draw_in(flight, state, snares, held, snare)
     for line in said:
-        log(flight, state, line.kind, line.level, line.text)
-    if held is None and k is not None and things.snare.captured:
-        things.cargo[k].first = _fixture(flight, state, snares, k).tolist()
+        if line.kind == "refused" or not halted:
+            log(flight, state, line.kind, line.level, line.text)
+    if halted:
+        return
+    things.snare = snare
+    if held is None and k is not None and snare.captured:
         _acquired(flight, state, k)
-    elif held is not None and not things.snare.captured:
+    elif held is not None and not snare.captured:
         _release(flight, state, held)
-    elif held is not None and things.snare.drawn != drawn:
-        _draw_in(flight, state, snares, held)
 
 
-def _nearest(flight: Flight, state: State, snares: Snares) -> int | None:
-    """The cargo whose fixture is nearest to the end effector, if one is near."""
+def _nearest(flight: Flight, state: State, count: int) -> tuple[int, Array] | None:
+    """Of so many cargoes the one whose fixture is nearest to the end effector, and that in its axes, if one is near."""
     best, least = None, NEAR
-    for k, fixture in enumerate(snares.fixtures):
-        if fixture is not None:
-            away = float(np.linalg.norm(_fixture(flight, state, snares, k)[:3]))
-            if away < least:
-                best, least = k, away
+    for k in range(count):
+        fixture = fixture_in_hand(flight, state, k)
+        if fixture is not None and (away := float(np.linalg.norm(fixture[:3]))) < least:
+            best, least = (k, fixture), away
     return best
 
 
-def _fixture(flight: Flight, state: State, snares: Snares, k: int) -> Array:
-    """(12,) a cargo's grapple fixture in the end effector's axes E."""
-    site, frames = flight.site, state.site.frames
-    effector, fixture, found = np.empty(POSE), np.empty(POSE), np.empty(POSE)
-    compose(frames[site.last_joint], site.effector, effector)
-    compose(frames[site.cargo_row(k)], snares.fixture(k), fixture)
-    relative(effector, fixture, found)
-    return found
+def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare) -> bool:
+    """The carriage draws the pin towards its seat, from the next step on; False where that would deepen a contact.
 
-
-def _draw_in(flight: Flight, state: State, snares: Snares, k: int) -> None:
-    """The carriage draws the pin to its seat; a payload that is fixed stays, and the arm gives way (assumed)."""
+    A payload that is fixed stays, and the arm gives way (assumed): what the carriage has gone meanwhile is not pulled
+    in later, so that nothing jumps when the payload is unlatched.
+    """
     site, things = flight.site, state.site
     thing = things.cargo[k]
     if thing.seat or thing.first is None:
-        return
-    left = row_of(remaining(pose_of(np.array(thing.first)), things.snare.misaligned))
+        return True
+    left = row_of(remaining(pose_of(np.array(thing.first)), 1.0 - (snare.drawn - thing.since)))
     pin, centre, grasp = np.empty(POSE), np.empty(POSE), np.empty(POSE)
     compose(site.effector, left, pin)
     relative(snares.fixture(k), _NOWHERE, centre)
     compose(pin, centre, grasp)
+    drawn = np.empty(POSE)
+    compose(things.frames[site.last_joint], grasp, drawn)
+    if waits(flight, state, k, drawn, "carriage"):
+        return False
     thing.grasp = grasp.tolist()
-    place_held(flight, state)
-    if things.snare.drawn == 1.0:
-        regrasp(flight, state, k)
+    if snare.drawn == 1.0:
+        shown, thing.steered = state.carried.payload, thing.grasp
+        steer_with(flight, state, k)
+        state.carried = state.carried._replace(payload=shown)
+    return True
 
 
 def _acquired(flight: Flight, state: State, k: int) -> None:

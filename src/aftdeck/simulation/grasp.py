@@ -23,42 +23,80 @@ def take_hold(flight: Flight, state: State, k: int) -> None:
     things = state.site
     things.cargo[k].held, things.cargo[k].floating = True, None
     regrasp(flight, state, k)
-    things.contacts.forget()
-    things.told = frozenset()
     things.mask(flight.site)
 
 
 def regrasp(flight: Flight, state: State, k: int) -> None:
-    """What is held is held as it stands now, and steered so."""
-    site, things = flight.site, state.site
-    grasp, inside = np.empty(POSE), np.empty(POSE)
-    relative(things.frames[site.last_joint], things.frames[site.cargo_row(k)], grasp)
-    relative(site.hand, grasp, inside)
-    things.cargo[k].grasp, things.cargo[k].steered = grasp.tolist(), inside.tolist()
+    """What is held is held as it stands now, and steered so; the carriage draws in what is left from here on."""
+    thing = state.site.cargo[k]
+    hold_so(flight, state, k, _relative_to_hand(flight, state, k))
+    thing.steered = thing.grasp
+    if (fixture := fixture_in_hand(flight, state, k)) is not None:
+        thing.first, thing.since = fixture.tolist(), state.site.snare.drawn
     steer_with(flight, state, k)
+
+
+def hold_so(flight: Flight, state: State, k: int, grasp: Array) -> None:
+    """A cargo is held at a pose (12,) in the frame of the last joint; the steering keeps to what it was told last."""
+    state.site.cargo[k].grasp = grasp.tolist()
+    state.carried = state.carried._replace(payload=_payload(flight, k, grasp))
 
 
 def steer_with(flight: Flight, state: State, k: int) -> None:
     """The steering takes the mass, the axes and, as point of resolution, the centre of what is held."""
-    inside = np.array(state.site.cargo[k].steered)
+    thing = state.site.cargo[k]
+    state.carried = carrying(flight.scenario, _payload(flight, k, np.array(thing.steered)))
+    state.carried = state.carried._replace(payload=_payload(flight, k, np.array(thing.grasp)))
+
+
+def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
+    """What is held so, as the arm's laws take it."""
+    inside = np.empty(POSE)
+    relative(flight.site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()
-    payload = Payload(flight.site.cargo[k].mass, rotation, rotation.T @ inside[:3], np.zeros(3))
-    state.carried = carrying(flight.scenario, payload)
+    return Payload(flight.site.cargo[k].mass, rotation, rotation.T @ inside[:3], np.zeros(3))
+
+
+def _relative_to_hand(flight: Flight, state: State, k: int) -> Array:
+    """(12,) a cargo's pose in the frame of the last joint."""
+    site, frames, grasp = flight.site, state.site.frames, np.empty(POSE)
+    relative(frames[site.last_joint], frames[site.cargo_row(k)], grasp)
+    return grasp
+
+
+def fixture_in_hand(flight: Flight, state: State, k: int) -> Array | None:
+    """(12,) the grapple fixture of a cargo in the end effector's axes E; None where it has none for this hand."""
+    site, frames = flight.site, state.site.frames
+    fixture = site.snares.fixtures[k] if site.snares is not None else None
+    if fixture is None:
+        return None
+    effector, place, found = np.empty(POSE), np.empty(POSE), np.empty(POSE)
+    compose(frames[site.last_joint], site.effector, effector)
+    compose(frames[site.cargo_row(k)], fixture, place)
+    relative(effector, place, found)
+    return found
 
 
 def place_held(flight: Flight, state: State) -> None:
-    """Put what is held, and fixed to nothing else, where the hand is."""
+    """Put what is held where the hand is; what is fixed as well stays, and turns in the hand where latches draw it."""
     site, things = flight.site, state.site
     for k, thing in enumerate(things.cargo):
-        if thing.grasp is not None and not thing.seat:
-            compose(things.frames[site.last_joint], np.array(thing.grasp), things.frames[site.cargo_row(k)])
+        if thing.grasp is None:
+            continue
+        if not thing.seat:
+            grasp = np.array(thing.grasp)
+            compose(things.frames[site.last_joint], grasp, things.frames[site.cargo_row(k)])
+            if things.snare.captured and things.snare.tension < 1.0:  # the carriage may have drawn it in
+                state.carried = state.carried._replace(payload=_payload(flight, k, grasp))
+        elif (grasp := _relative_to_hand(flight, state, k)).tolist() != thing.grasp:
+            hold_so(flight, state, k, grasp)
 
 
 def let_go(flight: Flight, state: State, k: int) -> None:
     """Nothing is in the grasp any more; modes that move a payload are left."""
     things, panel = state.site, state.panel
     thing = things.cargo[k]
-    thing.held, thing.grasp, thing.first, thing.steered = False, None, None, None
+    thing.held, thing.grasp, thing.first, thing.steered, thing.since = False, None, None, None, 0.0
     state.carried = carrying(flight.scenario, None)
     if MODES[panel.mode].loaded:
         panel.mode, panel.held, panel.holding, panel.sequence = "ORB UNL", None, None, "idle"
@@ -66,8 +104,11 @@ def let_go(flight: Flight, state: State, k: int) -> None:
     things.mask(flight.site)
 
 
-def set_free(flight: Flight, state: State, k: int) -> None:
-    """A cargo that nothing holds any more goes on as it moves, and keeps its attitude control."""
+def set_free(flight: Flight, state: State, k: int, from_space: bool) -> None:
+    """A cargo that nothing holds any more goes on as it moves, and keeps its attitude control.
+
+    What was fixed in space rests there; what was held moves as the hand did, with the orbiter's velocity.
+    """
     site, things = flight.site, state.site
     row = site.cargo_row(k)
     now = motion(things.before[row], things.frames[row], flight.scenario.control_period)
@@ -75,5 +116,7 @@ def set_free(flight: Flight, state: State, k: int) -> None:
     pose[:3] += things.away(site)
     turn = pose[3:].reshape(3, 3).T @ np.array([now.wx, now.wy, now.wz])
     velocity = np.array([now.vx, now.vy, now.vz]) + site.axes @ things.orbiter_velocity
+    if from_space:
+        velocity[:] = 0.0
     things.cargo[k].floating = floating(pose, velocity, turn, site.cargo[k].limit_cycle)
     things.mask(site)

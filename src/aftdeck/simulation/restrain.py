@@ -12,7 +12,7 @@ from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.sliding import slide_along
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import RATES, TWIST
+from aftdeck.steering.layout import CLOCK, PACE, RATES, RATIO, TWIST
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.restrain import allowed
 
@@ -29,28 +29,41 @@ def restrain(flight: Flight, state: State, telescope: float) -> float:
         How the stand is driven.
     """
     things = state.site
-    sliding = things.held if MODES[state.panel.mode].kind in ("automatic", "manual") else None
+    sliding = slider(state)
     things.contacts.essential = flight.site.essential_while(sliding)
     rates = state.steering[RATES : RATES + 6]
     if things.fast:
-        return _halted(state)
+        return _halted(flight, state)
     if not (telescope or np.any(rates)):
         return 0.0
     if sliding is not None:
         slides = slide_along(flight, state, telescope, sliding)
         if slides is None:
-            return _halted(state)
+            return _halted(flight, state)
         telescope = slides
     if not things.contacts.inhibit.arm:
         return telescope
     after = frames_after(flight, state, rates, telescope)
     if allowed(things.watch, things.contacts.arm & (1 - things.contacts.essential), after):
         return telescope
-    return _halted(state)
+    return _halted(flight, state)
 
 
-def _halted(state: State) -> float:
-    """The arm stands still, and the stand with it: the next step's steering begins from rest."""
-    state.steering[RATES : RATES + 6] = 0.0
-    state.steering[TWIST : TWIST + 6] = 0.0
+def slider(state: State) -> int | None:
+    """The cargo that slides along the walls that it touches: what is held, in the modes that steer a point."""
+    return state.site.held if MODES[state.panel.mode].kind in ("automatic", "manual") else None
+
+
+def _halted(flight: Flight, state: State) -> float:
+    """The arm stands still, and the stand with it: nothing is left of what was commanded.
+
+    The next step's steering begins from rest, and the clock of modes 1 and 3 has not run.
+    """
+    steering = state.steering
+    steering[RATES : RATES + 6] = 0.0
+    steering[TWIST : TWIST + 6] = 0.0
+    state.report[RATIO] = 0.0
+    if MODES[state.panel.mode].kind == "automatic" and not flight.scenario.strict:
+        steering[CLOCK] -= steering[PACE] * flight.scenario.control_period
+        steering[PACE] = 0.0
     return 0.0

@@ -14,9 +14,10 @@ from aftdeck.simulation.berths import Berth
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import regrasp, set_free
 from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.mechanism import waits
 from aftdeck.simulation.state import State
 from aftdeck.worksite.berthing import in_guides, places, ready_to_latch, retained
-from aftdeck.worksite.conditions import Condition, all_hold, refusal
+from aftdeck.worksite.conditions import Condition, all_hold, reasons
 from aftdeck.worksite.docking import FOUND, approach, docking
 from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.latches import Latches, advance
@@ -29,15 +30,18 @@ NEAR = 3.0
 
 def seat(flight: Flight, state: State, pressed: str | None) -> None:
     """Fix what a seat takes, and let go what it is told to (`pressed`: latch, unlatch or None)."""
-    things = state.site
-    taken = False
-    for k, thing in enumerate(things.cargo):
+    held = state.site.held
+    answers: list[str | None] = []
+    for k, thing in enumerate(state.site.cargo):
+        answer = None
         if thing.seat:
-            taken = _fixed(flight, state, k, pressed) or taken
+            answer = _fixed(flight, state, k, pressed)
         elif thing.held:
-            taken = _brought(flight, state, k, pressed) or taken
-    if pressed and not taken:
-        refuse(flight, state, f"{pressed.upper()} refused: no payload is at a seat")
+            answer = _brought(flight, state, k, pressed)
+        answers.insert(0 if k == held else len(answers), answer)
+    if pressed and "" not in answers:
+        why = next((answer for answer in answers if answer), "no payload is at a seat")
+        refuse(flight, state, f"{pressed.upper()} refused: {why}")
 
 
 def stay_or_leave(flight: Flight, state: State, k: int) -> None:
@@ -49,11 +53,15 @@ def stay_or_leave(flight: Flight, state: State, k: int) -> None:
         if berth.lies and all_hold(_conditions(flight, state, k, berth)):
             _fix(flight, state, k, berth, Latches(1.0, 1.0))
             return
-    set_free(flight, state, k)
+    set_free(flight, state, k, from_space=False)
 
 
-def _brought(flight: Flight, state: State, k: int, pressed: str | None) -> bool:
-    """A cargo in the grasp comes to a seat: the conditions of the nearest; whether `pressed` was meant for it."""
+def _brought(flight: Flight, state: State, k: int, pressed: str | None) -> str | None:
+    """A cargo in the grasp comes to a seat, which takes it, or says by the conditions of the nearest why not.
+
+    Returns:
+        What comes of `pressed`: None where it was not meant for this cargo, empty where it was done, else why not.
+    """
     site, things = flight.site, state.site
     thing = things.cargo[k]
     nearest: tuple[float, Berth] | None = None
@@ -63,7 +71,7 @@ def _brought(flight: Flight, state: State, k: int, pressed: str | None) -> bool:
             nearest = away, berth
     if nearest is None:
         thing.parted = ""
-        return False
+        return None
     berth = nearest[1]
     conditions = _conditions(flight, state, k, berth)
     things.pursuit, things.conditions = f"{berth.verb} in the {berth.seat.title}", conditions
@@ -71,44 +79,52 @@ def _brought(flight: Flight, state: State, k: int, pressed: str | None) -> bool:
     if thing.parted and not (holds and thing.parted == berth.seat.name):
         thing.parted = ""
     if berth.at_once:
-        if holds and not thing.parted:
+        if holds and (pressed == "latch" or not thing.parted):
+            thing.parted = ""
             _fix(flight, state, k, berth, Latches(1.0, 1.0))
-        elif pressed == "latch":
-            thing.parted = "" if holds else thing.parted
-            if not holds:
-                refuse(flight, state, refusal("LATCH", conditions))
-        return pressed == "latch"
-    if pressed != "latch" or berth.lies:
-        return False
+            return ""
+        return reasons(conditions) if pressed == "latch" else None
+    if pressed != "latch":
+        return None
+    if berth.lies:
+        return f"the {berth.seat.title} keeps what the hand lets go there: RELEASE"
     latches, said = advance(Latches(), berth.seat.time, "latch", flight.scenario.control_period, conditions)
     for line in said:
         log(flight, state, line.kind, line.level, line.text)
     if latches.hold:
         log(flight, state, "latch", "info", f"latches of the {berth.seat.title} closing")
         _fix(flight, state, k, berth, latches)
-    return True
+    return ""
 
 
-def _fixed(flight: Flight, state: State, k: int, pressed: str | None) -> bool:
-    """A cargo in its seat: the latches go on, or are told to let go; whether `pressed` was meant for it."""
+def _fixed(flight: Flight, state: State, k: int, pressed: str | None) -> str | None:
+    """A cargo in its seat: the latches go on, or are told to let go; what comes of `pressed`, as of `_brought`."""
     site, things = flight.site, state.site
     thing = things.cargo[k]
     berth = next(berth for berth in site.berths[k] if berth.seat.name == thing.seat)
-    if berth.at_once or berth.lies:
-        if pressed == "unlatch" and not (berth.lies and not thing.held):
-            _unfix(flight, state, k, berth)
-            return True
-        return False
+    if berth.lies:
+        lies = f"{site.cargo[k].title} lies in the {berth.seat.title}"
+        return f"{lies}, which keeps what the hand lets go there and lets go what it takes" if pressed else None
+    if berth.at_once:
+        if pressed != "unlatch":
+            return f"{site.cargo[k].title} is docked already" if pressed else None
+        _unfix(flight, state, k, berth)
+        return ""
     command = pressed if pressed in ("latch", "unlatch") else ""
     before = thing.latches
-    thing.latches, said = advance(before, berth.seat.time, command, flight.scenario.control_period, ())  # type: ignore[arg-type]
+    after, said = advance(before, berth.seat.time, command, flight.scenario.control_period, ())  # type: ignore[arg-type]
+    seated, halted = thing.seated, False
+    if after.drawn != before.drawn:
+        seated = row_of(remaining(pose_of(np.array(thing.off)), after.misaligned)).tolist()
+        halted = thing.held and waits(flight, state, k, _in_seat(flight, state, berth, seated), "latches")
     for line in said:
-        log(flight, state, line.kind, line.level, line.text)
-    if thing.latches.drawn != before.drawn:
-        thing.seated = row_of(remaining(pose_of(np.array(thing.off)), thing.latches.misaligned)).tolist()
+        if line.kind == "refused" or not halted:
+            log(flight, state, line.kind, line.level, line.text)
+    if not halted:
+        thing.latches, thing.seated = after, seated
     if not thing.latches.hold:
         _unfix(flight, state, k, berth)
-    return bool(command)
+    return "" if command else None
 
 
 def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -> None:
@@ -130,7 +146,7 @@ def _unfix(flight: Flight, state: State, k: int, berth: Berth) -> None:
     if thing.held:
         regrasp(flight, state, k)
     else:
-        set_free(flight, state, k)
+        set_free(flight, state, k, from_space=berth.seat.frame == "space")
     things.mask(site)
     what = "undocked from" if berth.at_once else "let go by"
     log(flight, state, "unseated", "info", f"{site.cargo[k].title} {what} the {berth.seat.title}")
@@ -141,9 +157,15 @@ def seated_at(flight: Flight, state: State, k: int, out: Array) -> None:
     site, things = flight.site, state.site
     thing = things.cargo[k]
     berth = next(berth for berth in site.berths[k] if berth.seat.name == thing.seat)
-    place = np.empty(POSE)
-    compose(things.frames[berth.row], berth.place, place)
-    compose(place, np.array(thing.seated), out)
+    out[:] = _in_seat(flight, state, berth, thing.seated)
+
+
+def _in_seat(flight: Flight, state: State, berth: Berth, seated: list[float]) -> Array:
+    """(12,) where a cargo is, in L, that stands so against its place in a seat."""
+    place, out = np.empty(POSE), np.empty(POSE)
+    compose(state.site.frames[berth.row], berth.place, place)
+    compose(place, np.array(seated), out)
+    return out
 
 
 def _off(flight: Flight, state: State, k: int, berth: Berth) -> Array:
@@ -155,7 +177,15 @@ def _off(flight: Flight, state: State, k: int, berth: Berth) -> Array:
 
 
 def _conditions(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
-    """What has to hold before the seat takes the cargo."""
+    """What has to hold before the seat takes the cargo; that it is empty is told where it is not."""
+    things = state.site
+    there = [flight.site.cargo[i].title for i, one in enumerate(things.cargo) if i != k and one.seat == berth.seat.name]
+    taken = tuple(Condition("seat empty", False, 1.0, 0.0, "", -1.0, f"{title} is in it") for title in there)
+    return (*_fitting(flight, state, k, berth), *taken)
+
+
+def _fitting(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
+    """How the cargo has to stand to its place."""
     units = flight.scenario.arm.model.units
     off = _off(flight, state, k, berth)
     if berth.port is not None:

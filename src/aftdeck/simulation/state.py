@@ -139,6 +139,12 @@ class State:
         self.report[:] = saved.report
         self.events.clear()
 
+    def become(self, other: State) -> None:
+        """Be as another state of the same flight, but for the tick, the script, the log and the inputs under way."""
+        self.panel, self.carried, self.plant, self.site = other.panel, other.carried, other.plant, other.site
+        self.steering, self.commanded = other.steering, other.commanded
+        self.command, self.report = other.command, other.report
+
     def measure(self, scenario: Scenario) -> None:
         """Take up where the arm is: what steering, plans and checks start from."""
         self.steering[ANGLES : ANGLES + 6] = self.plant.angles

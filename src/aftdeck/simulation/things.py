@@ -33,9 +33,11 @@ class Thing(msgspec.Struct):
     grasp: list[float] | None = None
     """While held: its pose in the frame of the last joint."""
     steered: list[float] | None = None
-    """While held: its pose against the tip, as the steering takes it."""
+    """While held: the same as the steering takes it, which goes by how it was when it was taken or last set."""
     first: list[float] | None = None
-    """Its fixture in the end effector's axes when the snares closed on it, from where it is drawn in."""
+    """Its fixture in the end effector's axes when the carriage began to draw it in."""
+    since: float = 0.0
+    """How far the carriage was retracted then."""
     seat: str = ""
     """What it is fixed to; empty: nothing."""
     latches: Latches = Latches()
@@ -71,6 +73,7 @@ class Things:
         conditions: of the capture, docking or latching that comes next.
         advice: the way out of the contacts that was found last.
         refused_orbiter: whether the orbiter's translation was asked for and refused in the last step.
+        waiting: whether carriage or latches wait before a contact.
     """
 
     def __init__(self, scenario: Scenario, site: Site) -> None:
@@ -92,6 +95,7 @@ class Things:
         self.conditions: tuple[Condition, ...] = ()
         self.advice = ""
         self.refused_orbiter = False
+        self.waiting = False
 
     @property
     def held(self) -> int | None:
@@ -107,6 +111,11 @@ class Things:
         held = self.held
         return held is not None and self.cargo[held].seat != ""
 
+    @property
+    def _meant(self) -> list[Thing]:
+        """The payload that latching and unlatching is about: the one in the grasp; with none there, any."""
+        return [thing for thing in self.cargo if thing.held] or self.cargo
+
     def away(self, site: Site) -> Array:
         """(3,) how far the orbiter has moved, in L [m]."""
         moved: Array = site.axes @ self.orbiter
@@ -120,9 +129,9 @@ class Things:
             case "released":
                 return self.held is None and self.snare.motion != "release"
             case "latched":
-                return any(thing.seat and not thing.latches.motion for thing in self.cargo)
+                return any(thing.seat and not thing.latches.motion for thing in self._meant)
             case "unlatched":
-                return not any(thing.seat for thing in self.cargo)
+                return not any(thing.seat for thing in self._meant)
 
     def mask(self, site: Site) -> None:
         """Which groups are looked at, and which move with the arm, as things are held and fixed now."""
@@ -134,6 +143,8 @@ class Things:
                 by_arm |= site.of_cargo[k]
             if thing.seat:
                 active &= 1 - site.seated[k, thing.seat]
+        # a contact that is looked at no more does not end: nothing is told of it
+        self.told = frozenset(group for group in self.told if active[group])
 
     def save(self) -> SavedThings:
         """A copy that nothing changes."""
@@ -156,6 +167,7 @@ class Things:
             self.conditions,
             self.advice,
             self.refused_orbiter,
+            self.waiting,
         )
 
     def restore(self, saved: SavedThings) -> None:
@@ -170,7 +182,7 @@ class Things:
         self.switch, self.effector_mode, self.rigid = saved.switch, saved.effector_mode, saved.rigid
         self.task = saved.task
         self.pursuit, self.conditions, self.advice = saved.pursuit, saved.conditions, saved.advice
-        self.refused_orbiter = saved.refused_orbiter
+        self.refused_orbiter, self.waiting = saved.refused_orbiter, saved.waiting
 
 
 def _copied(thing: Thing) -> Thing:
@@ -200,3 +212,4 @@ class SavedThings(msgspec.Struct, frozen=True):
     conditions: tuple[Condition, ...]
     advice: str
     refused_orbiter: bool
+    waiting: bool

@@ -68,7 +68,8 @@ def way_out_of_contact(flight: Flight, state: State) -> str:
     afters = np.array([frames_after(flight, state, one, 0.0) for one in rates])
     out = ways_out_of(things.watch, things.contacts.arm & (1 - things.contacts.essential), afters)
     best = int(out.argmax())
-    return f"way out: {_STICKS[best]}" if out[best] > 0.0 else ""
+    enter = "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL, "
+    return f"way out: {enter}{_STICKS[best]}" if out[best] > 0.0 else ""
 
 
 def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:

@@ -15,8 +15,9 @@ from aftdeck.simulation.seating import seat, seated_at
 from aftdeck.simulation.state import State
 from aftdeck.simulation.tasks import change_task
 from aftdeck.simulation.ways_out import way_out_of_contact
+from aftdeck.worksite.contacts import FRAMES
 from aftdeck.worksite.drift import translate
-from aftdeck.worksite.restrain import allowed
+from aftdeck.worksite.restrain import deepened
 
 Array = NDArray[np.float64]
 
@@ -65,25 +66,39 @@ def place_all(flight: Flight, state: State) -> None:
 
 
 def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Translate the orbiter; not while the arm holds what something in space holds too."""
-    things, rule = state.site, flight.site.worksite.translation
-    asked = any(inputs.orbiter)
-    if rule is None or not (asked or things.orbiter_velocity.any()):
-        if asked and not things.refused_orbiter:
-            refuse(flight, state, "the orbiter does not translate at this worksite")
-        things.refused_orbiter = asked
-        return
-    held = things.held
-    tied = held is not None and things.cargo[held].seat != "" and flight.site.in_space(things.cargo[held].seat)
-    if tied and asked and not things.refused_orbiter:
-        refuse(flight, state, "the orbiter does not translate while the arm holds a docked payload: RELEASE or UNLATCH")
-    things.refused_orbiter = tied and asked
-    command = np.zeros(3) if tied else np.array(inputs.orbiter)
-    if tied:
-        things.orbiter_velocity[:] = 0.0
-        return
-    period = flight.scenario.control_period
-    translate(things.orbiter, things.orbiter_velocity, command, rule.speed, rule.reached_in, period)
+    """Translate the orbiter, or stop it at once and say why it may not go."""
+    things = state.site
+    why = ""
+    if any(inputs.orbiter) or things.orbiter_velocity.any():
+        why = _translated(flight, state, np.array(inputs.orbiter))
+    if why and not things.refused_orbiter:
+        refuse(flight, state, why)
+    things.refused_orbiter = bool(why)
+
+
+def _translated(flight: Flight, state: State, command: Array) -> str:
+    """Translate the orbiter; empty, or why it does not: tied by the arm to what is fixed in space, or by a contact."""
+    site, things, rule = flight.site, state.site, flight.site.worksite.translation
+    if rule is None:
+        return "the orbiter does not translate at this worksite"
+    held, velocity = things.held, things.orbiter_velocity
+    if held is not None and things.cargo[held].seat and site.in_space(things.cargo[held].seat):
+        velocity[:] = 0.0
+        return "the orbiter does not translate while the arm holds a docked payload: RELEASE or UNLATCH"
+    detrimental, period = 1 - things.contacts.essential, flight.scenario.control_period
+    if not np.any(detrimental & (things.contacts.count == FRAMES)):
+        translate(things.orbiter, velocity, command, rule.speed, rule.reached_in, period)
+        return ""
+    place_all(flight, state)
+    without, here = things.frames.copy(), things.orbiter.copy()
+    translate(things.orbiter, velocity, command, rule.speed, rule.reached_in, period)
+    place_all(flight, state)
+    group = deepened(things.watch, detrimental, without, things.frames)
+    if group < 0:
+        return ""
+    things.orbiter[:], velocity[:] = here, 0.0
+    a, b = site.layout.named(group)
+    return f"the orbiter does not translate so: it would bring {a} deeper into {b}"
 
 
 def _move_prong(flight: Flight, state: State) -> None:
@@ -92,10 +107,11 @@ def _move_prong(flight: Flight, state: State) -> None:
     drive = _DRIVES[things.switch] if site.prong else 0.0
     prong, period = things.prong, flight.scenario.control_period
     if drive != 0.0 and things.contacts.inhibit.finger:
+        place_all(flight, state)
         after = things.frames.copy()
         position = prong.after(drive, period)
         place_frames(site.arm.joints, state.plant.angles, state.plant.stand.position, position, after[site.arm_rows])
-        if not allowed(things.watch, site.detrimental & site.by_prong, after):
+        if deepened(things.watch, site.detrimental & site.by_prong, things.frames, after) >= 0:
             drive = 0.0
     prong.move(drive, period)
 

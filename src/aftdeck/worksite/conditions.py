@@ -89,10 +89,15 @@ def failing(conditions: Iterable[Condition]) -> tuple[Condition, ...]:
     return tuple(condition for condition in conditions if not condition.holds)
 
 
+def reasons(conditions: Iterable[Condition]) -> str:
+    """What each of those says that do not hold; empty where all hold."""
+    return "; ".join(condition.text for condition in failing(conditions))
+
+
 def refusal(what: str, conditions: Iterable[Condition]) -> str:
     """``CAPTURE refused: palm 2.5 in above the bar, 0 to 0.75 in allowed; ...``; empty where all hold."""
-    reasons = "; ".join(condition.text for condition in failing(conditions))
-    return f"{what} refused: {reasons}" if reasons else ""
+    why = reasons(conditions)
+    return f"{what} refused: {why}" if why else ""
 
 
 def tightest(conditions: Iterable[Condition], unit: Unit) -> Condition | None:

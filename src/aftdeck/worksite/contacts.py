@@ -115,11 +115,6 @@ class Contacts:
         self.inhibit = Inhibit(*two_frames(found, self.essential, self.arm, self.prong, mode, self.count))
         return self.inhibit
 
-    def forget(self) -> None:
-        """Begin anew, with all flags reset: as the report does at acquisition (MO2SET) and at initialise."""
-        self.count[:] = 0
-        self.inhibit = Inhibit(arm=False, finger=False, changed=False)
-
     def standing(self, found: Array) -> tuple[Contact, ...]:
         """Every contact of the frame that was looked at last, deepest first."""
         groups = np.flatnonzero(self.count)

@@ -26,6 +26,8 @@ DEEPER = 1e-12
 Without it, sliding along a wall would be let through or not as rounding has it. A contact that creeps in by it in
 every step of 0.02 s is deeper by 0.2 micrometres after an hour.
 """
+STEP = 1.0
+"""What is farther apart than this [m] comes into no contact in a step."""
 
 
 class Trial(NamedTuple):
@@ -122,6 +124,27 @@ def allowed(watch: Watch, counts: Mask, after: Array) -> bool:
 def deeper(watch: Watch, counts: Mask, after: Array) -> float:
     """How much deeper in each other a step takes two parts [m]; as `allowed`, for contacts that may be there."""
     return float(_trials(watch, counts, after[None])[0, 2])
+
+
+def deepened(watch: Watch, counts: Mask, before: Array, after: Array) -> int:
+    """The contact that a motion deepens most, or makes; -1 where it does neither.
+
+    Args:
+        watch: of which a copy looks.
+        counts: (g,) 1 for the groups that matter.
+        before: (F, 12) the frames without that motion, in L, with all else that has moved in the step.
+        after: (F, 12) the frames with it.
+    """
+    copy = Watch(watch.layout)
+    copy.restore(watch.save())
+    copy.look(before, before, 1.0, STEP)
+    was = copy.found[:, CLEARANCE].copy()
+    copy.look(after, after, 1.0, STEP)
+    now = copy.found[:, CLEARANCE]
+    touched = (counts & copy.active).astype(bool) & ((was <= CONTACT) | (now <= CONTACT))
+    fall = np.full(len(was), -np.inf)
+    fall[touched] = was[touched] - now[touched]
+    return int(fall.argmax()) if fall.max(initial=-np.inf) > DEEPER else -1
 
 
 def ways_out(watch: Watch, counts: Mask, afters: Array) -> Array:

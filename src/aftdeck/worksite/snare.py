@@ -16,7 +16,7 @@ from typing import Literal, NamedTuple
 
 import msgspec
 
-from aftdeck.worksite.conditions import Condition, all_hold, failing
+from aftdeck.worksite.conditions import Condition, all_hold, reasons
 from aftdeck.worksite.said import Said, refused
 
 Mode = Literal["AUTO", "OFF", "MAN"]
@@ -233,5 +233,5 @@ def _why(snare: Snare, conditions: Sequence[Condition]) -> str:
     """Why the snares found no pin between them."""
     if not conditions:
         return "no grapple fixture was near"
-    reasons = "; ".join(condition.text for condition in failing(conditions))
-    return f"the pin left the envelope while they closed: {reasons}" if snare.met else reasons
+    why = reasons(conditions)
+    return f"the pin left the envelope while they closed: {why}" if snare.met else why

@@ -1,0 +1,36 @@
+"""What a mechanism may do to what the arm holds: carriage and latches wait before a contact."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.log import log
+from aftdeck.simulation.state import State
+from aftdeck.worksite.restrain import deepened
+
+Array = NDArray[np.float64]
+
+
+def waits(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
+    """Whether a mechanism may not draw cargo k on, since that would deepen or make a contact; told once.
+
+    Walls along which it slides count: a mechanism does not slide.
+
+    Args:
+        flight: what never changes.
+        state: after its look.
+        k: which cargo, held.
+        pose: (12,) where the mechanism draws it, in L.
+        what: the mechanism, for people.
+    """
+    site, things = flight.site, state.site
+    after = things.frames.copy()
+    after[site.cargo_row(k)] = pose
+    group = deepened(things.watch, things.contacts.arm & site.detrimental, things.frames, after)
+    if group >= 0 and not things.waiting:
+        a, b = site.layout.named(group)
+        log(flight, state, "waits", "caution", f"the {what} waits: it would bring {a} deeper into {b}")
+    things.waiting = group >= 0
+    return things.waiting

@@ -1,0 +1,157 @@
+"""Flights with everything moving at once, and what is told of them, for tests of the worksite."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
+from pathlib import Path
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.arms.solids import solids_of
+from aftdeck.scenario.load import parse_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.worksite.report import Near
+from tests.simulation.concept import vec3
+
+Array = NDArray[np.float64]
+Pair = tuple[str, str]
+
+SRMS = """title = "test"
+arm = "srms"
+worksite = "orbiter"
+duration = "3600 s"
+{head}
+[[cargo]]
+name = "payload"
+[initial]
+near = ["-35 deg", "87 deg", "-109 deg", "-79 deg", "16 deg", "-123 deg"]
+{grasped}
+[initial.pose]
+frame = "panel"
+position = ["{x} in", "{y} in", "{z} in"]
+pitch = "{pitch} deg"
+yaw = "{yaw} deg"
+roll = "{roll} deg"
+"""
+GRASPED = """[initial.grasped]
+cargo = "payload"
+joints = ["-31.09 deg", "80.88 deg", "-120.02 deg", "-61.22 deg", "16.59 deg", "-127.91 deg"]
+"""
+FIXTURE = 400.0 + 2.26 / 0.0254
+"""Zo of the payload's grapple fixture in the bay [in]."""
+OVER = -903.7323
+"""X of the end effector over it [in]."""
+
+
+@functools.cache
+def srms(
+    above: float, x: float = 0.0, y: float = 0.0, turned: tuple[float, float, float] = (0.0, 0.0, 0.0), *,
+    held: bool = False, head: str = "",
+) -> Scenario:  # fmt: skip
+    """The end effector over the place of the payload's fixture in the bay [in], aside of it [in] and turned [deg]."""
+    roll, pitch, yaw = turned
+    text = SRMS.format(
+        x=OVER + x, y=y, z=-(FIXTURE + above), pitch=270.0 + pitch, yaw=yaw, roll=roll,
+        grasped=GRASPED if held else "", head=head,
+    )  # fmt: skip
+    return parse_scenario(text, "test", "test.toml", Path("."))
+
+
+MODES = ("ORB UNL", "ORB LD", "END EFF", "PL", "SINGLE", "DIRECT", "MASTER")
+
+
+def anything(
+    rng: np.random.Generator, steps: int, pace: float = 1.0, *, switches: float = 0.15, but: tuple[str, ...] = ()
+) -> Iterator[Inputs]:
+    """Sticks in every direction, changed every third of a second, and switches that are put now and then.
+
+    Args:
+        rng: where chance comes from.
+        steps: how many.
+        pace: of the sticks, 0 to 1.
+        switches: how often one is put when the sticks change, 0 to 1.
+        but: switches that are left alone.
+    """
+    held = Inputs()
+    for k in range(steps):
+        if k % 16 == 0:
+            some = rng.random(5) < 0.6
+            held = Inputs(
+                vec3(pace * rng.uniform(-1.0, 1.0, 3) * some[0]),
+                vec3(pace * rng.uniform(-1.0, 1.0, 3) * some[1]),
+                drive=float(pace * rng.uniform(-1.0, 1.0)),
+                telescope=float(pace * rng.choice([-1.0, 0.0, 1.0]) * some[2]),
+                orbiter=vec3(rng.choice([-1.0, 0.0, 1.0], 3) * some[3]),
+            )
+            put = {name: values[rng.integers(len(values))] for name, values in SWITCHES.items() if name not in but}
+            yield _with(held, {name: value for name, value in put.items() if rng.random() < switches})
+        else:
+            yield held
+
+
+SWITCHES: dict[str, list[object]] = {
+    "mode": list(MODES),
+    "joint": list(range(6)),
+    "rate": ["coarse", "vernier"],
+    "effector": ["stop", "close", "open"],
+    "effector_mode": ["auto", "manual"],
+    "rigid": ["off", "rigid", "derigid"],
+    "latch": ["latch", "unlatch"],
+}
+
+
+def _with(inputs: Inputs, put: dict[str, object]) -> Inputs:
+    """Inputs with switches put as well."""
+    return msgspec.structs.replace(inputs, **put)
+
+
+def flown(made: Scenario | aftdeck.Simulation, given: Iterable[Inputs]) -> list[Frame]:
+    """The frames of a flight by hand."""
+    sim = made if isinstance(made, aftdeck.Simulation) else aftdeck.Simulation(made)
+    return [sim.step(inputs) for inputs in given]
+
+
+@functools.cache
+def arm_parts(arm: str) -> frozenset[str]:
+    """The parts of a built-in arm."""
+    return frozenset(solid.part for solid in solids_of(aftdeck.load_arm(arm).model))
+
+
+def log_of(frames: Iterable[Frame]) -> list[str]:
+    """The log's lines."""
+    return [event.text for frame in frames for event in frame.events]
+
+
+def movers(scenario: Scenario, frame: Frame) -> set[str]:
+    """The parts that move with the arm at a frame: its own, and those of what it holds."""
+    own = set(arm_parts("srms" if scenario.worksite.name == "orbiter" else "concept-1972"))
+    held = [cargo.name for cargo in frame.work.cargo if cargo.held]
+    return own | {solid.part for cargo in scenario.cargo if cargo.name in held for solid in cargo.solids}
+
+
+def harmful(scenario: Scenario, frame: Frame) -> dict[Pair, Near]:
+    """The detrimental contacts of a frame that the arm has or what it holds."""
+    mine = movers(scenario, frame)
+    return {(c.a, c.b): c for c in frame.work.contacts if not c.essential and {c.a, c.b} & mine}
+
+
+def begun_anew(frame: Frame) -> bool:
+    """Whether a part of the problem was begun with a frame."""
+    return any(event.kind == "initialise" for event in frame.events)
+
+
+def same_possession(one: Frame, other: Frame) -> bool:
+    """Whether everything is held and fixed in two frames as in the other."""
+    return [(c.held, c.seat) for c in one.work.cargo] == [(c.held, c.seat) for c in other.work.cargo]
+
+
+def in_turn(frames: list[Frame]) -> Iterator[tuple[Frame, Frame]]:
+    """Each frame with the one before, where no part of the problem was begun between."""
+    return ((before, now) for before, now in pairwise(frames) if not begun_anew(now))

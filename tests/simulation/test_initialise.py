@@ -1,0 +1,117 @@
+"""Parts of the problem begun anew: from anywhere in a flight they are as a flight that begins there."""
+
+from __future__ import annotations
+
+import functools
+import tomllib
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.scenario.load import load_scenario, parse_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from tests.simulation.concept import held_for, joints, scenario
+from tests.simulation.flights import anything, flown, log_of
+
+PARTS = ("full problem", "acquisition", "extraction", "manoeuvring")
+
+
+@functools.cache
+def problem(extra: str = "") -> Scenario:
+    """The report's whole problem, with more lines in its head."""
+    text = load_scenario("concept-1972").text
+    return parse_scenario(f"{extra}\n{text}", "test", "test.toml", Path("."))
+
+
+@functools.cache
+def begins_there(part: str, extra: str = "") -> Scenario:
+    """A scenario whose full problem begins where that part does."""
+    text = load_scenario("concept-1972").text
+    if part == "full problem":
+        return parse_scenario(f"{extra}\n{text}", "test", "test.toml", Path("."))
+    parts = tomllib.loads(text)["initialise"]
+    head, _, rest = text.partition("[initial]")
+    _, _, rest = rest.partition("[[cargo]]")
+    lines = "\n".join(f"{key} = {_toml(value)}" for key, value in parts[part].items())
+    return parse_scenario(f"{extra}\n{head}[initial]\n{lines}\n[[cargo]]{rest}", "test", "test.toml", Path("."))
+
+
+def _toml(value: object) -> str:
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {_toml(one)}" for key, one in value.items()) + " }"
+    return repr(value)
+
+
+def timeless(frames: list[Frame], *, first: bool) -> list[Frame]:
+    """Frames without their time, and without what the first one tells of a beginning."""
+    found = []
+    for k, frame in enumerate(frames):
+        events = tuple(msgspec.structs.replace(event, time_s=0.0) for event in frame.events)
+        if first and k == 0:
+            events = tuple(event for event in events if event.kind not in ("initialise", "task"))
+        found.append(msgspec.structs.replace(frame, tick=0, time_s=0.0, events=events))
+    return found
+
+
+def check_begun(made: Scenario, fresh: Scenario, part: str, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    sim = aftdeck.Simulation(made)
+    flown(sim, anything(rng, 150))
+    later = list(anything(rng, 120))
+    begun = [sim.step(Inputs(initialise=part)), *flown(sim, later)]  # type: ignore[arg-type]
+    other = flown(fresh, [Inputs(), *later])
+    for one, two in zip(timeless(begun, first=True), timeless(other, first=True), strict=True):
+        assert one == two, begun[0].tick
+    assert log_of(begun[:1])[0] == f"initialised to {part}"
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_a_part_begun_anew_is_as_a_flight_that_begins_there(part: str) -> None:
+    check_begun(problem(), begins_there(part), part, 7 + PARTS.index(part))
+
+
+def test_the_panel_is_the_scenarios_again_with_all_its_switches() -> None:
+    head = 'position_hold = true\nrate = "vernier"\nlaw = "position"'
+    check_begun(problem(head), begins_there("extraction", head), "extraction", 3)
+    sim = aftdeck.Simulation(problem(head))
+    flown(sim, [Inputs(position_hold=False, rate="coarse", joint=3, effector_mode="manual", rigid="derigid")])
+    frame = sim.step(Inputs(initialise="full problem"))
+    assert frame.position_hold and frame.rate == "vernier" and frame.joint == 0
+    assert frame.work.hand.mode == "auto" and frame.work.hand.rigid == "off"
+
+
+def test_an_automatic_mode_of_the_scenario_is_checked_and_ready_again() -> None:
+    point = 'frame = "L", position = ["28 ft", "0 ft", "-2 ft"], matrix = [[0, 0, -1], [0, 1, 0], [1, 0, 0]]'
+    goal = f"[[sequence]]\nslot = 1\npoint = [{{ target = {{ {point} }}, pause = true }}]"
+    text = load_scenario("concept-1972").text.replace('mode = "ORB UNL"', 'mode = "AUTO 1"') + goal
+    made = parse_scenario(text, "test", "test.toml", Path("."))
+    sim = aftdeck.Simulation(made)
+    first = sim.step(Inputs())
+    assert first.sequence == "ready" and first.check is not None
+    flown(sim, [Inputs(proceed=True), *held_for(100, Inputs())])
+    again = sim.step(Inputs(initialise="full problem"))
+    assert (again.sequence, again.check, again.mode) == ("ready", first.check, "AUTO 1")
+
+
+def test_a_part_with_nothing_in_the_grasp_does_not_begin_in_a_mode_that_moves_a_payload() -> None:
+    grasped = f'mode = "ORB LD"\n[initialise.acquisition]\njoints = {joints((28.0, 0.0, -3.3))}\nstand = "16 ft"'
+    sim = aftdeck.Simulation(scenario((28.0, 0.0, -20.0), held=True, extra=grasped))
+    assert sim.step(Inputs()).mode == "ORB LD"
+    frame = sim.step(Inputs(initialise="acquisition"))
+    assert frame.mode == "ORB UNL" and not frame.work.cargo[0].held
+    assert sim.step(Inputs(initialise="full problem")).mode == "ORB LD"
+
+
+def test_a_part_that_the_scenario_does_not_have_is_refused_and_changes_nothing() -> None:
+    sim, same = aftdeck.Simulation("srms-deploy"), aftdeck.Simulation("srms-deploy")
+    frames = flown(sim, held_for(20, Inputs((0.3, 0.0, 0.0))))
+    flown(same, held_for(20, Inputs((0.3, 0.0, 0.0))))
+    refused, expected = sim.step(Inputs(initialise="extraction")), same.step(Inputs())
+    assert log_of([refused]) == ["extraction cannot be begun anew: this scenario has none of them"]
+    assert msgspec.structs.replace(refused, events=()) == expected
+    assert len(frames) == 20

@@ -1,0 +1,172 @@
+"""Seats: what a seat refuses and why, one payload in each, and a port that does not take back what it let go."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.errors import ScenarioError
+from tests.simulation.anew import ANGLE, DISTANCE, FOOT, docking, pose
+from tests.simulation.concept import AT_PORT, ON_BAR, scenario, vec3
+from tests.simulation.flights import flown, log_of
+from tests.simulation.possession import check_possession
+
+seeds = st.integers(0, 2**32 - 1)
+AT_STOWED = np.array([28.0, 0.0, 7.12])
+"""The payload's centre in the bay, in R [ft]."""
+FLYER_AT_PORT = 'name = "payload"\n[[cargo]]\nname = "free flyer"\nstart = { seat = "port" }'
+FLYER_IN_BAY = """name = "payload"
+start = { position = ["28 ft", "0 ft", "20 ft"] }
+[[cargo]]
+name = "free flyer"
+start = { seat = "bay" }"""
+
+
+def seated(frame: aftdeck.Frame, k: int = 0) -> str:
+    return frame.work.cargo[k].seat
+
+
+# --- one payload in each ----------------------------------------------------------------------------------
+
+
+def test_a_port_that_holds_a_payload_takes_no_other_and_says_so() -> None:
+    alone = flown(scenario(AT_PORT, held=True), [Inputs()])
+    assert seated(alone[0]) == "port"
+    frames = flown(scenario(AT_PORT, held=True, cargo=FLYER_AT_PORT), [Inputs()] * 5 + [Inputs(latch="latch")])
+    assert [seated(frame) for frame in frames] == [""] * 6 and seated(frames[-1], 1) == "port"
+    assert log_of(frames)[-1] == "LATCH refused: Free-flying payload is in it"
+    (full,) = (condition for condition in frames[-1].work.conditions if not condition.holds)
+    assert full.name == "seat empty" and full.margin < 0.0
+
+
+def test_a_bay_that_holds_a_payload_keeps_no_other() -> None:
+    for cargo, kept in (('name = "payload"', "bay"), (FLYER_IN_BAY, "")):
+        frames = flown(scenario(ON_BAR, held=True, cargo=cargo), [Inputs(effector="open"), *[Inputs()] * 120])
+        assert not frames[-1].work.cargo[0].held and seated(frames[-1]) == kept
+
+
+def test_a_scenario_that_puts_two_payloads_into_one_seat_is_refused() -> None:
+    with pytest.raises(ScenarioError, match=r"the seat 'bay' can hold one cargo, 2 start in it"):
+        scenario(cargo='name = "payload"\n[[cargo]]\nname = "free flyer"\nstart = { seat = "bay" }')
+
+
+def test_waiting_for_latches_is_waiting_for_those_of_what_is_held() -> None:
+    """Another payload that lies in the bay has not docked."""
+    cargo = 'name = "free flyer"\nstart = { position = ["28 ft", "0 ft", "-7.12 ft"] }\n[[cargo]]\nname = "payload"'
+    phases = '[[phase]]\nmode = "ORB UNL"\nuntil = "latched"\nduration = "0.2 s"'
+    made = scenario((28.0, 20.0, -25.0), held=True, cargo=f"{cargo}\n{phases}")
+    done = aftdeck.run(made)
+    assert done.frames[-1].work.cargo[0].held and done.frames[-1].work.cargo[1].seat == "bay"
+    assert done.summary.ended == "fault"
+    assert "not latched within its 0.2 s" in log_of(done.frames)[-1]
+
+
+# --- what is let go at a port is not taken back until it has left ------------------------------------------
+
+
+@settings(max_examples=4)
+@given(seeds)
+def test_an_undocked_payload_docks_again_only_once_it_has_left_the_ports_envelope(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    made = scenario(AT_PORT, held=True)
+    sim = aftdeck.Simulation(made)
+    frames = flown(sim, [Inputs(), Inputs(latch="unlatch")])
+    assert [seated(frame) for frame in frames] == ["port", ""]
+    nudge = vec3(rng.uniform(-1.0, 1.0, 3) * 0.05)
+    out = int(rng.integers(60, 150))
+    there_and_back = [*[Inputs(nudge)] * 20, *[Inputs((0.6, 0.0, 0.0))] * out, *[Inputs((-0.3, 0.0, 0.0))] * 400]
+    left = False
+    for inputs in there_and_back:
+        frame = sim.step(inputs)
+        frames.append(frame)
+        margins = docking(frame)
+        left = left or bool((margins < 0.0).any())
+        if seated(frame):
+            assert left and (margins >= -1e-9).all()
+            break
+        assert not (left and (margins > 1e-9).all())
+    check_possession(made, frames)
+
+
+def test_latch_takes_an_undocked_payload_back_at_once() -> None:
+    sim = aftdeck.Simulation(scenario(AT_PORT, held=True))
+    frames = flown(sim, [Inputs(), Inputs(latch="unlatch"), *[Inputs()] * 20, Inputs(latch="latch")])
+    assert [seated(frame) for frame in frames] == ["port", *[""] * 21, "port"]
+
+
+# --- refusals say what fails, and by how much -------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("place", "cargo", "pressed", "line"),
+    [
+        (AT_PORT, 'name = "payload"', "latch", "LATCH refused: Payload is docked already"),
+        (
+            ON_BAR,
+            'name = "payload"',
+            "latch",
+            "LATCH refused: the Cargo bay keeps what the hand lets go there: RELEASE",
+        ),
+        ((28.0, 0.0, -30.0), 'name = "payload"', "latch", "LATCH refused: no payload is at a seat"),
+        ((28.0, 0.0, -30.0), 'name = "payload"', "unlatch", "UNLATCH refused: no payload is at a seat"),
+    ],
+)
+def test_a_refused_latch_says_why(place: tuple[float, float, float], cargo: str, pressed: str, line: str) -> None:
+    sim = aftdeck.Simulation(scenario(place, held=True, cargo=cargo))
+    sim.step(Inputs())
+    frame = sim.step(Inputs(latch=pressed))  # type: ignore[arg-type]
+    assert log_of([frame]) == [line]
+
+
+def test_what_lies_in_the_bay_is_not_unlatched() -> None:
+    line = "Payload lies in the Cargo bay, which keeps what the hand lets go there and lets go what it takes"
+    assert log_of(flown(scenario(), [Inputs(latch="unlatch")])) == [f"UNLATCH refused: {line}"]
+
+
+@settings(max_examples=6)
+@given(seeds)
+def test_a_refused_docking_names_what_fails_and_by_how_much(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    off, turned = rng.uniform(-1.0, 1.0, 3) * [0.3, 0.8, 0.8] + [0.9, 0.0, 0.0], rng.uniform(-6.0, 6.0, 3)
+    frame = flown(scenario(vec3(AT_PORT + off), vec3(turned), held=True), [Inputs(latch="latch")])[0]
+    margins = docking(frame)
+    before, distance, angle = margins[0] * FOOT, margins[4] * FOOT, margins[5:].min()
+    (line,) = log_of([frame])
+    told = {condition.name: condition for condition in frame.work.conditions}
+    assert told["probe before port"].margin == pytest.approx(before, abs=1e-9)
+    assert told["probe at port"].margin == pytest.approx(distance, abs=1e-9)
+    assert told["payload's attitude"].margin == pytest.approx(angle, abs=1e-9)
+    assert distance < 0.0
+    size = DISTANCE * FOOT - distance
+    (number, unit) = re.search(r"probe ([\d.]+) (in|ft) from the port, at most 3 in allowed", line).groups()  # type: ignore[union-attr]
+    assert float(number) * (FOOT if unit == "ft" else FOOT / 12.0) == pytest.approx(size, rel=6e-3)
+    assert ("axis turned" in line) == (angle < 0.0)
+    if angle < 0.0:
+        (degrees,) = re.search(r"axis turned ([\d.]+)° from the port's", line).groups()  # type: ignore[union-attr]
+        assert float(degrees) == pytest.approx(math.degrees(ANGLE - angle), rel=6e-3)
+
+
+@settings(max_examples=6)
+@given(seeds, st.floats(0.0, 1.0))
+def test_a_payload_let_go_stays_in_the_bay_just_where_it_is_within_the_bays_tolerances(
+    seed: int, spread: float
+) -> None:
+    rng = np.random.default_rng(seed)
+    off, turned = spread * rng.uniform(-0.4, 0.4, 3), spread * rng.uniform(-3.0, 3.0, 3)
+    sim = aftdeck.Simulation(scenario(vec3(ON_BAR + off), vec3(turned), held=True))
+    frames = flown(sim, [Inputs(effector="open"), *[Inputs()] * 120])
+    centre, axes = pose(frames[-1])
+    turn = math.acos(min(1.0, max(-1.0, (np.trace(axes @ np.diag([1.0, -1.0, -1.0])) - 1.0) / 2.0)))
+    margin = min(DISTANCE - float(np.linalg.norm(centre - AT_STOWED)), ANGLE - turn)
+    assert not frames[-1].work.cargo[0].held
+    if abs(margin) > 1e-6:
+        assert seated(frames[-1]) == ("bay" if margin > 0.0 else "")
+    (line,) = (event.text for frame in frames for event in frame.events if event.kind == "released")
+    assert line == f"Payload released: {'it stays in the Cargo bay' if seated(frames[-1]) else 'it is free'}"
