@@ -46,7 +46,7 @@ def stay_or_leave(flight: Flight, state: State, k: int) -> None:
     if thing.seat:
         return
     for berth in flight.site.berths[k]:
-        if berth.lies and all_hold(_conditions(flight, state, k, berth)):
+        if berth.lies and all_hold(conditions_at(flight, state, k, berth)):
             _fix(flight, state, k, berth, Latches(1.0, 1.0))
             return
     set_free(flight, state, k)
@@ -65,7 +65,7 @@ def _brought(flight: Flight, state: State, k: int, pressed: str | None) -> bool:
         thing.parted = ""
         return False
     berth = nearest[1]
-    conditions = _conditions(flight, state, k, berth)
+    conditions = conditions_at(flight, state, k, berth)
     things.pursuit, things.conditions = f"{berth.verb} in the {berth.seat.title}", conditions
     holds = all_hold(conditions)
     if thing.parted and not (holds and thing.parted == berth.seat.name):
@@ -154,7 +154,7 @@ def _off(flight: Flight, state: State, k: int, berth: Berth) -> Array:
     return off
 
 
-def _conditions(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
+def conditions_at(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
     """What has to hold before the seat takes the cargo."""
     units = flight.scenario.arm.model.units
     off = _off(flight, state, k, berth)

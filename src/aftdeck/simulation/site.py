@@ -194,17 +194,19 @@ def _still(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
 
 
 def _folded(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
-    """Pairs of the arm's parts on either side of a short link: shoulder and wrist cannot fold up onto themselves."""
-    places = np.cumsum(model.linkage.steps, axis=0)
-    names = model.linkage.frames
+    """Pairs of the arm's parts on either side of a short link: shoulder and wrist cannot fold up onto themselves.
+
+    Where more than two axes meet in one point, as in the concept's wrist, this goes for the parts on either side of all
+    of them: the hand stands off that point, and its limits keep it in front of the boom.
+    """
+    links = np.linalg.norm(model.linkage.steps, axis=1)
+    names = (*model.linkage.frames, "arm.prong")
+    last = len(links) - 1
+    ends = {(k, k + 1) for k in range(last) if links[k + 1] < SHORT}
+    ends |= {(k, j) for k in range(last) for j in range(k + 2, last + 1) if not links[k + 1 : j + 1].any()}
+    beyond = {j: (names[j + 1], names[-1]) if j == last else (names[j + 1],) for _, j in ends}
     return {
-        (a.part, b.part)
-        for k in range(len(names) - 2)
-        if np.linalg.norm(places[k + 1] - places[k]) < SHORT
-        for a in own
-        if a.frame == names[k]
-        for b in own
-        if b.frame == names[k + 2]
+        (a.part, b.part) for k, j in ends for a in own if a.frame == names[k] for b in own if b.frame in beyond[j]
     }
 
 

@@ -31,7 +31,7 @@ class Translator:
 
     def __init__(self, scenario: Scenario, *, demo: bool) -> None:
         self._scenario = scenario
-        self._arm = scenario.arm
+        self._arm = self._raised = scenario.arm
         self._mount = scenario.arm.model.mount
         self._hand = rotation_x(scenario.arm.model.end_effector_roll)
         self._poses = ScenePoses(scenario)
@@ -143,7 +143,10 @@ class Translator:
 
     def _commanded(self, frame: sim.Frame, loaded: bool) -> Pose:
         """The point of resolution where the commanded rates would have brought it, in L."""
-        tip = self._arm.forward(frame.angles_commanded)
+        stand = frame.work.stand
+        if stand is not None and stand != self._raised.stand:
+            self._raised = self._arm.at(stand=stand)
+        tip = self._raised.forward(frame.angles_commanded)
         payload = self._scenario.payload
         point = payload.resolution(tip) if loaded and payload is not None else tip.position
         return Pose(point, self._shown_axes(tip, loaded))
