@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
 
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scene.bodies import bodies_of
+from tests.browser.conftest import OpenPage
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy
 
@@ -22,8 +24,10 @@ HEIGHT_HOLDS = f"{CELL.format('palm height')}?.matches('.holds')"
 INHIBITED = "document.querySelector('.inhibits .lit')?.textContent === 'Arm inhibit'"
 TITLE = "document.querySelector('.conditions h2').textContent"
 HELD = "frame.work.cargo[0].held"
+NORTH, MENU, CROSS_UP = 3, 9, 12
+"""Buttons of the standard mapping."""
 MOST_TAPS = 150
-"""A tap lifts the hand by a hundredth of an inch and more; it stands at most half an inch deep."""
+"""A tap moves the hand by a hundredth of an inch and more, on a slow machine by some tenths."""
 
 
 def test_every_body_of_the_concepts_worksite_is_drawn(flight: Flight) -> None:
@@ -47,9 +51,10 @@ def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight)
 
     # Off the bar again, a little at a time, until the page says that the height is right.
     for _ in range(MOST_TAPS):
-        flight.press("q")
-        if flight.until(AT_REST) and flight.script(HEIGHT_HOLDS):
+        (height,) = [each for each in flight.until(AT_REST).work.conditions if each.name == "palm height"]
+        if height.holds:
             break
+        flight.press("q" if height.value < 0.0 else "e")
     flight.until(f"{HEIGHT_HOLDS} && !({INHIBITED})")
     flight.until(f"/fingers .* apart, at most .* allowed/.test({TITLE})")
 
@@ -63,7 +68,7 @@ def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight)
     flight.until(f"{TITLE} === 'insert in the Cargo bayall met: let go, hold R'")
 
     # Up: it comes along, and is drawn where it is.
-    lowest = _payload(flight)[2]
+    lowest = _place(flight, "payload")[2]
     flight.press("v")
     flight.hold("q")
     flight.until(f"{HELD} && window.__aftdeck.bodies.find(({{ name }}) => name === 'payload').at[2] > {lowest + 1.0}")
@@ -77,11 +82,71 @@ def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight)
     flight.until(f"!{HELD} && frame.work.cargo[0].seat === ''")
     flight.release("r")
     flight.until_logged("Payload released: it is free")
-    assert _payload(flight)[2] > lowest + 0.9
+    assert _place(flight, "payload")[2] > lowest + 0.9
 
 
-def _payload(flight: Flight) -> list[float]:
-    """Where the payload is drawn, in the scene [m]."""
-    bodies = flight.script("window.__aftdeck.bodies")
-    (place,) = [body["at"] for body in bodies if body["name"] == "payload"]
+def test_y_and_n_drive_the_telescope(flight: Flight) -> None:
+    start = flight.frame()
+    assert start.work.stand is not None
+    flight.hold("n")
+    flight.until(f"frame.work.arm_inhibit || frame.work.stand < {start.work.stand - 0.02}")
+    flight.release("n")
+    flight.hold("y")
+    now = flight.until(f"frame.work.stand > {start.work.stand + 0.10}")
+    flight.release("y")
+    assert now.actual.position[2] < start.actual.position[2] - 0.09, "the arm rides on it"
+    assert now.commanded.position == pytest.approx(now.actual.position, abs=1e-6)
+    flight.until("Number(document.querySelector('.stand .angle').textContent) > 194")
+
+
+def test_the_thc_flies_the_orbiter_and_the_assembly_element_stays_behind(flight: Flight) -> None:
+    before = _place(flight, "cae")
+    flight.press("`")
+    flight.until("document.querySelector('.thc .about').textContent === 'flies the orbiter'")
+    flight.hold("w")
+    flight.until("frame.work.orbiter[0] > 0.05")
+    flight.release("w")
+    flight.until("Math.hypot(...frame.work.orbiter_velocity) === 0")
+    moved = flight.frame().work.orbiter[0]
+    assert _place(flight, "cae")[0] - before[0] == pytest.approx(moved, abs=1e-6), "it drifts aft as the orbiter goes"
+    assert flight.frame().actual.velocity == (0.0, 0.0, 0.0)
+
+
+def test_the_arm_follows_a_slider_of_the_master_to_its_place(flight: Flight) -> None:
+    flight.enter("MASTER")
+    start = flight.frame().joints[2]
+    slider = flight.page.get_by_role("slider", name="Master Elbow")
+    slider.focus()
+    flight.press("PageUp")
+    flight.until(f"frame.work.master && frame.work.master[2] > {start + 0.08}")
+    flight.until("Math.abs(frame.joints[2] - frame.work.master[2]) < 1e-6 && Math.hypot(...frame.rates) < 1e-6")
+    assert flight.frame().joints[2] - start == pytest.approx(math.radians(5.0), abs=1e-3)
+
+
+def test_a_pad_closes_and_opens_the_prong_and_drives_the_telescope(open_page: OpenPage) -> None:
+    flight = open_page(pad=True).from_the_start()
+    _buttons(flight, NORTH)
+    flight.until("frame.work.hand.switch === 'close' && frame.work.hand.opening < 1")
+    _buttons(flight)
+    _buttons(flight, MENU, NORTH)
+    flight.until("frame.work.hand.switch === 'open'")
+    _buttons(flight)
+    stand = flight.frame().work.stand
+    _buttons(flight, MENU, CROSS_UP)
+    flight.until(f"frame.work.stand > {stand} + 0.02")
+    _buttons(flight)
+
+
+def _buttons(flight: Flight, *pressed: int) -> None:
+    """Holds these buttons of the test pad, and no others; each is seen by the page before the next."""
+    flight.script("window.testPad.buttons.forEach((button) => { button.pressed = false; })")
+    for number in pressed:
+        flight.script(f"window.testPad.buttons[{number}].pressed = true")
+        drawn = flight.script("window.__aftdeck.frames")
+        flight.until(f"window.__aftdeck.frames > {drawn + 1}")
+
+
+def _place(flight: Flight, name: str) -> list[float]:
+    """Where a body is drawn, in the scene [m]."""
+    (place,) = [body["at"] for body in flight.script("window.__aftdeck.bodies") if body["name"] == name]
     return [float(value) for value in place]

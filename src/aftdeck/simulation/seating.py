@@ -104,6 +104,9 @@ def _fixed(flight: Flight, state: State, k: int, pressed: str | None) -> bool:
     thing.latches, said = advance(before, berth.seat.time, command, flight.scenario.control_period, ())  # type: ignore[arg-type]
     for line in said:
         log(flight, state, line.kind, line.level, line.text)
+    if thing.latches.motion not in ("", before.motion):
+        way = "closing" if thing.latches.motion == "latch" else "opening"
+        log(flight, state, "latch", "info", f"latches of the {berth.seat.title} {way}")
     if thing.latches.drawn != before.drawn:
         thing.seated = row_of(remaining(pose_of(np.array(thing.off)), thing.latches.misaligned)).tolist()
     if not thing.latches.hold:
