@@ -48,6 +48,36 @@ def test_a_target_on_the_panel_is_the_pose_that_the_panel_shows() -> None:
     assert pose.rotation == pytest.approx(tip.rotation, abs=1e-12)
 
 
+@pytest.mark.parametrize("telescope", [0.0, 1.0, -1.0])
+def test_what_is_commanded_rides_on_the_telescope_as_the_arm_does(telescope: float) -> None:
+    _, shown = flown(Inputs(telescope=telescope), name="concept-1972")
+    assert shown.commanded.position == pytest.approx(shown.actual.position, abs=1e-9)
+    assert shown.commanded.attitude == pytest.approx(shown.actual.attitude, abs=1e-9)
+
+
+@pytest.mark.parametrize("mode", ["ORB LD", "PL"])
+def test_what_is_shown_of_a_payload_that_was_captured_is_its_own_point_and_axes(mode: str) -> None:
+    sim, shown = flown(Inputs(mode=mode), steps=1, name="srms-berth")
+    (cargo,) = shown.work.cargo
+    assert cargo.held
+    assert shown.commanded.position == pytest.approx(shown.actual.position, abs=1e-9)
+    assert shown.commanded.attitude == pytest.approx(shown.actual.attitude, abs=1e-9)
+    drawn = [body.name for body in Translator(sim.scenario, demo=False).welcome.bodies].index("payload")
+    x, y, z, w, i, j, k = shown.poses[7 * drawn : 7 * drawn + 7]
+    assert [x, y, z] == pytest.approx(SCENE @ np.array(shown.actual.position) - sim.scenario.worksite.origin, abs=1e-6)
+    if mode == "PL":
+        own = Rotation.from_quat([i, j, k, w]).as_matrix()
+        w, i, j, k = shown.axes
+        assert Rotation.from_quat([i, j, k, w]).as_matrix() == pytest.approx(own, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", ["concept-1972", "srms-deploy"])
+def test_a_payload_is_where_the_welcome_has_a_seat_of_that_title(name: str) -> None:
+    _, shown = flown(Inputs(), steps=1, name=name)
+    (cargo,) = shown.work.cargo
+    assert cargo.seat in Translator(scenario(name), demo=False).welcome.work.seats
+
+
 @pytest.mark.parametrize("axis", range(3))
 def test_velocities_are_the_rates_of_the_numbers_shown(axis: int) -> None:
     push = [0.0, 0.0, 0.0]

@@ -11,10 +11,15 @@ from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck import separation
+from aftdeck.arms.solids import solids_of
 from aftdeck.bodies.cameras import setting
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import NX, D
+from aftdeck.bodies.solid import Solid
 from aftdeck.frames import Pose
+from aftdeck.kinematics.frames import frames_of, place_frames
+from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.site import site_of
 from aftdeck.worksite import Cargo, Worksite, load_worksite
 from aftdeck.worksite.model import BarAcquisition
 
@@ -208,3 +213,29 @@ def test_essential_pairs_name_every_cargos_fittings(concept: Worksite) -> None:
 def test_cameras_start_within_their_drives(concept: Worksite) -> None:
     for camera in concept.cameras:
         assert abs(setting(camera).tilt) < math.radians(80.0)
+
+
+def test_no_bend_of_the_wrist_brings_the_hand_onto_the_boom_or_the_wrist() -> None:
+    """These pairs are not watched: the wrist's axes meet in one point, and the hand stands off it."""
+    model = aftdeck.load_arm("concept-1972").model
+    frames = frames_of(model)
+    rows, angles = frames.rows(), np.zeros(6)
+    own = solids_of(model)
+    inner = [solid for solid in own if solid.part in ("lower boom", "wrist")]
+    outer = [solid for solid in own if solid.part in ("stub", "palm", "fixed finger", "prong")]
+    assert len(inner) == 2 and len(outer) == 4
+    assert (
+        site_of(load_scenario("concept-1972")).layout.between({"lower boom", "wrist"}, {"stub", "palm", "prong"}).sum()
+        == 0
+    )
+    for bend in product(*(np.linspace(*limits, 7) for limits in model.limits.hard[3:])):
+        angles[3:] = bend
+        place_frames(frames.joints, angles, 4.0, -0.2, rows)
+        for a, b in product(inner, outer):
+            apart = separation(_in_l(a, frames.names, rows), _in_l(b, frames.names, rows)).clearance
+            assert apart > (0.2 * FOOT if a.part == "lower boom" else 0.0)
+
+
+def _in_l(solid: Solid, names: tuple[str, ...], rows: Array) -> Array:
+    row = rows[names.index(solid.frame)]
+    return solid.vertices @ row[3:].reshape(3, 3).T + row[:3]

@@ -1,6 +1,7 @@
 /** What tests and measurements read: `window.__aftdeck`. */
 
 import type { Frame } from './protocol';
+import type { DrawnBody } from './scene/bodies';
 
 export interface Hook {
   /** Pictures drawn, and how many in the last whole second. */
@@ -12,6 +13,8 @@ export interface Hook {
   restarts: number;
   /** Stick to picture, 95th percentile of the last 10 s [ms]. */
   latency95: number | null;
+  /** The bodies of the scene as they are drawn now. */
+  readonly bodies: readonly DrawnBody[];
   /** What draws, as WebGL names it. */
   renderer: string;
 }
@@ -46,6 +49,9 @@ export function publish(renderer: string, read: () => Omit<Hook, 'fps' | 'render
     },
     get latency95() {
       return read().latency95;
+    },
+    get bodies() {
+      return read().bodies;
     },
     renderer,
   };

@@ -71,6 +71,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     frames: station?.drawn ?? 0,
     lastFrame: station?.shown.frame ?? null,
     restarts: station?.shown.restarts ?? 0,
+    bodies: station?.bodies ?? [],
     latency95: station?.latency.percentile95(performance.now()) ?? null,
   }));
 }

@@ -9,6 +9,7 @@ import type { View as DeskView } from './panel/part';
 import type { Frame, Level, Near, Welcome } from './protocol';
 import type { Drawing } from './quality';
 import { Scene, type View } from './scene';
+import type { DrawnBody } from './scene/bodies';
 
 /** What the monitors show at first, where the scenario has these cameras. */
 const FIRST = ['B', 'WR'] as const;
@@ -39,6 +40,11 @@ export class Pictures {
 
   takeOther(): void {
     this.take(1 - this.inHand);
+  }
+
+  /** The bodies as they are drawn now. */
+  get bodies(): readonly DrawnBody[] {
+    return this.scene.drawn;
   }
 
   /** Whether the separating plane is drawn. */

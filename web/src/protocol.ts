@@ -679,7 +679,7 @@ export interface HandFrame {
 export interface CargoFrame {
   readonly name: string;
   readonly held: boolean;
-  /** Where it is fixed; empty: nowhere. */
+  /** Title of the seat that it is fixed to, as in `WorkInfo.seats`; empty: none. */
   readonly seat: string;
   /** Of its centre against the arm's base [m/s]. */
   readonly speed: number;

@@ -18,6 +18,7 @@ import { Spine } from './panel/spine';
 import { Pictures } from './pictures';
 import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Welcome } from './protocol';
 import type { Drawing } from './quality';
+import type { DrawnBody } from './scene/bodies';
 import type { Command, LinkState } from './socket';
 import { type UnitName, unitsOf } from './units';
 
@@ -99,6 +100,10 @@ export class Station {
       this.keys.element,
     );
     this.request = requestAnimationFrame(() => this.tick());
+  }
+
+  get bodies(): readonly DrawnBody[] {
+    return this.pictures.bodies;
   }
 
   /** A newer frame; the next picture shows it. */

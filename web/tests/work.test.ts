@@ -9,8 +9,10 @@ import { clipped, labelPlace } from '../src/panel/label-place';
 import { replaced } from '../src/panel/master';
 import { isMoving } from '../src/panel/orbiter';
 import { Paced } from '../src/panel/paced';
+import { isMoving as onItsWay } from '../src/panel/prong';
 import { Ranking } from '../src/panel/ranking';
 import { seatNow } from '../src/panel/seat';
+import { counted } from '../src/panel/spine';
 import { linesOf } from '../src/panel/touching';
 import { SPAN_S, Trend } from '../src/panel/trend';
 import { drawnGap } from '../src/pictures';
@@ -185,6 +187,8 @@ test('once all is met the title says what to do, or nothing where it happens by 
   expect(whatNow(work({ pursuit: 'capture payload', hand: snares }))).toBe(': squeeze, hold G');
   expect(whatNow(work({ pursuit: 'acquire payload', hand: prong }))).toBe('');
   expect(whatNow(work({ pursuit: 'latch payload', hand: snares }))).toBe(': latch, hold T');
+  expect(whatNow(work({ pursuit: 'insert in the Cargo bay', hand: prong }))).toBe(': let go, hold R');
+  expect(whatNow(work({ pursuit: 'dock in the Docking port', hand: prong }))).toBe('');
 });
 
 const CARGO: CargoFrame = { name: 'payload', held: false, seat: '', speed: 0 };
@@ -192,12 +196,28 @@ const CARGO: CargoFrame = { name: 'payload', held: false, seat: '', speed: 0 };
 test('a payload is in the grasp, in a seat, both, or free', () => {
   expect(whereIs(CARGO)).toBe('free');
   expect(whereIs({ ...CARGO, seat: 'bay' })).toBe('bay');
-  expect(whereIs({ ...CARGO, held: true })).toBe('in the grasp');
-  expect(whereIs({ ...CARGO, held: true, seat: 'bay' })).toBe('in the grasp, bay');
+  expect(whereIs({ ...CARGO, held: true })).toBe('held');
+  expect(whereIs({ ...CARGO, held: true, seat: 'bay' })).toBe('held, bay');
   expect(graspWords({ cargo: [CARGO, { ...CARGO, name: 'beacon', held: true }] })).toBe(
     'beacon in the grasp',
   );
   expect(graspWords({ cargo: [] })).toBe('');
+});
+
+test('the prong is on its way until it is where its switch sends it', () => {
+  expect(onItsWay({ switch: 'stop', opening: 0.4 })).toBe(false);
+  expect(onItsWay({ switch: 'close', opening: 0.4 })).toBe(true);
+  expect(onItsWay({ switch: 'close', opening: 0 })).toBe(false);
+  expect(onItsWay({ switch: 'open', opening: 0 })).toBe(true);
+  expect(onItsWay({ switch: 'open', opening: 1 })).toBe(false);
+});
+
+test('the master alarm counts warnings and cautions apart, and nothing else', () => {
+  const lit = (...levels: ('info' | 'caution' | 'warning')[]) => counted(levels.map((level) => ({ level })));
+  expect(lit()).toBe('');
+  expect(lit('info')).toBe('');
+  expect(lit('caution', 'info')).toBe('1 caution');
+  expect(lit('caution', 'warning', 'caution')).toBe('1 warning, 2 cautions');
 });
 
 test('the latch speaks of what is held, else of what is in a seat', () => {
@@ -296,6 +316,9 @@ test('a label stands on the side away from the middle, inside the picture, and c
   expect(at(10, 200).x).toBeGreaterThan(30);
   const beside = { left: 100, top: 150, right: 199, bottom: 250 };
   expect(at(200, 200, [beside]).x).toBeGreaterThan(220);
+  const corner = { left: 480, top: 370, right: 600, bottom: 400 };
+  const { x: left, y: top } = at(575, 385, [corner]);
+  expect(left < 480 - label.width || top <= 370 - label.height).toBe(true);
   for (const x of [-10, 0, 300, 590, 620]) {
     const { x: left, y: top } = at(x, 2);
     expect(left >= 0 && top >= 0 && left + label.width <= 600 && top + label.height <= 400).toBe(true);

@@ -50,7 +50,7 @@ def stay_or_leave(flight: Flight, state: State, k: int) -> None:
     if thing.seat:
         return
     for berth in flight.site.berths[k]:
-        if berth.lies and all_hold(_conditions(flight, state, k, berth)):
+        if berth.lies and all_hold(conditions_at(flight, state, k, berth)):
             _fix(flight, state, k, berth, Latches(1.0, 1.0))
             return
     set_free(flight, state, k, from_space=False)
@@ -73,7 +73,7 @@ def _brought(flight: Flight, state: State, k: int, pressed: str | None) -> str |
         thing.parted = ""
         return None
     berth = nearest[1]
-    conditions = _conditions(flight, state, k, berth)
+    conditions = conditions_at(flight, state, k, berth)
     things.pursuit, things.conditions = f"{berth.verb} in the {berth.seat.title}", conditions
     holds = all_hold(conditions)
     if thing.parted and not (holds and thing.parted == berth.seat.name):
@@ -122,6 +122,9 @@ def _fixed(flight: Flight, state: State, k: int, pressed: str | None) -> str | N
             log(flight, state, line.kind, line.level, line.text)
     if not halted:
         thing.latches, thing.seated = after, seated
+    if thing.latches.motion not in ("", before.motion):
+        way = "closing" if thing.latches.motion == "latch" else "opening"
+        log(flight, state, thing.latches.motion, "info", f"latches of the {berth.seat.title} {way}")
     if not thing.latches.hold:
         _unfix(flight, state, k, berth)
     return "" if command else None
@@ -176,7 +179,7 @@ def _off(flight: Flight, state: State, k: int, berth: Berth) -> Array:
     return off
 
 
-def _conditions(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
+def conditions_at(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
     """What has to hold before the seat takes the cargo; that it is empty is told where it is not."""
     things = state.site
     there = [flight.site.cargo[i].title for i, one in enumerate(things.cargo) if i != k and one.seat == berth.seat.name]

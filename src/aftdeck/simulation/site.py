@@ -135,7 +135,7 @@ def site_of(scenario: Scenario) -> Site:
     still = _still(model, own)
     mounted = {(a, b.part) for a in still for b in worksite.solids if b.frame == "orbiter"}
     layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | _folded(model, own)))
-    hand = {solid.part for solid in own if solid.frame in ("arm.prong", model.linkage.frames[-1])}
+    hand = {solid.part for solid in own if solid.frame in ("arm.prong", model.linkage.frames[-1], *_ball(model))}
     mine = {solid.part for solid in own}
     parts = [{solid.part for solid in one.solids} for one in cargo]
     by_arm = np.zeros(len(layout.groups), np.uint8)
@@ -201,18 +201,22 @@ def _still(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
 
 
 def _folded(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
-    """Pairs of the arm's parts on either side of a short link: shoulder and wrist cannot fold up onto themselves."""
-    places = np.cumsum(model.linkage.steps, axis=0)
-    names = model.linkage.frames
-    return {
-        (a.part, b.part)
-        for k in range(len(names) - 2)
-        if np.linalg.norm(places[k + 1] - places[k]) < SHORT
-        for a in own
-        if a.frame == names[k]
-        for b in own
-        if b.frame == names[k + 2]
-    }
+    """Pairs of the arm's parts on either side of a short link, or of a ball wrist: neither can fold up onto itself."""
+    links, names, ball = np.linalg.norm(model.linkage.steps, axis=1), model.linkage.frames, _ball(model)
+    ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
+    if ball:
+        before = names[names.index(ball[0]) - 1]
+        ends |= {(inner, outer) for inner in (before, *ball) for outer in (names[-1], "arm.prong") if inner != outer}
+    return {(a.part, b.part) for inner, outer in ends for a in own if a.frame == inner for b in own if b.frame == outer}
+
+
+def _ball(model: ArmModel) -> tuple[str, ...]:
+    """The frames of a wrist whose three axes meet in one point, as the concept's: what they carry only turns there.
+
+    The hand stands off that point, and its limits keep it before the boom.
+    """
+    *_, second, third = np.linalg.norm(model.linkage.steps, axis=1)
+    return model.linkage.frames[-3:] if second == third == 0.0 else ()
 
 
 def scene_in_l(scenario: Scenario) -> Array:

@@ -8,11 +8,19 @@ from aftdeck.errors import AftdeckError
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.begin import first_state
-from aftdeck.simulation.flight import prepare
+from aftdeck.simulation.flight import Flight, prepare
+from aftdeck.simulation.grasp import let_go, set_free, take_hold
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.seating import conditions_at
+from aftdeck.simulation.sliding import slide_along
+from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
-from aftdeck.simulation.ways_out import ways_out
+from aftdeck.simulation.ways_out import way_out_of_contact, ways_out
+from aftdeck.steering.layout import TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS
+
+FAR = 1e3
+"""[m/s], [rad/s]"""
 
 
 def warm_up(scenario: Scenario) -> None:
@@ -30,4 +38,22 @@ def warm_up(scenario: Scenario) -> None:
     ways_out(flight, state, (1, 0, 0, 0, 0, 0), ("elbow",))
     step(flight, state, Inputs(mode="SINGLE"))
     ways_out(flight, state, (0, 0, 0, 0, 0, 0), ("elbow",))
+    step(flight, state, None)
+    way_out_of_contact(flight, state)
+    if flight.site.cargo:
+        _carry(flight, state)
+
+
+def _carry(flight: Flight, state: State) -> None:
+    """Hold a payload of the scratch copy, slide it along whatever walls there are, look at its seats, and let it go."""
+    things = state.site
+    things.cargo[0].seat = ""
+    take_hold(flight, state, 0)
+    things.watch.look(things.frames, things.frames, flight.scenario.control_period)
+    state.steering[TWIST : TWIST + 6] = FAR  # so fast that every wall could be met in the next step
+    slide_along(flight, state, 0.0, 0)
+    for berth in flight.site.berths[0]:
+        conditions_at(flight, state, 0, berth)
+    let_go(flight, state, 0)
+    set_free(flight, state, 0)
     step(flight, state, None)

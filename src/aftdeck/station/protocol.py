@@ -456,7 +456,7 @@ class CargoFrame(msgspec.Struct, frozen=True):
     name: str
     held: bool
     seat: str
-    """Where it is fixed; empty: nowhere."""
+    """Title of the seat that it is fixed to, as in `WorkInfo.seats`; empty: none."""
     speed: float
     """Of its centre against the arm's base [m/s]."""
 

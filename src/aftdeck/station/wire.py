@@ -31,7 +31,7 @@ class Translator:
 
     def __init__(self, scenario: Scenario, *, demo: bool) -> None:
         self._scenario = scenario
-        self._arm = scenario.arm
+        self._arm = self._raised = scenario.arm
         self._mount = scenario.arm.model.mount
         self._hand = rotation_x(scenario.arm.model.end_effector_roll)
         self._poses = ScenePoses(scenario)
@@ -91,7 +91,7 @@ class Translator:
         """A frame of the simulation as the page takes it."""
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
-        shown = self._commanded(frame, loaded)
+        resolution, axes = np.array(frame.resolution), self._shown_axes(frame, tip, loaded)
         return wire.Frame(
             tick=frame.tick,
             time_s=frame.time_s,
@@ -119,8 +119,8 @@ class Translator:
             rates_commanded=frame.rates_commanded,
             rate_limits=frame.rate_limits,
             zones=frame.zones,
-            actual=self._resolution(Pose(np.array(frame.resolution), self._shown_axes(tip, loaded)), frame.twist),
-            commanded=self._resolution(shown, frame.twist_demanded),
+            actual=self._resolution(Pose(resolution, axes), frame.twist),
+            commanded=self._resolution(self._commanded(frame, tip, Pose(resolution, axes)), frame.twist_demanded),
             por_limits=frame.por_limits,
             limits=tuple(wire.Limit(limit.kind, limit.joint, limit.text) for limit in frame.limits),
             singularity=frame.singularity,
@@ -128,7 +128,7 @@ class Translator:
             lamps=self.lamps(frame),
             aim=self._aim(frame.goal),
             work=self._work.frame(frame.work),
-            axes=quaternion(SCENE_FROM_PANEL_AXES @ self._control_axes(frame.law, tip)),
+            axes=quaternion(SCENE_FROM_PANEL_AXES @ self._control_axes(frame, tip)),
             poses=tuple(self._poses.at(frame)),
         )
 
@@ -136,26 +136,28 @@ class Translator:
         """A keyed-in target, panel components, as frame 7 in L."""
         return self._arm.from_panel(message.position, message.attitude)
 
-    def _shown_axes(self, tip: Pose, loaded: bool) -> Array:
+    def _shown_axes(self, frame: sim.Frame, tip: Pose, loaded: bool) -> Array:
         """Axes in L whose attitude the panel shows: the payload's in the payload's modes, else the end effector's."""
-        payload = self._scenario.payload
-        return tip.rotation @ payload.rotation if loaded and payload is not None else tip.rotation @ self._hand
+        if loaded and frame.payload is not None:
+            return np.array(frame.payload[1])
+        return tip.rotation @ self._hand
 
-    def _commanded(self, frame: sim.Frame, loaded: bool) -> Pose:
-        """The point of resolution where the commanded rates would have brought it, in L."""
-        tip = self._arm.forward(frame.angles_commanded)
-        payload = self._scenario.payload
-        point = payload.resolution(tip) if loaded and payload is not None else tip.position
-        return Pose(point, self._shown_axes(tip, loaded))
+    def _commanded(self, frame: sim.Frame, tip: Pose, shown: Pose) -> Pose:
+        """What the panel shows, were the hand where the commanded rates would have brought it, in L."""
+        stand = frame.work.stand
+        if stand is not None and stand != self._raised.stand:
+            self._raised = self._arm.at(stand=stand)
+        there = self._raised.forward(frame.angles_commanded)
+        turn = there.rotation @ tip.rotation.T
+        return Pose(there.position + turn @ (shown.position - tip.position), turn @ shown.rotation)
 
-    def _control_axes(self, law: int, tip: Pose) -> Array:
+    def _control_axes(self, frame: sim.Frame, tip: Pose) -> Array:
         """The axes that the sticks act along, in panel components."""
-        payload = self._scenario.payload
-        if law == END_EFFECTOR:
+        if frame.law == END_EFFECTOR:
             hand = tip.rotation if self._scenario.strict else tip.rotation @ self._hand
             return np.asarray(self._mount.rotation @ hand)
-        if law == PAYLOAD and payload is not None:
-            return np.asarray(self._mount.rotation @ tip.rotation @ payload.rotation)
+        if frame.law == PAYLOAD and frame.payload is not None:
+            return np.asarray(self._mount.rotation @ np.array(frame.payload[1]))
         return np.eye(3)
 
     def _resolution(self, pose: Pose, twist: sim.Six) -> wire.Resolution:

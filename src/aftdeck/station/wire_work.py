@@ -41,6 +41,7 @@ class WorkTranslator:
         mount = scenario.arm.model.mount
         self._panel_axes = mount.rotation
         self._axes = SCENE_FROM_PANEL_AXES @ mount.rotation
+        self._titles = {"": "", **{seat.name: seat.title for seat in scenario.worksite.seats}}
         self._origin = SCENE_FROM_PANEL_AXES @ mount.origin - scenario.worksite.origin
 
     def frame(self, work: Work) -> wire.WorkFrame:
@@ -64,7 +65,8 @@ class WorkTranslator:
             orbiter=_vec3(self._panel_axes @ np.array(work.orbiter)),
             orbiter_velocity=_vec3(self._panel_axes @ np.array(work.orbiter_velocity)),
             cargo=tuple(
-                wire.CargoFrame(cargo.name, cargo.held, cargo.seat, math.hypot(*cargo.velocity)) for cargo in work.cargo
+                wire.CargoFrame(cargo.name, cargo.held, self._titles[cargo.seat], math.hypot(*cargo.velocity))
+                for cargo in work.cargo
             ),
             master=work.master,
         )

@@ -2,7 +2,7 @@
 
 import { small } from '../format';
 import type { CargoFrame } from '../protocol';
-import { el, group, setAbout, setText } from './dom';
+import { el, group, setAbout, setAttribute, setText } from './dom';
 import type { Desk, Part } from './part';
 
 /** The report's modes, by their numbers from 1 on. */
@@ -26,6 +26,7 @@ export function cargoGroup({ welcome }: Desk): Part {
       for (const { name, state, speed } of rows) {
         const cargo = frame.work.cargo.find((each) => each.name === name);
         setText(state, cargo ? whereIs(cargo) : '–');
+        setAttribute(state, 'title', state.textContent);
         setText(speed, cargo ? `${small(cargo.speed, creep)} ${creep.name}` : '');
       }
     },
@@ -35,5 +36,5 @@ export function cargoGroup({ welcome }: Desk): Part {
 /** What a payload is fixed to: the arm, a seat, both, or nothing. */
 export function whereIs({ held, seat }: CargoFrame): string {
   if (!held) return seat === '' ? 'free' : seat;
-  return seat === '' ? 'in the grasp' : `in the grasp, ${seat}`;
+  return seat === '' ? 'held' : `held, ${seat}`;
 }

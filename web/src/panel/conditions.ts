@@ -53,6 +53,7 @@ export function conditionsGroup(): Part {
 /** What the operator does once all conditions are met; nothing where it happens by itself. */
 export function whatNow({ pursuit, hand, cargo }: Pick<WorkFrame, 'pursuit' | 'hand' | 'cargo'>): string {
   if (/\b(latch|berth)/.test(pursuit)) return `: latch, hold ${nameOf('KeyT')}`;
+  if (/\binsert/.test(pursuit)) return `: let go, hold ${nameOf('KeyR')}`;
   const grasping = !cargo.some(({ held }) => held);
   return grasping && hand.carriage !== null ? `: squeeze, hold ${nameOf('KeyG')}` : '';
 }

@@ -49,7 +49,9 @@ export function group(name: string, title: string, ...children: Child[]): HTMLEl
 /** The words after a group's title. */
 export function setAbout(section: HTMLElement, text: string): void {
   const about = section.querySelector('h2 .about');
-  if (about) setText(about, text);
+  if (!about) return;
+  setText(about, text);
+  setAttribute(about, 'title', text);
 }
 
 export function setText(node: Element, text: string): void {

@@ -21,8 +21,8 @@ export interface Hand {
   /** What is held to close and to open it. */
   readonly close: HoldButton;
   readonly open: HoldButton;
-  /** Whether a press of either stops it now, before anything is held. */
-  stops(hand: HandFrame): boolean;
+  /** Whether it moves, and a press of either stops it before anything is held. */
+  moves(hand: HandFrame): boolean;
   bars(hand: HandFrame): void;
   set(hand: HandFrame, units: Units): void;
 }
@@ -41,9 +41,14 @@ export function effectorGroup(desk: Desk): EffectorGroup {
       else seats?.lift(at);
       return;
     }
-    if (!down) hand[which].lift(at);
-    else if (latest && hand.stops(latest.hand)) desk.send({ type: 'effector', switch: 'stop' });
-    else hand[which].press(at);
+    if (!down) {
+      hand[which].lift(at);
+      return;
+    }
+    const moving = latest !== null && hand.moves(latest.hand);
+    if (moving) desk.send({ type: 'effector', switch: 'stop' });
+    // Held on, the other way's key turns it round.
+    if (!moving || latest?.hand.switch !== which) hand[which].press(at);
   }
 
   return {

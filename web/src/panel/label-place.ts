@@ -41,7 +41,8 @@ export function clipped(a: Point, b: Point, box: Box): readonly [Point, Point] |
 
 /**
  * Top left of a label beside the middle of a line: on the side away from the picture's middle, as what is worked on
- * is mostly there, else wherever it fits and covers nothing of `taken`.
+ * is mostly there, else wherever it fits and covers nothing of `taken`; at the picture's edge, moved into it, and off
+ * what it would cover there.
  */
 export function labelPlace(
   ends: readonly [Point, Point],
@@ -61,11 +62,17 @@ export function labelPlace(
   const sides = middle.x < picture.width / 2 ? [left, right] : [right, left];
   const ways = middle.y < picture.height / 2 ? [above, below] : [below, above];
   const places = [...sides, ...ways];
-  const fits = ({ x, y }: Point) => {
-    const box = { left: x, top: y, right: x + label.width, bottom: y + label.height };
-    return isInside(box, picture) && !taken.some((each) => overlap(box, each));
-  };
-  return places.find(fits) ?? into(places[0] ?? middle, label, picture);
+  const box = ({ x, y }: Point) => ({ left: x, top: y, right: x + label.width, bottom: y + label.height });
+  const free = (place: Point) => !taken.some((each) => overlap(box(place), each));
+  const fits = (place: Point) => isInside(box(place), picture) && free(place);
+  const inside = places.map((place) => into(place, label, picture));
+  const off = taken.flatMap(({ top, bottom }) =>
+    inside.flatMap(({ x }) => [
+      { x, y: top - label.height },
+      { x, y: bottom },
+    ]),
+  );
+  return places.find(fits) ?? inside.find(free) ?? off.find(fits) ?? inside[0] ?? middle;
 }
 
 export interface Size {

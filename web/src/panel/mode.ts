@@ -26,7 +26,8 @@ export function modeGroup(desk: Desk, proceed: () => void): ModeGroup {
   return {
     element,
     values({ frame }) {
-      positions.set(frame.mode);
+      const grasping = frame.work.cargo.some(({ held }) => held);
+      positions.set(frame.mode, grasping);
       const shown = positions.shown();
       setAbout(element, shown === frame.mode ? 'entered' : `Enter sets ${shown}`);
       setClass(element, 'single', infoOf(frame.mode)?.kind === 'single');

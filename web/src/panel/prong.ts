@@ -1,7 +1,7 @@
 /** The concept arm's prong: how far it is from the fixed finger, and its switch with its three positions. */
 
 import { small } from '../format';
-import type { EffectorSwitch } from '../protocol';
+import type { EffectorSwitch, HandFrame } from '../protocol';
 import { button, el, setAttribute, setPressed, setText, svg } from './dom';
 import type { Hand } from './effector';
 import { holdButton } from './hold-button';
@@ -9,6 +9,11 @@ import type { Desk } from './part';
 import { CLOSE_S, OPEN_S } from './snares';
 
 const LENGTH = 100;
+
+/** Whether the prong is on its way: its switch is put, and it is not where that ends. */
+export function isMoving({ switch: put, opening }: Pick<HandFrame, 'switch' | 'opening'>): boolean {
+  return put !== 'stop' && opening !== (put === 'close' ? 0 : 1);
+}
 
 export function prong(desk: Desk): Hand {
   const put = (position: EffectorSwitch) => desk.send({ type: 'effector', switch: position });
@@ -45,7 +50,7 @@ export function prong(desk: Desk): Hand {
     element,
     close,
     open,
-    stops: (hand) => hand.switch !== 'stop',
+    moves: isMoving,
     bars(hand) {
       close.tick();
       open.tick();

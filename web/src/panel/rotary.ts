@@ -1,7 +1,7 @@
 /** The MODE rotary: twelve positions, and MASTER where the arm has one; one is turned to, then entered. */
 
 import type { ModeInfo } from '../protocol';
-import { button, el, setClass, setPressed } from './dom';
+import { button, el, setAttribute, setClass, setPressed } from './dom';
 import type { Desk } from './part';
 
 /** As printed on the panel, down its left column, then its right one. */
@@ -24,8 +24,8 @@ export interface Rotary {
   readonly element: HTMLElement;
   /** The position turned to; the one entered where none is. */
   shown(): string;
-  /** The position that the station has entered. */
-  set(position: string): void;
+  /** The position that the station has entered; `grasping`: a payload is in the grasp. */
+  set(position: string, grasping: boolean): void;
   turn(by: number): void;
   /** Enters the position turned to. */
   enter(): void;
@@ -45,14 +45,11 @@ export function rotary(desk: Desk): Rotary {
     turned = position === entered ? null : position;
     draw();
   };
-  const keys = modes.map(({ position, title, point, enabled, kind }) => {
-    const missing = point === 'payload' ? 'needs a payload in the grasp' : 'no points are stored';
-    const about = enabled ? title : `${title}: ${missing}`;
-    const key = button({ title: about }, [el('i', { class: 'dot' }), position], () => {
+  const keys = modes.map(({ position, kind }) => {
+    const key = button({}, [el('i', { class: 'dot' }), position], () => {
       if (turned === position) enter();
       else turnTo(position);
     });
-    setClass(key, 'absent', !enabled);
     setClass(key, 'thirteenth', kind === 'master');
     return key;
   });
@@ -75,7 +72,15 @@ export function rotary(desk: Desk): Rotary {
   return {
     element,
     shown: () => turned ?? entered,
-    set(position) {
+    set(position, grasping) {
+      modes.forEach(({ title, point, enabled }, i) => {
+        const key = keys[i];
+        if (!key) return;
+        const missing = point === 'payload' ? 'needs a payload in the grasp' : 'no points are stored';
+        const there = enabled || (point === 'payload' && grasping);
+        setClass(key, 'absent', !there);
+        setAttribute(key, 'title', there ? title : `${title}: ${missing}`);
+      });
       if (position !== entered) turned = null;
       entered = position;
       draw();

@@ -1,7 +1,7 @@
 /** The switch that fixes a payload in its seat, or frees it: retention latches, docking port. */
 
 import type { WorkFrame } from '../protocol';
-import { el, setClass, setText } from './dom';
+import { el, setAttribute, setClass, setText } from './dom';
 import { type HoldButton, holdButton } from './hold-button';
 import type { Desk } from './part';
 
@@ -40,6 +40,7 @@ export function seat(desk: Desk): Seat {
       const at = seatNow(work);
       fixed = at !== '';
       setText(where, at === '' ? 'in no seat' : at);
+      setAttribute(where, 'title', at);
       setClass(latch.element, 'keyed', !fixed);
       setClass(unlatch.element, 'keyed', fixed);
     },

@@ -50,7 +50,7 @@ export function snares(desk: Desk): Hand {
     element,
     close,
     open,
-    stops: () => false,
+    moves: () => false,
     bars() {
       close.tick();
       open.tick();

@@ -59,13 +59,12 @@ export class Spine {
       setText(cause, lamp?.text ?? '');
       setAttribute(key, 'title', lamp?.text ?? '');
     }
-    const cautions = lamps.filter(({ level }) => level !== 'info').length;
     const warned = lamps.some(({ level, name }) => level === 'warning' && this.unseen.has(name));
     setClass(this.master, 'caution', (test || this.unseen.size > 0) && !warned);
     setClass(this.master, 'warning', warned);
-    const count = cautions === 1 ? '1 caution' : `${cautions} cautions`;
+    const count = counted(lamps);
     if (test) setText(this.words, 'lamp test');
-    else setText(this.words, cautions === 0 ? 'clear' : this.unseen.size > 0 ? `${count} · press M` : count);
+    else setText(this.words, count === '' ? 'clear' : this.unseen.size > 0 ? `${count} · press M` : count);
   }
 
   /** The operator has seen what is lit. */
@@ -85,4 +84,13 @@ export class Spine {
     this.lamps.set(name, { key, cause });
     return key;
   }
+}
+
+/** `1 warning, 2 cautions`; empty where neither is lit. */
+export function counted(lamps: readonly Pick<Lamp, 'level'>[]): string {
+  return (['warning', 'caution'] as const)
+    .map((name) => ({ name, count: lamps.filter(({ level }) => level === name).length }))
+    .filter(({ count }) => count > 0)
+    .map(({ name, count }) => `${count} ${name}${count === 1 ? '' : 's'}`)
+    .join(', ');
 }

@@ -100,6 +100,7 @@ class Replay {
       frames: this.drawn,
       lastFrame: this.shown,
       restarts: 0,
+      bodies: this.pictures.bodies,
       latency95: null,
     }));
     this.tick();

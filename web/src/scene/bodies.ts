@@ -27,6 +27,13 @@ export interface PlacedLight {
   readonly place: Matrix4;
 }
 
+/** A body as it is drawn now. */
+export interface DrawnBody {
+  readonly name: string;
+  readonly triangles: number;
+  readonly at: Vec3;
+}
+
 /** All of a body that one material draws. */
 class Batch {
   readonly surface = new Surface();
@@ -81,6 +88,16 @@ export class Body {
     turn.set(poses[first + 4] ?? 0, poses[first + 5] ?? 0, poses[first + 6] ?? 0, poses[first + 3] ?? 1);
     this.group.matrix.compose(place, turn, ONE);
     this.group.updateMatrixWorld(true);
+  }
+
+  /** Its name, the triangles that draw it, and where its frame stands in the scene. */
+  get drawn(): DrawnBody {
+    const triangles = this.group.children.reduce(
+      (sum, child) => sum + (child instanceof Mesh ? (child.geometry.index?.count ?? 0) / 3 : 0),
+      0,
+    );
+    const { x, y, z } = place.setFromMatrixPosition(this.group.matrix);
+    return { name: this.group.name, triangles, at: [x, y, z] };
   }
 
   /** The mesh of a batch, if the body has one. */

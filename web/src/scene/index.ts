@@ -13,7 +13,7 @@ import {
 } from 'three';
 import type { Near, Quat, Vec3, Welcome } from '../protocol';
 import { Blob } from './blob';
-import { Body } from './bodies';
+import { Body, type DrawnBody } from './bodies';
 import { Cameras, type Place, type Projected } from './cameras';
 import { Earth } from './earth';
 import { Gap } from './gap';
@@ -75,6 +75,10 @@ export class Scene {
     const ground = quality === 'low' ? fixed?.mesh('liner') : undefined;
     this.blob = ground ? new Blob(this.stage, ground, moving) : null;
     this.gap = new Gap(this.stage, this.bodies);
+  }
+
+  get drawn(): readonly DrawnBody[] {
+    return this.bodies.map((body) => body.drawn);
   }
 
   /** Seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene frame. */

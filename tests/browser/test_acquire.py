@@ -1,0 +1,152 @@
+"""A payload acquired, lifted and let go from the page, by keys alone, with the concept arm of 1972."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scene.bodies import bodies_of
+from tests.browser.conftest import OpenPage
+from tests.browser.flight import Flight
+from tests.browser.looks import assert_readable, assert_tidy
+
+pytestmark = pytest.mark.browser
+
+SCENARIO = str(Path(__file__).parent / "over-the-bar.toml")
+"""The hand begins open, 3 in over the bar."""
+
+AT_REST = "Math.hypot(...frame.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
+CELL = "[...document.querySelectorAll('.cells li:not([hidden])')].find((cell) => /^{}/.test(cell.textContent))"
+HEIGHT_HOLDS = f"{CELL.format('palm height')}?.matches('.holds')"
+INHIBITED = "document.querySelector('.inhibits .lit')?.textContent === 'Arm inhibit'"
+TITLE = "document.querySelector('.conditions h2').textContent"
+HELD = "frame.work.cargo[0].held"
+NORTH, MENU, CROSS_UP = 3, 9, 12
+"""Buttons of the standard mapping."""
+MOST_TAPS = 150
+"""A tap moves the hand by a hundredth of an inch and more, on a slow machine by some tenths."""
+
+
+def test_every_body_of_the_concepts_worksite_is_drawn(flight: Flight) -> None:
+    drawn = {body["name"]: body["triangles"] for body in flight.script("window.__aftdeck.bodies")}
+    defined = {body.name: body.shapes for body in bodies_of(load_scenario(SCENARIO))}
+    assert set(drawn) == set(defined) >= {"orbiter", "cae", "payload", "arm.prong", "arm.stand"}
+    assert [name for name, shapes in defined.items() if shapes and drawn[name] == 0] == []
+
+
+def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight) -> None:
+    flight.until(f"{TITLE}.startsWith('acquire Payload') && !({HEIGHT_HOLDS})")
+
+    # Down: the palm meets the bar, the arm is inhibited, and the page says what frees it.
+    flight.press("v")
+    flight.until("frame.rate === 'vernier'")
+    flight.hold("e")
+    flight.until(f"frame.work.arm_inhibit && {INHIBITED}")
+    flight.release("e")
+    flight.until(f"{AT_REST} && /Way out: THC −Z/.test(document.querySelector('.touching').textContent)")
+    assert_tidy(flight)
+
+    # Off the bar again, a little at a time, until the page says that the height is right.
+    for _ in range(MOST_TAPS):
+        (height,) = [each for each in flight.until(AT_REST).work.conditions if each.name == "palm height"]
+        if height.holds:
+            break
+        flight.press("q" if height.value < 0.0 else "e")
+    flight.until(f"{HEIGHT_HOLDS} && !({INHIBITED})")
+    flight.until(f"/fingers .* apart, at most .* allowed/.test({TITLE})")
+
+    # The prong closes about the bar, and there the payload hangs.
+    flight.hold("g")
+    flight.until("frame.work.hand.switch === 'close'")
+    flight.release("g")
+    flight.until(f"{HELD} && document.querySelector('.effector .about').textContent === 'payload in the grasp'")
+    flight.until_logged("Payload acquired")
+    flight.until("document.querySelector('.phases .present').textContent === 'Extract'")
+    flight.until(f"{TITLE} === 'insert in the Cargo bayall met: let go, hold R'")
+
+    # Up: it comes along, and is drawn where it is.
+    lowest = _place(flight, "payload")[2]
+    flight.press("v")
+    flight.hold("q")
+    flight.until(f"{HELD} && window.__aftdeck.bodies.find(({{ name }}) => name === 'payload').at[2] > {lowest + 1.0}")
+    flight.release("q")
+    flight.until(AT_REST)
+    assert_tidy(flight)
+    assert_readable(flight)
+
+    # Let go, it is free where it was left.
+    flight.hold("r")
+    flight.until(f"!{HELD} && frame.work.cargo[0].seat === ''")
+    flight.release("r")
+    flight.until_logged("Payload released: it is free")
+    assert _place(flight, "payload")[2] > lowest + 0.9
+
+
+def test_y_and_n_drive_the_telescope(flight: Flight) -> None:
+    start = flight.frame()
+    assert start.work.stand is not None
+    flight.hold("n")
+    flight.until(f"frame.work.arm_inhibit || frame.work.stand < {start.work.stand - 0.02}")
+    flight.release("n")
+    flight.hold("y")
+    now = flight.until(f"frame.work.stand > {start.work.stand + 0.10}")
+    flight.release("y")
+    assert now.actual.position[2] < start.actual.position[2] - 0.09, "the arm rides on it"
+    assert now.commanded.position == pytest.approx(now.actual.position, abs=1e-6)
+    flight.until("Number(document.querySelector('.stand .angle').textContent) > 194")
+
+
+def test_the_thc_flies_the_orbiter_and_the_assembly_element_stays_behind(flight: Flight) -> None:
+    before = _place(flight, "cae")
+    flight.press("`")
+    flight.until("document.querySelector('.thc .about').textContent === 'flies the orbiter'")
+    flight.hold("w")
+    flight.until("frame.work.orbiter[0] > 0.05")
+    flight.release("w")
+    flight.until("Math.hypot(...frame.work.orbiter_velocity) === 0")
+    moved = flight.frame().work.orbiter[0]
+    assert _place(flight, "cae")[0] - before[0] == pytest.approx(moved, abs=1e-6), "it drifts aft as the orbiter goes"
+    assert flight.frame().actual.velocity == (0.0, 0.0, 0.0)
+
+
+def test_the_arm_follows_a_slider_of_the_master_to_its_place(flight: Flight) -> None:
+    flight.enter("MASTER")
+    start = flight.frame().joints[2]
+    slider = flight.page.get_by_role("slider", name="Master Elbow")
+    slider.focus()
+    flight.press("PageUp")
+    flight.until(f"frame.work.master && frame.work.master[2] > {start + 0.08}")
+    flight.until("Math.abs(frame.joints[2] - frame.work.master[2]) < 1e-6 && Math.hypot(...frame.rates) < 1e-6")
+    assert flight.frame().joints[2] - start == pytest.approx(math.radians(5.0), abs=1e-3)
+
+
+def test_a_pad_closes_and_opens_the_prong_and_drives_the_telescope(open_page: OpenPage) -> None:
+    flight = open_page(pad=True).from_the_start()
+    _buttons(flight, NORTH)
+    flight.until("frame.work.hand.switch === 'close' && frame.work.hand.opening < 1")
+    _buttons(flight)
+    _buttons(flight, MENU, NORTH)
+    flight.until("frame.work.hand.switch === 'open'")
+    _buttons(flight)
+    stand = flight.frame().work.stand
+    _buttons(flight, MENU, CROSS_UP)
+    flight.until(f"frame.work.stand > {stand} + 0.02")
+    _buttons(flight)
+
+
+def _buttons(flight: Flight, *pressed: int) -> None:
+    """Holds these buttons of the test pad, and no others; each is seen by the page before the next."""
+    flight.script("window.testPad.buttons.forEach((button) => { button.pressed = false; })")
+    for number in pressed:
+        flight.script(f"window.testPad.buttons[{number}].pressed = true")
+        drawn = flight.script("window.__aftdeck.frames")
+        flight.until(f"window.__aftdeck.frames > {drawn + 1}")
+
+
+def _place(flight: Flight, name: str) -> list[float]:
+    """Where a body is drawn, in the scene [m]."""
+    (place,) = [body["at"] for body in flight.script("window.__aftdeck.bodies") if body["name"] == name]
+    return [float(value) for value in place]

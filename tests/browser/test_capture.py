@@ -1,0 +1,71 @@
+"""A payload captured from the page, by keys alone, with the Shuttle's snares."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scene.bodies import bodies_of
+from tests.browser.flight import Flight
+from tests.browser.looks import assert_readable, assert_tidy
+
+pytestmark = pytest.mark.browser
+
+SCENARIO = str(Path(__file__).parent / "over-the-pin.toml")
+"""The end effector begins in line with the pin, 8 in from it."""
+
+AT_REST = "Math.hypot(...frame.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
+DEPTH = "frame.work.conditions.find(({ name }) => name === 'pin depth').value"
+TITLE = "document.querySelector('.conditions h2').textContent"
+LIT = "[...document.querySelectorAll('.flags .lit')].map((flag) => flag.textContent).join()"
+ABOUT = "document.querySelector('.effector .about').textContent"
+INCH = 0.0254
+MOST_TRIES = 20
+
+
+def test_every_body_of_the_orbiters_worksite_is_drawn(flight: Flight) -> None:
+    drawn = {body["name"]: body["triangles"] for body in flight.script("window.__aftdeck.bodies")}
+    defined = {body.name: body.shapes for body in bodies_of(load_scenario(SCENARIO))}
+    assert set(drawn) == set(defined) >= {"orbiter", "payload"}
+    assert [name for name, shapes in defined.items() if shapes and drawn[name] == 0] == []
+
+
+def test_snares_that_close_beside_the_pin_say_what_was_not_met(flight: Flight) -> None:
+    flight.until(f"{DEPTH} > {6 * INCH} && /pin .* in out from its seat, 0 to 4 in allowed/.test({TITLE})")
+    flight.hold("g")
+    flight.until("frame.work.hand.switch === 'close'")
+    flight.release("g")
+    flight.until_logged("snares closed empty: pin 8 in out from its seat, 0 to 4 in allowed")
+    assert not flight.frame().work.cargo[0].held
+
+
+def test_the_payload_is_captured_by_keys_alone(flight: Flight) -> None:
+    flight.press("v")
+    flight.until("frame.rate === 'vernier'")
+    for _ in range(MOST_TRIES):
+        (depth,) = [each for each in flight.until(AT_REST).work.conditions if each.name == "pin depth"]
+        if depth.holds:
+            break
+        key, there = ("e", f"{DEPTH} < {3 * INCH}") if depth.value > 0.0 else ("q", f"{DEPTH} > {0.5 * INCH}")
+        flight.hold(key)
+        flight.until(f"{there} || frame.work.arm_inhibit")
+        flight.release(key)
+    flight.until(f"{TITLE}.endsWith('all met: squeeze, hold G') && {LIT} === 'EXTEND,OPEN,DERIGID'")
+    assert_tidy(flight)
+
+    flight.hold("g")
+    flight.until("frame.work.cargo[0].held")
+    flight.release("g")
+    flight.until(f"{LIT} === 'CAPTURE,CLOSE,RIGID' && {ABOUT} === 'payload in the grasp'")
+    flight.until_logged("Deployable payload acquired, fixed in the Payload bay latches")
+    flight.until("document.querySelector('.seat .where').textContent === 'Payload bay latches'")
+
+    # Held by arm and latches, it is moved by neither; the page says so to whoever tries.
+    flight.hold("t")
+    flight.until("document.querySelectorAll('.seat .fill')[1].style.transform === 'scaleX(1)'")
+    flight.release("t")
+    flight.until_logged("latches of the Payload bay latches opening")
+    assert_tidy(flight)
+    assert_readable(flight)

@@ -1,0 +1,42 @@
+"""Nothing is compiled in flight: what a flight calls was called before its clock started."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+COUNT = """
+import gc, sys
+from numba.core.dispatcher import Dispatcher
+import aftdeck
+from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.warm import warm_up
+
+def met():
+    laws = (law for law in gc.get_objects() if isinstance(law, Dispatcher))
+    return {(law.py_func.__module__, law.py_func.__qualname__, len(law.signatures)) for law in laws}
+
+scenario = load_scenario(sys.argv[1])
+warm_up(scenario)
+before = met()
+sim = aftdeck.Simulation(scenario)
+down = aftdeck.Inputs(translation=(0.0, 0.0, 1.0))
+for _ in range(int(sys.argv[2])):
+    sim.step(down if sys.argv[3] == "down" else None)
+for module, name, _ in sorted(met() - before):
+    print(module, name)
+"""
+"""Prints the laws that meet arguments in flight that they had not met when it began."""
+
+
+@pytest.mark.parametrize(
+    ("scenario", "steps", "by"),
+    [("concept-1972", 400, "down"), ("concept-1972-script", 2600, "script"), ("srms-deploy", 1500, "script")],
+    ids=["a palm that touches", "acquired, slid and docked", "captured"],
+)
+def test_no_law_is_compiled_in_flight(scenario: str, steps: int, by: str) -> None:
+    command = [sys.executable, "-c", COUNT, scenario, str(steps), by]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout == ""
