@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import msgspec
 import numpy as np
+import pytest
 
 import aftdeck
 from aftdeck.scenario.load import built_in
@@ -17,8 +18,11 @@ from aftdeck.simulation.run import SavedSimulation
 from aftdeck.worksite.report import Work
 
 MISSIONS = ("concept-1972-script", "free-flyer", "srms-berth", "srms-deploy")
+"""Built-in scenarios that fly a whole task at a worksite: longer than the others."""
 SCRIPTED = tuple(name for name in built_in() if name != "concept-1972")
 """Built-in scenarios that fly themselves; the other is for a person."""
+FLOWN = [pytest.param(name, marks=pytest.mark.slow) if name in MISSIONS else name for name in SCRIPTED]
+"""They, for a test of each: the missions among the slow ones."""
 TURNING_POINTS = {"acquired", "released", "docked", "unseated", "latch", "latched", "unlatched"}
 """Kinds of the log's lines that tell how a mission goes on."""
 _SAVED = 1.0 / 1500.0
