@@ -67,7 +67,8 @@ def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
 
 def _in_l(site: Site, along: Array) -> Vec3:
     """A vector along the orbiter's axes, in L."""
-    if not along.any():
+    x, y, z = along.tolist()
+    if x == y == z == 0.0:
         return _ZERO
     x, y, z = (site.axes @ along).tolist()
     return x, y, z

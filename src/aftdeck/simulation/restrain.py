@@ -6,8 +6,6 @@ motion that deepens no contact is let through, so that whatever leads out can be
 
 from __future__ import annotations
 
-import numpy as np
-
 from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.sliding import slide_along
@@ -34,7 +32,7 @@ def restrain(flight: Flight, state: State, telescope: float) -> float:
     rates = state.steering[RATES : RATES + 6]
     if things.fast:
         return _halted(flight, state)
-    if not (telescope or np.any(rates)):
+    if not (telescope or any(rates.tolist())):
         return 0.0
     if sliding is not None:
         slides = slide_along(flight, state, telescope, sliding)

@@ -6,6 +6,8 @@ there. What is fixed to a seat and held as well holds the arm, until one of the 
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -66,7 +68,7 @@ def _brought(flight: Flight, state: State, k: int, pressed: str | None) -> str |
     thing = things.cargo[k]
     nearest: tuple[float, Berth] | None = None
     for berth in site.berths[k]:
-        away = float(np.linalg.norm(_off(flight, state, k, berth)[:3]))
+        away = math.hypot(*_off(flight, state, k, berth)[:3].tolist())
         if away < NEAR and (nearest is None or away < nearest[0]):
             nearest = away, berth
     if nearest is None:

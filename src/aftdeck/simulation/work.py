@@ -69,7 +69,7 @@ def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
     """Translate the orbiter, or stop it at once and say why it may not go."""
     things = state.site
     why = ""
-    if any(inputs.orbiter) or things.orbiter_velocity.any():
+    if any(inputs.orbiter) or any(things.orbiter_velocity.tolist()):
         why = _translated(flight, state, np.array(inputs.orbiter))
     if why and not things.refused_orbiter:
         refuse(flight, state, why)
