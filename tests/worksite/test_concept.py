@@ -228,7 +228,7 @@ def test_no_bend_of_the_wrist_brings_the_hand_onto_the_boom_or_the_wrist() -> No
         site_of(load_scenario("concept-1972")).layout.between({"lower boom", "wrist"}, {"stub", "palm", "prong"}).sum()
         == 0
     )
-    for bend in product(*(np.linspace(*limits, 7) for limits in model.limits.hard[3:])):
+    for bend in product(*(np.linspace(low, high, 7) for low, high in model.limits.hard[3:].tolist())):
         angles[3:] = bend
         place_frames(frames.joints, angles, 4.0, -0.2, rows)
         for a, b in product(inner, outer):
@@ -238,4 +238,4 @@ def test_no_bend_of_the_wrist_brings_the_hand_onto_the_boom_or_the_wrist() -> No
 
 def _in_l(solid: Solid, names: tuple[str, ...], rows: Array) -> Array:
     row = rows[names.index(solid.frame)]
-    return solid.vertices @ row[3:].reshape(3, 3).T + row[:3]
+    return np.asarray(solid.vertices @ row[3:].reshape(3, 3).T + row[:3])

@@ -55,5 +55,5 @@ def _carry(flight: Flight, state: State) -> None:
     for berth in flight.site.berths[0]:
         conditions_at(flight, state, 0, berth)
     let_go(flight, state, 0)
-    set_free(flight, state, 0)
+    set_free(flight, state, 0, from_space=False)
     step(flight, state, None)

@@ -137,9 +137,10 @@ def deepened(watch: Watch, counts: Mask, before: Array, after: Array) -> int:
     """
     copy = Watch(watch.layout)
     copy.restore(watch.save())
-    copy.look(before, before, 1.0, STEP)
+    none = np.zeros_like(counts)
+    copy.look_near(before, before, 1.0, none, STEP)
     was = copy.found[:, CLEARANCE].copy()
-    copy.look(after, after, 1.0, STEP)
+    copy.look_near(after, after, 1.0, none, STEP)
     now = copy.found[:, CLEARANCE]
     touched = (counts & copy.active).astype(bool) & ((was <= CONTACT) | (now <= CONTACT))
     fall = np.full(len(was), -np.inf)
