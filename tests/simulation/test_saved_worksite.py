@@ -1,0 +1,120 @@
+"""A state saved with everything of the worksite moving goes on bit for bit; so does a recording flown again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.recording.replay import verify
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.run import SavedSimulation
+from tests.recording.flown import recorded
+from tests.simulation.concept import AT_PORT, ON_BAR, scenario, vec3
+from tests.simulation.flights import anything, srms
+
+seeds = st.integers(0, 2**32 - 1)
+FLYER = """
+[[cargo]]
+name = "free flyer"
+start = { position = ["40 ft", "30 ft", "20 ft"], velocity = ["0.1 ft/s", "0 ft/s", "-0.1 ft/s"] }
+"""
+
+
+def acquiring(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
+    """The prong closes about the bar, while a free flyer drifts, the orbiter moves, and then anything."""
+    close = Inputs(effector="close", orbiter=(1.0, 0.0, -1.0))
+
+    def given_() -> Iterator[Inputs]:
+        yield close
+        yield from (Inputs(orbiter=close.orbiter) for _ in range(175))
+        yield from anything(rng, 150)
+
+    return scenario(ON_BAR, cargo=f'name = "payload"{FLYER}'), given_()
+
+
+def docking(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
+    """The payload is docked, let go and taken again in any order."""
+    made = scenario(vec3(np.add(AT_PORT, [0.1, 0.0, 0.0])), held=True, cargo=f'name = "payload"{FLYER}')
+    return made, anything(rng, 300, 0.2, switches=0.3)
+
+
+def latching(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
+    """The Shuttle's latches close on a payload that the arm holds, while the carriage goes in and out."""
+    made = srms(0.5, 0.5, -0.3, (0.1, 0.1, -0.1), held=True)
+
+    def given_() -> Iterator[Inputs]:
+        yield Inputs(latch="latch", effector_mode="manual", rigid="derigid")
+        yield from anything(rng, 250, 0.3, switches=0.25, but=("effector",))
+
+    return made, given_()
+
+
+def capturing(rng: np.random.Generator) -> tuple[Scenario, Iterator[Inputs]]:
+    """The snares close on a pin that is off its seat, and the carriage draws it in."""
+    made = srms(2.0, 1.0, 1.0, (3.0, -2.0, 3.0))
+
+    def given_() -> Iterator[Inputs]:
+        yield Inputs(effector="close", mode="END EFF")
+        yield from (Inputs() for _ in range(150))
+        yield from anything(rng, 150, 0.3, switches=0.2)
+
+    return made, given_()
+
+
+FLIGHTS = [acquiring, docking, latching, capturing]
+
+
+def bits(frames: list[Frame]) -> bytes:
+    return msgspec.msgpack.encode(frames)
+
+
+@pytest.mark.parametrize("flight", FLIGHTS, ids=lambda flight: flight.__name__)
+@settings(max_examples=2)
+@given(seed=seeds)
+def test_a_state_saved_at_any_step_goes_on_bit_for_bit(flight: object, seed: int) -> None:
+    assert callable(flight)
+    rng = np.random.default_rng(seed)
+    made, operator = flight(rng)
+    sim, given_, frames, states = aftdeck.Simulation(made), [], [], []
+    for inputs in operator:
+        states.append(sim.save())
+        given_.append(inputs)
+        frames.append(sim.step(inputs))
+    for tick in rng.integers(0, len(frames), 4):
+        other = aftdeck.Simulation(made)
+        other.restore(msgspec.msgpack.decode(msgspec.msgpack.encode(states[tick]), type=SavedSimulation))
+        upto = slice(int(tick), int(tick) + 80)
+        assert bits([other.step(inputs) for inputs in given_[upto]]) == bits(frames[upto])
+
+
+@pytest.mark.parametrize("flight", FLIGHTS, ids=lambda flight: flight.__name__)
+@settings(max_examples=1, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
+@given(seed=seeds)
+def test_a_recording_of_it_flown_again_is_equal(flight: object, tmp_path: Path, seed: int) -> None:
+    assert callable(flight)
+    rng = np.random.default_rng(seed)
+    made, operator = flight(rng)
+    path = tmp_path / "flight.mcap"
+    path.unlink(missing_ok=True)
+    flown = recorded(path, made, operator, 1000)
+    verdict = verify(path)
+    assert verdict.equal and verdict.frames == len(flown)
+
+
+def test_what_is_watched_after_a_state_is_restored_is_what_was_watched_before() -> None:
+    made = scenario((ON_BAR[0], 0.99, ON_BAR[2]), held=True)
+    sim, other = aftdeck.Simulation(made), aftdeck.Simulation(made)
+    for _ in range(60):
+        sim.step(Inputs((0.0, -0.3, 0.0)))
+    assert any(near.essential and near.b == "bay wall port" for near in sim.watched())
+    other.restore(sim.save())
+    assert other.watched() == sim.watched()
