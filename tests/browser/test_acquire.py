@@ -53,11 +53,11 @@ def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight)
     flown = -2
     for _ in range(MOST_TAPS):
         frame = flight.until(f"frame.stick_seq > {flown} && {AT_REST}")
-        (height,) = [each for each in frame.work.conditions if each.name == "palm height"]
-        if height.holds:
+        wanting = {each.name: each.value for each in frame.work.conditions if not each.holds}
+        if not frame.work.arm_inhibit and set(wanting) == {"prong closed"}:
             break
         flown = frame.stick_seq
-        flight.press("q" if height.value < 0.0 else "e")
+        flight.press("e" if wanting.get("palm height", 0.0) > 0.0 and not frame.work.arm_inhibit else "q")
     flight.until(f"{HEIGHT_HOLDS} && !({INHIBITED})")
     flight.until(f"/fingers .* apart, at most .* allowed/.test({TITLE})")
 

@@ -236,4 +236,4 @@ def test_no_bend_of_the_wrist_brings_the_hand_onto_the_boom_or_the_wrist() -> No
 
 def _in_l(solid: Solid, names: tuple[str, ...], rows: Array) -> Array:
     row = rows[names.index(solid.frame)]
-    return solid.vertices @ row[3:].reshape(3, 3).T + row[:3]
+    return np.asarray(solid.vertices @ row[3:].reshape(3, 3).T + row[:3])
