@@ -1,4 +1,4 @@
-"""Makes the README's picture of the station from the real program: ``python scripts/pictures.py``.
+"""Makes the pictures of the station from the real program: ``python scripts/pictures.py [NAME ...]``, all or some.
 
 Starts `aftdeck fly`, opens the page in Chromium in the full profile at 1440 x 900, flies the arm with the keys
 that the README names, and keeps what the page shows in ``docs/pictures/``. The first part is flown in the low
@@ -15,10 +15,11 @@ import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import NamedTuple
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-PICTURES = Path(__file__).resolve().parent.parent / "docs" / "pictures"
+FOLDER = Path(__file__).resolve().parent.parent / "docs" / "pictures"
 SIZE = (1440, 900)
 MOST_BYTES = 600_000
 """A picture in the README has at most this size."""
@@ -35,23 +36,43 @@ FLAGS = [
 Held = tuple[Sequence[str], float]
 """Keys held together, and for how long [s of simulated time]."""
 
-ON_THE_WAY: Sequence[Held] = ((("KeyD", "KeyQ"), 5.0), (("KeyS", "KeyI"), 6.0))
-AT_THE_END: Held = (("KeyW", "KeyL"), 12.0)
-"""Longer than the 10 s in which the page counts its delay: how slowly this machine draws is no news for a reader."""
+
+class Picture(NamedTuple):
+    """What is flown before a picture is kept.
+
+    Attributes:
+        scenario: what `aftdeck fly` is given.
+        before: keys, in the low profile.
+        last: keys still held when it is kept, in the full profile; longer than the 10 s in which the page counts its
+            delay, because how slowly this machine draws is no news for a reader.
+    """
+
+    scenario: str
+    before: Sequence[Held]
+    last: Held
+
+
+PICTURES = {
+    "station": Picture("first-flight", ((("KeyD", "KeyQ"), 5.0), (("KeyS", "KeyI"), 6.0)), (("KeyW", "KeyL"), 12.0)),
+    "concept": Picture("concept-1972", ((("KeyE",), 1.9),), ((), 12.0)),
+    "capture": Picture("srms-deploy", ((("KeyE",), 4.2),), ((), 12.0)),
+}
 
 
 def main() -> None:
-    """Makes every picture."""
-    PICTURES.mkdir(parents=True, exist_ok=True)
-    with station("first-flight") as address, chromium() as browser:
-        page = open_page(browser, f"{address}?quality=low")
-        for keys, seconds in ON_THE_WAY:
-            hold(page, keys, seconds)
-            release(page, keys)
-        page.close()
-        page = open_page(browser, f"{address}?quality=full")
-        hold(page, *AT_THE_END)
-        keep(page, "station.jpg")
+    """Makes the pictures named, or every one."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    for name in sys.argv[1:] or PICTURES:
+        scenario, before, last = PICTURES[name]
+        with station(scenario) as address, chromium() as browser:
+            page = open_page(browser, f"{address}?quality=low")
+            for keys, seconds in before:
+                hold(page, keys, seconds)
+                release(page, keys)
+            page.close()
+            page = open_page(browser, f"{address}?quality=full")
+            hold(page, *last)
+            keep(page, f"{name}.jpg")
 
 
 @contextmanager
@@ -107,7 +128,7 @@ def release(page: Page, keys: Sequence[str]) -> None:
 
 def keep(page: Page, name: str) -> None:
     """Saves what the page shows; a picture that is too large is an error."""
-    path = PICTURES / name
+    path = FOLDER / name
     begun = time.perf_counter()
     page.screenshot(path=path, type="jpeg", quality=86, timeout=WAIT_MS)
     size = path.stat().st_size

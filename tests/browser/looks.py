@@ -86,7 +86,8 @@ _TEXTS = """async () => {
 
 def assert_tidy(flight: Flight) -> None:
     """Nothing scrolls, overlaps, leaves its group or is cut off."""
-    assert flight.script(_CLASHES) == []
+    clashes = flight.script(_CLASHES)
+    assert clashes == [], clashes
 
 
 def assert_readable(flight: Flight) -> None:

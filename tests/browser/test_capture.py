@@ -21,6 +21,8 @@ DEPTH = "frame.work.conditions.find(({ name }) => name === 'pin depth').value"
 TITLE = "document.querySelector('.conditions h2').textContent"
 LIT = "[...document.querySelectorAll('.flags .lit')].map((flag) => flag.textContent).join()"
 ABOUT = "document.querySelector('.effector .about').textContent"
+LOADED = "[...document.querySelectorAll('.rotary :not(.absent)')].some((key) => key.textContent === '{}')"
+"""The rotary's position can be entered."""
 INCH = 0.0254
 MOST_TRIES = 20
 
@@ -42,12 +44,16 @@ def test_snares_that_close_beside_the_pin_say_what_was_not_met(flight: Flight) -
 
 
 def test_the_payload_is_captured_by_keys_alone(flight: Flight) -> None:
+    flight.until(f"!({LOADED.format('ORB LD')})")
     flight.press("v")
     flight.until("frame.rate === 'vernier'")
+    flown = -2
     for _ in range(MOST_TRIES):
-        (depth,) = [each for each in flight.until(AT_REST).work.conditions if each.name == "pin depth"]
+        frame = flight.until(f"frame.stick_seq > {flown} && {AT_REST}")
+        (depth,) = [each for each in frame.work.conditions if each.name == "pin depth"]
         if depth.holds:
             break
+        flown = frame.stick_seq
         key, there = ("e", f"{DEPTH} < {3 * INCH}") if depth.value > 0.0 else ("q", f"{DEPTH} > {0.5 * INCH}")
         flight.hold(key)
         flight.until(f"{there} || frame.work.arm_inhibit")
@@ -60,6 +66,7 @@ def test_the_payload_is_captured_by_keys_alone(flight: Flight) -> None:
     flight.release("g")
     flight.until(f"{LIT} === 'CAPTURE,CLOSE,RIGID' && {ABOUT} === 'payload in the grasp'")
     flight.until_logged("Deployable payload acquired, fixed in the Payload bay latches")
+    flight.until(f"{LOADED.format('ORB LD')} && {LOADED.format('PL')}")
     flight.until("document.querySelector('.seat .where').textContent === 'Payload bay latches'")
 
     # Held by arm and latches, it is moved by neither; the page says so to whoever tries.

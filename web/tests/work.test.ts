@@ -197,7 +197,7 @@ test('a payload is in the grasp, in a seat, both, or free', () => {
   expect(whereIs(CARGO)).toBe('free');
   expect(whereIs({ ...CARGO, seat: 'bay' })).toBe('bay');
   expect(whereIs({ ...CARGO, held: true })).toBe('held');
-  expect(whereIs({ ...CARGO, held: true, seat: 'bay' })).toBe('held, bay');
+  expect(whereIs({ ...CARGO, held: true, seat: 'bay' })).toBe('held, fixed');
   expect(graspWords({ cargo: [CARGO, { ...CARGO, name: 'beacon', held: true }] })).toBe(
     'beacon in the grasp',
   );

@@ -26,7 +26,7 @@ export function cargoGroup({ welcome }: Desk): Part {
       for (const { name, state, speed } of rows) {
         const cargo = frame.work.cargo.find((each) => each.name === name);
         setText(state, cargo ? whereIs(cargo) : '–');
-        setAttribute(state, 'title', state.textContent);
+        setAttribute(state, 'title', cargo?.seat ?? '');
         setText(speed, cargo ? `${small(cargo.speed, creep)} ${creep.name}` : '');
       }
     },
@@ -36,5 +36,5 @@ export function cargoGroup({ welcome }: Desk): Part {
 /** What a payload is fixed to: the arm, a seat, both, or nothing. */
 export function whereIs({ held, seat }: CargoFrame): string {
   if (!held) return seat === '' ? 'free' : seat;
-  return seat === '' ? 'held' : `held, ${seat}`;
+  return seat === '' ? 'held' : 'held, fixed';
 }
