@@ -22,6 +22,7 @@ NAMES = {
     "batch": "batch.arm_steps",
     "collision": "collision.hexahedra",
     "headless": "simulation.headless",
+    "worksites": "simulation.worksites",
     "frame": "simulation.frame",
     "help": "station.help_page",
     "start": "station.start",
