@@ -50,18 +50,6 @@ class LimitCycle(msgspec.Struct, frozen=True):
         return np.array([*self.deadband, *self.rate, *self.start])
 
 
-class Released(NamedTuple):
-    """What a body keeps when it is let go.
-
-    Attributes:
-        velocity: (3,) of its centre [m/s].
-        rates: (3,) angular velocity in its own axes [rad/s].
-    """
-
-    velocity: Array
-    rates: Array
-
-
 class _Wave(NamedTuple):
     """An angle [rad] and how fast it changes [rad/s]."""
 
@@ -181,15 +169,3 @@ def translate(position: Array, velocity: Array, command: Array, speed: float, re
             needed = dt
         position[k] += 0.5 * (before + after) * needed + after * (dt - needed)
         velocity[k] = after
-
-
-def let_go(tip: Array, offset: Array, rotation: Array) -> Released:
-    """The velocity and rates that a held body has, and keeps when it is released.
-
-    Args:
-        tip: (6,) twist of the hand: angular velocity [rad/s], then velocity of the tip [m/s], in any frame.
-        offset: (3,) from the tip to the body's centre, in that frame [m].
-        rotation: (3, 3) the body's axes in that frame, as columns.
-    """
-    turning = tip[:3]
-    return Released(tip[3:] + np.cross(turning, offset), rotation.T @ turning)
