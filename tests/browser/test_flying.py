@@ -127,6 +127,7 @@ def test_v_changes_between_coarse_and_vernier(flight: Flight) -> None:
 
 
 def test_keys_type_in_a_text_field_and_do_not_fly(flight: Flight) -> None:
+    flight.turn_to("OPR CMD")
     field = flight.page.get_by_label("Target X", exact=True)
     field.click()
     flight.hold("w")
@@ -139,6 +140,7 @@ def test_keys_type_in_a_text_field_and_do_not_fly(flight: Flight) -> None:
 
 
 def test_what_is_no_number_is_refused_in_a_sentence(flight: Flight) -> None:
+    flight.turn_to("OPR CMD")
     field = flight.page.get_by_label("Target Y", exact=True)
     field.fill("far")
     field.press("Enter")

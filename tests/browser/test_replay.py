@@ -108,7 +108,7 @@ def test_the_desk_shows_what_was_flown_and_takes_nothing(replay: Flight) -> None
         replay.press("ArrowRight")
     replay.until("frame.time_s > 4")
     replay.until("document.querySelector('.thc .value').textContent === '+0.50'")
-    replay.until("document.querySelector('.thc [aria-pressed=true]').textContent === 'Vernier'")
+    replay.until("document.querySelector('[aria-label=Rate] [aria-pressed=true]').textContent === 'Vernier'")
     assert replay.script("document.querySelector('.desk').inert")
 
 

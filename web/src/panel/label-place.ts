@@ -72,7 +72,10 @@ export function labelPlace(
       { x, y: bottom },
     ]),
   );
-  return places.find(fits) ?? inside.find(free) ?? off.find(fits) ?? inside[0] ?? middle;
+  const away = ({ x, y }: Point) =>
+    Math.hypot(x + label.width / 2 - middle.x, y + label.height / 2 - middle.y);
+  const nearest = off.filter(fits).sort((p, q) => away(p) - away(q))[0];
+  return places.find(fits) ?? inside.find(free) ?? nearest ?? inside[0] ?? middle;
 }
 
 export interface Size {
