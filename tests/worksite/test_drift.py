@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 from aftdeck.errors import InputError
 from aftdeck.frames import endori, oriend
 from aftdeck.units import FOOT
-from aftdeck.worksite.drift import LimitCycle, coast, let_go, limit_cycle, translate
+from aftdeck.worksite.drift import LimitCycle, coast, limit_cycle, translate
 
 Array = NDArray[np.float64]
 BAND, RATE = radians(1.0), radians(0.02)
@@ -207,18 +207,3 @@ def test_where_the_orbiter_is_does_not_depend_on_the_step(
 
 
 # --- release
-
-
-@settings(deadline=None)
-@given(VECTORS, VECTORS, VECTORS, VECTORS)
-def test_a_released_body_goes_on_as_the_hand_moved_it(turning: Array, speed: Array, offset: Array, turn: Array) -> None:
-    rotation = Rotation.from_rotvec(turn).as_matrix()
-    tip = np.concatenate([turning, speed])
-    kept = let_go(tip, offset, rotation)
-    # The hand moved on by a short time carries the body where it would coast to by itself.
-    step = 1e-5
-    hand = Rotation.from_rotvec(turning * step).as_matrix()
-    carried = pose(speed * step + hand @ offset, hand @ rotation)
-    free = pose(offset, rotation)
-    coast(free, np.concatenate([kept.rates, kept.velocity]), step)
-    assert free == pytest.approx(carried, abs=4.0 * step**2)

@@ -11,10 +11,12 @@ from aftdeck.simulation.begin import first_state
 from aftdeck.simulation.flight import Flight, prepare
 from aftdeck.simulation.grasp import let_go, set_free, take_hold
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.look import look
 from aftdeck.simulation.seating import conditions_at
 from aftdeck.simulation.sliding import slide_along
 from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
+from aftdeck.simulation.tasks import change_task
 from aftdeck.simulation.ways_out import way_out_of_contact, ways_out
 from aftdeck.steering.layout import TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS
@@ -49,6 +51,8 @@ def _carry(flight: Flight, state: State) -> None:
     things = state.site
     things.cargo[0].seat = ""
     take_hold(flight, state, 0)
+    change_task(flight, state)
+    look(flight, state, by_script=False, phase="")
     things.watch.look(things.frames, things.frames, flight.scenario.control_period)
     state.steering[TWIST : TWIST + 6] = FAR  # so fast that every wall could be met in the next step
     slide_along(flight, state, 0.0, 0)
