@@ -92,7 +92,7 @@ class InitialiseSpec(_Part, frozen=True):
 class ClearanceSpec(_Part, frozen=True):
     """Clearances under which the page cautions and warns."""
 
-    caution: Length = Length(0.6)
+    caution: Length = Length(0.5)
     warning: Length = Length(0.15)
 
 
