@@ -105,6 +105,19 @@ class Flight:
         """Waits for a line of the log."""
         self.page.locator(".log").get_by_text(text).first.wait_for()
 
+    def pad_buttons(self, *pressed: int) -> None:
+        """Holds these buttons of the test pad, and no others; the page sees the others go, and each before the next."""
+        self.script("window.testPad.buttons.forEach((button) => { button.pressed = false; })")
+        self._polled()
+        for number in pressed:
+            self.script(f"window.testPad.buttons[{number}].pressed = true")
+            self._polled()
+
+    def _polled(self) -> None:
+        """Waits until the page has read the pad: it does so in every frame that it draws."""
+        drawn = self.script("window.__aftdeck.frames")
+        self.until(f"window.__aftdeck.frames > {drawn + 1}")
+
     def pad_axes(self, *axes: float) -> None:
         """Puts the test pad's four axes."""
         self.script(f"window.testPad.axes = {list(axes)}")

@@ -129,25 +129,16 @@ def test_the_arm_follows_a_slider_of_the_master_to_its_place(flight: Flight) -> 
 
 def test_a_pad_closes_and_opens_the_prong_and_drives_the_telescope(open_page: OpenPage) -> None:
     flight = open_page(pad=True).from_the_start()
-    _buttons(flight, NORTH)
+    flight.pad_buttons(NORTH)
     flight.until("frame.work.hand.switch === 'close' && frame.work.hand.opening < 1")
-    _buttons(flight)
-    _buttons(flight, MENU, NORTH)
+    flight.pad_buttons()
+    flight.pad_buttons(MENU, NORTH)
     flight.until("frame.work.hand.switch === 'open'")
-    _buttons(flight)
+    flight.pad_buttons()
     stand = flight.frame().work.stand
-    _buttons(flight, MENU, CROSS_UP)
+    flight.pad_buttons(MENU, CROSS_UP)
     flight.until(f"frame.work.stand > {stand} + 0.02")
-    _buttons(flight)
-
-
-def _buttons(flight: Flight, *pressed: int) -> None:
-    """Holds these buttons of the test pad, and no others; each is seen by the page before the next."""
-    flight.script("window.testPad.buttons.forEach((button) => { button.pressed = false; })")
-    for number in pressed:
-        flight.script(f"window.testPad.buttons[{number}].pressed = true")
-        drawn = flight.script("window.__aftdeck.frames")
-        flight.until(f"window.__aftdeck.frames > {drawn + 1}")
+    flight.pad_buttons()
 
 
 def _place(flight: Flight, name: str) -> list[float]:

@@ -15,6 +15,9 @@ from tests.browser.worksite import PRONG, SNARES, Worksite, condition, info, nea
 
 pytestmark = pytest.mark.browser
 
+NORTH, MENU = 3, 9
+"""Buttons of the standard mapping."""
+
 Sited = Callable[..., tuple[Flight, Worksite]]
 
 BEFORE_CAPTURE = (
@@ -136,10 +139,9 @@ def test_a_press_stops_the_prong_while_it_moves(sited: Sited) -> None:
 
 def test_a_pads_north_captures_and_menu_with_it_releases(sited: Sited) -> None:
     flight, site = sited(Worksite(info(), work()), pad=True)
-    flight.script("window.testPad.buttons[3].pressed = true")
+    flight.pad_buttons(NORTH)
     site.until_asked(flight, "effector", switch="close")
-    flight.script("window.testPad.buttons[3].pressed = false")
-    flight.script("window.testPad.buttons[9].pressed = window.testPad.buttons[3].pressed = true")
+    flight.pad_buttons(MENU, NORTH)
     site.until_asked(flight, "effector", switch="open")
 
 
