@@ -10,6 +10,7 @@ Not modelled: a guide's force on a trunnion; the two switches of a latch see the
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence, Set
 from math import inf
 from typing import NamedTuple
@@ -69,11 +70,15 @@ class Guides(NamedTuple):
         guides: as they were given.
         seats: (n, 3) [m].
         axes: (n, 3, 3) unit vectors as rows: along, across (the trunnion's axis), up.
+        opening: of each V, its half width by its height [1].
+        says: of each, how a trunnion's place is told: its height, how far it is aside, how far askew.
     """
 
     guides: tuple[Guide, ...]
     seats: Array
     axes: Array
+    opening: tuple[float, ...]
+    says: tuple[tuple[tuple[str, str], tuple[str, str], tuple[str, str]], ...]
 
 
 def prepare(guides: Sequence[Guide]) -> Guides:
@@ -92,7 +97,17 @@ def prepare(guides: Sequence[Guide]) -> Guides:
                 f"guide {guide.name!r}: up {guide.up} and along {guide.along} have to be unit vectors, square to each "
                 "other"
             )
-    return Guides(tuple(guides), np.array([guide.seat for guide in guides]).reshape(-1, 3), axes)
+    seats = np.array([guide.seat for guide in guides]).reshape(-1, 3)
+    opening = tuple(math.tan(guide.half_angle) for guide in guides)
+    return Guides(tuple(guides), seats, axes, opening, tuple(_said(guide.name) for guide in guides))
+
+
+def _said(name: str) -> tuple[tuple[str, str], tuple[str, str], tuple[str, str]]:
+    """How a trunnion's place in the guide of that name is told."""
+    who = f"{name} trunnion"
+    aside = f"{who} {{}} from its guide's middle"
+    askew = f"{who} {{}} from its guide, along the trunnion"
+    return (f"{who} {{}} above its seat", f"{who} {{}} below its seat"), (aside, aside), (askew, askew)
 
 
 def places(trunnions: Array, payload: Pose) -> Array:
@@ -113,29 +128,20 @@ def in_guides(trunnions: Array, guides: Guides, units: Units) -> tuple[Condition
         guides: of the seat.
         units: the operator's.
     """
-    local = np.einsum("nij,nj->ni", guides.axes, trunnions - guides.seats).tolist()
+    local = (guides.axes @ (trunnions - guides.seats)[:, :, None])[:, :, 0].tolist()
     found = []
-    for guide, (along, across, up) in zip(guides.guides, local, strict=True):
-        name, who = f"{guide.name} trunnion in guide", f"{guide.name} trunnion"
-        room = guide.throat + max(up, 0.0) * float(np.tan(guide.half_angle))
-        aside = f"{who} {{}} from its guide's middle"
-        askew = f"{who} {{}} from its guide, along the trunnion"
-        found.append(
-            min(
-                within(
-                    name,
-                    up,
-                    0.0,
-                    guide.height,
-                    "m",
-                    units,
-                    (f"{who} {{}} above its seat", f"{who} {{}} below its seat"),
-                ),
-                within(name, along, -room, room, "m", units, (aside, aside)),
-                within(name, across, -guide.play, guide.play, "m", units, (askew, askew)),
-                key=lambda condition: condition.margin,
-            )
-        )
+    for guide, opening, says, (along, across, up) in zip(
+        guides.guides, guides.opening, guides.says, local, strict=True
+    ):
+        room = guide.throat + max(up, 0.0) * opening
+        height, aside, askew = min(up, guide.height - up), room - abs(along), guide.play - abs(across)
+        name = f"{guide.name} trunnion in guide"
+        if height <= aside and height <= askew:
+            found.append(within(name, up, 0.0, guide.height, "m", units, says[0]))
+        elif aside <= askew:
+            found.append(within(name, along, -room, room, "m", units, says[1]))
+        else:
+            found.append(within(name, across, -guide.play, guide.play, "m", units, says[2]))
     return tuple(found)
 
 
@@ -157,7 +163,7 @@ def ready_to_latch(
         units: the operator's.
         failed: switches that show nothing, ``forward port B``.
     """
-    off = np.linalg.norm(trunnions - guides.seats, axis=1).tolist()
+    off = [math.hypot(x, y, z) for x, y, z in (trunnions - guides.seats).tolist()]
     found = []
     for guide, distance in zip(guides.guides, off, strict=True):
         name, says = f"{guide.name} latch ready", f"{guide.name} trunnion {{}} from its seat"
@@ -193,7 +199,7 @@ def retained(payload: Pose, tolerances: SeatTolerances, units: Units) -> tuple[C
         tolerances: of the seat.
         units: the operator's.
     """
-    distance = float(np.linalg.norm(payload.position))
+    distance = math.hypot(*payload.position.tolist())
     return (
         within("payload stowed", distance, -inf, tolerances.distance, "m", units, _PLACE_SAYS),
         _turn(payload, tolerances, units),
