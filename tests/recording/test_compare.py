@@ -19,7 +19,7 @@ JOINTS = ("a", "b", "c", "d", "e", "f")
 def flight() -> list[FrameRecord]:
     sim = Simulation(bay())
     push = Inputs(translation=(0.5, 0.0, 0.0))
-    return [msgspec.structs.replace(frame_record(sim.step(push), "0", 0.0, None), events=()) for _ in range(20)]
+    return [msgspec.structs.replace(frame_record(sim.step(push), 0.0, None), sha256="0", events=()) for _ in range(20)]
 
 
 def compared(before: list[FrameRecord], after: list[FrameRecord]) -> Comparison:

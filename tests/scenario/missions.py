@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import functools
-import hashlib
 from typing import NamedTuple
 
-import msgspec
 import numpy as np
 import pytest
 
 import aftdeck
 from aftdeck.scenario.load import built_in
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Event, Frame
+from aftdeck.simulation.frame import Event
 from aftdeck.simulation.run import SavedSimulation
 from aftdeck.worksite.report import Work
 
@@ -35,7 +33,7 @@ class Flown(NamedTuple):
     Attributes:
         scenario: what was flown.
         work: the worksite after each step.
-        digests: SHA-256 of each step's frame.
+        digests: `sha256` of each step's frame.
         events: the log.
         saved: states by the number of steps flown.
         ended: how the script ended.
@@ -43,7 +41,7 @@ class Flown(NamedTuple):
 
     scenario: Scenario
     work: list[Work]
-    digests: list[bytes]
+    digests: list[str]
     events: list[Event]
     saved: dict[int, SavedSimulation]
     ended: str
@@ -80,13 +78,8 @@ def flown(name: str) -> Flown:
             done.saved[len(done.work)] = sim.save()
         frame = sim.step()
         done.work.append(frame.work)
-        done.digests.append(digest(frame))
+        done.digests.append(frame.sha256)
         done.events.extend(frame.events)
         if {event.kind for event in frame.events} & TURNING_POINTS:
             done.saved[len(done.work)] = sim.save()
     return done._replace(ended=sim.ended)
-
-
-def digest(frame: Frame) -> bytes:
-    """SHA-256 of a frame as it is encoded."""
-    return hashlib.sha256(msgspec.msgpack.encode(frame)).digest()

@@ -61,10 +61,10 @@ def fly(sim: aftdeck.Simulation, seconds: float, inputs: aftdeck.Inputs) -> list
 def disturbed(sim: aftdeck.Simulation, joints: Mapping[int, float]) -> None:
     """Puts joints of the plant at angles [deg], unseen by the steering until it measures them."""
     saved = sim.save()
-    angles, rates, stand = (list(part) for part in saved.state.plant)
+    angles, *others = (list(part) for part in saved.state.plant)
     for joint, angle in joints.items():
         angles[joint] = math.radians(angle)
-    state = msgspec.structs.replace(saved.state, plant=(angles, rates, stand))
+    state = msgspec.structs.replace(saved.state, plant=(angles, *others))
     sim.restore(msgspec.structs.replace(saved, state=state))
 
 

@@ -12,11 +12,20 @@ Array = NDArray[np.float64]
 
 POSE = 12
 """Length of a row."""
+HERE = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+"""The row of a frame in itself."""
 
 
 def row_of(pose: Pose) -> Array:
     """A pose as a row."""
     return np.concatenate([pose.position, np.ravel(pose.rotation)])
+
+
+def inverse(row: Array) -> Array:
+    """(12,) the pose of a frame in a body whose pose (12,) in that frame is given."""
+    found = np.empty(POSE)
+    relative(row, np.array(HERE), found)
+    return found
 
 
 def pose_of(row: Array) -> Pose:

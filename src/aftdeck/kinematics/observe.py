@@ -29,6 +29,31 @@ def observe(arm: Array, angles: Array, rates: Array, seen: Array) -> None:
     seen[18], seen[19], seen[20] = distances(arm, a)
 
 
+@law
+def observe_near(
+    arm: Array, angles: Array, rates: Array, rising: float, reach: Array, threshold: float, seen: Array
+) -> bool:
+    """`observe` an arm on its stand; whether a joint is past its reach limits or a singularity is near.
+
+    Args:
+        arm: packed links.
+        angles: (6,) [rad].
+        rates: (6,) [rad/s].
+        rising: how fast the stand lengthens, against axis 3 [m/s].
+        reach: (6, 2) reach limits [rad].
+        threshold: distance from a singularity that is near.
+        seen: (21,) out.
+    """
+    observe(arm, angles, rates, seen)
+    seen[17] -= rising  # the whole arm rides on its stand
+    near = False
+    for i in range(6):
+        near = near or not reach[i, 0] <= angles[i] <= reach[i, 1]
+    for i in range(18, OBSERVED):
+        near = near or abs(seen[i]) < threshold
+    return near
+
+
 CARRIED = 18
 """A payload's centre (3) and axes (9, row by row), its point of resolution (3) and that point's velocity (3)."""
 

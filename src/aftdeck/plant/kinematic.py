@@ -5,9 +5,19 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.law import law
 from aftdeck.plant.slide import Slide
 
 Array = NDArray[np.float64]
+
+
+@law
+def follow(asked: Array, period: float, angles: Array, rates: Array, commanded: Array) -> None:
+    """Take up the rates that are asked for, (6,) [rad/s], for a period [s]; the last three, (6,), are changed."""
+    for i in range(6):
+        rates[i] = asked[i]
+        angles[i] += asked[i] * period
+        commanded[i] += asked[i] * period
 
 
 class KinematicPlant:
@@ -18,25 +28,26 @@ class KinematicPlant:
     Attributes:
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
+        commanded: (6,) where the rates commanded so far would have brought the joints [rad].
         stand: height of the shoulder above L's origin.
     """
 
     def __init__(self, angles: Array, rates: Array, stand: Slide) -> None:
         self.angles = np.array(angles, dtype=np.float64)
         self.rates = np.array(rates, dtype=np.float64)
+        self.commanded = self.angles.copy()
         self.stand = stand
 
-    def move(self, commanded: Array, period: float, stand: float = 0.0) -> None:
+    def move(self, asked: Array, period: float, stand: float = 0.0) -> None:
         """Fly the commanded rates (6,) [rad/s], and drive the stand (-1 to +1), for one control period [s]."""
-        self.rates[:] = commanded
-        self.angles += self.rates * period
+        follow(asked, period, self.angles, self.rates, self.commanded)
         self.stand.move(stand, period)
 
     def save(self) -> tuple[list[float], ...]:
         """Everything that the plant's future depends on."""
-        return self.angles.tolist(), self.rates.tolist(), self.stand.save()
+        return self.angles.tolist(), self.rates.tolist(), self.commanded.tolist(), self.stand.save()
 
     def restore(self, saved: tuple[list[float], ...]) -> None:
         """Go on from what `save` gave."""
-        self.angles[:], self.rates[:], stand = saved
+        self.angles[:], self.rates[:], self.commanded[:], stand = saved
         self.stand.restore(stand)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Sequence
 from typing import cast
 
@@ -30,18 +29,6 @@ COARSER = 7
 """Of sticks, twists, and what has no unit."""
 DIGITS = 16
 """Of the digest kept beside a frame."""
-
-_exact = msgspec.msgpack.Encoder()
-
-
-def exact(frame: Frame) -> bytes:
-    """A frame's own bytes, of which digests are taken."""
-    return _exact.encode(frame)
-
-
-def digest(frame_bytes: bytes) -> str:
-    """What is kept of an exact frame's SHA-256."""
-    return hashlib.sha256(frame_bytes).hexdigest()[:DIGITS]
 
 
 def input_record(tick: int, inputs: Inputs | None) -> Input:
@@ -111,7 +98,7 @@ def inputs_of(record: Input) -> Inputs | None:
     )
 
 
-def frame_record(frame: Frame, frame_digest: str, wall_s: float, latency_ms: float | None) -> FrameRecord:
+def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> FrameRecord:
     """What the file keeps of a frame."""
     goal, payload = frame.goal, frame.payload
     return FrameRecord(
@@ -119,7 +106,7 @@ def frame_record(frame: Frame, frame_digest: str, wall_s: float, latency_ms: flo
         time_s=frame.time_s,
         wall_s=round(wall_s, 6),
         latency_ms=latency_ms,
-        sha256=frame_digest,
+        sha256=frame.sha256[:DIGITS],
         phase=frame.phase,
         by=frame.by,
         mode=frame.mode,
@@ -211,6 +198,7 @@ def frame_of(record: FrameRecord) -> Frame:
         goal=None if goal is None else _goal_of(goal),
         work=work_of(record.work),
         events=tuple(Event(e.time_s, e.kind, e.level, e.text) for e in record.events),
+        sha256=record.sha256,
     )
 
 

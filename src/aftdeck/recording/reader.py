@@ -36,7 +36,7 @@ class Recording:
         cut: whether the file was cut short: the program was killed, or a disk was full. Known once it has been read.
         time_s: simulated time of the last frame read [s].
         share: how much of the file has been read, 0 to 1.
-        frames_sha256: SHA-256 over all exact frames; empty as `ended` is.
+        frames_sha256: SHA-256 over those of all frames; empty as `ended` is.
         summary: the scripted run's summary, JSON; empty as `ended` is, or by hand.
     """
 

@@ -118,7 +118,7 @@ class FrameRecord(Message, frozen=True):
     time_s: Annotated[float, told("simulated time: tick x control period", "s")]
     wall_s: Annotated[float, told("wall time since the run began", "s")]
     latency_ms: Annotated[float | None, told("stick to picture, 95th percentile that the page showed", "ms")]
-    sha256: Annotated[str, told("first 16 digits of the exact frame's SHA-256")]
+    sha256: Annotated[str, told("first 16 digits of the SHA-256 of the exact state that the frame tells of")]
     phase: Annotated[str, told("the script's phase; empty by hand")]
     by: Annotated[Literal["hand", "script"], told("who flew this step")]
     mode: Annotated[str, told("panel position entered")]
@@ -172,7 +172,7 @@ class Closing(Message, frozen=True):
 
     ended: Annotated[Literal["completed", "time", "fault", "stopped", "restarted"], told("how it ended")]
     ticks: Annotated[int, told("steps done")]
-    frames_sha256: Annotated[str, told("SHA-256 over all exact frames")]
+    frames_sha256: Annotated[str, told("SHA-256 over those of all frames, 32 bytes each")]
     summary: Annotated[str, told("summary of a scripted run, as `aftdeck run --json` prints it; empty by hand")]
 
 

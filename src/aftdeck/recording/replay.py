@@ -12,7 +12,7 @@ from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.law import state_of_the_laws
 from aftdeck.recording.bundle import machine, scenario_of
 from aftdeck.recording.compare import Difference, first_difference
-from aftdeck.recording.convert import digest, exact, frame_record, inputs_of
+from aftdeck.recording.convert import DIGITS, frame_record, inputs_of
 from aftdeck.recording.reader import Recording
 from aftdeck.simulation.run import Simulation
 from aftdeck.version import __version__
@@ -73,14 +73,14 @@ def _compared(recording: Recording, sim: Simulation, progress: Progress | None) 
     count = different = 0
     first: Difference | None = None
     for flown, record in recording.steps():
-        frame = sim.step(inputs_of(flown))
-        own = exact(frame)
+        sim.advance(inputs_of(flown))
+        own = sim.seal()
         frames.update(own)
         count += 1
-        if digest(own) != record.sha256:
+        if own.hex()[:DIGITS] != record.sha256:
             different += 1
             if first is None:
-                first = first_difference(record, frame_record(frame, digest(own), record.wall_s, record.latency_ms))
+                first = first_difference(record, frame_record(sim.look(), record.wall_s, record.latency_ms))
         if progress is not None and count % 256 == 0:
             progress(recording.share)
     whole = recording.cut or frames.hexdigest() == recording.frames_sha256

@@ -21,7 +21,7 @@ from foxglove.mcap import MCAPCompression, MCAPWriteOptions
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import opening
 from aftdeck.recording.channels import Channels
-from aftdeck.recording.convert import digest, exact, frame_record, input_record
+from aftdeck.recording.convert import frame_record, input_record
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.records import PROFILE, Closing, Note
@@ -215,12 +215,11 @@ class Recorder:
                 self._over.wait(LOOK_S)
             item = self._waiting.popleft() if self._waiting else None
             if isinstance(item, _Step):
-                own = exact(item.frame)
-                frames.update(own)
+                frames.update(bytes.fromhex(item.frame.sha256))
                 ticks, time_s = item.frame.tick, item.frame.time_s
                 now = self._began_ns + round(time_s * 1e9)
                 channels.log("/inputs", input_record(ticks, item.inputs), now)
-                record = frame_record(item.frame, digest(own), item.wall_s, item.latency_ms)
+                record = frame_record(item.frame, item.wall_s, item.latency_ms)
                 channels.log("/frames", record, now)
                 view.frame(item.frame)
             elif isinstance(item, Note):

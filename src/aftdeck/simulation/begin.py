@@ -4,26 +4,24 @@ from __future__ import annotations
 
 import numpy as np
 
-from aftdeck.bodies.pose import POSE, compose
+from aftdeck.bodies.pose import HERE, POSE, compose
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.scenario.model import Part, Start
 from aftdeck.simulation.carried import carrying
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import floating
-from aftdeck.simulation.grasp import place_held, steer_with, take_hold
+from aftdeck.simulation.grasp import steer_with, take_hold
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
 from aftdeck.simulation.restrain import slider
 from aftdeck.simulation.state import State
 from aftdeck.simulation.tasks import change_task
-from aftdeck.simulation.work import place_all
+from aftdeck.simulation.work import placed
 from aftdeck.steering.layout import MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.latches import Latches
 from aftdeck.worksite.snare import Snare
-
-_HERE = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
 
 
 def first_state(flight: Flight) -> State:
@@ -41,12 +39,13 @@ def _state_at(flight: Flight, start: Start) -> State:
 
 def resume(flight: Flight, state: State) -> None:
     """What follows from a state that was just restored: the steering's rules, what is watched."""
-    things, held = state.site, state.site.held
+    things = state.site
+    things.settle(flight.site)
     state.carried = carrying(flight.scenario, flight.scenario.payload)
-    if held is not None:
-        steer_with(flight, state, held)
-    things.mask(flight.site)
+    if things.held is not None:
+        steer_with(flight, state, things.held)
     things.contacts.essential = flight.site.essential_while(slider(state))
+    things.nearest = things.watch.nearest(flight.site.detrimental)
 
 
 def initialise(flight: Flight, state: State, part: Part) -> None:
@@ -73,27 +72,26 @@ def _put(flight: Flight, state: State, start: Start) -> None:
     plant = state.plant
     plant.angles[:], plant.rates[:] = start.angles, start.rates
     plant.stand.position = start.stand
-    state.commanded[:] = start.angles
+    plant.commanded[:] = start.angles
     seen = np.empty(OBSERVED)
     observe(scenario.arm.model.links, start.angles, start.rates, seen)
     state.command[MASTER : MASTER + 6] = start.angles
     state.steering[RATES : RATES + 6], state.steering[TWIST : TWIST + 6] = start.rates, seen[12:18]
-    state.measure(scenario)
+    state.measure()
     frames = things.frames
-    frames[0], frames[site.space_row] = site.scene, site.scene
     for k, one in enumerate(site.cargo):
         pose = np.empty(POSE)
         compose(site.scene, site.starts[k], pose)
         if one.start.seat:
             things.cargo[k].seat, things.cargo[k].latches = one.start.seat, Latches(1.0, 1.0)
-            things.cargo[k].off = things.cargo[k].seated = _HERE
+            things.cargo[k].off = things.cargo[k].seated = list(HERE)
         else:
             velocity = site.scene[3:].reshape(3, 3) @ one.start.velocity
             control = one.limit_cycle
             rates, angles = (one.start.rates, None) if control is None else (control.rate, control.start)
             things.cargo[k].floating = floating(pose, velocity, rates, control, angles)
-    things.mask(site)
-    place_all(flight, state)
+    things.settle(site)
+    frames[:] = placed(flight, state, things.prong.position)
     if start.grasped is not None:
         k = start.grasped.cargo
         things.prong.position = things.prong.high
@@ -108,9 +106,9 @@ def _put(flight: Flight, state: State, start: Start) -> None:
         )
         things.cargo[k].seat = ""
         take_hold(flight, state, k)
-        place_frames(site.arm.joints, start.angles, start.stand, things.prong.position, frames[site.arm_rows])
-        place_held(flight, state)
+        frames[:] = placed(flight, state, things.prong.position)
     things.before[:] = frames
     things.watch.look(frames, frames, scenario.control_period)
     things.contacts.look(things.watch.found, things.task)
+    things.nearest = things.watch.nearest(site.detrimental)
     change_task(flight, state)

@@ -7,17 +7,15 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.bodies.hexahedron import BODY, place
-from aftdeck.bodies.pose import POSE, compose, pose_of, relative, row_of
-from aftdeck.frames import Pose
+from aftdeck.bodies.pose import POSE, compose, inverse, pose_of, row_of
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.grasp import fixture_in_hand, let_go, steer_with, take_hold
+from aftdeck.simulation.grasp import let_go, nearest_fixture, steer_with, take_hold
 from aftdeck.simulation.hand import Bar, Snares
 from aftdeck.simulation.log import log
 from aftdeck.simulation.mechanism import waits
 from aftdeck.simulation.seating import stay_or_leave
 from aftdeck.simulation.state import State
-from aftdeck.worksite.acquisition import AWAY, FOUND, acquire, acquisition
+from aftdeck.worksite.acquisition import FOUND, acquire
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.grapple import in_envelope
@@ -25,12 +23,8 @@ from aftdeck.worksite.snare import Snare, SnareCommand, advance
 
 Array = NDArray[np.float64]
 
-NEAR = 3.0
-"""A bar or a fixture farther from the hand than this [m] is not yet being captured."""
-_ALL = np.arange(4)
 _TRIGGERS: dict[str, Literal["", "capture", "release"]] = {"close": "capture", "open": "release", "stop": ""}
 _CONTR: dict[str, Literal["RIGID", "OFF", "DERIGID"]] = {"rigid": "RIGID", "off": "OFF", "derigid": "DERIGID"}
-_NOWHERE = row_of(Pose(np.zeros(3), np.eye(3)))
 
 
 def capture(flight: Flight, state: State, pressed: bool) -> None:
@@ -49,40 +43,28 @@ def capture(flight: Flight, state: State, pressed: bool) -> None:
 
 def _prong(flight: Flight, state: State, bar: Bar) -> None:
     """Acquired when the six conditions hold; released as soon as the fingers are farther apart than they allow."""
-    site, things = flight.site, state.site
-    held = things.held
-    if held is not None:
+    things = state.site
+    if things.held is not None:
         if bar.fixed_finger - things.prong.position > bar.tolerances.spacing:
-            _release(flight, state, held)
+            _release(flight, state, things.held)
         return
-    least, found = NEAR, np.empty(FOUND)
-    for k, packed in enumerate(bar.receptacles):
-        if packed is None:
-            continue
-        bodies = np.empty((4, BODY))
-        for row, solid in enumerate(bar.solids):
-            bodies[row] = things.watch.placed[solid, :BODY]
-        pose = things.frames[site.cargo_row(k)]
-        place(packed, pose[:3], pose[3:].reshape(3, 3), bodies[3])
-        if acquire(bodies, _ALL, bar.packed, found):
+    found = np.empty(FOUND)
+    for k, which in enumerate(bar.which):
+        if which is not None and acquire(things.watch.placed, which, bar.packed, found):
             _acquired(flight, state, k)
             return
-        if found[AWAY] < least:
-            least = float(found[AWAY])
-            things.pursuit = f"acquire {site.cargo[k].title}"
-            things.conditions = acquisition(found, bar.tolerances, flight.scenario.arm.model.units)
 
 
 def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None:
     """CAPTURE and RELEASE, and the carriage between them."""
-    site, things, scenario = flight.site, state.site, flight.scenario
-    held = things.held
-    k = held
+    things, scenario = state.site, flight.scenario
+    held = k = things.held
+    if not pressed and not things.snare.motion and things.rigid == "off":
+        return
     conditions: tuple[Condition, ...] = ()
-    if held is None and (near := _nearest(flight, state, len(snares.fixtures))) is not None:
+    if held is None and (near := nearest_fixture(flight, state)) is not None:
         k, fixture = near
         conditions = in_envelope(pose_of(fixture), snares.envelope, scenario.arm.model.units)
-        things.pursuit, things.conditions = f"capture {site.cargo[k].title}", conditions
     command = SnareCommand(
         "AUTO" if things.effector_mode == "auto" else "MAN",
         _TRIGGERS[things.switch] if pressed else "",
@@ -102,16 +84,6 @@ def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None
         _release(flight, state, held)
 
 
-def _nearest(flight: Flight, state: State, count: int) -> tuple[int, Array] | None:
-    """Of so many cargoes the one whose fixture is nearest to the end effector, and that in its axes, if one is near."""
-    best, least = None, NEAR
-    for k in range(count):
-        fixture = fixture_in_hand(flight, state, k)
-        if fixture is not None and (away := float(np.linalg.norm(fixture[:3]))) < least:
-            best, least = (k, fixture), away
-    return best
-
-
 def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare) -> bool:
     """The carriage draws the pin towards its seat, from the next step on; False where that would deepen a contact.
 
@@ -123,15 +95,14 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
     if thing.seat or thing.first is None:
         return True
     left = row_of(remaining(pose_of(np.array(thing.first)), 1.0 - (snare.drawn - thing.since)))
-    pin, centre, grasp = np.empty(POSE), np.empty(POSE), np.empty(POSE)
+    pin, grasp, drawn = np.empty(POSE), np.empty(POSE), np.empty(POSE)
     compose(site.effector, left, pin)
-    relative(snares.fixture(k), _NOWHERE, centre)
-    compose(pin, centre, grasp)
-    drawn = np.empty(POSE)
+    compose(pin, inverse(snares.fixture(k)), grasp)
     compose(things.frames[site.last_joint], grasp, drawn)
     if waits(flight, state, k, drawn, "carriage"):
         return False
     thing.grasp = grasp.tolist()
+    things.ride(site, k)
     if snare.drawn == 1.0:
         shown, thing.steered = state.carried.payload, thing.grasp
         steer_with(flight, state, k)

@@ -163,3 +163,5 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     """Contacts, captures, and where the worksite's things are."""
     events: tuple[Event, ...]
     """What happened in this step."""
+    sha256: str
+    """Of all this and the state behind it, to the last digit."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,13 +19,16 @@ from aftdeck.worksite.motion import motion
 
 Array = NDArray[np.float64]
 
+NEAR = 3.0
+"""A fixture farther from the hand than this [m] is not yet being captured."""
+
 
 def take_hold(flight: Flight, state: State, k: int) -> None:
     """From now on a cargo rides in the frame of the last joint, as it stands now (MO2SET)."""
     things = state.site
     things.cargo[k].held, things.cargo[k].floating = True, None
     regrasp(flight, state, k)
-    things.mask(flight.site)
+    things.settle(flight.site)
 
 
 def regrasp(flight: Flight, state: State, k: int) -> None:
@@ -77,19 +82,27 @@ def fixture_in_hand(flight: Flight, state: State, k: int) -> Array | None:
     return found
 
 
-def place_held(flight: Flight, state: State) -> None:
-    """Put what is held where the hand is; what is fixed as well stays, and turns in the hand where latches draw it."""
-    site, things = flight.site, state.site
-    for k, thing in enumerate(things.cargo):
-        if thing.grasp is None:
-            continue
-        if not thing.seat:
-            grasp = np.array(thing.grasp)
-            compose(things.frames[site.last_joint], grasp, things.frames[site.cargo_row(k)])
-            if things.snare.captured and things.snare.tension < 1.0:  # the carriage may have drawn it in
-                state.carried = state.carried._replace(payload=_payload(flight, k, grasp))
-        elif (grasp := _relative_to_hand(flight, state, k)).tolist() != thing.grasp:
-            hold_so(flight, state, k, grasp)
+def nearest_fixture(flight: Flight, state: State) -> tuple[int, Array] | None:
+    """The cargo whose fixture is nearest to the end effector, and that (12,) in its axes, if one is near."""
+    best, least = None, NEAR
+    for k in range(len(flight.site.cargo)):
+        fixture = fixture_in_hand(flight, state, k)
+        if fixture is not None and (away := math.hypot(*fixture[:3].tolist())) < least:
+            best, least = (k, fixture), away
+    return best
+
+
+def grasp_again(flight: Flight, state: State) -> None:
+    """Where the payload in the grasp is against the hand, while the carriage draws it in, or latches turn it there."""
+    things = state.site
+    k = things.held
+    if k is None:
+        return
+    if not things.fast:
+        if things.snare.captured and things.snare.tension < 1.0:
+            state.carried = state.carried._replace(payload=_payload(flight, k, things.rides[k]))
+    elif (grasp := _relative_to_hand(flight, state, k)).tolist() != things.cargo[k].grasp:
+        hold_so(flight, state, k, grasp)
 
 
 def let_go(flight: Flight, state: State, k: int) -> None:
@@ -101,7 +114,7 @@ def let_go(flight: Flight, state: State, k: int) -> None:
     if MODES[panel.mode].loaded:
         panel.mode, panel.held, panel.holding, panel.sequence = "ORB UNL", None, None, "idle"
         log(flight, state, "mode", "info", "ORB UNL entered: nothing is in the grasp any more")
-    things.mask(flight.site)
+    things.settle(flight.site)
 
 
 def set_free(flight: Flight, state: State, k: int, from_space: bool) -> None:
@@ -113,10 +126,10 @@ def set_free(flight: Flight, state: State, k: int, from_space: bool) -> None:
     row = site.cargo_row(k)
     now = motion(things.before[row], things.frames[row], flight.scenario.control_period)
     pose = things.frames[row].copy()
-    pose[:3] += things.away(site)
+    pose[:3] += site.scene[:3] - things.frames[site.space_row, :3]
     turn = pose[3:].reshape(3, 3).T @ np.array([now.wx, now.wy, now.wz])
     velocity = np.array([now.vx, now.vy, now.vz]) + site.axes @ things.orbiter_velocity
     if from_space:
         velocity[:] = 0.0
     things.cargo[k].floating = floating(pose, velocity, turn, site.cargo[k].limit_cycle)
-    things.mask(site)
+    things.settle(site)

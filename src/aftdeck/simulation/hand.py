@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.model import HeadingArmFile
-from aftdeck.bodies.hexahedron import pack
 from aftdeck.bodies.pose import row_of
 from aftdeck.worksite.acquisition import Tolerances
+from aftdeck.worksite.cargo import part_of
 from aftdeck.worksite.grapple import CaptureEnvelope
+from aftdeck.worksite.layout import Indices
 from aftdeck.worksite.model import BarAcquisition, Cargo, SnareCapture, Worksite
 from aftdeck.worksite.snare import SnareTimes
 
@@ -30,15 +31,13 @@ class Bar:
     Attributes:
         tolerances: of acquisition.
         packed: (5,) the same for the law.
-        solids: places of HEX 1 to 3 among the layout's solids.
-        receptacles: for each cargo, its bar, packed (48,), in the cargo's axes; None: it has none.
+        which: for each cargo, (4,) the layout's solids that are HEX 1 to 3 and its bar; None: it has none.
         fixed_finger: y2 of the fixed finger's inner face [m].
     """
 
     tolerances: Tolerances
     packed: Array
-    solids: tuple[int, ...]
-    receptacles: tuple[Array | None, ...]
+    which: tuple[Indices | None, ...]
     fixed_finger: float
 
 
@@ -72,8 +71,12 @@ def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts:
     return Bar(
         tolerances,
         tolerances.packed(),
-        tuple(parts.index(name) for name in HEXES),
-        tuple(None if one.receptacle is None else pack(one.receptacle) for one in cargo),
+        tuple(
+            None
+            if one.receptacle is None
+            else np.array([parts.index(name) for name in (*HEXES, part_of(one.name, "receptacle"))], dtype=np.int64)
+            for one in cargo
+        ),
         float(model.source.effector.fixed_finger.value),
     )
 

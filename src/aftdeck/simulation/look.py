@@ -1,24 +1,21 @@
-"""Looking at the arm after a step: the frame, and the log's lines about stops and singularities."""
+"""Looking at the arm after a step: the frame."""
 
 from __future__ import annotations
 
 import math
-from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.frames import Rows, angle_between
-from aftdeck.kinematics.observe import CARRIED, OBSERVED, observe, observe_payload
-from aftdeck.kinematics.singular import NAMES
+from aftdeck.kinematics.observe import CARRIED, observe_payload
 from aftdeck.simulation.acting import acting_limits
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Frame, Goal, Level, Six, Vec3
-from aftdeck.simulation.log import log, spoken
+from aftdeck.simulation.frame import Frame, Goal, Six, Vec3
 from aftdeck.simulation.look_work import look_work
 from aftdeck.simulation.panel import law_of
+from aftdeck.simulation.seal import seal
 from aftdeck.simulation.state import State
-from aftdeck.simulation.ways_out import ways_out
 from aftdeck.steering.layout import (
     DEMAND,
     DRIVE,
@@ -35,35 +32,21 @@ from aftdeck.steering.mode import MODES
 
 Array = NDArray[np.float64]
 
-_ALL_FREE = (FREE,) * 6
-TOUCHING = 1e-6
-"""How near to a hard stop counts as at it [rad]."""
-_BACK_TEXTS = {PAST_REACH: "back inside its soft stop", PAST_SOFT: "off its hard stop"}
-_ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", PAST_SOFT: "past its soft stop",
-               AT_HARD: "at its hard stop"}  # fmt: skip
 
-
-def look(flight: Flight, state: State, by_script: bool, phase: str) -> Frame:
-    """The frame after the step just made, with its log lines; `state.events` is taken up in it."""
+def look(flight: Flight, state: State) -> Frame:
+    """The frame after the step just made, with its log lines; nothing is changed by looking."""
     scenario, panel = flight.scenario, state.panel
-    seen_array = np.empty(OBSERVED)
-    observe(state.arm.model.links, state.plant.angles, state.plant.rates, seen_array)
-    seen_array[17] -= state.plant.stand.velocity  # the whole arm rides on its stand, which lengthens against axis 3
-    seen = seen_array.tolist()
-    angles = state.plant.angles.tolist()
-    zones = _zones(flight, angles)
-    singular = tuple(name for name, d in zip(NAMES, seen[18:], strict=True) if abs(d) < scenario.arm.model.singular)
-    _tell_changes(flight, state, zones, singular, seen[18:])
+    seen, angles = state.seen.tolist(), state.plant.angles.tolist()
     rules = state.carried.rules[panel.mode, panel.rate].tolist()
     command, steering, report = state.command.tolist(), state.steering.tolist(), state.report.tolist()
     points = len(scenario.sequences.get(panel.mode, ()))
     position, orientation = _vec3(seen, 0), _rows(seen, 3)
-    resolution, twist, payload = _carried(flight, state, position, seen_array, seen)
+    resolution, twist, payload = _carried(flight, state, position, seen)
     return Frame(
         tick=state.tick,
         time_s=round(state.tick * scenario.control_period, 9),
-        phase=phase,
-        by="script" if by_script else "hand",
+        phase=state.phase,
+        by="script" if state.by_script else "hand",
         mode=panel.mode,
         law=law_of(panel),
         law_choice=panel.law,
@@ -81,10 +64,10 @@ def look(flight: Flight, state: State, by_script: bool, phase: str) -> Frame:
         drive=command[DRIVE],
         angles=_six(angles, 0),
         rates=_six(state.plant.rates.tolist(), 0),
-        angles_commanded=_six(state.commanded.tolist(), 0),
+        angles_commanded=_six(state.plant.commanded.tolist(), 0),
         rates_commanded=_six(steering, RATES),
         rate_limits=_six(rules, RATE),
-        zones=cast("tuple[int, int, int, int, int, int]", zones),
+        zones=panel.zones,
         position=position,
         orientation=orientation,
         resolution=resolution,
@@ -96,23 +79,24 @@ def look(flight: Flight, state: State, by_script: bool, phase: str) -> Frame:
         ratio=report[RATIO],
         limits=acting_limits(flight, state),
         singularity=_vec3(seen, 18),
-        singular=singular,
-        ways_out=ways_out(flight, state, zones, singular),
+        singular=panel.singular,
+        ways_out=state.ways_out,
         goal=_goal(state, position, orientation, report[REMAINING]),
         work=look_work(flight, state),
         events=tuple(state.events),
+        sha256=seal(state).hex(),
     )
 
 
 def _carried(
-    flight: Flight, state: State, position: Vec3, seen_array: Array, seen: list[float]
+    flight: Flight, state: State, position: Vec3, seen: list[float]
 ) -> tuple[Vec3, Six, tuple[Vec3, Rows] | None]:
     """The point of resolution, its twist, and the payload in the grasp, if any."""
     held = state.carried.payload
     if held is None:
         return position, _six(seen, 12), None
     carried_array = np.empty(CARRIED)
-    observe_payload(seen_array, held.packed, carried_array)
+    observe_payload(state.seen, held.packed, carried_array)
     carried = carried_array.tolist()
     payload = (_vec3(carried, 0), _rows(carried, 3))
     if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # the source moves the tip in every mode
@@ -130,45 +114,6 @@ def _rows(values: list[float], at: int) -> Rows:
 
 def _six(values: list[float], at: int) -> Six:
     return values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5]
-
-
-def _zones(flight: Flight, angles: list[float]) -> tuple[int, ...]:
-    for q, (low, high) in zip(angles, flight.reach, strict=True):
-        if not low <= q <= high:
-            break
-    else:
-        return _ALL_FREE
-    return tuple(
-        FREE
-        if reach[0] <= q <= reach[1]
-        else PAST_REACH
-        if soft[0] <= q <= soft[1]
-        else PAST_SOFT
-        if hard[0] + TOUCHING < q < hard[1] - TOUCHING
-        else AT_HARD
-        for q, reach, soft, hard in zip(angles, flight.reach, flight.soft, flight.hard, strict=True)
-    )
-
-
-def _tell_changes(
-    flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...], distances: list[float]
-) -> None:
-    """Log what has changed: joints that pass a limit, singularities that come near."""
-    panel, joints = state.panel, flight.scenario.arm.joints
-    if zones != panel.zones:
-        for joint, old, new in zip(joints, panel.zones, zones, strict=True):
-            if new != old:
-                level: Level = "caution" if new > old else "info"
-                text = _ZONE_TEXTS[new] if new > old or new == FREE else _BACK_TEXTS[new]
-                log(flight, state, "limit", level, f"{spoken(joint)} {text}")
-        panel.zones = zones
-    if singular != panel.singular:
-        for name, distance in zip(NAMES, distances, strict=True):
-            if name in singular and name not in panel.singular:
-                log(flight, state, "singular", "caution", f"{name} singularity near: {abs(distance):.2f} of 1")
-            elif name in panel.singular and name not in singular:
-                log(flight, state, "singular", "info", f"{name} singularity left behind")
-        panel.singular = singular
 
 
 def _goal(state: State, position: Vec3, orientation: Rows, remaining: float) -> Goal | None:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.separation import named
 from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.pursuit import pursuit
 from aftdeck.simulation.site import Site
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import MASTER
@@ -17,7 +18,6 @@ from aftdeck.steering.mode import MODES
 from aftdeck.worksite.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
 from aftdeck.worksite.report import Cargo, Hand, Near, Six, Vec3, Work
 from aftdeck.worksite.snare import Snare, flags
-from aftdeck.worksite.watch import Watch
 
 Array = NDArray[np.float64]
 
@@ -27,7 +27,7 @@ _ZERO = (0.0, 0.0, 0.0)
 def look_work(flight: Flight, state: State) -> Work:
     """The worksite as it is now."""
     site, things = flight.site, state.site
-    group = things.watch.nearest(site.detrimental)
+    group = things.nearest
     inhibit = things.contacts.inhibit
     contacts: tuple[Near, ...] = ()
     reasons: tuple[str, ...] = ()
@@ -36,6 +36,7 @@ def look_work(flight: Flight, state: State) -> Work:
         contacts = tuple(_near(flight, state, things.watch.found, contact.group) for contact in standing)
         reasons = tuple(contact.text for contact in standing if contact.inhibits)
         reasons += (things.advice,) if things.advice and reasons else ()
+    pursued, conditions = pursuit(flight, state)
     return Work(
         task=things.task,
         nearest=None if group < 0 else _near(flight, state, things.watch.found, group),
@@ -43,8 +44,8 @@ def look_work(flight: Flight, state: State) -> Work:
         arm_inhibit=inhibit.arm,
         finger_inhibit=inhibit.finger,
         inhibits=reasons,
-        pursuit=things.pursuit,
-        conditions=things.conditions,
+        pursuit=pursued,
+        conditions=conditions,
         hand=_hand(flight, state),
         stand=state.plant.stand.position if site.prong else None,
         orbiter=_in_l(site, things.orbiter),
@@ -57,8 +58,7 @@ def look_work(flight: Flight, state: State) -> Work:
 def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
     """Every watched pair that counts now, nearest first."""
     things = state.site
-    watch = Watch(flight.site.layout)
-    watch.restore(things.watch.save())
+    watch = things.watch.copy()
     watch.look(things.before, things.frames, flight.scenario.control_period)
     found = watch.found[:, CLEARANCE]
     groups = np.flatnonzero(np.isfinite(found))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.arms.load import ArmModel
-from aftdeck.bodies.pose import POSE, compose, pose_of, relative, row_of
+from aftdeck.bodies.pose import POSE, compose, inverse, pose_of, row_of
 from aftdeck.frames import Pose, rotation_x
 from aftdeck.scenario.target import Place, Target, target_at
 from aftdeck.simulation.flight import Flight
@@ -17,7 +17,6 @@ Array = NDArray[np.float64]
 
 _OVER_A_BAR = np.array([[0.0, 0.0, -1.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]])
 """The tip's axes in a cargo's where the hand looks down on its bar, the fixed finger to port."""
-_NOWHERE = row_of(Pose(np.zeros(3), np.eye(3)))
 
 
 def found(flight: Flight, state: State, place: Place) -> Target | str:
@@ -51,17 +50,16 @@ def _at_seat(flight: Flight, state: State, place: Place) -> Target | str:
     k = things.held
     if k is None:
         return "nothing is held that could be brought to a seat"
-    berth = next((berth for berth in site.berths[k] if berth.seat.name == place.seat), None)
+    berth = site.berth(k, place.seat)
     grasp = things.cargo[k].grasp
     if berth is None or grasp is None:
         return f"{site.cargo[k].title} has no place in the {site.seat(place.seat).title}"
     body = things.frames[berth.row]
-    seated, hand, joint, tip = (np.empty(POSE) for _ in range(4))
+    seated, joint, tip = (np.empty(POSE) for _ in range(3))
     compose(body, berth.place, seated)
     turn = body[3:].reshape(3, 3)
     out = turn[:, 2] if berth.port is None else turn @ berth.port[3:].reshape(3, 3)[:, 0]
     seated[:3] += place.above * out
-    relative(np.array(grasp), _NOWHERE, hand)
-    compose(seated, hand, joint)
+    compose(seated, inverse(np.array(grasp)), joint)
     compose(joint, site.hand, tip)
     return target_at(pose_of(tip))

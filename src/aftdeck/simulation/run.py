@@ -17,13 +17,13 @@ from aftdeck.simulation.begin import first_state, resume
 from aftdeck.simulation.flight import prepare
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.look import look
 from aftdeck.simulation.look_work import all_near
+from aftdeck.simulation.seal import seal
 from aftdeck.simulation.state import Saved
 from aftdeck.simulation.step import step
-from aftdeck.simulation.summary import Summary, summarise
+from aftdeck.simulation.summary import Summary, Tally
 from aftdeck.worksite.report import Near
-
-_encoder = msgspec.msgpack.Encoder()
 
 
 class SavedSimulation(msgspec.Struct, frozen=True):
@@ -41,16 +41,16 @@ class Simulation:
     Attributes:
         scenario: what is flown.
         seed: of everything random (nothing is, on the kinematic plant).
-        frame: the last step's frame; None before the first.
     """
 
     def __init__(self, scenario: Scenario | str | Path, seed: int | None = None) -> None:
         self.scenario = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
         self.seed = self.scenario.seed if seed is None else seed
-        self.frame: Frame | None = None
+        self._frame: Frame | None = None
         self._flight = prepare(self.scenario)
         self._state = first_state(self._flight)
         constants = f"{self.scenario.text}\n{self.scenario.arm.model.source}"
+        self._stepped = False
         self._digest = hashlib.sha256(constants.encode()).hexdigest()
 
     @property
@@ -58,7 +58,17 @@ class Simulation:
         """How the scenario's script ended; empty while it has not. Flying by hand never ends it."""
         return self._state.script.ended
 
+    @property
+    def frame(self) -> Frame | None:
+        """The last step's frame; None before the first, and after `restore` till the next."""
+        return self.look() if self._stepped else None
+
     def step(self, inputs: Inputs | None = None) -> Frame:
+        """Advance by one control period and look: `advance`, whose arguments and errors these are, and `look`."""
+        self.advance(inputs)
+        return self.look()
+
+    def advance(self, inputs: Inputs | None = None) -> None:
         """Advance by one control period.
 
         Args:
@@ -71,11 +81,23 @@ class Simulation:
         """
         if inputs is not None:
             inputs.check(self._state.arm)
-        frame = step(self._flight, self._state, inputs)
-        if not math.isfinite(sum(frame.angles)):
-            raise SimulationError(f"the arm's state is no longer finite at {frame.time_s:g} s: {frame.angles}")
-        self.frame = frame
-        return frame
+        state = self._state
+        step(self._flight, state, inputs)
+        self._stepped, self._frame = True, None
+        angles = state.plant.angles.tolist()
+        if not math.isfinite(sum(angles)):
+            time = state.tick * self.scenario.control_period
+            raise SimulationError(f"the arm's state is no longer finite at {time:g} s: {angles}")
+
+    def seal(self) -> bytes:
+        """SHA-256 of the state after the last step, to the last digit: `Frame.sha256` shows it."""
+        return seal(self._state)
+
+    def look(self) -> Frame:
+        """All that may be known of the last step. To look changes nothing, and costs about as much as a step."""
+        if self._frame is None:
+            self._frame = look(self._flight, self._state)
+        return self._frame
 
     def watched(self) -> tuple[Near, ...]:
         """Every pair of parts that is watched now, nearest first: clearance, closest points, plane, closing speed."""
@@ -99,7 +121,7 @@ class Simulation:
         self.seed = saved.seed
         self._state.restore(saved.state)
         resume(self._flight, self._state)
-        self.frame = None
+        self._stepped, self._frame = False, None
 
 
 class Run(msgspec.Struct, frozen=True):
@@ -130,24 +152,18 @@ def run(
     """
     sim = Simulation(scenario, seed)
     frames: list[Frame] = []
-    events: list[Event] = []
-    digest = hashlib.sha256()
-    worst, least = 0.0, math.inf
-    while True:
-        frame = sim.step()
-        digest.update(_encoder.encode(frame))
-        if keep_frames:
-            frames.append(frame)
-        if seen is not None:
-            seen(frame)
-        events += frame.events
-        worst = max(worst, *(abs(r) / m for r, m in zip(frame.rates_commanded, frame.rate_limits, strict=True)))
-        if frame.work.nearest is not None:
-            least = min(least, frame.work.nearest.clearance)
-        if progress is not None and frame.tick % 256 == 0:
-            progress(frame.tick / sim.scenario.ticks)
-        ended = sim.ended
-        if ended:
-            break
-    summary = summarise(sim.scenario, sim.seed, ended, frame, worst, least, tuple(events), digest.hexdigest())
-    return Run(sim.scenario, tuple(frames) if keep_frames else (frame,), tuple(events), summary)
+    tally = Tally()
+    while not sim.ended:
+        sim.advance()
+        tally.take(sim._state)
+        if keep_frames or seen is not None:
+            frame = sim.look()
+            if keep_frames:
+                frames.append(frame)
+            if seen is not None:
+                seen(frame)
+        if progress is not None and tally.ticks % 256 == 0:
+            progress(tally.ticks / sim.scenario.ticks)
+    last = sim.look()
+    summary = tally.summary(sim.scenario, sim.seed, sim.ended, last)
+    return Run(sim.scenario, tuple(frames) if keep_frames else (last,), tuple(tally.events), summary)

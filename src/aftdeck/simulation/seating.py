@@ -6,7 +6,7 @@ there. What is fixed to a seat and held as well holds the arm, until one of the 
 
 from __future__ import annotations
 
-import math
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,19 +18,21 @@ from aftdeck.simulation.grasp import regrasp, set_free
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.mechanism import waits
 from aftdeck.simulation.state import State
+from aftdeck.worksite.around import nearest_place
 from aftdeck.worksite.berthing import in_guides, places, ready_to_latch, retained
 from aftdeck.worksite.conditions import Condition, all_hold, reasons
-from aftdeck.worksite.docking import FOUND, approach, docking
+from aftdeck.worksite.docking import DISTANCE, FOUND, approach, docking
 from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.latches import Latches, advance
 
 Array = NDArray[np.float64]
+Pressed = Literal["latch", "unlatch"]
 
 NEAR = 3.0
 """A cargo farther from its place in a seat than this [m] is not yet being brought there."""
 
 
-def seat(flight: Flight, state: State, pressed: str | None) -> None:
+def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:
     """Fix what a seat takes, and let go what it is told to (`pressed`: latch, unlatch or None)."""
     held = state.site.held
     answers: list[str | None] = []
@@ -58,25 +60,30 @@ def stay_or_leave(flight: Flight, state: State, k: int) -> None:
     set_free(flight, state, k, from_space=False)
 
 
-def _brought(flight: Flight, state: State, k: int, pressed: str | None) -> str | None:
+def nearest_berth(flight: Flight, state: State, k: int) -> Berth | None:
+    """The place in a seat that a cargo is nearest to, if it is near to one."""
+    site = flight.site
+    nearest = nearest_place(state.site.frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
+    return None if nearest < 0 else site.berths[k][nearest]
+
+
+def _brought(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str | None:
     """A cargo in the grasp comes to a seat, which takes it, or says by the conditions of the nearest why not.
 
     Returns:
         What comes of `pressed`: None where it was not meant for this cargo, empty where it was done, else why not.
     """
-    site, things = flight.site, state.site
-    thing = things.cargo[k]
-    nearest: tuple[float, Berth] | None = None
-    for berth in site.berths[k]:
-        away = math.hypot(*_off(flight, state, k, berth)[:3].tolist())
-        if away < NEAR and (nearest is None or away < nearest[0]):
-            nearest = away, berth
-    if nearest is None:
+    thing = state.site.cargo[k]
+    berth = nearest_berth(flight, state, k)
+    if berth is None:
         thing.parted = ""
         return None
-    berth = nearest[1]
+    if not (berth.at_once or pressed == "latch" or thing.parted):
+        return None
+    if pressed is None and _beyond(flight, state, k, berth):
+        thing.parted = ""
+        return None
     conditions = conditions_at(flight, state, k, berth)
-    things.pursuit, things.conditions = f"{berth.verb} in the {berth.seat.title}", conditions
     holds = all_hold(conditions)
     if thing.parted and not (holds and thing.parted == berth.seat.name):
         thing.parted = ""
@@ -99,11 +106,12 @@ def _brought(flight: Flight, state: State, k: int, pressed: str | None) -> str |
     return ""
 
 
-def _fixed(flight: Flight, state: State, k: int, pressed: str | None) -> str | None:
+def _fixed(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str | None:
     """A cargo in its seat: the latches go on, or are told to let go; what comes of `pressed`, as of `_brought`."""
     site, things = flight.site, state.site
     thing = things.cargo[k]
-    berth = next(berth for berth in site.berths[k] if berth.seat.name == thing.seat)
+    berth = site.berth(k, thing.seat)
+    assert berth is not None, "a cargo is fixed only where it has a place"
     if berth.lies:
         lies = f"{site.cargo[k].title} lies in the {berth.seat.title}"
         return f"{lies}, which keeps what the hand lets go there and lets go what it takes" if pressed else None
@@ -112,9 +120,8 @@ def _fixed(flight: Flight, state: State, k: int, pressed: str | None) -> str | N
             return f"{site.cargo[k].title} is docked already" if pressed else None
         _unfix(flight, state, k, berth)
         return ""
-    command = pressed if pressed in ("latch", "unlatch") else ""
     before = thing.latches
-    after, said = advance(before, berth.seat.time, command, flight.scenario.control_period, ())  # type: ignore[arg-type]
+    after, said = advance(before, berth.seat.time, pressed or "", flight.scenario.control_period, ())
     seated, halted = thing.seated, False
     if after.drawn != before.drawn:
         seated = row_of(remaining(pose_of(np.array(thing.off)), after.misaligned)).tolist()
@@ -124,12 +131,13 @@ def _fixed(flight: Flight, state: State, k: int, pressed: str | None) -> str | N
             log(flight, state, line.kind, line.level, line.text)
     if not halted:
         thing.latches, thing.seated = after, seated
+        things.ride(site, k)
     if thing.latches.motion not in ("", before.motion):
         way = "closing" if thing.latches.motion == "latch" else "opening"
         log(flight, state, thing.latches.motion, "info", f"latches of the {berth.seat.title} {way}")
     if not thing.latches.hold:
         _unfix(flight, state, k, berth)
-    return "" if command else None
+    return "" if pressed else None
 
 
 def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -> None:
@@ -138,7 +146,7 @@ def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -
     thing = things.cargo[k]
     off = _off(flight, state, k, berth).tolist()
     thing.seat, thing.latches, thing.off, thing.seated, thing.floating = berth.seat.name, latches, off, off, None
-    things.mask(flight.site)
+    things.settle(flight.site)
     if berth.at_once:
         log(flight, state, "docked", "info", f"{flight.site.cargo[k].title} docked at the {berth.seat.title}")
 
@@ -152,17 +160,9 @@ def _unfix(flight: Flight, state: State, k: int, berth: Berth) -> None:
         regrasp(flight, state, k)
     else:
         set_free(flight, state, k, from_space=berth.seat.frame == "space")
-    things.mask(site)
+    things.settle(site)
     what = "undocked from" if berth.at_once else "let go by"
     log(flight, state, "unseated", "info", f"{site.cargo[k].title} {what} the {berth.seat.title}")
-
-
-def seated_at(flight: Flight, state: State, k: int, out: Array) -> None:
-    """Where a cargo is that is fixed to a seat, in L."""
-    site, things = flight.site, state.site
-    thing = things.cargo[k]
-    berth = next(berth for berth in site.berths[k] if berth.seat.name == thing.seat)
-    out[:] = _in_seat(flight, state, berth, thing.seated)
 
 
 def _in_seat(flight: Flight, state: State, berth: Berth, seated: list[float]) -> Array:
@@ -189,16 +189,26 @@ def conditions_at(flight: Flight, state: State, k: int, berth: Berth) -> tuple[C
     return (*_fitting(flight, state, k, berth), *taken)
 
 
+def _beyond(flight: Flight, state: State, k: int, berth: Berth) -> bool:
+    """Whether a cargo's probe is farther from a port than docking allows, so that no other condition matters."""
+    return berth.port is not None and _approached(flight, state, k, berth)[DISTANCE] > berth.docking.distance
+
+
+def _approached(flight: Flight, state: State, k: int, berth: Berth) -> Array:
+    """(6,) how a cargo's probe stands to a port."""
+    assert berth.port is not None
+    frames, found, port = state.site.frames, np.empty(FOUND), np.empty(POSE)
+    compose(frames[berth.row], berth.port, port)
+    approach(berth.probe, berth.tip, frames[flight.site.cargo_row(k)], port, berth.seat.envelope, found)
+    return found
+
+
 def _fitting(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
     """How the cargo has to stand to its place."""
     units = flight.scenario.arm.model.units
-    off = _off(flight, state, k, berth)
     if berth.port is not None:
-        found, port = np.empty(FOUND), np.empty(POSE)
-        compose(state.site.frames[berth.row], berth.port, port)
-        body = state.site.frames[flight.site.cargo_row(k)]
-        approach(berth.probe, berth.tip, body, port, berth.seat.envelope, found)
-        return docking(found, berth.docking, units)
+        return docking(_approached(flight, state, k, berth), berth.docking, units)
+    off = _off(flight, state, k, berth)
     if berth.guides is None:
         return retained(pose_of(off), berth.tolerances, units)
     inside = np.empty(POSE)

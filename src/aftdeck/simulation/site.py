@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.model import HeadingArmFile
 from aftdeck.arms.solids import solids_of
-from aftdeck.bodies.pose import row_of
+from aftdeck.bodies.pose import POSE, row_of
 from aftdeck.bodies.solid import Solid
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, rotation_x
 from aftdeck.kinematics.frames import Frames, frames_of
@@ -54,6 +54,8 @@ class Site:
         detrimental: (g,) groups of the arm and of what it may hold that are not made to touch.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
         berths: for each cargo, its places in the seats that take it.
+        berth_rows: for each cargo, (n,) the rows of the frames that these are in, and
+        berth_places: (n, 12) its poses there.
         starts: for each cargo, (12,) its pose in the scene at the start.
         sliding: for each cargo, (g,) groups that may touch while it is held and slides.
         slides: for each cargo, (g,) groups along which it slides while it is held.
@@ -81,6 +83,8 @@ class Site:
     detrimental: Mask
     axes: Array
     berths: tuple[tuple[Berth, ...], ...]
+    berth_rows: tuple[Indices, ...]
+    berth_places: tuple[Array, ...]
     starts: tuple[Array, ...]
     sliding: tuple[Mask, ...]
     slides: tuple[Mask, ...]
@@ -114,6 +118,10 @@ class Site:
         """The seat of a name."""
         return next(seat for seat in self.worksite.seats if seat.name == name)
 
+    def berth(self, k: int, name: str) -> Berth | None:
+        """The place of cargo k in the seat of a name; None: that seat does not take it."""
+        return next((berth for berth in self.berths[k] if berth.seat.name == name), None)
+
     def in_space(self, name: str) -> bool:
         """Whether a seat is fixed to what does not move with the orbiter."""
         return self.seat(name).frame == "space"
@@ -145,6 +153,14 @@ def site_of(scenario: Scenario) -> Site:
     of_cargo = tuple(layout.carried([one.name]) for one in cargo)
     walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
     link = float(model.links[L5])
+    berths = tuple(
+        tuple(
+            berth_of(seat, ORBITER if seat.frame == "orbiter" else 1 + len(arm.names), one, scenario.docking_axes)
+            for seat in worksite.seats
+            if not seat.lacks(one.probe, one.trunnions)
+        )
+        for one in cargo
+    )
     return Site(
         worksite=worksite,
         cargo=cargo,
@@ -168,14 +184,9 @@ def site_of(scenario: Scenario) -> Site:
         snares=snares_of(worksite, cargo),
         detrimental=1 - essential,
         axes=model.mount.rotation.T.copy(),
-        berths=tuple(
-            tuple(
-                berth_of(seat, ORBITER if seat.frame == "orbiter" else 1 + len(arm.names), one, scenario.docking_axes)
-                for seat in worksite.seats
-                if not seat.lacks(one.probe, one.trunnions)
-            )
-            for one in cargo
-        ),
+        berths=berths,
+        berth_rows=tuple(np.array([berth.row for berth in own], dtype=np.int64) for own in berths),
+        berth_places=tuple(np.array([berth.place for berth in own]).reshape(-1, POSE) for own in berths),
         starts=tuple(row_of(one.start.pose) for one in cargo),
         sliding=tuple(essential | layout.between(own_parts, walls) for own_parts in parts),
         slides=tuple(layout.between(own_parts, walls) & (1 - essential) for own_parts in parts),

@@ -1,8 +1,6 @@
-"""Sliding along walls: what the arm holds keeps its way along them and loses that into them.
+"""Sliding along walls in flight: the commanded rates give way to those that keep a payload along its walls.
 
-Remote Manipulator Simulation, final report, section VII.4: the payload slides up or down while it touches a side wall.
-The law of `worksite.slide` takes a step to be straight; here what the step bends is put right, to the last digits, so
-that a payload that is pressed against a wall stays in touch with it.
+Remote Manipulator Simulation, final report, section VII.4.
 """
 
 from __future__ import annotations
@@ -10,41 +8,21 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.bodies.pose import POSE
-from aftdeck.kinematics.frames import place_frames
-from aftdeck.kinematics.jacobian import Rates, Twist, erates, jacobi
-from aftdeck.kinematics.linkage import place, sines
-from aftdeck.kinematics.rates import rmsrat
-from aftdeck.law import law
 from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import ANGLES, DT, RATES, RISE, TWIST
-from aftdeck.steering.limiters import ratlmt
-from aftdeck.steering.msteer import FLOOR, cut, feed_back, scaled
-from aftdeck.worksite.found import CLEARANCE
-from aftdeck.worksite.layout import Mask
+from aftdeck.steering.layout import RATES
 from aftdeck.worksite.restrain import deeper
-from aftdeck.worksite.slide import LEAST, OUTWARD, POINT, slide
+from aftdeck.worksite.slide import LEAST, OUTWARD
+from aftdeck.worksite.sliding import met, slid
 from aftdeck.worksite.touches import touches
-from aftdeck.worksite.watch import nearest_group
 
 Array = NDArray[np.float64]
 
-REACH_S = 2.0
-"""Walls that could be met within so many steps at the present speed are looked at."""
-LEAST_REACH = 1e-6
-"""[m]"""
-SIZE = 30.0
-"""Of a payload [m]: no point of it is farther from the point of resolution."""
 OUT = 0.01
 """Speed at which what stands inside a wall is brought out of it [m/s] (assumed)."""
 INTO = 1e-7
 """How much deeper a step may take it into a wall [m]: more is a contact that is not among the touches."""
-PASSES = 5
-"""Each takes off all but a thousandth of what a bent step does."""
-EXACT = 2e-9
-"""Speed into a wall [m/s] that is left: 4e-11 m in a step of 0.02 s, which is contact."""
 
 
 def slide_along(flight: Flight, state: State, telescope: float, held: int) -> float | None:
@@ -78,112 +56,8 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
     return None
 
 
-@law
-def met(found: Array, counts: Mask, steering: Array, stand: float, period: float) -> float:
-    """How near a wall is looked at [m]; 0 where none is as near as that.
-
-    Args:
-        found: (g, 15) of the last look.
-        counts: (g,) 1 for groups of what slides and a wall.
-        steering: state of the steering, with the step's commanded twist.
-        stand: speed of the telescope [m/s].
-        period: of a step [s].
-    """
-    turn, speed = 0.0, stand
-    for k in range(3):
-        turn += abs(steering[TWIST + k])
-        speed += abs(steering[TWIST + 3 + k])
-    near: float = max(REACH_S * (speed + SIZE * turn) * period, LEAST_REACH)
-    wall = nearest_group(found, counts)
-    return near if wall >= 0 and found[wall, CLEARANCE] <= near else 0.0
-
-
 def _room(found: Array, speed: float) -> float:
     """The share of the stand's speed along axis 3 [m/s] that takes no touch (k, 7) into its wall."""
     into, gap = -speed * found[:, OUTWARD + 2], np.maximum(-found[:, LEAST], 0.0)
     held_up = into > gap
     return float((gap[held_up] / into[held_up]).min(initial=1.0))
-
-
-@law
-def slid(
-    rules: Array, joints: Array, last: Array, height: float, turning: float, found: Array, steering: Array
-) -> None:
-    """Replace the commanded rates by those that slide, within the joints' limits.
-
-    Args:
-        rules: of the steering.
-        joints: (6, 4) of the arm's frames.
-        last: (12,) frame of the last joint, in L.
-        height: of the stand after the step [m].
-        turning: the share of the commanded turn that is flown.
-        found: (k, 7) touches of what is held.
-        steering: state of the steering; rates and twist are changed where they go into a wall.
-    """
-    q = ANGLES
-    a = sines(rules, steering[q], steering[q + 1], steering[q + 2], steering[q + 3], steering[q + 4], steering[q + 5])
-    x, y, z = place(rules, a)
-    z -= steering[RISE]
-    q = RATES
-    rates = Rates(steering[q], steering[q + 1], steering[q + 2], steering[q + 3], steering[q + 4], steering[q + 5])
-    twist = erates(a, jacobi(rules, a), rates)
-    wanted = Twist(turning * twist.wx, turning * twist.wy, turning * twist.wz, twist.vx, twist.vy, twist.vz)
-    asked = found.copy()
-    for k in range(PASSES):
-        if turning == 1.0 or k > 0:
-            lacking, changed = _asked(rules, joints, last, height, found, steering, twist, x, y, z, asked)
-            if lacking <= EXACT and (changed <= EXACT or k == 0):
-                return
-        twist = slide(asked, x, y, z, wanted)
-        rates = rmsrat(rules, a, twist, FLOOR)
-        ratio = ratlmt(rules, steering, a, rates).ratio
-        twist = scaled(twist, ratio)
-        feed_back(steering, cut(rules, rates, ratio), twist, 0.0)
-
-
-@law
-def _asked(
-    rules: Array,
-    joints: Array,
-    last: Array,
-    height: float,
-    found: Array,
-    steering: Array,
-    twist: Twist,
-    x: float,
-    y: float,
-    z: float,
-    asked: Array,
-) -> tuple[float, float]:
-    """Ask of a straight step what makes up for its bend: the least speeds in `asked` (k, 7), touches as `found`.
-
-    A point's way in the step is that of the frame of the last joint, from where this is to where the rates take it.
-
-    Returns:
-        By how much a point falls short of its least speed, at most, and how much what is asked has changed [m/s].
-    """
-    rows, after = np.empty((9, POSE)), np.empty(6)
-    for i in range(6):
-        after[i] = steering[ANGLES + i] + steering[RATES + i] * rules[DT]
-    place_frames(joints, after, height, 0.0, rows)
-    now, lacking, changed = rows[6], -np.inf, 0.0
-    for k in range(len(found)):
-        row = found[k]
-        rx, ry, rz = row[POINT] - x, row[POINT + 1] - y, row[POINT + 2] - z
-        vx = twist.vx + twist.wy * rz - twist.wz * ry
-        vy = twist.vy + twist.wz * rx - twist.wx * rz
-        vz = twist.vz + twist.wx * ry - twist.wy * rx
-        straight = row[OUTWARD] * vx + row[OUTWARD + 1] * vy + row[OUTWARD + 2] * vz
-        dx, dy, dz = row[POINT] - last[0], row[POINT + 1] - last[1], row[POINT + 2] - last[2]
-        px = last[3] * dx + last[6] * dy + last[9] * dz
-        py = last[4] * dx + last[7] * dy + last[10] * dz
-        pz = last[5] * dx + last[8] * dy + last[11] * dz
-        true = 0.0
-        for i in range(3):
-            to = now[i] + now[3 + 3 * i] * px + now[4 + 3 * i] * py + now[5 + 3 * i] * pz
-            true += row[OUTWARD + i] * (to - row[POINT + i])
-        true /= rules[DT]
-        least = row[LEAST] + straight - true
-        lacking, changed = max(lacking, row[LEAST] - true), max(changed, abs(least - asked[k, LEAST]))
-        asked[k, LEAST] = least
-    return lacking, changed

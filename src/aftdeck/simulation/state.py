@@ -10,17 +10,19 @@ from numpy.typing import NDArray
 
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.linkage import L1
+from aftdeck.kinematics.observe import OBSERVED
 from aftdeck.plant.kinematic import KinematicPlant
 from aftdeck.plant.slide import stand_of
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.carried import Carried
-from aftdeck.simulation.frame import Check, Event, Sequence, Six
+from aftdeck.simulation.frame import Check, Event, Sequence, Six, WayOut
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.site import Site
 from aftdeck.simulation.things import SavedThings, Things
-from aftdeck.steering.layout import ANGLES, COMMAND, DRIVE, MASTER, REPORT, RISE, STATE, STICKS
+from aftdeck.steering.layout import COMMAND, MASTER, REPORT, STATE
 from aftdeck.steering.mode import LawChoice
+from aftdeck.steering.msteer import measured
 from aftdeck.steering.rules import Rate
 
 Array = NDArray[np.float64]
@@ -53,7 +55,7 @@ class Panel(msgspec.Struct):
     sequence: Sequence = "idle"
     blocked: int = 0
     """Steps for which an automatic motion has been held at a standstill."""
-    zones: tuple[int, ...] = (0, 0, 0, 0, 0, 0)
+    zones: tuple[int, int, int, int, int, int] = (0, 0, 0, 0, 0, 0)
     singular: tuple[str, ...] = ()
     advice: dict[str, int] = msgspec.field(default_factory=dict)
     """The stick that was named last as the way out, by its cause."""
@@ -81,9 +83,12 @@ class State:
         plant: what moves.
         site: the worksite.
         steering: measured angles and rise, commanded rates, commanded twist.
-        commanded: (6,) integral of the commanded rates from the initial angles [rad].
         command: what the steering laws are told in this step.
         report: what they said of it.
+        by_script: whether the script flew the last step.
+        phase: its phase then.
+        seen: (21,) what an observer sees of the arm, of `kinematics.observe`.
+        ways_out: what leads away from singularities that are near, and back from limits passed.
         events: of the step under way.
     """
 
@@ -102,12 +107,15 @@ class State:
         self.carried = carried
         self.plant = KinematicPlant(scenario.initial_angles, scenario.initial_rates, stand_of(scenario.arm.model))
         self._arm = scenario.arm
+        self._height = float(scenario.arm.model.links[L1])
         self.site = Things(scenario, site)
         self.steering = np.zeros(STATE)
-        self.commanded = np.array(scenario.initial_angles)
         self.command = np.zeros(COMMAND)
         self.command[MASTER : MASTER + 6] = scenario.initial_angles
         self.report = np.zeros(REPORT)
+        self.by_script, self.phase = False, ""
+        self.seen = np.zeros(OBSERVED)
+        self.ways_out: tuple[WayOut, ...] = ()
         self.events: list[Event] = []
 
     def save(self) -> Saved:
@@ -120,7 +128,6 @@ class State:
             self.plant.save(),
             self.site.save(),
             self.steering.tolist(),
-            self.commanded.tolist(),
             self.command.tolist(),
             self.report.tolist(),
         )
@@ -134,7 +141,6 @@ class State:
         self.plant.restore(saved.plant)
         self.site.restore(saved.site)
         self.steering[:] = saved.steering
-        self.commanded[:] = saved.commanded
         self.command[:] = saved.command
         self.report[:] = saved.report
         self.events.clear()
@@ -142,13 +148,12 @@ class State:
     def become(self, other: State) -> None:
         """Be as another state of the same flight, but for the tick, the script, the log and the inputs under way."""
         self.panel, self.carried, self.plant, self.site = other.panel, other.carried, other.plant, other.site
-        self.steering, self.commanded = other.steering, other.commanded
+        self.steering = other.steering
         self.command, self.report = other.command, other.report
 
-    def measure(self, scenario: Scenario) -> None:
+    def measure(self) -> None:
         """Take up where the arm is: what steering, plans and checks start from."""
-        self.steering[ANGLES : ANGLES + 6] = self.plant.angles
-        self.steering[RISE] = self.plant.stand.position - scenario.arm.model.links[L1]
+        measured(self.plant.angles, self.plant.stand.position - self._height, self.steering)
 
     @property
     def arm(self) -> Arm:
@@ -156,11 +161,6 @@ class State:
         if self._arm.model.links[L1] != self.plant.stand.position:
             self._arm = self._arm.at(stand=self.plant.stand.position)
         return self._arm
-
-    @property
-    def sticks(self) -> tuple[list[float], float]:
-        """The sticks as this step flew them: RHC then THC, and the drive switch."""
-        return self.command[STICKS : STICKS + 6].tolist(), float(self.command[DRIVE])
 
 
 class Saved(msgspec.Struct, frozen=True):
@@ -173,6 +173,5 @@ class Saved(msgspec.Struct, frozen=True):
     plant: tuple[list[float], ...]
     site: SavedThings
     steering: list[float]
-    commanded: list[float]
     command: list[float]
     report: list[float]

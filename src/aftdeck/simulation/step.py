@@ -5,9 +5,8 @@ from __future__ import annotations
 from aftdeck.simulation.begin import initialise
 from aftdeck.simulation.delay import delayed
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.look import look
+from aftdeck.simulation.notice import notice
 from aftdeck.simulation.panel import operate
 from aftdeck.simulation.restrain import restrain
 from aftdeck.simulation.script import conclude, phase_name, play
@@ -17,29 +16,25 @@ from aftdeck.steering.layout import RATES
 from aftdeck.steering.msteer import msteer
 
 
-def step(flight: Flight, state: State, inputs: Inputs | None) -> Frame:
-    """Advance `state` by one control period and look at it.
+def step(flight: Flight, state: State, inputs: Inputs | None) -> None:
+    """Advance `state` by one control period; `simulation.look` tells what a reader may know of it then.
 
     Args:
         flight: what never changes.
         state: changed in place; everything that the step depends on is in it.
         inputs: the operator's sticks and switches; None lets the scenario's script fly.
-
-    Returns:
-        The frame at the end of the step.
     """
     state.tick += 1
     state.events = []
 
     # where the arm is, as measured: what plans and checks start from
-    state.measure(flight.scenario)
+    state.measure()
 
     # the operator: a person's inputs, after their way through the command delay, or the script's
-    by_script = inputs is None
-    phase = ""
+    state.by_script, state.phase = inputs is None, ""
     if inputs is None:
         inputs = play(flight, state)
-        phase = phase_name(flight, state)
+        state.phase = phase_name(flight, state)
     else:
         inputs = delayed(state, inputs)
     if inputs.initialise is not None:
@@ -56,10 +51,9 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Frame:
     # the plant moves, and with it the worksite: what touches, is caught, held, let go
     period = flight.scenario.control_period
     state.plant.move(rates, period, telescope)
-    state.commanded += rates * period
     work(flight, state, inputs)
 
-    # what a reader may know of it
-    if by_script:
+    # what the log tells of the arm; a script whose time has run out ends
+    notice(flight, state)
+    if state.by_script:
         conclude(flight, state)
-    return look(flight, state, by_script, phase)

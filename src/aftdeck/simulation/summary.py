@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import math
+from hashlib import sha256
 from typing import Literal
 
 import msgspec
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Event, Frame, Six, Vec3
+from aftdeck.simulation.seal import seal
+from aftdeck.simulation.state import State
+from aftdeck.steering.limiters import rate_ratio
 from aftdeck.version import __version__
+from aftdeck.worksite.found import CLEARANCE
 
 Ended = Literal["completed", "time", "fault"]
 
@@ -50,45 +55,53 @@ class Summary(msgspec.Struct, frozen=True):
     was watched."""
     events: tuple[SummaryEvent, ...]
     frames_sha256: str
+    """SHA-256 over the `sha256` of all frames."""
 
 
-def summarise(
-    scenario: Scenario,
-    seed: int,
-    ended: Ended,
-    frame: Frame,
-    worst: float,
-    least: float,
-    events: tuple[Event, ...],
-    digest: str,
-) -> Summary:
-    """The summary of a run.
+class Tally:
+    """What a summary tells of all steps of a run, not of the last alone.
 
-    Args:
-        scenario: what was flown.
-        seed: with which seed.
-        ended: how it ended.
-        frame: the last one.
+    Attributes:
+        ticks: steps taken in.
+        events: of all of them.
         worst: largest |commanded joint rate| / limit in force.
-        least: least clearance of all frames [m]; inf: no pair was watched.
-        events: all of them.
-        digest: SHA-256 of all frames.
+        least: least clearance of pairs not made to touch [m]; inf: no pair was watched.
     """
-    goal = frame.goal
-    return Summary(
-        scenario=scenario.name,
-        seed=seed,
-        version=__version__,
-        ended=ended,
-        time_s=frame.time_s,
-        phase=frame.phase,
-        joints_rad=frame.angles,
-        tip=TipState(frame.position, frame.orientation),
-        target=None if goal is None else TipState(goal.position, goal.rotation),
-        position_error_m=None if goal is None else goal.distance,
-        rotation_error_rad=None if goal is None else goal.angle,
-        worst_rate_ratio=worst,
-        min_clearance_m=least if math.isfinite(least) else None,
-        events=tuple(SummaryEvent(e.time_s, e.kind, e.text) for e in events),
-        frames_sha256=digest,
-    )
+
+    def __init__(self) -> None:
+        self.ticks = 0
+        self.events: list[Event] = []
+        self.worst, self.least = 0.0, math.inf
+        self._digest = sha256()
+
+    def take(self, state: State) -> None:
+        """Take in a state after its step."""
+        self.ticks += 1
+        self.events += state.events
+        rules = state.carried.rules[state.panel.mode, state.panel.rate]
+        self.worst = max(self.worst, rate_ratio(rules, state.steering))
+        things = state.site
+        if things.nearest >= 0:
+            self.least = min(self.least, float(things.watch.found[things.nearest, CLEARANCE]))
+        self._digest.update(seal(state))
+
+    def summary(self, scenario: Scenario, seed: int, ended: Ended, frame: Frame) -> Summary:
+        """The summary of a run of a scenario with a seed, how it ended, and its last frame."""
+        goal = frame.goal
+        return Summary(
+            scenario=scenario.name,
+            seed=seed,
+            version=__version__,
+            ended=ended,
+            time_s=frame.time_s,
+            phase=frame.phase,
+            joints_rad=frame.angles,
+            tip=TipState(frame.position, frame.orientation),
+            target=None if goal is None else TipState(goal.position, goal.rotation),
+            position_error_m=None if goal is None else goal.distance,
+            rotation_error_rad=None if goal is None else goal.angle,
+            worst_rate_ratio=self.worst,
+            min_clearance_m=self.least if math.isfinite(self.least) else None,
+            events=tuple(SummaryEvent(e.time_s, e.kind, e.text) for e in self.events),
+            frames_sha256=self._digest.hexdigest(),
+        )

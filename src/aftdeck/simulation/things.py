@@ -9,16 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.arms.model import HeadingArmFile
-from aftdeck.bodies.pose import POSE
+from aftdeck.bodies.pose import POSE, compose
 from aftdeck.plant.effector import prong_of
 from aftdeck.plant.slide import Slide
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.schema import Until
 from aftdeck.simulation.floating import Floating
 from aftdeck.simulation.site import Site
-from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.contacts import Contacts
 from aftdeck.worksite.latches import Latches
+from aftdeck.worksite.layout import Indices
 from aftdeck.worksite.snare import Snare
 from aftdeck.worksite.watch import SavedWatch, Watch
 
@@ -61,6 +61,11 @@ class Things:
         contacts: what touches, and what it inhibits.
         told: groups whose contact the log has told.
         cargo: the payloads.
+        held: the payload in the grasp; None: none is.
+        fast: whether what the arm holds is fixed to something, so that the arm cannot move.
+        carrier: (c,) for each payload, the row of the frame that carries it; -1: it floats.
+        rides: (c, 12) its pose in that frame; where it floats, in L as that stood at the start.
+        nearest: the group of least clearance of those not made to touch; -1: none is watched.
         orbiter: (3,) how far the orbiter has moved, forward, starboard, down [m].
         orbiter_velocity: (3,) how fast it does [m/s].
         prong: of the concept's hand: y2 of its inner face.
@@ -69,8 +74,6 @@ class Things:
         effector_mode: END EFFECTOR MODE.
         rigid: MAN CONTR.
         task: the report's mode, 1 to 4.
-        pursuit: what `conditions` are for.
-        conditions: of the capture, docking or latching that comes next.
         advice: the way out of the contacts that was found last.
         refused_orbiter: whether the orbiter's translation was asked for and refused in the last step.
         waiting: whether carriage or latches wait before a contact.
@@ -83,6 +86,10 @@ class Things:
         self.contacts = Contacts(site.layout, site.essential, site.by_arm.copy(), site.by_prong)
         self.told: frozenset[int] = frozenset()
         self.cargo = [Thing() for _ in site.cargo]
+        self.held: int | None = None
+        self.fast = False
+        self.carrier, self.rides = np.full(len(site.cargo), -1), np.zeros((len(site.cargo), POSE))
+        self.nearest = -1
         self.orbiter, self.orbiter_velocity = np.zeros(3), np.zeros(3)
         source = scenario.arm.model.source
         self.prong = prong_of(source) if isinstance(source, HeadingArmFile) else Slide(0.0, 0.0, 0.0, 0.0)
@@ -91,35 +98,14 @@ class Things:
         self.effector_mode: Literal["auto", "manual"] = "auto"
         self.rigid: Literal["off", "rigid", "derigid"] = "off"
         self.task = 1
-        self.pursuit = ""
-        self.conditions: tuple[Condition, ...] = ()
         self.advice = ""
         self.refused_orbiter = False
         self.waiting = False
 
     @property
-    def held(self) -> int | None:
-        """The payload in the grasp; None: none is."""
-        for k, thing in enumerate(self.cargo):
-            if thing.held:
-                return k
-        return None
-
-    @property
-    def fast(self) -> bool:
-        """Whether what the arm holds is fixed to something, so that the arm cannot move."""
-        held = self.held
-        return held is not None and self.cargo[held].seat != ""
-
-    @property
     def _meant(self) -> list[Thing]:
         """The payload that latching and unlatching is about: the one in the grasp; with none there, any."""
         return [thing for thing in self.cargo if thing.held] or self.cargo
-
-    def away(self, site: Site) -> Array:
-        """(3,) how far the orbiter has moved, in L [m]."""
-        moved: Array = site.axes @ self.orbiter
-        return moved
 
     def is_so(self, what: Until) -> bool:
         """Whether something has come about that a script may wait for."""
@@ -133,8 +119,12 @@ class Things:
             case "unlatched":
                 return not any(thing.seat for thing in self._meant)
 
-    def mask(self, site: Site) -> None:
-        """Which groups are looked at, and which move with the arm, as things are held and fixed now."""
+    def settle(self, site: Site) -> None:
+        """What carries each payload, which groups are looked at, and which move with the arm: as it is held now."""
+        self.held = next((k for k, thing in enumerate(self.cargo) if thing.held), None)
+        self.fast = self.held is not None and self.cargo[self.held].seat != ""
+        for k in range(len(self.cargo)):
+            self.ride(site, k)
         active, by_arm = self.watch.active, self.contacts.arm
         active[:], by_arm[:] = 1, site.by_arm
         for k, thing in enumerate(self.cargo):
@@ -145,6 +135,21 @@ class Things:
                 active &= 1 - site.seated[k, thing.seat]
         # a contact that is looked at no more does not end: nothing is told of it
         self.told = frozenset(group for group in self.told if active[group])
+
+    def ride(self, site: Site, k: int) -> None:
+        """Cargo k goes with its seat, with the last joint, or floats."""
+        thing = self.cargo[k]
+        if (berth := site.berth(k, thing.seat)) is not None:
+            self.carrier[k] = berth.row
+            compose(berth.place, np.array(thing.seated), self.rides[k])
+        elif thing.grasp is not None:
+            self.carrier[k], self.rides[k] = site.last_joint, thing.grasp
+        elif thing.floating is not None:
+            self.carrier[k], self.rides[k] = -1, thing.floating.pose
+
+    def places(self, site: Site) -> tuple[Array, Array, Array, Array, Indices, Array]:
+        """What places everything besides the arm's joints: the first arguments of `place_everything`."""
+        return site.arm.joints, site.scene, site.axes, self.orbiter, self.carrier, self.rides
 
     def save(self) -> SavedThings:
         """A copy that nothing changes."""
@@ -163,8 +168,6 @@ class Things:
             self.effector_mode,
             self.rigid,
             self.task,
-            self.pursuit,
-            self.conditions,
             self.advice,
             self.refused_orbiter,
             self.waiting,
@@ -181,7 +184,7 @@ class Things:
         self.prong.restore(saved.prong)
         self.switch, self.effector_mode, self.rigid = saved.switch, saved.effector_mode, saved.rigid
         self.task = saved.task
-        self.pursuit, self.conditions, self.advice = saved.pursuit, saved.conditions, saved.advice
+        self.advice = saved.advice
         self.refused_orbiter, self.waiting = saved.refused_orbiter, saved.waiting
 
 
@@ -208,8 +211,6 @@ class SavedThings(msgspec.Struct, frozen=True):
     effector_mode: Literal["auto", "manual"]
     rigid: Literal["off", "rigid", "derigid"]
     task: int
-    pursuit: str
-    conditions: tuple[Condition, ...]
     advice: str
     refused_orbiter: bool
     waiting: bool

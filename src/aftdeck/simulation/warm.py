@@ -52,7 +52,7 @@ def _carry(flight: Flight, state: State) -> None:
     things.cargo[0].seat = ""
     take_hold(flight, state, 0)
     change_task(flight, state)
-    look(flight, state, by_script=False, phase="")
+    look(flight, state)
     things.watch.look(things.frames, things.frames, flight.scenario.control_period)
     state.steering[TWIST : TWIST + 6] = FAR  # so fast that every wall could be met in the next step
     slide_along(flight, state, 0.0, 0)

@@ -5,17 +5,17 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.kinematics.frames import place_frames
 from aftdeck.simulation.capture import capture
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.grasp import place_held
+from aftdeck.simulation.grasp import grasp_again
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log, refuse
-from aftdeck.simulation.seating import seat, seated_at
+from aftdeck.simulation.seating import seat
 from aftdeck.simulation.state import State
 from aftdeck.simulation.tasks import change_task
 from aftdeck.simulation.ways_out import way_out_of_contact
-from aftdeck.worksite.contacts import FRAMES
+from aftdeck.worksite.around import look_around, place_everything
+from aftdeck.worksite.contacts import FRAMES, Inhibit
 from aftdeck.worksite.drift import translate
 from aftdeck.worksite.restrain import deepened
 
@@ -31,38 +31,53 @@ _DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
 def work(flight: Flight, state: State, inputs: Inputs) -> None:
     """Bring the worksite to the end of the step, after the plant has moved."""
     things, period = state.site, flight.scenario.control_period
-    things.before[:] = things.frames
-    things.pursuit, things.conditions = "", ()
     _move_orbiter(flight, state, inputs)
     _move_prong(flight, state)
-    for thing in things.cargo:
+    for k, thing in enumerate(things.cargo):
         if thing.floating is not None:
             thing.floating.move(period)
-    place_all(flight, state)
-    things.watch.look_near(things.before, things.frames, period, flight.site.detrimental, max(WATCHED, FAST * period))
-    _touch(flight, state)
+            things.rides[k] = thing.floating.pose
+    before = things.contacts.inhibit
+    _look_around(flight, state)
+    grasp_again(flight, state)
+    _tell_contacts(flight, state, before)
     capture(flight, state, pressed=inputs.effector is not None)
     seat(flight, state, inputs.latch)
     change_task(flight, state)
 
 
-def place_all(flight: Flight, state: State) -> None:
-    """Where every frame is now."""
-    site, things = flight.site, state.site
-    frames = things.frames
-    place_frames(
-        site.arm.joints, state.plant.angles, state.plant.stand.position, things.prong.position, frames[site.arm_rows]
+def placed(flight: Flight, state: State, prong: float) -> Array:
+    """(F, 12) where every frame is now, with the prong there [m], in L."""
+    things, plant = state.site, state.plant
+    frames = np.empty_like(things.frames)
+    place_everything(*things.places(flight.site), plant.angles, plant.stand.position, prong, frames)
+    return frames
+
+
+def _look_around(flight: Flight, state: State) -> None:
+    """Where everything is now, what is near, and what that inhibits."""
+    site, things, plant, period = flight.site, state.site, state.plant, flight.scenario.control_period
+    layout, watch, contacts = site.layout, things.watch, things.contacts
+    now = look_around(
+        *things.places(site),
+        plant.angles,
+        plant.stand.position,
+        things.prong.position,
+        *layout.packed,
+        watch.active,
+        site.detrimental,
+        things.before,
+        things.frames,
+        period,
+        max(WATCHED, FAST * period),
+        *watch.packed,
+        contacts.essential,
+        contacts.arm,
+        contacts.prong,
+        things.task,
+        contacts.count,
     )
-    away = things.away(site)
-    frames[site.space_row, :3] = site.scene[:3] - away
-    for k, thing in enumerate(things.cargo):
-        row = frames[site.cargo_row(k)]
-        if thing.seat:
-            seated_at(flight, state, k, row)
-        elif thing.floating is not None:
-            row[:] = thing.floating.pose
-            row[:3] -= away
-    place_held(flight, state)
+    contacts.inhibit, things.nearest = Inhibit(now.arm, now.finger, now.changed), now.nearest
 
 
 def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
@@ -89,11 +104,9 @@ def _translated(flight: Flight, state: State, command: Array) -> str:
     if not np.any(detrimental & (things.contacts.count == FRAMES)):
         translate(things.orbiter, velocity, command, rule.speed, rule.reached_in, period)
         return ""
-    place_all(flight, state)
-    without, here = things.frames.copy(), things.orbiter.copy()
+    without, here = placed(flight, state, things.prong.position), things.orbiter.copy()
     translate(things.orbiter, velocity, command, rule.speed, rule.reached_in, period)
-    place_all(flight, state)
-    group = deepened(things.watch, detrimental, without, things.frames)
+    group = deepened(things.watch, detrimental, without, placed(flight, state, things.prong.position))
     if group < 0:
         return ""
     things.orbiter[:], velocity[:] = here, 0.0
@@ -107,20 +120,16 @@ def _move_prong(flight: Flight, state: State) -> None:
     drive = _DRIVES[things.switch] if site.prong else 0.0
     prong, period = things.prong, flight.scenario.control_period
     if drive != 0.0 and things.contacts.inhibit.finger:
-        place_all(flight, state)
-        after = things.frames.copy()
-        position = prong.after(drive, period)
-        place_frames(site.arm.joints, state.plant.angles, state.plant.stand.position, position, after[site.arm_rows])
-        if deepened(things.watch, site.detrimental & site.by_prong, things.frames, after) >= 0:
+        before, after = (placed(flight, state, at) for at in (prong.position, prong.after(drive, period)))
+        if deepened(things.watch, site.detrimental & site.by_prong, before, after) >= 0:
             drive = 0.0
     prong.move(drive, period)
 
 
-def _touch(flight: Flight, state: State) -> None:
+def _tell_contacts(flight: Flight, state: State, before: Inhibit) -> None:
     """Contacts and what they inhibit, told where they change."""
     things = state.site
-    before = things.contacts.inhibit
-    now = things.contacts.look(things.watch.found, things.task)
+    now = things.contacts.inhibit
     if now.changed:
         standing = things.contacts.standing(things.watch.found)
         for contact in standing:
@@ -131,6 +140,8 @@ def _touch(flight: Flight, state: State) -> None:
             a, b = flight.site.layout.named(group)
             log(flight, state, "contact", "info", f"{a} clear of {b}")
         things.told = touching
+    if now == before and not now.arm and not things.advice:
+        return
     for name, was, is_now in (("ARM", before.arm, now.arm), ("FINGER", before.finger, now.finger)):
         if is_now and not was:
             log(flight, state, "inhibit", "warning", f"{name} INHIBIT: only motion that relieves the contact is flown")

@@ -25,6 +25,7 @@ from aftdeck.steering.layout import (
     LOW,
     RATE,
     RATE_UP,
+    RATES,
     SPEED,
     SPEED_UP,
     STRICT,
@@ -44,6 +45,15 @@ APPROACH = 0.5
 """Rate of approach to a singularity per distance left [1/s] (assumed)."""
 OUTSIDE = 1e-9
 """How far past a stop a joint has to be to count as past it [rad]."""
+
+
+@law
+def rate_ratio(rules: Array, state: Array) -> float:
+    """Largest |commanded joint rate| / limit in force, of the steering's rules and state."""
+    greatest = 0.0
+    for i in range(6):
+        greatest = max(greatest, abs(state[RATES + i]) / rules[RATE + i])
+    return greatest
 
 
 class Ratio(NamedTuple):

@@ -79,6 +79,14 @@ def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
 
 
 @law
+def measured(angles: Array, rise: float, state: Array) -> None:
+    """Take up where the arm is: joint angles (6,) [rad], and how much higher the shoulder is than in `rules` [m]."""
+    state[RISE] = rise
+    for i in range(6):
+        state[ANGLES + i] = angles[i]
+
+
+@law
 def _sines_at(rules: Array, state: Array, ahead: float) -> Sines:
     """Sines and cosines where the joints will be in a while [s] at the last step's rates."""
     return sines(

@@ -56,6 +56,11 @@ class Layout(msgspec.Struct, frozen=True, eq=False):
     reach: Array
     """(F,) how far from a frame's origin its solids reach [m]."""
 
+    @property
+    def packed(self) -> tuple[Array, Indices, Indices, Indices, Indices, Array]:
+        """What `watch.watch` takes of it: solids, their frames, pairs, where groups begin, between what, reach."""
+        return self.solids, self.frame, self.pairs, self.begins, self.between_frames, self.reach
+
     def named(self, group: int) -> PartPair:
         """What the two parts of a group are called."""
         a, b = self.groups[group].tolist()

@@ -135,8 +135,7 @@ def deepened(watch: Watch, counts: Mask, before: Array, after: Array) -> int:
         before: (F, 12) the frames without that motion, in L, with all else that has moved in the step.
         after: (F, 12) the frames with it.
     """
-    copy = Watch(watch.layout)
-    copy.restore(watch.save())
+    copy = watch.copy()
     none = np.zeros_like(counts)
     copy.look_near(before, before, 1.0, none, STEP)
     was = copy.found[:, CLEARANCE].copy()
@@ -167,10 +166,7 @@ def ways_out(watch: Watch, counts: Mask, afters: Array) -> Array:
 def _trials(watch: Watch, counts: Mask, afters: Array) -> Array:
     own, trials = watch.layout, np.empty((len(afters), 3))
     tried_many(
-        own.solids,
-        own.frame,
-        own.pairs,
-        own.begins,
+        *own.packed[:4],
         counts & watch.active,
         afters,
         watch.at,

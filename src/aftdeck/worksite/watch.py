@@ -284,6 +284,7 @@ class Watch:
         at: (F, 12) where the frames were at the last look, in L.
         placed: (n, 52) the solids there, in L.
         bound: (g,) how near each group can have been there, at most [m].
+        packed: the last of the arguments of `watch`.
     """
 
     def __init__(self, layout: Layout) -> None:
@@ -296,6 +297,7 @@ class Watch:
         self.bound = np.full(len(layout.groups), -np.inf)
         self.at = np.full((len(layout.frames), POSE), np.nan)
         self.placed = np.zeros((len(layout.solids), SOLID))
+        self.packed = self.at, self.placed, self.bound, self.memory, self.found
 
     def look(self, before: Array, now: Array, period: float) -> None:
         """Look at every group that is active, into `found`; the others are inf there.
@@ -312,30 +314,19 @@ class Watch:
 
         Where none with a 1 in `counts` (g,) is so near, the nearest of those is looked at as well. Else as `look`.
         """
-        own = self.layout
-        watch(
-            own.solids,
-            own.frame,
-            own.pairs,
-            own.begins,
-            own.between_frames,
-            own.reach,
-            self.active,
-            counts,
-            before,
-            now,
-            period,
-            within,
-            self.at,
-            self.placed,
-            self.bound,
-            self.memory,
-            self.found,
-        )
+        watch(*self.layout.packed, self.active, counts, before, now, period, within, *self.packed)
 
     def nearest(self, counts: Mask) -> int:
         """The group of least clearance among those with a 1 in `counts` (g,); -1 where none of them is active."""
         return nearest_group(self.found, counts)
+
+    def copy(self) -> Watch:
+        """Another watch that goes on from here."""
+        copy = Watch(self.layout)
+        copy.active[:] = self.active
+        for own, array in zip(copy.packed, self.packed, strict=True):
+            own[:] = array
+        return copy
 
     def save(self) -> SavedWatch:
         """Everything that the next look depends on."""

@@ -1,0 +1,81 @@
+"""What the log tells of the arm after a step: joints that pass a limit, singularities that come near."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from aftdeck.kinematics.observe import observe_near
+from aftdeck.kinematics.singular import NAMES
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
+from aftdeck.simulation.log import log, spoken
+from aftdeck.simulation.state import State
+from aftdeck.simulation.ways_out import ways_out
+
+Zones = tuple[int, int, int, int, int, int]
+
+_ALL_FREE: Zones = (FREE,) * 6
+TOUCHING = 1e-6
+"""How near to a hard stop counts as at it [rad]."""
+_BACK_TEXTS = {PAST_REACH: "back inside its soft stop", PAST_SOFT: "off its hard stop"}
+_ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", PAST_SOFT: "past its soft stop",
+               AT_HARD: "at its hard stop"}  # fmt: skip
+
+
+def notice(flight: Flight, state: State) -> None:
+    """Observe the arm as it is now, and tell what has changed."""
+    model, plant = flight.scenario.arm.model, state.plant
+    near = observe_near(
+        state.arm.model.links,
+        plant.angles,
+        plant.rates,
+        plant.stand.velocity,
+        model.limits.reach,
+        model.singular,
+        state.seen,
+    )
+    if near:
+        distances = state.seen[18:].tolist()
+        zones = _zones(flight, plant.angles.tolist())
+        singular = tuple(name for name, d in zip(NAMES, distances, strict=True) if abs(d) < model.singular)
+    else:
+        zones, singular = _ALL_FREE, ()
+    if zones != state.panel.zones:
+        _tell_zones(flight, state, zones)
+    if singular != state.panel.singular:
+        _tell_singular(flight, state, singular)
+    state.ways_out = ways_out(flight, state, zones, singular)
+
+
+def _zones(flight: Flight, angles: list[float]) -> Zones:
+    """The zone of each joint."""
+    found = tuple(
+        FREE
+        if reach[0] <= q <= reach[1]
+        else PAST_REACH
+        if soft[0] <= q <= soft[1]
+        else PAST_SOFT
+        if hard[0] + TOUCHING < q < hard[1] - TOUCHING
+        else AT_HARD
+        for q, reach, soft, hard in zip(angles, flight.reach, flight.soft, flight.hard, strict=True)
+    )
+    return cast("Zones", found)
+
+
+def _tell_zones(flight: Flight, state: State, zones: Zones) -> None:
+    for joint, old, new in zip(flight.scenario.arm.joints, state.panel.zones, zones, strict=True):
+        if new != old:
+            level: Level = "caution" if new > old else "info"
+            text = _ZONE_TEXTS[new] if new > old or new == FREE else _BACK_TEXTS[new]
+            log(flight, state, "limit", level, f"{spoken(joint)} {text}")
+    state.panel.zones = zones
+
+
+def _tell_singular(flight: Flight, state: State, singular: tuple[str, ...]) -> None:
+    before, distances = state.panel.singular, state.seen[18:].tolist()
+    for name, distance in zip(NAMES, distances, strict=True):
+        if name in singular and name not in before:
+            log(flight, state, "singular", "caution", f"{name} singularity near: {abs(distance):.2f} of 1")
+        elif name in before and name not in singular:
+            log(flight, state, "singular", "info", f"{name} singularity left behind")
+    state.panel.singular = singular

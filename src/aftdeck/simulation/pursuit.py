@@ -1,0 +1,52 @@
+"""What the hand is about, and by what conditions that succeeds: the panel's capture, docking and berthing."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.bodies.pose import pose_of
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.grasp import nearest_fixture
+from aftdeck.simulation.hand import Bar
+from aftdeck.simulation.seating import conditions_at, nearest_berth
+from aftdeck.simulation.state import State
+from aftdeck.worksite.acquisition import AWAY, FOUND, acquire, acquisition
+from aftdeck.worksite.conditions import Condition
+from aftdeck.worksite.grapple import in_envelope
+
+NEAR = 3.0
+"""A bar farther from the hand than this [m] is not yet being acquired."""
+
+Pursuit = tuple[str, tuple[Condition, ...]]
+
+
+def pursuit(flight: Flight, state: State) -> Pursuit:
+    """What the conditions are for, and they themselves; empty where nothing is near enough."""
+    site, things, units = flight.site, state.site, flight.scenario.arm.model.units
+    if (k := things.held) is not None:
+        berth = None if things.fast else nearest_berth(flight, state, k)
+        return (
+            ("", ())
+            if berth is None
+            else (f"{berth.verb} in the {berth.seat.title}", conditions_at(flight, state, k, berth))
+        )
+    if site.bar is not None:
+        return _acquisition(flight, state, site.bar)
+    if site.snares is not None and (near := nearest_fixture(flight, state)) is not None:
+        k, fixture = near
+        return f"capture {site.cargo[k].title}", in_envelope(pose_of(fixture), site.snares.envelope, units)
+    return "", ()
+
+
+def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursuit:
+    """The bar that is nearest to the palm."""
+    best: Pursuit = ("", ())
+    least, found = NEAR, np.empty(FOUND)
+    for cargo, which in zip(flight.site.cargo, bar.which, strict=True):
+        if which is None:
+            continue
+        acquire(state.site.watch.placed, which, bar.packed, found)
+        if found[AWAY] < least:
+            least = float(found[AWAY])
+            best = f"acquire {cargo.title}", acquisition(found, bar.tolerances, flight.scenario.arm.model.units)
+    return best

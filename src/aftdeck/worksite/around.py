@@ -1,0 +1,148 @@
+"""A frame of the worksite in one compiled call: where everything is, what is near, and what that inhibits."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.pose import compose
+from aftdeck.kinematics.frames import place_frames
+from aftdeck.law import law
+from aftdeck.worksite.contacts import two_frames
+from aftdeck.worksite.layout import POSE, Indices, Mask
+from aftdeck.worksite.watch import nearest_group, watch
+
+Array = NDArray[np.float64]
+
+
+@law
+def place_everything(
+    joints: Array,
+    scene: Array,
+    axes: Array,
+    orbiter: Array,
+    carrier: Indices,
+    rides: Array,
+    angles: Array,
+    stand: float,
+    prong: float,
+    frames: Array,
+) -> None:
+    """Where every frame is: the orbiter's, the arm's, that of space, one for each cargo.
+
+    Args:
+        joints: (6, 4) as `kinematics.frames.Frames.joints`.
+        scene: (12,) the orbiter's frame in L.
+        axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
+        orbiter: (3,) how far the orbiter has moved along them [m].
+        carrier: (c,) for each cargo, the row of the frame that carries it; negative: it floats.
+        rides: (c, 12) its pose in that frame; where it floats, in L as that stood at the start.
+        angles: (6,) joint angles [rad].
+        stand: height of the shoulder above L's origin [m].
+        prong: y2 of the prong's inner face [m].
+        frames: (F, 12) out, in L.
+    """
+    space = len(frames) - len(carrier) - 1
+    place_frames(joints, angles, stand, prong, frames[1:space])
+    for k in range(POSE):
+        frames[0, k] = frames[space, k] = scene[k]
+    for i in range(3):
+        frames[space, i] -= axes[i, 0] * orbiter[0] + axes[i, 1] * orbiter[1] + axes[i, 2] * orbiter[2]
+    for c in range(len(carrier)):
+        row = frames[space + 1 + c]
+        if carrier[c] >= 0:
+            compose(frames[carrier[c]], rides[c], row)
+            continue
+        for k in range(POSE):
+            row[k] = rides[c, k]
+        for i in range(3):
+            row[i] += frames[space, i] - scene[i]
+
+
+class Around(NamedTuple):
+    """What a look around found.
+
+    Attributes:
+        arm: the arm's motion is inhibited.
+        finger: the prong's motion is inhibited.
+        changed: a contact, of either kind, began, ended or began to inhibit.
+        nearest: the group of least clearance of those that count; -1: none.
+    """
+
+    arm: bool
+    finger: bool
+    changed: bool
+    nearest: int
+
+
+@law
+def look_around(
+    joints: Array,
+    scene: Array,
+    axes: Array,
+    orbiter: Array,
+    carrier: Indices,
+    rides: Array,
+    angles: Array,
+    stand: float,
+    prong: float,
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    between: Indices,
+    reach: Array,
+    active: Mask,
+    counts: Mask,
+    before: Array,
+    now: Array,
+    period: float,
+    within: float,
+    at: Array,
+    placed: Array,
+    bound: Array,
+    memory: Array,
+    found: Array,
+    essential: Mask,
+    by_arm: Mask,
+    by_prong: Mask,
+    mode: int,
+    count: Indices,
+) -> Around:
+    """`place_everything`, `watch` and `two_frames`, whose arguments these are.
+
+    `now` holds the frames of the last step, which go to `before`, and then those of this one.
+    """
+    before[:] = now
+    place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, now)
+    watch(
+        solids, frame, pairs, begins, between, reach, active, counts, before, now, period, within,
+        at, placed, bound, memory, found,
+    )  # fmt: skip
+    inhibit = two_frames(found, essential, by_arm, by_prong, mode, count)
+    return Around(inhibit.arm, inhibit.finger, inhibit.changed, nearest_group(found, counts))
+
+
+@law
+def nearest_place(frames: Array, row: int, rows: Indices, places: Array, within: float) -> int:
+    """The place nearest to a frame's origin, if one is nearer than `within` [m]; else -1.
+
+    Args:
+        frames: (F, 12) in L.
+        row: of the frame.
+        rows: (n,) of the frames that the places are in.
+        places: (n, 12) their poses there.
+        within: how far is looked [m].
+    """
+    best, least = -1, within * within
+    for p in range(len(rows)):
+        square = 0.0
+        for i in range(3):
+            b = frames[rows[p]]
+            along = b[3 + 3 * i] * places[p, 0] + b[4 + 3 * i] * places[p, 1] + b[5 + 3 * i] * places[p, 2]
+            square += (frames[row, i] - b[i] - along) ** 2
+        if square < least:
+            best, least = p, square
+    return best

@@ -1,0 +1,108 @@
+"""A frame of the worksite in one call, against its parts called one by one and against plain matrices."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import aftdeck
+from aftdeck.bodies.pose import pose_of, row_of
+from aftdeck.frames import Pose
+from aftdeck.kinematics.frames import place_frames
+from aftdeck.kinematics.observe import OBSERVED, observe, observe_near
+from aftdeck.simulation.work import FAST, WATCHED
+from aftdeck.worksite.around import nearest_place, place_everything
+from tests.simulation.flights import anything
+
+Array = NDArray[np.float64]
+
+
+def rotation(rng: np.random.Generator) -> Array:
+    q, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    return q * np.sign(np.linalg.det(q))
+
+
+def some_row(rng: np.random.Generator, size: float = 5.0) -> Array:
+    return row_of(Pose(rng.normal(size=3) * size, rotation(rng)))
+
+
+def within(outer: Array, inner: Array) -> Array:
+    """A pose given in a frame, by matrices."""
+    a, b = pose_of(outer), pose_of(inner)
+    return row_of(Pose(a.rotation @ b.position + a.position, a.rotation @ b.rotation))
+
+
+@pytest.mark.parametrize("name", ["concept-1972", "srms-deploy"])
+def test_everything_is_where_what_carries_it_says(name: str) -> None:
+    rng = np.random.default_rng(3)
+    sim = aftdeck.Simulation(name)
+    site, stand = sim._flight.site, sim._state.plant.stand.position
+    arm = len(site.arm.names)
+    for _ in range(50):
+        angles, prong, moved = rng.uniform(-2.0, 2.0, 6), rng.uniform(-0.3, 0.0), rng.normal(size=3)
+        rides = np.array([some_row(rng) for _ in range(3)])
+        carrier = np.array([arm, -1, 0])
+        frames = np.full((2 + arm + 3, 12), np.nan)
+        args = (site.arm.joints, site.scene, site.axes, moved, carrier, rides, angles, stand, prong)
+        place_everything(*args, frames)
+        own = np.empty((arm, 12))
+        place_frames(site.arm.joints, angles, stand, prong, own)
+        away = np.concatenate([site.axes @ moved, np.zeros(9)])
+        expected = [site.scene, *own, site.scene - away, within(own[arm - 1], rides[0]), rides[1] - away]
+        expected.append(within(site.scene, rides[2]))
+        assert frames == pytest.approx(np.array(expected), abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ["concept-1972", "srms-deploy", "free-flyer"])
+def test_one_call_does_what_its_parts_do_one_by_one(name: str) -> None:
+    sim = aftdeck.Simulation(name)
+    site, state = sim._flight.site, sim._state
+    period = sim.scenario.control_period
+    for inputs in anything(np.random.default_rng(11), 60):
+        watch, count = state.site.watch.copy(), state.site.contacts.count.copy()
+        sim.advance(inputs)
+        things = state.site
+        if not np.array_equal(watch.active, things.watch.active):
+            continue  # something was caught or let go at the end of the step
+        watch.look_near(things.before, things.frames, period, site.detrimental, max(WATCHED, FAST * period))
+        for one, other in zip(watch.packed, things.watch.packed, strict=True):
+            assert np.array_equal(one, other, equal_nan=True)
+        touching = watch.found[:, 0] <= 1e-9
+        assert np.array_equal(things.contacts.count, np.where(touching, np.minimum(count + 1, 2), 0))
+        assert things.nearest == watch.nearest(site.detrimental)
+
+
+def test_the_nearest_place_is_that_of_least_distance_if_it_is_near() -> None:
+    rng = np.random.default_rng(5)
+    found = set()
+    for _ in range(300):
+        frames = np.array([some_row(rng, 1.0) for _ in range(4)])
+        rows, places = rng.integers(0, 3, 5), np.array([some_row(rng, 1.0) for _ in range(5)])
+        away = [
+            float(np.linalg.norm(within(frames[r], p)[:3] - frames[3, :3])) for r, p in zip(rows, places, strict=True)
+        ]
+        nearest = nearest_place(frames, 3, rows, places, 1.0)
+        assert nearest == (int(np.argmin(away)) if min(away) < 1.0 else -1)
+        found.add(nearest)
+    assert -1 in found and len(found) > 3
+    assert nearest_place(frames, 3, rows[:0], places[:0], 1.0) == -1
+
+
+@pytest.mark.parametrize("name", ["concept-1972", "srms"])
+def test_an_arm_is_near_a_limit_where_a_joint_is_past_its_reach_or_a_singularity_is_close(name: str) -> None:
+    rng = np.random.default_rng(7)
+    model = aftdeck.load_arm(name).model
+    reach = model.limits.reach
+    answers = set()
+    for _ in range(300):
+        angles = rng.uniform(reach[:, 0] - 0.1, reach[:, 1] + 0.1)
+        rates, seen, plain = rng.normal(size=6), np.empty(OBSERVED), np.empty(OBSERVED)
+        near = observe_near(model.links, angles, rates, 0.25, reach, model.singular, seen)
+        observe(model.links, angles, rates, plain)
+        plain[17] -= 0.25
+        past = bool(np.any((angles < reach[:, 0]) | (angles > reach[:, 1])))
+        assert near == (past or bool(np.any(np.abs(seen[18:]) < model.singular)))
+        assert np.array_equal(seen, plain)
+        answers.add(near)
+    assert answers == {True, False}
