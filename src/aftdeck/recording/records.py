@@ -59,6 +59,8 @@ class Input(Message, frozen=True, omit_defaults=True):
     payload_axes: Annotated[bool | None, told("switch beside ORB LD")] = None
     rate_hold: Annotated[bool, told("RATE HOLD pressed")] = False
     position_hold: Annotated[bool | None, told("POSITION HOLD switch")] = None
+    brakes: Annotated[bool | None, told("BRAKES switch")] = None
+    safing: Annotated[bool | None, told("SAFING: on, or its CANCEL")] = None
     proceed: Annotated[bool, told("AUTO SEQ switch to PROCEED")] = False
     stop: Annotated[bool, told("AUTO SEQ switch to STOP")] = False
     effector: Annotated[Literal["stop", "close", "open"] | None, told("end effector switch")] = None
@@ -127,6 +129,8 @@ class FrameRecord(Message, frozen=True):
     payload_axes: Annotated[bool, told("switch beside ORB LD")]
     rate_hold: Annotated[bool, told("RATE HOLD keeps a stick command")]
     position_hold: Annotated[bool, told("POSITION HOLD is on")]
+    brakes: Annotated[bool, told("BRAKES are on: the joints stand")]
+    safing: Annotated[bool, told("zero joint rates are commanded")]
     joint: Annotated[int, told("selected joint, 0 to 5")]
     rate: Annotated[Literal["coarse", "vernier"], told("rate setting")]
     sequence: Annotated[Literal["idle", "ready", "in progress"], told("READY and IN PROG")]

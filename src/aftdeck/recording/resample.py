@@ -9,8 +9,8 @@ import msgspec
 from aftdeck.recording.records import Input
 
 _TARGET = ("target_position", "target_rotation", "target_joints")
-_SWITCHES = ("mode", "joint", "rate", "law", "payload_axes", "position_hold", "effector", "effector_mode",
-             "rigid", "latch", "master", "initialise")  # fmt: skip
+_SWITCHES = ("mode", "joint", "rate", "law", "payload_axes", "position_hold", "brakes", "safing", "effector",
+             "effector_mode", "rigid", "latch", "master", "initialise")  # fmt: skip
 SAME_TIME = 1e-9
 """Times nearer to each other than this are the same [s]."""
 

@@ -104,6 +104,10 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     """RATE HOLD keeps a stick command."""
     position_hold: bool
     """POSITION HOLD is on."""
+    brakes: bool
+    """BRAKES are on: the joints stand."""
+    safing: bool
+    """SAFING: zero joint rates are commanded."""
     joint: int
     """Selected joint, 0 to 5."""
     rate: Literal["coarse", "vernier"]

@@ -49,6 +49,10 @@ class Inputs(msgspec.Struct, frozen=True):
     """RATE HOLD pressed in this step: keep the present stick command; pressed again: let it go."""
     position_hold: bool | None = None
     """POSITION HOLD: with sticks at rest, keep the tip's position and attitude."""
+    brakes: bool | None = None
+    """BRAKES: on, every joint stands at once and moves no more."""
+    safing: bool | None = None
+    """SAFING: on, zero joint rates are commanded, whatever is asked; off is its CANCEL."""
     proceed: bool = False
     """AUTO SEQ switch to PROCEED, in this step."""
     stop: bool = False

@@ -53,6 +53,8 @@ def look(flight: Flight, state: State) -> Frame:
         payload_axes=panel.payload_axes,
         rate_hold=panel.held is not None,
         position_hold=panel.position_hold,
+        brakes=panel.brakes,
+        safing=panel.safing,
         joint=panel.joint,
         rate=panel.rate,
         sequence=panel.sequence,

@@ -31,7 +31,7 @@ def operate(flight: Flight, state: State, inputs: Inputs) -> None:
         state.command[MASTER : MASTER + 6] = inputs.master
     if inputs.target is not None:
         _key_in(flight, state, inputs.target)
-    if inputs.stop:
+    if inputs.stop or standing(panel):
         _stop(flight, state)
     if inputs.proceed:
         _proceed(flight, state)
@@ -55,6 +55,13 @@ def law_of(panel: Panel) -> int:
     return mode.laws[-1] if panel.payload_axes else mode.laws[0]
 
 
+def standing(panel: Panel) -> str:
+    """What keeps the joints from moving, whatever is commanded; empty: nothing does."""
+    if panel.brakes:
+        return "BRAKES are on"
+    return "SAFING is on; CANCEL it first" if panel.safing else ""
+
+
 def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
     panel = state.panel
     if inputs.joint is not None:
@@ -74,6 +81,14 @@ def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
         hand.rigid = inputs.rigid
     if inputs.position_hold is not None:
         panel.position_hold, panel.holding = inputs.position_hold, None
+    if inputs.brakes is not None and inputs.brakes != panel.brakes:
+        panel.brakes = inputs.brakes
+        text = "BRAKES on: every joint stands" if panel.brakes else "BRAKES off"
+        log(flight, state, "brakes", "caution" if panel.brakes else "info", text)
+    if inputs.safing is not None and inputs.safing != panel.safing:
+        panel.safing = inputs.safing
+        text = "SAFING: zero joint rates are commanded" if panel.safing else "SAFING cancelled"
+        log(flight, state, "safing", "caution" if panel.safing else "info", text)
     if inputs.law is not None and inputs.law != panel.law:
         if panel.sequence == "in progress":
             refuse(
@@ -133,7 +148,8 @@ def _stop(flight: Flight, state: State) -> None:
     panel.held = None
     if panel.sequence == "in progress":
         panel.sequence = "ready"
-        log(flight, state, "stop", "info", "STOP: the arm slows to rest; PROCEED goes on")
+        how = "the arm stands" if standing(panel) else "the arm slows to rest"
+        log(flight, state, "stop", "info", f"STOP: {how}; PROCEED goes on")
 
 
 def _proceed(flight: Flight, state: State) -> None:
@@ -144,6 +160,8 @@ def _proceed(flight: Flight, state: State) -> None:
             state,
             f"PROCEED does nothing in {panel.mode}: enter OPR CMD or AUTO 1-4 first",
         )
+    elif stopped := standing(panel):
+        refuse(flight, state, f"PROCEED refused: {stopped}")
     elif panel.sequence != "in progress":
         if panel.point >= len(flight.scenario.sequences.get(panel.mode, ())):
             panel.point = 0  # a sequence that is complete begins again

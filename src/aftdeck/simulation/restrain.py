@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.panel import standing
 from aftdeck.simulation.sliding import slide_along
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import CLOCK, PACE, RATES, RATIO, TWIST
@@ -30,7 +31,7 @@ def restrain(flight: Flight, state: State, telescope: float) -> float:
     sliding = slider(state)
     things.contacts.essential = flight.site.essential_while(sliding)
     rates = state.steering[RATES : RATES + 6]
-    if things.fast:
+    if things.fast or standing(state.panel):
         return _halted(flight, state)
     if not (telescope or any(rates.tolist())):
         return 0.0

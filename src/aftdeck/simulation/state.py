@@ -42,6 +42,10 @@ class Panel(msgspec.Struct):
     """Sticks (rotation, translation) that RATE HOLD keeps."""
     position_hold: bool = False
     """POSITION HOLD switch."""
+    brakes: bool = False
+    """BRAKES switch: the joints stand."""
+    safing: bool = False
+    """SAFING: zero joint rates are commanded."""
     holding: Target | None = None
     """The pose that POSITION HOLD keeps; None while sticks move."""
     keyed: Target | None = None

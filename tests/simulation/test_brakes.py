@@ -1,0 +1,104 @@
+"""BRAKES and SAFING: on the kinematic plant the joints stand at once, whatever is asked, and go on when released."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.simulation.frame import Frame
+from tests.simulation.flights import anything
+from tests.steering.flying import BAY, fly, scenario, target
+
+SWITCHES = ("brakes", "safing")
+ON = {"brakes": "BRAKES on: every joint stands", "safing": "SAFING: zero joint rates are commanded"}
+OFF = {"brakes": "BRAKES off", "safing": "SAFING cancelled"}
+FULL = Inputs(translation=(1.0, -0.4, 0.2), rotation=(0.3, 0.0, -1.0), drive=1.0, telescope=1.0)
+AUTOMATIC = 'mode = "OPR CMD"'
+
+
+def put(switch: str, on: bool, inputs: Inputs = FULL) -> Inputs:
+    """Inputs that put a switch as well."""
+    brakes = on if switch == "brakes" else None
+    safing = on if switch == "safing" else None
+    return Inputs(
+        translation=inputs.translation,
+        rotation=inputs.rotation,
+        drive=inputs.drive,
+        telescope=inputs.telescope,
+        brakes=brakes,
+        safing=safing,
+    )
+
+
+def texts(frame: Frame) -> list[str]:
+    return [event.text for event in frame.events]
+
+
+@pytest.mark.parametrize("switch", SWITCHES)
+@pytest.mark.parametrize("mode", ["ORB UNL", "END EFF", "SINGLE", "DIRECT", "MASTER"])
+def test_in_every_mode_the_joints_stand_in_the_same_step(mode: str, switch: str) -> None:
+    sim = aftdeck.Simulation(scenario(BAY))
+    sim.step(Inputs(mode=mode, master=(0.0,) * 6))
+    before = fly(sim, 1.0, FULL)[-1]
+    assert any(before.rates)
+    frame = sim.step(put(switch, on=True))
+    assert frame.rates == frame.rates_commanded == (0.0,) * 6 and frame.twist == pytest.approx((0.0,) * 6, abs=0.0)
+    assert frame.angles == before.angles and frame.work.stand == before.work.stand
+    assert ON[switch] in texts(frame)
+    assert all(later.angles == before.angles for later in fly(sim, 1.0, FULL))
+    free = sim.step(put(switch, on=False))
+    assert texts(free) == [OFF[switch]]
+    assert fly(sim, 1.0, FULL)[-1].angles != before.angles
+
+
+@given(seed=st.integers(0, 2**32 - 1), switch=st.sampled_from(SWITCHES))
+def test_nothing_that_is_asked_moves_a_joint_that_stands(seed: int, switch: str) -> None:
+    sim = aftdeck.Simulation("concept-1972")
+    rng = np.random.default_rng(seed)
+    for inputs in anything(rng, 40):
+        sim.advance(inputs)
+    stood = sim.step(put(switch, on=True))
+    for inputs in anything(rng, 80, but=("initialise",)):
+        frame = sim.step(inputs)
+        assert frame.angles == stood.angles and frame.rates == (0.0,) * 6
+        assert frame.work.stand == stood.work.stand
+
+
+@pytest.mark.parametrize("switch", SWITCHES)
+def test_an_automatic_motion_waits_and_proceed_is_refused_until_the_switch_is_off(switch: str) -> None:
+    sim = aftdeck.Simulation(scenario(BAY, AUTOMATIC))
+    goal = target(sim.scenario.arm, (BAY[0] + 6.0, *BAY[1:]))
+    sim.step(Inputs(target=goal))
+    sim.step(Inputs(proceed=True))
+    assert fly(sim, 1.0, Inputs())[-1].sequence == "in progress"
+    frame = sim.step(put(switch, on=True, inputs=Inputs()))
+    assert frame.sequence == "ready" and "STOP: the arm stands; PROCEED goes on" in texts(frame)
+    (refusal,) = texts(sim.step(Inputs(proceed=True)))
+    assert refusal.startswith(f"PROCEED refused: {switch.upper()}")
+    sim.step(put(switch, on=False, inputs=Inputs()))
+    sim.step(Inputs(proceed=True))
+    flown = fly(sim, 40.0, Inputs())
+    assert flown[-1].sequence == "idle" and flown[-1].goal is not None and flown[-1].goal.distance < 0.01
+
+
+@pytest.mark.parametrize("switch", SWITCHES)
+def test_rate_hold_is_let_go_so_that_nothing_moves_by_itself_afterwards(switch: str) -> None:
+    sim = aftdeck.Simulation(scenario(BAY))
+    sim.step(Inputs(translation=(0.5, 0.0, 0.0), rate_hold=True))
+    assert fly(sim, 0.5, Inputs())[-1].rate_hold
+    sim.step(put(switch, on=True, inputs=Inputs()))
+    still = sim.step(put(switch, on=False, inputs=Inputs()))
+    assert not still.rate_hold
+    assert fly(sim, 0.5, Inputs())[-1].angles == still.angles
+
+
+def test_one_switch_does_not_undo_the_other() -> None:
+    sim = aftdeck.Simulation(scenario(BAY))
+    sim.step(Inputs(brakes=True, safing=True))
+    sim.step(Inputs(brakes=False))
+    stood = fly(sim, 0.5, FULL)
+    assert stood[0].angles == stood[-1].angles and stood[-1].safing and not stood[-1].brakes
