@@ -33,13 +33,13 @@ def look_work(flight: Flight, state: State) -> Work:
     reasons: tuple[str, ...] = ()
     if things.told:
         standing = things.contacts.standing(things.watch.found)
-        contacts = tuple(_near(flight, state, things.watch.found, contact.group) for contact in standing)
+        contacts = tuple(near_of(flight, state, things.watch.found, contact.group) for contact in standing)
         reasons = tuple(contact.text for contact in standing if contact.inhibits)
         reasons += (things.advice,) if things.advice and reasons else ()
     pursued, conditions = pursuit(flight, state)
     return Work(
         task=things.task,
-        nearest=None if group < 0 else _near(flight, state, things.watch.found, group),
+        nearest=None if group < 0 else near_of(flight, state, things.watch.found, group),
         contacts=contacts,
         arm_inhibit=inhibit.arm,
         finger_inhibit=inhibit.finger,
@@ -62,7 +62,7 @@ def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
     watch.look(things.before, things.frames, flight.scenario.control_period)
     found = watch.found[:, CLEARANCE]
     groups = np.flatnonzero(np.isfinite(found))
-    return tuple(_near(flight, state, watch.found, int(g)) for g in groups[np.argsort(found[groups], kind="stable")])
+    return tuple(near_of(flight, state, watch.found, int(g)) for g in groups[np.argsort(found[groups], kind="stable")])
 
 
 def _in_l(site: Site, along: Array) -> Vec3:
@@ -79,7 +79,8 @@ def _six(values: Array) -> Six:
     return a, b, c, d, e, f
 
 
-def _near(flight: Flight, state: State, found: Array, group: int) -> Near:
+def near_of(flight: Flight, state: State, found: Array, group: int) -> Near:
+    """What is found (g, 15) of a group, told by name."""
     row = found[group].tolist()
     a, b = flight.site.layout.named(group)
     touching = row[CLEARANCE] <= CONTACT

@@ -18,6 +18,7 @@ from aftdeck.simulation.flight import prepare
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.look import look
+from aftdeck.simulation.look_ahead import Ahead, Axis, look_ahead
 from aftdeck.simulation.look_work import all_near
 from aftdeck.simulation.seal import seal
 from aftdeck.simulation.state import Saved
@@ -98,6 +99,18 @@ class Simulation:
         if self._frame is None:
             self._frame = look(self._flight, self._state)
         return self._frame
+
+    def ahead(self, seconds: float = 5.0, last: Axis | None = None) -> Ahead:
+        """What the sticks as they stand would do in some seconds.
+
+        Args:
+            seconds: how far to look, 2 to 20 [s].
+            last: the axis that is shown at full deflection where the sticks rest, and its sign; None: none.
+
+        Raises:
+            InputError: seconds or an axis that are none of these.
+        """
+        return look_ahead(self._flight, self._state, seconds, last)
 
     def watched(self) -> tuple[Near, ...]:
         """Every pair of parts that is watched now, nearest first: clearance, closest points, plane, closing speed."""
