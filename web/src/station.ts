@@ -34,6 +34,8 @@ const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'
 const TOLD_MS = 1000;
 /** The log told anew holds older refusals, which light nothing [s]. */
 const RECENT_S = 2;
+/** As much of a device's name as a lamp holds [characters]. */
+const LAMP_NAME = 16;
 /** A refusal keeps CHECK CRT lit this long [ms]. */
 const REFUSAL_MS = 5000;
 
@@ -253,7 +255,7 @@ export class Station {
     if (age > STALE_S) lamps.push({ name: 'LINK', level: 'caution', text: `silent for ${age.toFixed(0)} s` });
     const { lost, waiting } = this.operator.controllers;
     const text = lost[0]
-      ? `${lost[0].short} gone, sticks at zero`
+      ? `${lost[0].short.slice(0, LAMP_NAME)} is gone`
       : waiting[0]?.resting
         ? 'rests off centre: see Controllers'
         : 'let go of both sticks';

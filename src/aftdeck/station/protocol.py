@@ -211,7 +211,7 @@ class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """0 straight, 1 the cube: (1 - expo) x + expo x**3 of what is left beyond the deadband."""
     bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=64)]
     """What is pressed or moved, and what it does: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
-    centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=32)]
+    centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=16)]
     """Where each axis rests, as the operator has confirmed; beyond the last: 0."""
 
 

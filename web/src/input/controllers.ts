@@ -127,7 +127,7 @@ export class Controllers {
     const [lost] = this.lost;
     if (lost) return `${lost.short} is gone; keys fly`;
     const [waiting] = this.waiting;
-    if (waiting) return waiting.resting ? restWords(waiting) : `Let go of both sticks: ${waiting.short}`;
+    if (waiting) return waiting.resting ? 'Off centre: see Controllers' : `Let go: ${waiting.short}`;
     const names = this.devices.map(({ short }) => short);
     return names.length === 0 ? 'Keyboard flies' : `${names.join(', ')} and keyboard fly`;
   }
@@ -151,10 +151,6 @@ export class Controllers {
     this.screen.forget();
     return ZERO;
   }
-}
-
-function restWords({ short }: Device): string {
-  return `${short} rests off centre: zero it in Controllers`;
 }
 
 function inUse(kind: Kind, name: string): ControllerInUse {

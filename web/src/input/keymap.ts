@@ -106,7 +106,7 @@ const ACTIONS: readonly Use[] = [
   once('cameraStep +', 'camera after', { name: 'cameraStep', by: 1 }),
   once('split', 'split', { name: 'split' }),
   once('matrix', 'all cameras', { name: 'matrix' }),
-  once('leave', 'close', { name: 'leave' }),
+  once('leave', 'close what is open', { name: 'leave' }),
   ...Array.from({ length: CAMERAS }, (_, i) =>
     once(`camera ${i + 1}`, `camera ${i + 1}`, { name: 'camera', number: i + 1 }),
   ),

@@ -16,6 +16,8 @@ const AXES = 6;
 const MOST_BUTTONS = 32;
 /** A deflected cap tells so all the time; after this long without a report it is out of reach [ms]. */
 const SILENCE_MS = 500;
+/** A look counts for no more than this [ms]: reports wait, too, while the page is busy. */
+const MOST_OF_A_LOOK_MS = 50;
 
 const [TRANSLATION, ROTATION, BUTTONS] = [1, 2, 3];
 
@@ -75,7 +77,8 @@ export class SpaceMouse {
   problem = '';
   private device: HidDevice | null = null;
   private cap = CAP_AT_REST;
-  private heard = 0;
+  private silent = 0;
+  private looked = 0;
   private readonly ended = new AbortController();
 
   constructor() {
@@ -107,7 +110,9 @@ export class SpaceMouse {
   reading(now: number): Reading | null {
     if (!this.device || this.problem) return null;
     const { axes, buttons } = this.cap;
-    if (axes.some((value) => value !== 0) && now - this.heard > SILENCE_MS) return null;
+    this.silent += Math.min(MOST_OF_A_LOOK_MS, now - this.looked);
+    this.looked = now;
+    if (axes.some((value) => value !== 0) && this.silent > SILENCE_MS) return null;
     return { axes, buttons: buttons.map((pressed) => ({ pressed, value: Number(pressed) })) };
   }
 
@@ -143,7 +148,7 @@ export class SpaceMouse {
 
   private report({ reportId, data }: ReportEvent): void {
     const cap = parsed(this.cap, reportId, data);
-    this.heard = performance.now();
+    this.silent = 0;
     if (cap) this.cap = cap;
     else
       this.problem = `Report ${reportId} with ${data.byteLength} bytes is not understood; this model does not fly.`;

@@ -25,7 +25,7 @@ const RIGHT: readonly Cap[] = [
   ['+yaw', 'right'],
 ];
 
-type Row = readonly [uses: readonly string[], does: string];
+type Row = readonly [uses: readonly string[], does: string, pad?: 'untold'];
 
 /** Uses, and what they do. */
 const FLYING: readonly Row[] = [
@@ -44,7 +44,7 @@ const FLYING: readonly Row[] = [
 const WORKING: readonly Row[] = [
   [['close'], 'held 0.3 s: capture; the prong closes'],
   [['open'], 'held 1 s: release; the prong opens'],
-  [['close', 'open'], 'while the prong moves: either stops it'],
+  [['close', 'open'], 'while the prong moves: either stops it', 'untold'],
   [['latch'], 'held 1 s: latch the payload in its seat, or unlatch'],
   [['plane'], 'separating plane in the pictures'],
   [['-telescope', '+telescope'], 'telescope shorter, longer'],
@@ -70,6 +70,7 @@ export class KeyMap {
     else {
       this.fill();
       this.element.show();
+      this.element.focus();
     }
   }
 
@@ -120,13 +121,13 @@ export class KeyMap {
       {},
       el('h3', {}, title),
       el('div', { class: 'caps' }, ...caps),
-      el('p', {}, `Pad: ${pad.join(', ')}`),
+      el('p', {}, `Pad: ${together(pad)}`),
     );
   }
 
   private table(rows: readonly Row[]): HTMLElement {
-    const lines = rows.map(([uses, does]) => {
-      const pad = uses.flatMap((use) => sources('pad', use)).join(', ');
+    const lines = rows.map(([uses, does, untold]) => {
+      const pad = untold ? '' : together(uses.flatMap((use) => sources('pad', use)));
       return el(
         'tr',
         {},
@@ -154,4 +155,14 @@ export class KeyMap {
 
 function sources(kind: Kind, use: string): readonly string[] {
   return sourcesOf(mappingOf(kind), use).map((source) => nameOfSource(kind, source));
+}
+
+/** Names one after the other, what they begin with alike said once: `Menu + Cross ↓ ↑`. */
+export function together(names: readonly string[]): string {
+  const [first = '', ...others] = names;
+  if (others.length === 0) return first;
+  let alike = first.lastIndexOf(' ') + 1;
+  while (alike > 0 && !others.every((name) => name.startsWith(first.slice(0, alike))))
+    alike = first.lastIndexOf(' ', alike - 2) + 1;
+  return alike > 0 ? [first, ...others.map((name) => name.slice(alike))].join(' ') : names.join(', ');
 }

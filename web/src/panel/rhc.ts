@@ -86,6 +86,7 @@ export function rhc(desk: Desk): Part {
       setClass(element, 'holding', frame.rate_hold);
       const words = frame.by === 'script' ? 'Move a stick to take over' : controllers.words;
       setText(device, flying ? words : '');
+      setAttribute(device, 'title', flying ? words : '');
     },
   };
 }

@@ -18,7 +18,7 @@ export function useCap(kind: Kind, use: string, ask: (use: string) => void): Use
   const moving = movers(mappingOf(kind), use);
   const names = moving.map(({ source, sign }) => nameOfSource(kind, source, sign));
   const fixed = isFixed(kind, use);
-  const text = names.join(' · ') || '–';
+  const text = names.join(' · ') || '·';
   const attributes = {
     class: 'cap',
     'data-use': use,
