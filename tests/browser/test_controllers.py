@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Locator, Page, expect
 
 from aftdeck.recording.reader import Recording
 from tests.browser.conftest import SIZES, OpenPage, flown
@@ -66,7 +66,7 @@ def open_sheet(flight: Flight, device: str | None = None) -> None:
         sheet(flight.page).get_by_role("button", name=device, exact=True).click()
 
 
-def sheet(page: Page):  # type: ignore[no-untyped-def]
+def sheet(page: Page) -> Locator:
     """The sheet of controllers."""
     return page.get_by_role("dialog", name="Controllers")
 
@@ -133,7 +133,7 @@ def test_a_stick_is_put_elsewhere_by_moving_it(padded: Flight) -> None:
     padded.until("/keyboard fly/.test(document.querySelector('.device').textContent)")
     padded.pad_axes(0, -1, 0, -1)
     flown = padded.until("frame.translation[0] === 1")
-    assert flown.rotation == (0, 0, 0)
+    assert flown.rotation == (0.0, 0.0, 0.0)
     padded.pad_axes(0, 0, 0, 0)
     padded.until(STICKS_AT_ZERO)
 

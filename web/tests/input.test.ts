@@ -215,12 +215,17 @@ test('of two pads the one moved first is the THC; swapped, the other one', () =>
 });
 
 test('a joystick that nobody moved flies nothing, though it rests anywhere', () => {
-  const world = plugged({ id: 'Stick', standard: false, axes: [0, 0, 0, 1] }, { id: 'Pad' });
+  const world = plugged(
+    { id: 'Stick', standard: false, axes: [0, 0, 0, 1], buttons: { 5: 1 } },
+    { id: 'Pad' },
+  );
   const pads = new Pads(() => {});
   pads.poll(0);
   expect(pads.devices.map(({ name }) => name)).toEqual(['Pad']);
+  for (let now = 20; now < 100; now += 20) pads.poll(now);
+  expect(pads.devices.map(({ name }) => name)).toEqual(['Pad']);
   world.axes(0, 0, -0.5, 0, 1);
-  pads.poll(20);
+  pads.poll(120);
   expect(pads.devices.map(({ kind }) => kind)).toEqual(['thc pad', 'rhc joystick']);
 });
 

@@ -4,7 +4,7 @@
  */
 
 import { type Deflection, sum, ZERO } from './deflection';
-import { Device } from './device';
+import { Device, type Reading } from './device';
 import type { Action } from './keymap';
 import type { Kind } from './mapping';
 
@@ -25,8 +25,8 @@ export class Pads {
   /** Two devices fly, and nobody has said yet whether each is in the right hand. */
   asks = false;
   private seats: Seat[] = [];
-  /** Where devices not in use stood when they were first seen, by the browser's number. */
-  private readonly first = new Map<number, readonly number[]>();
+  /** What devices not in use showed when they were first seen, by the browser's number. */
+  private readonly first = new Map<number, Reading>();
 
   constructor(private readonly acted: (action: Action) => void) {}
 
@@ -42,6 +42,8 @@ export class Pads {
     const found = this.seats.map((seat) => {
       const own = there.find(({ id, index }) => id === seat.id && index === seat.index);
       const pad = own ?? there.find((each) => each.id === seat.id && !this.taken(each));
+      // Two that come back may have changed places.
+      if (pad && seat.device.state === 'lost') this.asks = this.seats.length === MOST;
       if (pad) seat.index = pad.index;
       if (pad) free.delete(pad);
       return pad ?? null;
@@ -85,11 +87,12 @@ export class Pads {
   /** Takes a device into use where somebody moved it; a standard pad alone is meant to be used. */
   private joins(pad: Gamepad): boolean {
     const standard = pad.mapping === 'standard';
-    const first = this.first.get(pad.index) ?? [...pad.axes];
+    const first = this.first.get(pad.index) ?? copied(pad);
     this.first.set(pad.index, first);
+    // Some have switches that are always on, and levers that rest anywhere.
     const moved =
-      pad.axes.some((value, i) => Math.abs(value - (first[i] ?? 0)) > MOVED) ||
-      pad.buttons.some(({ pressed }) => pressed);
+      pad.axes.some((value, i) => Math.abs(value - (first.axes[i] ?? 0)) > MOVED) ||
+      pad.buttons.some(({ pressed }, i) => pressed !== first.buttons[i]?.pressed);
     if (!moved && !(standard && this.seats.length === 0)) return false;
     const device = new Device('pad', this.acted);
     this.seats.push({ id: pad.id, standard, index: pad.index, device });
@@ -109,6 +112,10 @@ export class Pads {
       seat.device.name = seat.id;
     });
   }
+}
+
+function copied({ axes, buttons }: Gamepad): Reading {
+  return { axes: [...axes], buttons: buttons.map(({ pressed, value }) => ({ pressed, value })) };
 }
 
 function kindOf(standard: boolean, hand: 'thc' | 'rhc' | null): Kind {
