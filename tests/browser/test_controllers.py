@@ -10,10 +10,11 @@ from playwright.sync_api import Locator, Page, expect
 
 from aftdeck.recording.reader import Recording
 from tests.browser.conftest import SIZES, OpenPage, flown
-from tests.browser.flight import Flight
+from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.looks import assert_readable
 
 pytestmark = pytest.mark.browser
+expect.set_options(timeout=WAIT_MS)
 
 STICKS_AT_ZERO = "[...frame.translation, ...frame.rotation, frame.drive].every((value) => value === 0)"
 GONE = "[...document.querySelectorAll('.stick .gone')].map((words) => words.textContent)"
@@ -71,6 +72,13 @@ def sheet(page: Page) -> Locator:
     return page.get_by_role("dialog", name="Controllers")
 
 
+def close_sheet(flight: Flight) -> None:
+    """Closes the sheet and waits until devices at rest have been seen so: they fly from then on."""
+    flight.press("Escape")
+    sheet(flight.page).wait_for(state="hidden")
+    flight.polled()
+
+
 def ask(flight: Flight, use: str) -> None:
     """Presses the cap of a use; the sheet waits for what shall be there."""
     flight.page.locator(f'[data-use="{use}"]').click()
@@ -98,8 +106,7 @@ def test_a_key_is_put_elsewhere_by_the_sheet_flies_and_is_kept(flight: Flight, r
     tick = flight.frame().tick
     assert flight.until(f"frame.tick > {tick + 25}").translation == (0, 0, 0), "nothing flies while the sheet is open"
     flight.release("b")
-    flight.press("Escape")
-    sheet(flight.page).wait_for(state="hidden")
+    close_sheet(flight)
 
     for _ in range(2):
         flight.hold("b")
@@ -128,9 +135,8 @@ def test_a_stick_is_put_elsewhere_by_moving_it(padded: Flight) -> None:
     padded.pad_axes(0, 0, 0, -1)
     expect(padded.page.locator('[data-use="+X"]')).to_have_text("R stick ↑")
     padded.pad_axes(0, 0, 0, 0)
-    padded.press("Escape")
-    sheet(padded.page).wait_for(state="hidden")
-    padded.until("/keyboard fly/.test(document.querySelector('.device').textContent)")
+    padded.polled()
+    close_sheet(padded)
     padded.pad_axes(0, -1, 0, -1)
     flown = padded.until("frame.translation[0] === 1")
     assert flown.rotation == (0.0, 0.0, 0.0)
@@ -189,8 +195,7 @@ def test_a_pad_that_rests_off_centre_is_zeroed_only_when_asked(open_page: OpenPa
     open_sheet(flight, "Pad")
     flight.page.get_by_role("button", name="Zero where it rests").click()
     expect(flight.page.locator(".controllers .state")).to_have_text("Test pad: ready")
-    flight.press("Escape")
-    flight.until("/keyboard fly/.test(document.querySelector('.device').textContent)")
+    close_sheet(flight)
     flight.pad_axes(0, -1, 0, 0)
     flight.until("frame.translation[0] === 1")
 
@@ -200,7 +205,7 @@ def test_of_two_pads_the_first_moved_is_the_thc_and_they_are_swapped_on_demand(p
         "window.second = { ...window.testPad, id: 'Other pad', index: 1, axes: [0, 0, 0, 0] };"
         "navigator.getGamepads = () => [window.testPad, window.second]"
     )
-    padded.pad_buttons()  # by then the page has seen both
+    padded.polled()
     padded.script("window.second.axes = [0, -1, 0, 0]")
     padded.page.get_by_text("THC: Test pad. Second, so RHC: Other pad. Swap?").wait_for()
     padded.script("window.second.axes = [0, 0, 0, 0]")
@@ -255,7 +260,7 @@ def test_a_spacemouse_flies_and_its_loss_is_seen(open_page: OpenPage) -> None:
     open_sheet(flight, "SpaceMouse")
     flight.page.get_by_role("button", name="Connect", exact=True).click()
     expect(flight.page.locator(".controllers .state")).to_have_text("Test SpaceMouse: ready")
-    flight.press("Escape")
+    close_sheet(flight)
     flight.until("/^Test SpaceMouse and/.test(document.querySelector('.device').textContent)")
     flight.script("window.cap.axes = [0, -350, 0, 0, 0, 175]")
     flown = flight.until("frame.translation[0] === 1 && frame.rotation[2] > 0")

@@ -91,6 +91,7 @@ export class ControllersSheet {
 
   close(): void {
     this.element.close();
+    this.left();
   }
 
   /** A key while the sheet waits for one; true: it was taken. */
@@ -217,6 +218,7 @@ export class ControllersSheet {
   }
 
   private left(): void {
+    if (!this.controllers.paused) return;
     this.answer(NOTHING_FLIES);
     this.controllers.release();
     this.controllers.paused = false;
