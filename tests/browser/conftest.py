@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from queue import Empty, Queue
 from threading import Thread
@@ -48,8 +49,14 @@ OpenPage = Callable[..., Flight]
 @pytest.fixture(scope="module")
 def station(request: pytest.FixtureRequest) -> Iterator[str]:
     """Address of a running `aftdeck fly`; a module of tests names its scenario in SCENARIO."""
-    scenario = getattr(request.module, "SCENARIO", "first-flight")
-    command = [sys.executable, "-m", "aftdeck.cli", "fly", scenario, "--no-browser", "--port", "0"]
+    with flown(getattr(request.module, "SCENARIO", "first-flight")) as address:
+        yield address
+
+
+@contextmanager
+def flown(*options: str) -> Iterator[str]:
+    """Address of an `aftdeck fly` with these options, which runs until this is left."""
+    command = [sys.executable, "-m", "aftdeck.cli", "fly", *options, "--no-browser", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         try:
             address = _address(process)

@@ -108,13 +108,13 @@ class Flight:
     def pad_buttons(self, *pressed: int) -> None:
         """Holds these buttons of the test pad, and no others; the page sees the others go, and each before the next."""
         self.script("window.testPad.buttons.forEach((button) => { button.pressed = false; })")
-        self._polled()
+        self.polled()
         for number in pressed:
             self.script(f"window.testPad.buttons[{number}].pressed = true")
-            self._polled()
+            self.polled()
 
-    def _polled(self) -> None:
-        """Waits until the page has read the pad: it does so in every frame that it draws."""
+    def polled(self) -> None:
+        """Waits until the page has read its devices: it does so in every frame that it draws."""
         drawn = self.script("window.__aftdeck.frames")
         self.until(f"window.__aftdeck.frames > {drawn + 1}")
 

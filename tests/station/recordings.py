@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from threading import Thread
 
+from aftdeck.recording.records import ControllerRecord
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
@@ -16,6 +17,10 @@ from aftdeck.station.replay import replay_app
 from aftdeck.station.serve import listen, make_server
 from tests.station.pages import WAIT_S, scenario, until
 
+CONTROLLERS = (
+    ControllerRecord("keyboard", "Keyboard", 0.0, 0.0, ("KeyW +X", "KeyS -X"), ()),
+    ControllerRecord("thc joystick", "Test stick", 0.08, 0.3, ("a1 -X", "a0 +Y"), (0.0, 0.1)),
+)
 NOTE = Event(0.5, "page", "caution", "a line of the station's")
 
 
@@ -23,6 +28,7 @@ def recorded(path: Path, steps: int = 600, *, script: bool = True) -> list[Frame
     """Record a flight by hand: forward at first, then turning as well, at last the script's; its frames."""
     simulation = Simulation(scenario())
     recorder = Recorder(path, simulation.scenario, 0)
+    recorder.controllers(0.0, CONTROLLERS)
     frames = []
     for i in range(steps):
         turning = i > steps // 2

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import json
 import re
 import socket
 import time
@@ -104,6 +105,13 @@ def test_a_page_too_many_is_refused(shared: Station) -> None:
 
 # --- messages that are none -------------------------------------------------------------------------------
 
+
+def controllers(count: int = 1, **changed: object) -> str:
+    """A message that tells of keyboards, with something changed in them."""
+    used = {"kind": "keyboard", "name": "Keyboard", "deadband": 0, "expo": 0, "bindings": ["KeyW +X"], "centres": []}
+    return json.dumps({"type": "controllers", "seq": 1, "controllers": [used | changed] * count})
+
+
 NOT_UNDERSTOOD = {
     "empty": "",
     "cut short": '{"type":"proceed"',
@@ -126,6 +134,16 @@ NOT_UNDERSTOOD = {
     "a stick that is null": '{"type":"sticks","seq":1,"translation":[0,0,0],"rotation":[0,0,0],"drive":null}',
     "an unknown rate": '{"type":"select_rate","seq":1,"rate":"ludicrous"}',
     "half a surrogate": '{"type":"enter_mode","seq":1,"mode":"\\ud800"}',
+    "a controller of an unknown kind": controllers(kind="trackball"),
+    "a controller without a name": controllers(name=""),
+    "a name too long": controllers(name="x" * 81),
+    "a deadband of all": controllers(deadband=1.0),
+    "a binding that is none": controllers(bindings=["KeyW"]),
+    "a binding too long": controllers(bindings=["KeyW " + "x" * 17]),
+    "too many bindings": controllers(bindings=["KeyW +X"] * 65),
+    "a centre at the end": controllers(centres=[1.0]),
+    "a mapping in words": controllers(bindings="KeyW +X"),
+    "too many controllers": controllers(count=6),
     "deep lists": '{"x":' + "[" * 3000,
     "deep tables": '{"x":' + '{"x":' * 700,
 }

@@ -7,6 +7,7 @@ import threading
 import time
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from aftdeck.recording import writer
@@ -16,7 +17,9 @@ from aftdeck.recording.records import FrameRecord, Input
 from aftdeck.recording.replay import verify
 from aftdeck.recording.sink import Sink
 from aftdeck.station import protocol as wire
+from aftdeck.station.reel import Reel
 from aftdeck.station.session import MOST_BEHIND, Session
+from aftdeck.station.verdict import CHECKING
 from tests.station.flying import Flown, comes, flying, goes_on, shown
 from tests.station.pages import STILL, WAIT_S, scenario, until
 
@@ -114,6 +117,48 @@ def test_the_latency_that_the_page_shows_is_recorded_until_it_leaves(tmp_path: P
     assert told[0] is None and told[-1] is None and set(told) == {None, 41.5}
     first = told.index(41.5)
     assert set(told[first : first + told.count(41.5)]) == {41.5}
+
+
+KEYS = wire.ControllerInUse("keyboard", "Keyboard", 0.0, 0.0, ("KeyW +X", "KeyS -X"), ())
+PAD = wire.ControllerInUse("pad", "Test pad", 0.08, 0.3, ("a1 -X", "b9+b12 +telescope"), (0.0, 0.11))
+
+
+def test_controllers_are_recorded_at_the_beginning_and_when_they_change(tmp_path: Path) -> None:
+    with flying(record=tmp_path) as session:
+        session.controllers_in_use(wire.Controllers(0, (KEYS,)))
+        goes_on(session, 5)
+        session.controllers_in_use(wire.Controllers(1, (KEYS, PAD)))
+        goes_on(session, 5)
+        session.command(wire.Restart(2))
+        begins_anew(session)
+        goes_on(session, 5)
+        session.let_go()
+        goes_on(session, 5)
+    first, second = (list(Recording(path).controllers()) for path in files(tmp_path))
+    assert [[used.name for used in record.controllers] for record in first] == [["Keyboard"], ["Keyboard", "Test pad"]]
+    assert first[0].time_s < first[1].time_s
+    assert [[used.name for used in record.controllers] for record in second] == [["Keyboard", "Test pad"], []]
+    told = msgspec.structs.asdict(first[1].controllers[1])
+    assert told == msgspec.structs.asdict(PAD)
+    assert all(verify(path).equal for path in files(tmp_path))
+
+
+def test_a_flight_by_script_tells_of_no_controllers(tmp_path: Path) -> None:
+    with flying(record=tmp_path, demo=True) as session:
+        goes_on(session, 5)
+    (path,) = files(tmp_path)
+    assert list(Recording(path).controllers()) == []
+
+
+def test_the_replay_names_the_controllers_and_how_they_were_set(tmp_path: Path) -> None:
+    with flying(record=tmp_path) as session:
+        session.controllers_in_use(wire.Controllers(0, (KEYS, PAD)))
+        goes_on(session, 5)
+    (path,) = files(tmp_path)
+    with Reel(path) as reel:
+        (measure,) = [m for m in reel.index(CHECKING).measures if m.name == "Controllers"]
+    assert measure.text == "keyboard, pad"
+    assert "Test pad, deadband 8 %, expo 0.3" in measure.about
 
 
 def test_wall_time_is_the_clocks_and_simulated_time_never_runs_away_from_it(tmp_path: Path) -> None:

@@ -113,7 +113,7 @@ def test_a_missing_page_is_told_with_what_to_do(monkeypatch: pytest.MonkeyPatch,
 
 
 def test_the_server_bounds_the_length_of_messages() -> None:
-    assert make_server(make_app(Session(scenario()))).config.ws_max_size == 4096
+    assert make_server(make_app(Session(scenario()))).config.ws_max_size == 16_384
 
 
 def test_a_name_of_this_machine_serves_pages_too() -> None:

@@ -131,6 +131,23 @@ def test_a_frame_and_the_welcome_come_back_from_json_as_they_went() -> None:
     assert welcome.phases[0] == "up"
 
 
+def test_the_controllers_with_full_mappings_fit_into_a_message() -> None:
+    used = wire.ControllerInUse(
+        "rhc joystick",
+        "🕹" * 80,
+        -math.pi * -0.1 / 2,
+        1 / 3,
+        ("x" * 16 + " " + "y" * 16,) * 64,
+        (-0.29999999999999993,) * 16,
+    )
+    message = wire.Controllers(2**53 - 1, (used,) * 5)
+    text = msgspec.json.encode(message)
+    assert len(text) <= wire.MAX_MESSAGE_BYTES
+    assert msgspec.json.decode(text, type=wire.Controllers) == message
+    with pytest.raises(msgspec.ValidationError):
+        msgspec.json.decode(msgspec.json.encode(wire.Controllers(0, (used,) * 6)), type=wire.Controllers)
+
+
 def test_the_longest_message_of_a_page_is_far_below_the_limit() -> None:
     third, pi = -1.0 / 3.0, -math.pi * 1e-300
     longest = [

@@ -13,6 +13,8 @@ import './style/tables.css';
 import './style/clearance.css';
 import './style/effector.css';
 import './style/key-map.css';
+import './style/controllers.css';
+import './style/touch.css';
 import './style/replay.css';
 import './style/timeline.css';
 import { present } from './assert';

@@ -1,7 +1,7 @@
 /** The operator's hands: devices into sticks and actions, and everything that takes the sticks to zero. */
 
-import { Pad } from './input/gamepad';
-import { isTyping, Keyboard } from './input/keyboard';
+import { Controllers } from './input/controllers';
+import { isTyping } from './input/keyboard';
 import type { Action } from './input/keymap';
 import { Sticks } from './input/sticks';
 import type { Latency } from './latency';
@@ -11,14 +11,18 @@ import type { Command } from './socket';
 /** Devices are read this often, even where pictures are drawn more slowly [ms]. */
 const TICK_MS = 15;
 
+/** What keys and buttons do even while controllers are looked at and changed. */
+const ALWAYS: ReadonlySet<Action['name']> = new Set(['stop', 'leave']);
+
 export interface OperatorListener {
   acted(action: Action): void;
   send(command: Command): number;
+  /** Every key passes here first; true where it was taken for something else. */
+  taken(event: KeyboardEvent): boolean;
 }
 
 export class Operator {
-  readonly pad: Pad;
-  readonly keyboard: Keyboard;
+  readonly controllers: Controllers;
   readonly sticks: Sticks;
   /** Only the page that flies moves the sticks. */
   flying = false;
@@ -28,16 +32,15 @@ export class Operator {
   constructor(latency: Latency, listener: OperatorListener) {
     const acted = (action: Action) => {
       if (action.name === 'stop') this.sticks.zero();
-      listener.acted(action);
+      if (!this.controllers.paused || ALWAYS.has(action.name)) listener.acted(action);
     };
-    this.pad = new Pad(acted);
-    this.keyboard = new Keyboard({
+    this.controllers = new Controllers(acted, {
       moved: (at) => {
         if (this.flying) this.sticks.moved(at);
       },
-      acted,
+      taken: (event) => listener.taken(event),
     });
-    this.sticks = new Sticks(this.keyboard, this.pad, latency, (command) => listener.send(command));
+    this.sticks = new Sticks(this.controllers, latency, (command) => listener.send(command));
 
     const options = { signal: this.ended.signal };
     window.addEventListener('blur', () => this.sticks.zero(), options);
@@ -45,24 +48,30 @@ export class Operator {
     document.addEventListener('visibilitychange', () => document.hidden && this.sticks.zero(), options);
     document.addEventListener('focusin', (event) => this.focused(event.target), options);
     document.addEventListener('focusout', () => this.focused(null), options);
+    document.addEventListener('pointerdown', (event) => this.pointed(event), options);
     this.timer = window.setInterval(() => this.tick(performance.now()), TICK_MS);
   }
 
   /** Reads the devices; a page that nobody sees or that only watches has its sticks at zero. */
   tick(now: number): void {
-    if (this.flying && !document.hidden) this.sticks.tick(now);
+    if ((this.flying || this.controllers.paused) && !document.hidden) this.sticks.tick(now);
     else this.sticks.zero();
   }
 
   dispose(): void {
     clearInterval(this.timer);
     this.ended.abort();
-    this.keyboard.dispose();
+    this.controllers.dispose();
   }
 
   private focused(target: EventTarget | null): void {
     const typing = isTyping(target);
-    if (typing) this.keyboard.release();
+    if (typing) this.controllers.keyboard.release();
     setClass(document.body, 'typing', typing);
+  }
+
+  /** Whoever uses a finger is shown sticks for it. */
+  private pointed({ pointerType }: PointerEvent): void {
+    if (pointerType === 'touch') this.controllers.touch.touched();
   }
 }

@@ -15,7 +15,8 @@ export type LawChoice = 'position' | 'closed loop' | 'open loop';
 export type Level = 'info' | 'caution' | 'warning';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
-export type FromPage = Sticks | Shown | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
+export type FromPage = Sticks | Shown | Controllers | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type FromServer = Welcome | Role | Frame | Events | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -217,6 +218,28 @@ export interface Shown {
   readonly seq: number;
   /** Stick to picture, 95th percentile of the last 10 s [ms]. */
   readonly latency_ms: number | null;
+}
+
+/** The hand controllers in use, told when the page begins to fly and whenever they change; for the recording. */
+export interface Controllers {
+  readonly type: 'controllers';
+  readonly seq: number;
+  readonly controllers: readonly ControllerInUse[];
+}
+
+/** A device that moves the hand controllers, and what each part of it is put to. */
+export interface ControllerInUse {
+  readonly kind: ControllerKind;
+  /** As the browser calls it. */
+  readonly name: string;
+  /** Part of an axis' travel about its centre that counts as zero. */
+  readonly deadband: number;
+  /** 0 straight, 1 the cube: (1 - expo) x + expo x**3 of what is left beyond the deadband. */
+  readonly expo: number;
+  /** What is pressed or moved, and what it does: `KeyW +X`, `a1 -X`, `b9+b12 +telescope`. */
+  readonly bindings: readonly string[];
+  /** Where each axis rests, as the operator has confirmed; beyond the last: 0. */
+  readonly centres: readonly number[];
 }
 
 /** Turn the MODE rotary to a position and press ENTER. */

@@ -2,10 +2,13 @@
 
 import { assertUnreachable } from './assert';
 import type { Action } from './input/keymap';
+import { keyOf } from './input/layout';
+import { reread } from './input/store';
 import { Latency } from './latency';
 import { Operator } from './operator';
 import { clearanceCause } from './panel/clearance';
 import { concernOf, outline } from './panel/concerns';
+import { ControllersSheet } from './panel/controllers';
 import { deskGroups, type Groups } from './panel/desk';
 import { el, setClass } from './panel/dom';
 import { EventsGroup } from './panel/events';
@@ -15,6 +18,8 @@ import { STALE_S } from './panel/monitor';
 import type { Desk, View } from './panel/part';
 import { rail } from './panel/rail';
 import { Spine } from './panel/spine';
+import { swapQuestion } from './panel/swap';
+import { touchView } from './panel/touch';
 import { Pictures } from './pictures';
 import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Welcome } from './protocol';
 import type { Drawing } from './quality';
@@ -24,11 +29,13 @@ import { type UnitName, unitsOf } from './units';
 
 /** Figures and legends change this often [ms]. */
 const VALUES_MS = 100;
-const KEYS_HINT = 'W S A D Q E move the point, I K J L U O turn it. Space stops. ? shows all keys.';
+const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'];
 /** While a flight is recorded, the station is told this often what the page measures [ms]. */
 const TOLD_MS = 1000;
 /** The log told anew holds older refusals, which light nothing [s]. */
 const RECENT_S = 2;
+/** As much of a device's name as a lamp holds [characters]. */
+const LAMP_NAME = 16;
 /** A refusal keeps CHECK CRT lit this long [ms]. */
 const REFUSAL_MS = 5000;
 
@@ -55,7 +62,13 @@ export class Station {
     pressed: (lamp) => this.explain(lamp),
   });
   private readonly events: EventsGroup;
-  private readonly keys = new KeyMap();
+  private readonly keys = new KeyMap(() => this.changeControllers());
+  private readonly sheet: ControllersSheet;
+  private readonly touch;
+  private readonly swap;
+  /** What the station was told last of the controllers, and how many were gone. */
+  private told = '';
+  private lost = 0;
   private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
   /** There is something that the orbiter can move against. */
   private readonly movable: boolean;
@@ -69,17 +82,24 @@ export class Station {
     private readonly transmit: (command: Command) => number,
   ) {
     this.units = welcome.units;
-    this.events = new EventsGroup([welcome.text, KEYS_HINT]);
+    this.events = new EventsGroup([welcome.text, ...reread(), keysHint()]);
     this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
     this.movable = welcome.work.cargo.length > 0;
     this.pictures = new Pictures(welcome, drawing);
-    this.operator = new Operator(this.latency, { acted: (action) => this.act(action), send: transmit });
+    this.operator = new Operator(this.latency, {
+      acted: (action) => this.act(action),
+      send: transmit,
+      taken: (event) => this.sheet.taken(event),
+    });
+    this.sheet = new ControllersSheet(this.operator.controllers);
+    this.touch = touchView(this.operator.controllers.touch);
+    this.swap = swapQuestion(this.operator.controllers.pads);
     const desk: Desk = {
       welcome,
       send: (command) => this.send(command),
       say: (text) => this.say(text),
     };
-    this.groups = deskGroups(desk, this.events, this.operator.pad, {
+    this.groups = deskGroups(desk, this.events, {
       plane: () => this.showPlane(),
       flyOrbiter: (on) => this.flyOrbiter(on),
     });
@@ -89,6 +109,7 @@ export class Station {
       },
       restart: () => this.send({ type: 'restart' }),
       keys: () => this.keys.toggle(),
+      controllers: () => this.changeControllers(),
     });
     const [first, second] = this.pictures.monitors;
     // The order of the document is that of the focus: monitors, spine, desk, rail.
@@ -97,7 +118,10 @@ export class Station {
       el('main', { class: 'monitors' }, first.element, second.element, this.spine.element),
       el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.groups.elements),
       this.rail.element,
+      this.touch.element,
+      this.swap.element,
       this.keys.element,
+      this.sheet.element,
     );
     this.request = requestAnimationFrame(() => this.tick());
   }
@@ -116,12 +140,14 @@ export class Station {
 
   setRole(role: Role): void {
     this.role = role;
+    this.told = '';
     this.operator.flying = role.flying && this.link.kind === 'open';
     setClass(document.body, 'watching', !role.flying);
   }
 
   setLink(link: LinkState): void {
     this.link = link;
+    this.told = '';
     this.operator.flying = this.role.flying && link.kind === 'open';
     if (link.kind !== 'open') this.latency.forget();
   }
@@ -160,13 +186,17 @@ export class Station {
       frame: this.frame,
       units: unitsOf(this.units),
       hand: this.operator.sticks.value,
+      controllers: this.operator.controllers.shown,
       flying: this.role.flying,
       orbiting: this.operator.sticks.flyingOrbiter && this.role.flying,
     };
     this.operator.sticks.driving = this.modes.get(this.frame.mode) === 'single';
     this.groups.bars(view);
     this.pictures.draw(this.frame, this.groups.clearance());
-    this.keys.light(this.operator.keyboard.held);
+    this.keys.light(this.operator.controllers.keyboard.held);
+    this.sheet.tick();
+    this.touch.draw();
+    this.watchDevices();
     this.drawn += 1;
     if (this.fresh) this.latency.drawn(this.frame.stick_seq, performance.now());
     this.fresh = false;
@@ -193,6 +223,25 @@ export class Station {
     this.shown = { frame: view.frame, restarts: this.restarts };
   }
 
+  /** Who flies tells what he flies with, and holds position where a device is gone. */
+  private watchDevices(): void {
+    const { controllers } = this.operator;
+    this.swap.show();
+    const lost = controllers.lost.length;
+    if (lost > this.lost && this.role.flying && !this.frame?.position_hold)
+      this.transmit({ type: 'position_hold', on: true });
+    this.lost = lost;
+    const { revision } = controllers;
+    if (!this.operator.flying || revision === this.told) return;
+    this.told = revision;
+    this.transmit({ type: 'controllers', controllers: controllers.told() });
+  }
+
+  private changeControllers(): void {
+    this.keys.close();
+    this.sheet.open();
+  }
+
   /** The lamps that only the page can light. */
   private ownLamps({ frame, units }: View, now: number, age: number): readonly Lamp[] {
     const lamps: Lamp[] = [];
@@ -204,11 +253,13 @@ export class Station {
       lamps.push({ name: 'CHECK CRT', level: 'caution', text: 'see the log' });
     }
     if (age > STALE_S) lamps.push({ name: 'LINK', level: 'caution', text: `silent for ${age.toFixed(0)} s` });
-    const { state } = this.operator.pad;
-    if (state === 'lost')
-      lamps.push({ name: 'CONTROLLER', level: 'caution', text: 'pad gone, sticks at zero' });
-    if (state === 'waiting')
-      lamps.push({ name: 'CONTROLLER', level: 'caution', text: 'let go of both sticks' });
+    const { lost, waiting } = this.operator.controllers;
+    const text = lost[0]
+      ? `${lost[0].short.slice(0, LAMP_NAME)} is gone`
+      : waiting[0]?.resting
+        ? 'rests off centre: see Controllers'
+        : 'let go of both sticks';
+    if (lost.length > 0 || waiting.length > 0) lamps.push({ name: 'CONTROLLER', level: 'caution', text });
     return lamps;
   }
 
@@ -222,7 +273,7 @@ export class Station {
   }
 
   private acknowledge(): void {
-    this.operator.pad.acknowledge();
+    this.operator.controllers.acknowledge();
     this.spine.acknowledge();
   }
 
@@ -273,12 +324,12 @@ export class Station {
         this.groups.mode.turnJoint(action.by);
         break;
       case 'camera':
-        this.pictures.hand.choose(action.index);
+        this.pictures.hand.choose(action.number - 1);
         break;
-      case 'step camera':
+      case 'cameraStep':
         this.pictures.hand.step(action.by);
         break;
-      case 'other monitor':
+      case 'otherMonitor':
         this.pictures.takeOther();
         break;
       case 'acknowledge':
@@ -296,7 +347,12 @@ export class Station {
       case 'keys':
         this.keys.toggle();
         break;
-      case 'close':
+      case 'split':
+      case 'matrix':
+        this.say('Each monitor of this station shows one camera.');
+        break;
+      case 'leave':
+        this.sheet.close();
         this.keys.close();
         this.rail.close();
         if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
@@ -305,4 +361,10 @@ export class Station {
         assertUnreachable(action);
     }
   }
+}
+
+/** The keys that fly, as they are mapped when the page opens. */
+function keysHint(): string {
+  const keys = (uses: string) => uses.split(' ').map(keyOf).join(' ');
+  return `${keys(MOVE)} move the point, ${keys(TURN)} turn it. ${keyOf('stop')} stops. ? shows all keys.`;
 }

@@ -1,17 +1,63 @@
 import { expect, test, vi } from 'vitest';
+import { Controllers } from '../src/input/controllers';
 import { isZero, sum, ZERO } from '../src/input/deflection';
-import { deflection, Pad, shape } from '../src/input/gamepad';
+import { Device, deflection, type Reading } from '../src/input/device';
 import { ramp } from '../src/input/keyboard';
-import { ACTION_KEYS, type Action, AXIS_KEYS, GRIP_KEYS } from '../src/input/keymap';
+import type { Action } from '../src/input/keymap';
+import { Pads } from '../src/input/pads';
+import { zeroed } from '../src/input/rebind';
 import { routed } from '../src/input/sticks';
+import { mappingOf, restore, save } from '../src/input/store';
 
-function pad(axes: number[], pressed: Record<number, number> = {}): Gamepad {
-  const buttons = Array.from({ length: 16 }, (_, i) => ({
+const NO_AXES = [0, 0, 0, 0];
+
+function reading(axes: readonly number[], pressed: Record<number, number> = {}): Reading {
+  const buttons = Array.from({ length: 17 }, (_, i) => ({
     pressed: (pressed[i] ?? 0) > 0.5,
     touched: false,
     value: pressed[i] ?? 0,
   }));
-  return { axes, buttons } as unknown as Gamepad;
+  return { axes, buttons };
+}
+
+const PAD = mappingOf('pad');
+/** The seven stick axes that a reading of one pad deflects. */
+function flown(axes: readonly number[], pressed: Record<number, number> = {}): readonly number[] {
+  return deflection(reading(axes, pressed), PAD).slice(0, 7);
+}
+
+/** Gamepads that a test plugs in and moves; the station's own code asks for them. */
+function plugged(
+  ...pads: { id: string; axes?: number[]; standard?: boolean; buttons?: Record<number, number> }[]
+) {
+  const there = pads.map((pad, index) => ({ ...pad, index }));
+  const listed: (number | null)[] = there.map(({ index }) => index);
+  vi.stubGlobal('navigator', {
+    getGamepads: () =>
+      listed.map((which) => {
+        const pad = which === null ? undefined : there[which];
+        if (!pad) return null;
+        return {
+          ...reading(pad.axes ?? NO_AXES, pad.buttons),
+          connected: true,
+          mapping: (pad.standard ?? true) ? 'standard' : '',
+          id: pad.id,
+          index: pad.index,
+        };
+      }),
+  });
+  return {
+    axes(which: number, ...axes: number[]) {
+      const pad = there[which];
+      if (pad) pad.axes = axes;
+    },
+    unplug(which: number) {
+      listed[which] = null;
+    },
+    plug(which: number) {
+      listed[which] = which;
+    },
+  };
 }
 
 test('a key reaches full deflection in 0.35 s and zero in 0.15 s', () => {
@@ -26,74 +72,51 @@ test('an axis changes sides through zero', () => {
   expect(ramp(0, -1, 0.035)).toBeCloseTo(-0.1);
 });
 
-test('a pad axis has a deadband of 8 % and reaches full deflection', () => {
-  expect(shape(0.08)).toBe(0);
-  expect(shape(-0.05)).toBe(-0);
-  expect(shape(1)).toBe(1);
-  expect(shape(-1)).toBe(-1);
-});
-
-test('expo makes the middle finer, the same on both sides', () => {
-  expect(shape(0.54)).toBeCloseTo(0.7 * 0.5 + 0.3 * 0.125);
-  expect(shape(-0.54)).toBeCloseTo(-shape(0.54));
-});
-
 test('a pad at rest is at zero, signs included', () => {
-  expect(deflection(pad([0, 0, 0, 0])).every((value) => Object.is(value, 0))).toBe(true);
-  expect(isZero(deflection(pad([0.05, -0.05, 0.07, 0])))).toBe(true);
+  expect(flown(NO_AXES).every((value) => Object.is(value, 0))).toBe(true);
+  expect(isZero(flown([0.05, -0.05, 0.07, 0]))).toBe(true);
 });
 
 test('the left stick translates, away is +X; the triggers lift and lower', () => {
-  expect(deflection(pad([0, -1, 0, 0]))).toEqual([1, 0, 0, 0, 0, 0, 0]);
-  expect(deflection(pad([1, 0, 0, 0]))).toEqual([0, 1, 0, 0, 0, 0, 0]);
-  expect(deflection(pad([0, 0, 0, 0], { 6: 1 }))).toEqual([0, 0, -1, 0, 0, 0, 0]);
-  expect(deflection(pad([0, 0, 0, 0], { 7: 1 }))).toEqual([0, 0, 1, 0, 0, 0, 0]);
+  expect(flown([0, -1, 0, 0])).toEqual([1, 0, 0, 0, 0, 0, 0]);
+  expect(flown([1, 0, 0, 0])).toEqual([0, 1, 0, 0, 0, 0, 0]);
+  expect(flown(NO_AXES, { 6: 1 })).toEqual([0, 0, -1, 0, 0, 0, 0]);
+  expect(flown(NO_AXES, { 7: 1 })).toEqual([0, 0, 1, 0, 0, 0, 0]);
 });
 
 test('the right stick pitches and yaws; the bumpers roll', () => {
-  expect(deflection(pad([0, 0, 0, -1]))).toEqual([0, 0, 0, 0, 1, 0, 0]);
-  expect(deflection(pad([0, 0, 1, 0]))).toEqual([0, 0, 0, 0, 0, 1, 0]);
-  expect(deflection(pad([0, 0, 0, 0], { 4: 1 }))).toEqual([0, 0, 0, -1, 0, 0, 0]);
+  expect(flown([0, 0, 0, -1])).toEqual([0, 0, 0, 0, 1, 0, 0]);
+  expect(flown([0, 0, 1, 0])).toEqual([0, 0, 0, 0, 0, 1, 0]);
+  expect(flown(NO_AXES, { 4: 1 })).toEqual([0, 0, 0, -1, 0, 0, 0]);
 });
 
-test('both devices together stay within full deflection', () => {
-  expect(sum([0.8, -0.5, 0, 0, 0, 0, 0], [0.8, -0.2, 0, 0, 0, 0, 0])).toEqual([1, -0.7, 0, 0, 0, 0, 0]);
+test('Menu and the cross put the telescope; the cross alone tilts the camera in hand', () => {
+  expect(flown(NO_AXES, { 9: 1, 12: 1 })).toEqual([0, 0, 0, 0, 0, 0, 1]);
+  expect(flown(NO_AXES, { 9: 1, 13: 1 })).toEqual([0, 0, 0, 0, 0, 0, -1]);
+  expect(deflection(reading(NO_AXES, { 12: 1 }), PAD)).toEqual([0, 0, 0, 0, 0, 0, 0, 0, 1, 0]);
+  expect(deflection(reading(NO_AXES, { 9: 1, 12: 1 }), PAD).slice(7)).toEqual([0, 0, 0]);
+});
+
+test('all devices together stay within full deflection', () => {
+  const both = sum([0.8, -0.5, 0, 0, 0, 0, 0], [0.8, -0.2, 0, 0, 0, 0, 0]);
+  expect(both.slice(0, 2)).toEqual([1, -0.7]);
   expect(isZero(sum(ZERO, ZERO))).toBe(true);
 });
 
-test('every stick axis has a key for either side, and no key two meanings', () => {
-  const sides = new Set([...AXIS_KEYS.values()].map(({ axis, sign }) => `${axis}${sign}`));
-  expect(sides.size).toBe(14);
-  const all = [...AXIS_KEYS.keys(), ...ACTION_KEYS.keys(), ...GRIP_KEYS.keys()];
-  expect(all.length).toBe(new Set(all).size);
-});
-
-test('Menu and the cross put the telescope; the cross alone does not', () => {
-  expect(deflection(pad([0, 0, 0, 0], { 9: 1, 12: 1 }))).toEqual([0, 0, 0, 0, 0, 0, 1]);
-  expect(deflection(pad([0, 0, 0, 0], { 9: 1, 13: 1 }))).toEqual([0, 0, 0, 0, 0, 0, -1]);
-  expect(isZero(deflection(pad([0, 0, 0, 0], { 12: 1 })))).toBe(true);
-});
-
-/** A pad that a test presses, and what it did: an action's name, a grip with + and -. */
+/** A pad whose buttons a test presses, and what it did: an action's name, a grip with + and -. */
 function pressed() {
-  let buttons: Record<number, number> = {};
-  let there = true;
   const acted: string[] = [];
-  const standard = () => ({ ...pad([0, 0, 0, 0], buttons), connected: true, mapping: 'standard', id: 'Pad' });
-  vi.stubGlobal('navigator', { getGamepads: () => (there ? [standard()] : []) });
-  const polled = new Pad((action: Action) =>
+  const device = new Device('pad', (action: Action) =>
     acted.push(action.name === 'grip' ? `${action.grip}${action.down ? '+' : '-'}` : action.name),
   );
   return {
-    pad: polled,
+    device,
     press(...indices: number[]) {
-      buttons = Object.fromEntries(indices.map((index) => [index, 1]));
-      polled.poll();
+      device.read(reading(NO_AXES, Object.fromEntries(indices.map((index) => [index, 1]))), 0);
       return acted.splice(0);
     },
     unplug() {
-      there = false;
-      polled.poll();
+      device.read(null, 0);
       return acted.splice(0);
     },
   };
@@ -111,7 +134,7 @@ test('north is held to capture, with Menu to release', () => {
 
 test('Menu alone steps the camera as it comes up; with another button it does not', () => {
   const { press } = pressed();
-  expect([press(9), press()]).toEqual([[], ['step camera']]);
+  expect([press(9), press()]).toEqual([[], ['cameraStep']]);
   expect([press(9), press(9, 8), press(9), press()]).toEqual([[], ['fly orbiter'], [], []]);
   expect([press(9), press(9, 12), press()]).toEqual([[], [], []]);
 });
@@ -122,7 +145,7 @@ test('what is held is let go with the pad, and when the sticks are taken away', 
   expect(first.unplug()).toEqual(['close-']);
   const second = pressed();
   second.press(3);
-  second.pad.disarm();
+  second.device.disarm();
   expect(second.press(3)).toEqual(['close-']);
   expect(second.press()).toEqual([]);
 });
@@ -135,15 +158,111 @@ test('east stops, with Menu too', () => {
   expect(press(9, 1)).toEqual(['stop']);
 });
 
+test('a device that is gone is at zero in the same look, and flies only once it was seen at zero', () => {
+  const device = new Device('pad', () => {});
+  expect(isZero(device.read(reading([0, -1, 0, 0]), 0))).toBe(true);
+  expect(device.state).toBe('waiting');
+  device.read(reading(NO_AXES), 10);
+  expect(device.read(reading([0, -1, 0, 0]), 20)[0]).toBe(1);
+  expect(isZero(device.read(null, 30))).toBe(true);
+  expect(device.state).toBe('lost');
+  expect(isZero(device.read(reading([0, -1, 0, 0]), 40))).toBe(true);
+  device.read(reading([0, 0.02, 0, 0]), 50);
+  expect(device.read(reading([0, -1, 0, 0]), 60)[0]).toBe(1);
+});
+
+test('a sensor that rests off centre is told of, and flown only after the operator has zeroed it', () => {
+  const device = new Device('pad', () => {});
+  const rests = reading([0.2, 0, 0, 0]);
+  for (let now = 0; now <= 10_000; now += 100) device.read(rests, now);
+  expect(device.state).toBe('waiting');
+  expect(device.resting).toBe(true);
+  expect(mappingOf('pad').centres).toEqual([]);
+  save('pad', zeroed('pad', mappingOf('pad'), rests.axes));
+  expect(isZero(device.read(rests, 10_100))).toBe(true);
+  expect(device.state).toBe('flying');
+  expect(device.read(reading([1, 0, 0, 0]), 10_200)[1]).toBe(1);
+  expect(device.read(reading([-1, 0, 0, 0]), 10_300)[1]).toBe(-1);
+  restore('pad');
+});
+
+test('a hand that holds a stick off centre is no sensor that rests there', () => {
+  const device = new Device('pad', () => {});
+  for (let now = 0; now <= 10_000; now += 100) device.read(reading([0.2 + 0.05 * (now % 200), 0, 0, 0]), now);
+  expect(device.resting).toBe(false);
+});
+
+test('of two pads the one moved first is the THC; swapped, the other one', () => {
+  const world = plugged({ id: 'Left' }, { id: 'Right' });
+  const pads = new Pads(() => {});
+  pads.poll(0);
+  expect(pads.devices.map(({ kind }) => kind)).toEqual(['pad']);
+  world.axes(1, 0, -1, 0, 0);
+  expect(isZero(pads.poll(20))).toBe(true);
+  expect(pads.devices.map(({ kind, name }) => `${kind} ${name}`)).toEqual(['thc pad Left', 'rhc pad Right']);
+  expect(pads.asks).toBe(true);
+  world.axes(1, ...NO_AXES);
+  pads.poll(40);
+  world.axes(0, 0, -1, 0, 0);
+  world.axes(1, 0.5, -1, 0, 0);
+  const [x, y, , roll, pitch] = pads.poll(60);
+  expect([x, y, pitch]).toEqual([1, 0, 1]);
+  expect(roll).toBeGreaterThan(0);
+  pads.swap();
+  expect(pads.asks).toBe(false);
+  expect(isZero(pads.poll(80))).toBe(true);
+  expect(pads.devices.map(({ name }) => name)).toEqual(['Right', 'Left']);
+});
+
+test('a joystick that nobody moved flies nothing, though it rests anywhere', () => {
+  const world = plugged(
+    { id: 'Stick', standard: false, axes: [0, 0, 0, 1], buttons: { 5: 1 } },
+    { id: 'Pad' },
+  );
+  const pads = new Pads(() => {});
+  pads.poll(0);
+  expect(pads.devices.map(({ name }) => name)).toEqual(['Pad']);
+  for (let now = 20; now < 100; now += 20) pads.poll(now);
+  expect(pads.devices.map(({ name }) => name)).toEqual(['Pad']);
+  world.axes(0, 0, -0.5, 0, 1);
+  pads.poll(120);
+  expect(pads.devices.map(({ kind }) => kind)).toEqual(['thc pad', 'rhc joystick']);
+});
+
+test('a lost device takes all others to zero too, and acknowledged it is forgotten', () => {
+  const world = plugged({ id: 'Left' }, { id: 'Right' });
+  vi.stubGlobal('window', { addEventListener() {} });
+  const controllers = new Controllers(() => {}, { moved() {}, taken: () => false });
+  controllers.poll(0, 0);
+  world.axes(1, 0, -1, 0, 0);
+  controllers.poll(20, 0);
+  world.axes(1, ...NO_AXES);
+  controllers.poll(40, 0);
+  world.axes(0, 0, -1, 0, 0);
+  controllers.keyboard.held.add('KeyD');
+  expect(controllers.poll(60, 1).slice(0, 2)).toEqual([1, 1]);
+  world.unplug(1);
+  expect(isZero(controllers.poll(80, 0.01))).toBe(true);
+  expect(controllers.keyboard.held.size).toBe(0);
+  expect(controllers.shown.gone).toEqual({ thc: null, rhc: 'Right' });
+  expect(isZero(controllers.poll(100, 0.01))).toBe(true);
+  controllers.acknowledge();
+  expect(controllers.devices.map(({ kind, name }) => `${kind} ${name}`)).toEqual(['pad Left']);
+  world.plug(1);
+  controllers.poll(120, 0.01);
+  expect(controllers.devices.map(({ name }) => name)).toEqual(['Left']);
+  expect(controllers.lost).toEqual([]);
+});
+
 test('the THC moves the arm or the orbiter, never both; the RHC and the telescope stay', () => {
-  const value = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7] as const;
+  const value = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7];
   const rest = { rotation: [0.4, 0.5, 0.6], drive: 0, telescope: 0.7 };
   expect(routed(value, false, false)).toEqual({ ...rest, translation: [0.1, 0.2, 0.3], orbiter: [0, 0, 0] });
   expect(routed(value, false, true)).toEqual({ ...rest, translation: [0, 0, 0], orbiter: [0.1, 0.2, 0.3] });
 });
 
 test('driving one joint, X drives it unless it flies the orbiter', () => {
-  const value = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0] as const;
+  const value = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0];
   expect(routed(value, true, false)).toMatchObject({
     translation: [0, 0, 0],
     rotation: [0, 0, 0],

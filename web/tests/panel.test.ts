@@ -2,6 +2,7 @@ import { expect, test } from 'vitest';
 import { Latency } from '../src/latency';
 import { stickToPicture } from '../src/panel/axes';
 import { BAR, place } from '../src/panel/joint-scale';
+import { together } from '../src/panel/keys';
 import { segments } from '../src/panel/lamp-test';
 import { leadsAway } from '../src/panel/limits';
 import { limitTags, pointWords } from '../src/panel/resolution';
@@ -152,4 +153,12 @@ test('AUTO says what PROCEED would do', () => {
   expect(at({ point: 4 })).toContain('goes on');
   expect(at({ point: 4, sequence: 'idle', aim: null })).toContain('complete');
   expect(at({ point: 2, sequence: 'idle', check: { good: false, text: '' } })).toContain('Cannot go on');
+});
+
+test('names that begin alike are told together', () => {
+  expect(together([])).toBe('');
+  expect(together(['North'])).toBe('North');
+  expect(together(['Menu + Cross ↓', 'Menu + Cross ↑'])).toBe('Menu + Cross ↓ ↑');
+  expect(together(['Menu + North', 'Menu + Cross ↑'])).toBe('Menu + North Cross ↑');
+  expect(together(['North', 'Menu + North'])).toBe('North, Menu + North');
 });

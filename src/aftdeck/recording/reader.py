@@ -13,7 +13,17 @@ from mcap.records import Message as McapMessage
 
 from aftdeck.errors import RecordingError
 from aftdeck.recording.chunks import MAGIC, DamageError, records
-from aftdeck.recording.records import CHANNELS, FORMAT, PROFILE, Closing, FrameRecord, Input, Note, Opening
+from aftdeck.recording.records import (
+    CHANNELS,
+    FORMAT,
+    PROFILE,
+    Closing,
+    ControllersRecord,
+    FrameRecord,
+    Input,
+    Note,
+    Opening,
+)
 from aftdeck.recording.told import Message
 
 _DECODERS = {topic: msgspec.json.Decoder(kind) for topic, (kind, _) in CHANNELS.items()}
@@ -90,6 +100,10 @@ class Recording:
     def notes(self) -> Iterator[Note]:
         """What the station wrote in the log."""
         return (message for message in self.messages() if isinstance(message, Note))
+
+    def controllers(self) -> Iterator[ControllersRecord]:
+        """What moved the sticks, whenever it changed; nothing where a script flew or the file is an older one."""
+        return (message for message in self.messages() if isinstance(message, ControllersRecord))
 
     def _messages(self) -> Iterator[Message]:
         try:

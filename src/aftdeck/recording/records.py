@@ -171,6 +171,25 @@ class Note(EventRecord, frozen=True):
     wall_s: Annotated[float, told("wall time since the run began", "s")]
 
 
+class ControllerRecord(Message, frozen=True):
+    """A device that moves the hand controllers."""
+
+    kind: Annotated[str, told("keyboard, pad, thc pad, rhc pad, thc joystick, rhc joystick, spacemouse or touch")]
+    name: Annotated[str, told("as the browser calls it")]
+    deadband: Annotated[float, told("part of an axis' travel about its centre that counts as zero", "1")]
+    expo: Annotated[float, told("of what is left x: (1 - expo) x + expo x**3", "1")]
+    bindings: Annotated[tuple[str, ...], told("key, button or axis, and what it does: `KeyW +X`, `a1 -X`")]
+    centres: Annotated[Numbers, told("where each axis rests; beyond the last: 0", "1")]
+
+
+class ControllersRecord(Message, frozen=True):
+    """What moves the hand controllers from a time on, with its mapping; `Input` holds what came of it."""
+
+    time_s: Annotated[float, told("simulated time", "s")]
+    controllers: Annotated[tuple[ControllerRecord, ...], told("all in use; none: nobody flies")]
+    wall_s: Annotated[float, told("wall time since the run began", "s")]
+
+
 class Closing(Message, frozen=True):
     """The last message of a run that was ended in order."""
 
@@ -185,6 +204,7 @@ CHANNELS: dict[str, tuple[type[Message], str]] = {
     "/inputs": (Input, "every step"),
     "/frames": (FrameRecord, "every step"),
     "/notes": (Note, "when the station writes one"),
+    "/controllers": (ControllersRecord, "when somebody begins to fly by hand, and when devices or mappings change"),
     "/closing": (Closing, "once, last"),
 }
 """Type and times of each channel's messages."""

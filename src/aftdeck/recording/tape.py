@@ -10,6 +10,7 @@ from pathlib import Path
 from aftdeck.errors import RecordingError
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
+from aftdeck.recording.records import ControllerRecord
 from aftdeck.recording.writer import Ended, Recorder
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Event, Frame
@@ -77,6 +78,11 @@ class Tape:
         """A line that the station wrote in the log."""
         if self._recorder is not None:
             self._recorder.note(event)
+
+    def controllers(self, time_s: float, used: tuple[ControllerRecord, ...]) -> None:
+        """What moves the sticks from the next step on."""
+        if self._recorder is not None:
+            self._recorder.controllers(time_s, used)
 
     def complaints(self) -> list[str]:
         """What went wrong since this was last asked, a sentence each."""

@@ -24,7 +24,7 @@ from aftdeck.recording.channels import Channels
 from aftdeck.recording.convert import frame_record, input_record
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
-from aftdeck.recording.records import PROFILE, Closing, Note
+from aftdeck.recording.records import PROFILE, Closing, ControllerRecord, ControllersRecord, Note
 from aftdeck.recording.sink import Sink
 from aftdeck.recording.viewing import Viewing
 from aftdeck.scenario.model import Scenario
@@ -102,7 +102,7 @@ class Recorder:
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
         self._opening = opening(scenario, seed, self._began_ns, changes)
-        self._waiting: deque[_Step | Note | _End] = deque()
+        self._waiting: deque[_Step | Note | ControllersRecord | _End] = deque()
         self._over = threading.Event()
         self._live = live
         self._scenario = scenario
@@ -129,6 +129,12 @@ class Recorder:
         if not self.failure:
             wall = round(time.perf_counter() - self._began, 6)
             self._waiting.append(Note(event.time_s, event.kind, event.level, event.text, wall))
+
+    def controllers(self, time_s: float, used: tuple[ControllerRecord, ...]) -> None:
+        """Hand over what moves the sticks from now on."""
+        if not self.failure:
+            wall = round(time.perf_counter() - self._began, 6)
+            self._waiting.append(ControllersRecord(time_s, used, wall))
 
     def wait_for_room(self) -> None:
         """Let the disk catch up: for runs that no clock drives."""
@@ -209,7 +215,7 @@ class Recorder:
         view.open()
         frames = hashlib.sha256()
         ticks, time_s, now = 0, 0.0, self._began_ns
-        item: _Step | Note | _End | None = None
+        item: _Step | Note | ControllersRecord | _End | None = None
         while not isinstance(item, _End):
             if not self._waiting:
                 self._over.wait(LOOK_S)
@@ -225,6 +231,8 @@ class Recorder:
             elif isinstance(item, Note):
                 channels.log("/notes", item, now)
                 view.line(item, now)
+            elif isinstance(item, ControllersRecord):
+                channels.log("/controllers", item, now)
             if time.monotonic() >= due:
                 if file is not None:
                     file.flush()

@@ -141,6 +141,8 @@ class Page:
                 self.pages.session.steer(message)
             elif isinstance(message, wire.Shown):
                 self.pages.session.shown(message)
+            elif isinstance(message, wire.Controllers):
+                self.pages.session.controllers_in_use(message)
             else:
                 self.pages.session.command(message)
         except CommandError as error:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from aftdeck.recording.records import ControllerRecord
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.playback import Measure, Quantity
 from aftdeck.station.protocol import Lamp
@@ -24,6 +25,7 @@ class Measures:
         self._deflected = self._both_hands = self._several_axes = 0
         self._reversals = self._alarms = 0
         self._path = self._fastest = self._worst = 0.0
+        self._used: dict[str, ControllerRecord] = {}
 
     def add(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
         """The next frame and the lamps lit in it."""
@@ -39,6 +41,10 @@ class Measures:
         self._alarms += len(lit - self._lit)
         self._lit = lit
         self._sticks(frame)
+
+    def use(self, controllers: tuple[ControllerRecord, ...]) -> None:
+        """What moves the sticks from here on."""
+        self._used |= {used.kind: used for used in controllers}
 
     def _sticks(self, frame: Frame) -> None:
         axes = (*frame.translation, *frame.rotation)
@@ -61,6 +67,9 @@ class Measures:
             Measure("Ended", "words", None, ended or "cut short", "How the run ended."),
             _figure("Flown by hand", "share", self._by_hand / self._ticks, "Part of the time that no script flew."),
         ]
+        if self._used:
+            about = "; ".join(_told(used) for used in self._used.values())
+            figures.append(Measure("Controllers", "words", None, ", ".join(self._used), f"As used last: {about}."))
         if frame.goal is not None:
             figures += [
                 _figure("Distance left", "length", frame.goal.distance, "From the tip to the target, at the end."),
@@ -91,3 +100,9 @@ class Measures:
 
 def _figure(name: str, quantity: Quantity, value: float, about: str) -> Measure:
     return Measure(name, quantity, value, "", about)
+
+
+def _told(used: ControllerRecord) -> str:
+    """A controller and how it was set: ``Test pad, deadband 8 %, expo 0.3``; keys have neither."""
+    set_to = "" if used.kind == "keyboard" else f", deadband {used.deadband:.0%}, expo {used.expo:g}".replace("%", " %")
+    return f"{used.name}{set_to}"

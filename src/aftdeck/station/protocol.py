@@ -18,8 +18,8 @@ from aftdeck.shapes import Shape
 PROTOCOL = 1
 """Version of this protocol; a page that speaks another one is refused in the handshake."""
 
-MAX_MESSAGE_BYTES = 4096
-"""Longest message accepted from a page [bytes]; the longest legal one has under 400."""
+MAX_MESSAGE_BYTES = 16_384
+"""Longest message accepted from a page [bytes]: `Controllers` with full mappings; others have under 400."""
 
 Vec3 = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]
@@ -29,6 +29,9 @@ LawChoice = Literal["position", "closed loop", "open loop"]
 Level = Literal["info", "caution", "warning"]
 EffectorSwitch = Literal["stop", "close", "open"]
 ProblemPart = Literal["full problem", "acquisition", "extraction", "manoeuvring"]
+ControllerKind = Literal["keyboard", "pad", "thc pad", "rhc pad", "thc joystick", "rhc joystick", "spacemouse", "touch"]
+Binding = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9+]{1,16} [A-Za-z0-9+ -]{1,16}$")]
+Offset = Annotated[float, msgspec.Meta(ge=-0.3, le=0.3)]
 Seq = Annotated[int, msgspec.Meta(ge=0, le=2**53 - 1)]
 """Number of a page's message: a whole number that JavaScript carries exactly."""
 
@@ -196,9 +199,33 @@ class Shown(_Message, frozen=True, tag="shown"):
     """Stick to picture, 95th percentile of the last 10 s [ms]."""
 
 
+class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A device that moves the hand controllers, and what each part of it is put to."""
+
+    kind: ControllerKind
+    name: Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
+    """As the browser calls it."""
+    deadband: Annotated[float, msgspec.Meta(ge=0.0, le=0.5)]
+    """Part of an axis' travel about its centre that counts as zero."""
+    expo: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
+    """0 straight, 1 the cube: (1 - expo) x + expo x**3 of what is left beyond the deadband."""
+    bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=64)]
+    """What is pressed or moved, and what it does: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
+    centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=16)]
+    """Where each axis rests, as the operator has confirmed; beyond the last: 0."""
+
+
+class Controllers(_Message, frozen=True, tag="controllers"):
+    """The hand controllers in use, told when the page begins to fly and whenever they change; for the recording."""
+
+    seq: Seq
+    controllers: Annotated[tuple[ControllerInUse, ...], msgspec.Meta(max_length=5)]
+
+
 FromPage = (
     Sticks
     | Shown
+    | Controllers
     | EnterMode
     | SelectJoint
     | SelectRate

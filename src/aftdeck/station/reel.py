@@ -20,7 +20,7 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.convert import frame_of
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import EventRecord, FrameRecord, Note
+from aftdeck.recording.records import ControllersRecord, EventRecord, FrameRecord, Note
 from aftdeck.simulation.log import spoken
 from aftdeck.station.lanes import Lanes
 from aftdeck.station.measures import Measures
@@ -115,6 +115,8 @@ class Reel:
         for message in recording.messages():
             if isinstance(message, Note):
                 events.append(_event(message))
+            elif isinstance(message, ControllersRecord):
+                measures.use(message.controllers)
             elif isinstance(message, FrameRecord):
                 frame = frame_of(message)
                 lamps = self._translator.lamps(frame)

@@ -27,7 +27,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.station import protocol as wire
-from aftdeck.station.wire import Translator
+from aftdeck.station.wire import Translator, controller_records
 
 SILENCE = 0.5
 """Sticks not heard of for this long [s] go to zero."""
@@ -41,6 +41,7 @@ FARTHEST = 1000.0
 """Greatest component of a keyed-in position that is looked at [m]; the arm itself reaches 16 m."""
 MOST_TURNED = 100.0
 """Greatest angle of a keyed-in attitude that is looked at [rad]."""
+NO_CONTROLLERS = wire.Controllers(0, ())
 HANDS_OFF = wire.Sticks(-1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
 
 _SWITCHES: dict[type, tuple[str, str]] = {
@@ -101,6 +102,8 @@ class Session:
         self._lock = threading.Lock()
         self._tape = Tape(record, Index(), live)
         self._latency_ms: float | None = None
+        self._controllers = NO_CONTROLLERS
+        self._recorded = NO_CONTROLLERS
         self._commands: deque[wire.FromPage] = deque()
         self._sticks = HANDS_OFF
         self._heard = 0.0
@@ -151,11 +154,17 @@ class Session:
         """What the page that flies measures of itself."""
         self._latency_ms = message.latency_ms
 
+    def controllers_in_use(self, message: wire.Controllers) -> None:
+        """What moves the sticks of the page that flies, and how."""
+        with self._lock:
+            self._controllers = message
+
     def let_go(self) -> None:
         """Sticks to zero and commands forgotten: the page that flew is gone."""
         with self._lock:
             self._sticks = HANDS_OFF
             self._commands.clear()
+            self._controllers = NO_CONTROLLERS
         self._latency_ms = None
 
     def command(self, message: wire.FromPage) -> None:
@@ -220,9 +229,13 @@ class Session:
             if time.monotonic() - self._heard > SILENCE:
                 sticks = msgspec.structs.replace(HANDS_OFF, seq=sticks.seq)
             message = self._commands.popleft() if self._commands else None
+            controllers = self._controllers
         if isinstance(message, wire.Restart):
             self._restart()
             message = None
+        if controllers is not self._recorded:
+            self._recorded = controllers
+            self._tape.controllers(self._time(), controller_records(controllers))
         moved = any(abs(s) > MOVED for s in _travel(sticks))
         if self._demo and (moved or message is not None or self._sim.ended):
             self._demo = False
@@ -266,6 +279,7 @@ class Session:
         self._sim = Simulation(self._scenario, self._seed)
         self._demo = self._start_demo
         self._tape.begin(self._scenario, self._sim.seed)
+        self._recorded = NO_CONTROLLERS  # the new file is told anew
         self._note("restart", f"{self._scenario.title}: from the beginning")
 
     def _note(self, kind: str, text: str, level: Level = "info") -> None:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from aftdeck.arms.shapes import shapes_of
 from aftdeck.bodies.cameras import Camera
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
+from aftdeck.recording.records import ControllerRecord
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import bodies_of
 from aftdeck.scene.everything import ScenePoses
@@ -202,6 +203,14 @@ class Translator:
         if rate:
             lamps.append(wire.Lamp("RATE LIM", "info", rate[0]))
         return tuple(lamps)
+
+
+def controller_records(message: wire.Controllers) -> tuple[ControllerRecord, ...]:
+    """The hand controllers in use, as they are recorded."""
+    return tuple(
+        ControllerRecord(used.kind, used.name, used.deadband, used.expo, used.bindings, used.centres)
+        for used in message.controllers
+    )
 
 
 def _vec3(values: list[float]) -> wire.Vec3:

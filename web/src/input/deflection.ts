@@ -1,33 +1,29 @@
-/** Seven stick axes in [-1, 1]: X, Y, Z of the THC, roll, pitch, yaw of the RHC, and the telescope. */
+/** Axes of the hand controllers and of the camera in hand, each in [-1, 1]. */
 
-export type Deflection = readonly [
-  x: number,
-  y: number,
-  z: number,
-  roll: number,
-  pitch: number,
-  yaw: number,
-  telescope: number,
-];
+/** THC X, Y, Z; RHC roll, pitch, yaw; the telescope (positive: longer); the camera in hand. */
+export const AXES = ['X', 'Y', 'Z', 'roll', 'pitch', 'yaw', 'telescope', 'pan', 'tilt', 'zoom'] as const;
 
-export const X = 0;
-export const Y = 1;
-export const Z = 2;
-export const ROLL = 3;
-export const PITCH = 4;
-export const YAW = 5;
-/** Positive: longer. */
-export const TELESCOPE = 6;
+export type AxisName = (typeof AXES)[number];
 
-export const ZERO: Deflection = [0, 0, 0, 0, 0, 0, 0];
+export const [X, Y, Z, ROLL, PITCH, YAW, TELESCOPE, PAN, TILT, ZOOM] = [
+  0, 1, 2, 3, 4, 5, 6, 7, 8, 9,
+] as const;
 
-export function map(f: (axis: number) => number): Deflection {
-  return [f(0), f(1), f(2), f(3), f(4), f(5), f(6)];
-}
+/** A value for each of `AXES`. */
+export type Deflection = readonly number[];
 
-/** Both devices together, no axis past full deflection. */
-export function sum(a: Deflection, b: Deflection): Deflection {
-  return map((axis) => Math.max(-1, Math.min(1, (a[axis] ?? 0) + (b[axis] ?? 0))));
+export const ZERO: Deflection = AXES.map(() => 0);
+
+/** The two hand controllers, by their axes. */
+export const HANDS = { thc: [X, Y, Z], rhc: [ROLL, PITCH, YAW] } as const;
+export type Hand = keyof typeof HANDS;
+
+/** All devices together, no axis past full deflection. */
+export function sum(...parts: readonly Deflection[]): Deflection {
+  return ZERO.map((_, axis) => {
+    const all = parts.reduce((total, part) => total + (part[axis] ?? 0), 0);
+    return Math.max(-1, Math.min(1, all));
+  });
 }
 
 export function isZero(deflection: Deflection): boolean {

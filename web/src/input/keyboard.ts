@@ -1,7 +1,8 @@
-/** The keyboard as two hand controllers and a row of switches. */
+/** The keyboard as two hand controllers and a row of switches, by the keyboard's mapping. */
 
-import { type Deflection, map, ZERO } from './deflection';
-import { ACTION_KEYS, type Action, AXIS_KEYS, GRIP_KEYS } from './keymap';
+import { type Deflection, ZERO } from './deflection';
+import { type Action, USES, type Use } from './keymap';
+import { mappingOf } from './store';
 
 /** A held key reaches full deflection in this time, a released one zero [s]. */
 const FULL_S = 0.35;
@@ -20,11 +21,14 @@ export interface KeyboardListener {
   /** A flying key went down or up at `at` [ms, as performance.now()]. */
   moved(at: number): void;
   acted(action: Action): void;
+  /** Every key passes here first; true where it was taken for something else. */
+  taken(event: KeyboardEvent): boolean;
 }
 
 export class Keyboard {
   readonly held = new Set<string>();
-  private value: Deflection = ZERO;
+  /** Where the keys have brought the sticks. */
+  value: Deflection = ZERO;
   private readonly ended = new AbortController();
 
   constructor(private readonly listener: KeyboardListener) {
@@ -33,14 +37,20 @@ export class Keyboard {
     window.addEventListener('keyup', (event) => this.up(event), options);
   }
 
-  /** Deflection `dt` [s] after the last call. */
-  step(dt: number): Deflection {
+  /** Where the keys held now lead to. */
+  get target(): Deflection {
     const target = ZERO.map(() => 0);
     for (const code of this.held) {
-      const key = AXIS_KEYS.get(code);
-      if (key) target[key.axis] = (target[key.axis] ?? 0) + key.sign;
+      const does = useOf(code)?.does;
+      if (does?.kind === 'axis') target[does.axis] = (target[does.axis] ?? 0) + does.sign;
     }
-    this.value = map((axis) => ramp(this.value[axis] ?? 0, target[axis] ?? 0, dt));
+    return target.map((value) => Math.max(-1, Math.min(1, value)));
+  }
+
+  /** Deflection `dt` [s] after the last call. */
+  step(dt: number): Deflection {
+    const { target } = this;
+    this.value = ZERO.map((_, axis) => ramp(this.value[axis] ?? 0, target[axis] ?? 0, dt));
     return this.value;
   }
 
@@ -57,16 +67,22 @@ export class Keyboard {
   }
 
   private down(event: KeyboardEvent): void {
+    if (this.listener.taken(event)) {
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      return;
+    }
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const action = actionOf(event);
-    if (action?.name !== 'stop' && action?.name !== 'close') {
-      if (isTyping(event.target)) return;
+    const does = useOf(event.code)?.does;
+    const action = event.key === '?' ? KEYS : does?.kind === 'once' ? does.action : undefined;
+    if (action?.name !== 'stop' && action?.name !== 'leave') {
+      if (isTyping(event.target) || isOwn(event)) return;
       if (action?.name === 'enter' && isControl(event.target)) return;
     }
     if (action) {
       event.preventDefault();
       if (!event.repeat) this.listener.acted(action);
-    } else if (AXIS_KEYS.has(event.code) || GRIP_KEYS.has(event.code)) {
+    } else if (does) {
       event.preventDefault();
       if (event.repeat || this.held.has(event.code)) return;
       this.held.add(event.code);
@@ -83,20 +99,29 @@ export class Keyboard {
 
   /** Passes on a key that is held to act; false where it is none. */
   private grip(code: string, down: boolean, at: number): boolean {
-    const grip = GRIP_KEYS.get(code);
-    if (grip) this.listener.acted({ name: 'grip', grip, down, at });
-    return grip !== undefined;
+    const does = useOf(code)?.does;
+    if (does?.kind === 'grip') this.listener.acted({ name: 'grip', grip: does.grip, down, at });
+    return does?.kind === 'grip';
   }
 }
 
-function actionOf(event: KeyboardEvent): Action | undefined {
-  return event.key === '?' ? { name: 'keys' } : ACTION_KEYS.get(event.code);
+const KEYS: Action = { name: 'keys' };
+
+function useOf(code: string): Use | undefined {
+  const name = mappingOf('keyboard').bindings[code];
+  return name === undefined ? undefined : USES.get(name);
 }
 
 export function isTyping(target: EventTarget | null): target is HTMLInputElement {
   return target instanceof HTMLInputElement;
 }
 
+/** A slider or a list in focus has its arrows to itself. */
+function isOwn({ code, target }: KeyboardEvent): boolean {
+  const arrows = /^(Arrow|Page|Home|End)/.test(code);
+  return arrows && target instanceof HTMLElement && target.matches('[role=slider], select, [role=tab]');
+}
+
 function isControl(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && target.matches('button, a[href], summary');
+  return target instanceof HTMLElement && target.matches('button, a[href], summary, select');
 }

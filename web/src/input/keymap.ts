@@ -1,6 +1,9 @@
-/** What each key does, by its place on the keyboard (`KeyboardEvent.code`). */
+/**
+ * Everything that a key, a button or an axis can be put to. To add one: a line in `USES`, its key in `defaults.ts`,
+ * and for an action its case in the station; sheet, saving, rebinding and recording follow from the table.
+ */
 
-import { PITCH, ROLL, TELESCOPE, X, Y, YAW, Z } from './deflection';
+import { AXES } from './deflection';
 
 /** What is held for a while before it acts: close or open the hand, latch or unlatch what it holds. */
 export type Grip = 'close' | 'open' | 'latch';
@@ -13,15 +16,17 @@ export type Action =
         | 'rate hold'
         | 'proceed'
         | 'enter'
-        | 'other monitor'
+        | 'otherMonitor'
+        | 'split'
+        | 'matrix'
         | 'acknowledge'
         | 'plane'
         | 'fly orbiter'
         | 'keys'
-        | 'close';
+        | 'leave';
     }
-  | { readonly name: 'turn mode' | 'turn joint' | 'step camera'; readonly by: 1 | -1 }
-  | { readonly name: 'camera'; readonly index: number }
+  | { readonly name: 'turn mode' | 'turn joint' | 'cameraStep'; readonly by: 1 | -1 }
+  | { readonly name: 'camera'; readonly number: number }
   | GripAction;
 
 export interface GripAction {
@@ -32,54 +37,92 @@ export interface GripAction {
   readonly at: number;
 }
 
-export interface AxisKey {
-  readonly axis: number;
-  readonly sign: 1 | -1;
+/** An axis held to one side, something done once a press, or a grip for as long as it is down. */
+export type Does =
+  | { readonly kind: 'axis'; readonly axis: number; readonly sign: 1 | -1 }
+  | { readonly kind: 'once'; readonly action: Exclude<Action, GripAction> }
+  | { readonly kind: 'grip'; readonly grip: Grip };
+
+export interface Use {
+  /** As a mapping writes it: `+X`, `rate hold`, `camera 3`. */
+  readonly name: string;
+  /** For people. */
+  readonly label: string;
+  readonly does: Does;
 }
 
-/** Keys that deflect a stick while held. */
-export const AXIS_KEYS: ReadonlyMap<string, AxisKey> = new Map<string, AxisKey>([
-  ['KeyW', { axis: X, sign: 1 }],
-  ['KeyS', { axis: X, sign: -1 }],
-  ['KeyD', { axis: Y, sign: 1 }],
-  ['KeyA', { axis: Y, sign: -1 }],
-  ['KeyE', { axis: Z, sign: 1 }],
-  ['KeyQ', { axis: Z, sign: -1 }],
-  ['KeyI', { axis: PITCH, sign: 1 }],
-  ['KeyK', { axis: PITCH, sign: -1 }],
-  ['KeyL', { axis: YAW, sign: 1 }],
-  ['KeyJ', { axis: YAW, sign: -1 }],
-  ['KeyO', { axis: ROLL, sign: 1 }],
-  ['KeyU', { axis: ROLL, sign: -1 }],
-  ['KeyY', { axis: TELESCOPE, sign: 1 }],
-  ['KeyN', { axis: TELESCOPE, sign: -1 }],
-]);
+const AXIS_WORDS: readonly (readonly [minus: string, plus: string])[] = [
+  ['THC −X', 'THC +X'],
+  ['THC −Y', 'THC +Y'],
+  ['THC −Z', 'THC +Z'],
+  ['RHC −roll', 'RHC +roll'],
+  ['RHC −pitch', 'RHC +pitch'],
+  ['RHC −yaw', 'RHC +yaw'],
+  ['telescope shorter', 'telescope longer'],
+  ['pan left', 'pan right'],
+  ['tilt down', 'tilt up'],
+  ['zoom out', 'zoom in'],
+];
 
-/** Keys that act once they were held long enough. */
-export const GRIP_KEYS: ReadonlyMap<string, Grip> = new Map<string, Grip>([
-  ['KeyG', 'close'],
-  ['KeyR', 'open'],
-  ['KeyT', 'latch'],
-]);
+function axisUses(): readonly Use[] {
+  return AXES.flatMap((name, axis) =>
+    ([-1, 1] as const).map((sign) => ({
+      name: `${sign < 0 ? '-' : '+'}${name}`,
+      label: AXIS_WORDS[axis]?.[sign < 0 ? 0 : 1] ?? name,
+      does: { kind: 'axis', axis, sign } as const,
+    })),
+  );
+}
 
-/** Keys that do something once per press. */
-export const ACTION_KEYS: ReadonlyMap<string, Action> = new Map<string, Action>([
-  ['Space', { name: 'stop' }],
-  ['KeyV', { name: 'rate' }],
-  ['KeyH', { name: 'rate hold' }],
-  ['KeyP', { name: 'proceed' }],
-  ['BracketLeft', { name: 'turn mode', by: -1 }],
-  ['BracketRight', { name: 'turn mode', by: 1 }],
-  ['Enter', { name: 'enter' }],
-  ['NumpadEnter', { name: 'enter' }],
-  ['Minus', { name: 'turn joint', by: -1 }],
-  ['Equal', { name: 'turn joint', by: 1 }],
-  ['Comma', { name: 'step camera', by: -1 }],
-  ['Period', { name: 'step camera', by: 1 }],
-  ['KeyX', { name: 'other monitor' }],
-  ['KeyM', { name: 'acknowledge' }],
-  ['KeyF', { name: 'plane' }],
-  ['Backquote', { name: 'fly orbiter' }],
-  ['Escape', { name: 'close' }],
-  ...Array.from({ length: 9 }, (_, i): [string, Action] => [`Digit${i + 1}`, { name: 'camera', index: i }]),
-]);
+function once(name: string, label: string, action: Exclude<Action, GripAction>): Use {
+  return { name, label, does: { kind: 'once', action } };
+}
+
+function held(grip: Grip, label: string): Use {
+  return { name: grip, label, does: { kind: 'grip', grip } };
+}
+
+/** Cameras that have a key each. */
+const CAMERAS = 10;
+
+const ACTIONS: readonly Use[] = [
+  once('stop', 'stop', { name: 'stop' }),
+  once('rate', 'coarse, vernier', { name: 'rate' }),
+  once('rate hold', 'rate hold', { name: 'rate hold' }),
+  held('close', 'capture, close'),
+  held('open', 'release, open'),
+  held('latch', 'latch, unlatch'),
+  once('mode -', 'mode before', { name: 'turn mode', by: -1 }),
+  once('mode +', 'mode after', { name: 'turn mode', by: 1 }),
+  once('enter', 'enter mode', { name: 'enter' }),
+  once('proceed', 'proceed', { name: 'proceed' }),
+  once('joint -', 'joint before', { name: 'turn joint', by: -1 }),
+  once('joint +', 'joint after', { name: 'turn joint', by: 1 }),
+  once('fly orbiter', 'THC flies orbiter', { name: 'fly orbiter' }),
+  once('acknowledge', 'acknowledge', { name: 'acknowledge' }),
+  once('plane', 'separating plane', { name: 'plane' }),
+  once('otherMonitor', 'other monitor', { name: 'otherMonitor' }),
+  once('cameraStep -', 'camera before', { name: 'cameraStep', by: -1 }),
+  once('cameraStep +', 'camera after', { name: 'cameraStep', by: 1 }),
+  once('split', 'split', { name: 'split' }),
+  once('matrix', 'all cameras', { name: 'matrix' }),
+  once('leave', 'close what is open', { name: 'leave' }),
+  ...Array.from({ length: CAMERAS }, (_, i) =>
+    once(`camera ${i + 1}`, `camera ${i + 1}`, { name: 'camera', number: i + 1 }),
+  ),
+];
+
+/** By name, in the order in which people are told of them. */
+export const USES: ReadonlyMap<string, Use> = new Map(
+  [...axisUses(), ...ACTIONS].map((use) => [use.name, use]),
+);
+
+/** The use of an axis to one side. */
+export function axisUse(axis: number, sign: number): string {
+  return `${sign < 0 ? '-' : '+'}${AXES[axis]}`;
+}
+
+/** For people: `THC +X`, `rate hold`. */
+export function labelOf(use: string): string {
+  return USES.get(use)?.label ?? use;
+}

@@ -1,16 +1,79 @@
-/** The letters on the user's own keyboard, where the browser tells them; keys go by their place. */
+/**
+ * What keys, buttons and axes are called: the letters on the user's own keyboard, where the browser tells them (keys
+ * go by their place), and the parts of a pad.
+ */
+
+import { type Kind, sourcesOf } from './mapping';
+import { mappingOf } from './store';
 
 const NAMES: Readonly<Record<string, string>> = {
   Space: 'Space',
   Enter: 'Enter',
+  NumpadEnter: 'Num Enter',
+  Escape: 'Esc',
   Minus: '−',
   Equal: '=',
   BracketLeft: '[',
   BracketRight: ']',
   Comma: ',',
   Period: '.',
+  Slash: '/',
+  Quote: '’',
   Backquote: '`',
+  Semicolon: ';',
+  Backslash: '\\',
+  ArrowLeft: '←',
+  ArrowRight: '→',
+  ArrowUp: '↑',
+  ArrowDown: '↓',
+  PageUp: 'Page up',
+  PageDown: 'Page dn',
 };
+
+/** The browser's standard mapping. */
+const BUTTONS = [
+  'South',
+  'East',
+  'West',
+  'North',
+  'L bumper',
+  'R bumper',
+  'L trigger',
+  'R trigger',
+  'View',
+  'Menu',
+  'L press',
+  'R press',
+  'Cross ↑',
+  'Cross ↓',
+  'Cross ←',
+  'Cross →',
+  'Home',
+];
+
+/** Each axis, and its two ends. */
+type AxisWords = readonly [name: string, minus: string, plus: string];
+
+const PAD_AXES: readonly AxisWords[] = [
+  ['Left stick ↔', 'L stick ←', 'L stick →'],
+  ['Left stick ↕', 'L stick ↑', 'L stick ↓'],
+  ['Right stick ↔', 'R stick ←', 'R stick →'],
+  ['Right stick ↕', 'R stick ↑', 'R stick ↓'],
+];
+const TOUCH_AXES: readonly AxisWords[] = [
+  ...PAD_AXES.slice(0, 2),
+  ['Left slider', 'L slider ↑', 'L slider ↓'],
+  ...PAD_AXES.slice(2),
+  ['Right slider', 'R slider ←', 'R slider →'],
+];
+const CAP_AXES: readonly AxisWords[] = [
+  ['Cap ↔', 'Cap left', 'Cap right'],
+  ['Cap ↕', 'Cap away', 'Cap near'],
+  ['Cap height', 'Cap lifted', 'Cap pressed'],
+  ['Cap pitch', 'Cap tips away', 'Cap tips near'],
+  ['Cap roll', 'Cap tips right', 'Cap tips left'],
+  ['Cap twist', 'Cap twist ↺', 'Cap twist ↻'],
+];
 
 let letters: ReadonlyMap<string, string> = new Map();
 
@@ -19,10 +82,38 @@ export function nameOf(code: string): string {
   return NAMES[code] ?? letters.get(code)?.toUpperCase() ?? code.replace(/^(Key|Digit)/, '');
 }
 
+/** What people call a source; `sign`: the end of an axis that is meant. */
+export function nameOfSource(kind: Kind, source: string, sign?: 1 | -1): string {
+  if (kind === 'keyboard') return nameOf(source);
+  if (source.includes('+'))
+    return source
+      .split('+')
+      .map((part) => nameOfSource(kind, part))
+      .join(' + ');
+  const number = Number(source.slice(1));
+  if (source[0] === 'a') {
+    const words = axesOf(kind)[number] ?? [`Axis ${number}`, `Axis ${number} −`, `Axis ${number} +`];
+    return words[sign === undefined ? 0 : sign < 0 ? 1 : 2];
+  }
+  return (kind.endsWith('pad') ? BUTTONS[number] : undefined) ?? `Button ${number + 1}`;
+}
+
+/** The key that does something now; empty where none does. */
+export function keyOf(use: string): string {
+  const code = sourcesOf(mappingOf('keyboard'), use)[0];
+  return code === undefined ? '' : nameOf(code);
+}
+
 /** Asks the browser once; afterwards `nameOf` knows. */
 export async function learnLayout(): Promise<void> {
   const { keyboard } = navigator as Navigator & {
     keyboard?: { getLayoutMap(): Promise<ReadonlyMap<string, string>> };
   };
   letters = (await keyboard?.getLayoutMap().catch(() => undefined)) ?? letters;
+}
+
+function axesOf(kind: Kind): readonly AxisWords[] {
+  if (kind === 'touch') return TOUCH_AXES;
+  if (kind === 'spacemouse') return CAP_AXES;
+  return kind.endsWith('pad') ? PAD_AXES : [];
 }

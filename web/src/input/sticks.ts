@@ -1,42 +1,49 @@
-/** Keyboard and pad merged into one pair of hand controllers, and sent to the station. */
+/** The hand controllers as the station is told of them. */
 
 import type { Latency } from '../latency';
 import type { Vec3 } from '../protocol';
 import type { Command } from '../socket';
+import type { Controllers } from './controllers';
 import {
   type Deflection,
   equal,
   isZero,
-  map,
+  PAN,
   PITCH,
   ROLL,
-  sum,
   TELESCOPE,
+  TILT,
   X,
   Y,
   YAW,
   Z,
   ZERO,
+  ZOOM,
 } from './deflection';
-import type { Pad } from './gamepad';
-import type { Keyboard } from './keyboard';
 
 /** Deflected sticks are sent at least this often [ms]; the station zeroes silent ones after 0.5 s. */
 const REPEAT_MS = 100;
 
+/** How fast the camera in hand pans, tilts and zooms, each in [-1, 1]. */
+export type CameraMotion = Readonly<Record<'pan' | 'tilt' | 'zoom', number>>;
+
+const STILL: CameraMotion = { pan: 0, tilt: 0, zoom: 0 };
+/** The sticks at rest, without the camera. */
+const REST: Deflection = ZERO.slice(0, PAN);
+
 export class Sticks {
   /** X drives the selected joint (SINGLE, DIRECT). */
   driving = false;
+  /** What the camera in hand is asked for now. */
+  camera: CameraMotion = STILL;
   private orbiter = false;
   private last = 0;
   private sentAt = 0;
-  private sent: Deflection = ZERO;
-  private padWas: Deflection = ZERO;
+  private sent: Deflection = REST;
   private inputAt: number | null = null;
 
   constructor(
-    private readonly keyboard: Keyboard,
-    private readonly pad: Pad,
+    private readonly controllers: Controllers,
     private readonly latency: Latency,
     private readonly send: (command: Command) => number,
   ) {}
@@ -57,7 +64,7 @@ export class Sticks {
     this.orbiter = on;
   }
 
-  /** A key went down or up at `at` [ms]; the answer shall not wait for the next tick. */
+  /** An input at `at` [ms]; the answer shall not wait for the next tick. */
   moved(at: number): void {
     this.inputAt ??= at;
     this.tick(Math.max(performance.now(), this.last + 16));
@@ -67,23 +74,20 @@ export class Sticks {
   tick(now: number): void {
     const dt = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = Math.max(now, this.last);
-    const stateBefore = this.pad.state;
-    const pad = this.pad.poll();
-    if (this.pad.state === 'lost' && stateBefore !== 'lost') this.keyboard.release();
-    if (!equal(pad, this.padWas)) this.inputAt ??= now;
-    this.padWas = pad;
-    const both = sum(this.keyboard.step(dt), pad);
-    const value = map((axis) => Math.round((both[axis] ?? 0) * 1000) / 1000);
+    const all = this.controllers.poll(now, dt).map((part) => Math.round(part * 1000) / 1000);
+    this.camera = { pan: all[PAN] ?? 0, tilt: all[TILT] ?? 0, zoom: all[ZOOM] ?? 0 };
+    const value = all.slice(0, PAN);
     const changed = !equal(value, this.sent);
+    // A key's own time is known; what a device does is known from now.
+    if (this.controllers.moved) this.inputAt ??= now;
     if (changed || (!isZero(value) && now - this.sentAt >= REPEAT_MS)) this.transmit(value, now);
   }
 
-  /** Zeroes the sticks at once; held keys must be pressed anew, the pad seen at zero. */
+  /** Zeroes the sticks at once; held keys must be pressed anew, devices seen at zero. */
   zero(): void {
-    this.keyboard.release();
-    this.pad.disarm();
-    this.padWas = ZERO;
-    if (!isZero(this.sent)) this.transmit(ZERO, performance.now());
+    this.controllers.release();
+    this.camera = STILL;
+    if (!isZero(this.sent)) this.transmit(REST, performance.now());
   }
 
   private transmit(value: Deflection, now: number): void {
@@ -97,14 +101,15 @@ export class Sticks {
 
 /** What each stick axis moves; `driving`: one joint; `orbiter`: the THC translates the orbiter. */
 export function routed(value: Deflection, driving: boolean, orbiter: boolean) {
+  const at = (axis: number) => value[axis] ?? 0;
   const none: Vec3 = [0, 0, 0];
-  const thc: Vec3 = [value[X], value[Y], value[Z]];
-  const rhc: Vec3 = [value[ROLL], value[PITCH], value[YAW]];
+  const thc: Vec3 = [at(X), at(Y), at(Z)];
+  const rhc: Vec3 = [at(ROLL), at(PITCH), at(YAW)];
   return {
     translation: driving || orbiter ? none : thc,
     rotation: driving ? none : rhc,
-    drive: driving && !orbiter ? value[X] : 0,
-    telescope: value[TELESCOPE],
+    drive: driving && !orbiter ? at(X) : 0,
+    telescope: at(TELESCOPE),
     orbiter: orbiter ? thc : none,
   };
 }

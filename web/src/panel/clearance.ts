@@ -1,7 +1,7 @@
 /** Clearance: the nearest pair of parts, how fast it closes, its last minute, and what contact inhibits. */
 
 import { small } from '../format';
-import { nameOf } from '../input/layout';
+import { keyOf } from '../input/layout';
 import type { Level, Near } from '../protocol';
 import type { Unit, Units } from '../units';
 import { button, el, group, setAttribute, setClass, setPressed, setText } from './dom';
@@ -67,7 +67,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
     },
     values({ frame, units }) {
       const { nearest, arm_inhibit, finger_inhibit } = frame.work;
-      setAttribute(planeKey, 'title', `The plane that separates the two: ${nameOf('KeyF')}`);
+      setAttribute(planeKey, 'title', `The plane that separates the two: ${keyOf('plane')}`);
       setClass(element, 'caution', level === 'caution');
       setClass(element, 'warning', level === 'warning');
       setText(number, nearest ? small(nearest.clearance, units.gap) : '–');

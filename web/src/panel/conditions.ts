@@ -1,7 +1,7 @@
 /** What has to hold before something is captured, docked or latched: each with its limit, the worst first. */
 
 import { degrees, fixed, small } from '../format';
-import { nameOf } from '../input/layout';
+import { keyOf } from '../input/layout';
 import type { Condition, WorkFrame } from '../protocol';
 import type { Units } from '../units';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
@@ -52,10 +52,10 @@ export function conditionsGroup(): Part {
 
 /** What the operator does once all conditions are met; nothing where it happens by itself. */
 export function whatNow({ pursuit, hand, cargo }: Pick<WorkFrame, 'pursuit' | 'hand' | 'cargo'>): string {
-  if (/\b(latch|berth)/.test(pursuit)) return `: latch, hold ${nameOf('KeyT')}`;
-  if (/\binsert/.test(pursuit)) return `: let go, hold ${nameOf('KeyR')}`;
+  if (/\b(latch|berth)/.test(pursuit)) return `: latch, hold ${keyOf('latch')}`;
+  if (/\binsert/.test(pursuit)) return `: let go, hold ${keyOf('open')}`;
   const grasping = !cargo.some(({ held }) => held);
-  return grasping && hand.carriage !== null ? `: squeeze, hold ${nameOf('KeyG')}` : '';
+  return grasping && hand.carriage !== null ? `: squeeze, hold ${keyOf('close')}` : '';
 }
 
 function cell() {

@@ -1,6 +1,5 @@
 /** The desk's groups, flown and replayed: which stand where, and which give way to others. */
 
-import type { Pad } from '../input/gamepad';
 import type { GripAction } from '../input/keymap';
 import type { Level } from '../protocol';
 import { cargoGroup } from './cargo';
@@ -42,7 +41,7 @@ export interface Groups {
   values(view: View): void;
 }
 
-export function deskGroups(desk: Desk, events: EventsGroup, pad: Pad, listener: DeskListener): Groups {
+export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListener): Groups {
   const target = targetGroup(desk);
   const master = masterGroup(desk);
   const mode = modeGroup(desk, () => target.proceed());
@@ -50,7 +49,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, pad: Pad, listener: 
   const effector = effectorGroup(desk);
   const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
   const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
-  const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc(desk, pad)];
+  const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc(desk)];
   const own = joints(desk);
   const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
   const last = singularity();

@@ -1,7 +1,8 @@
 /** A button that acts once it was held for a while, by pointer, by Enter, or by a key of its own. */
 
 import { Hold } from '../input/hold';
-import { nameOf } from '../input/layout';
+import type { Grip } from '../input/keymap';
+import { keyOf } from '../input/layout';
 import { el, setText } from './dom';
 
 export interface HoldButton {
@@ -13,8 +14,8 @@ export interface HoldButton {
   tick(): void;
 }
 
-/** `code`: the key that the operator holds instead; empty: none. */
-export function holdButton(label: string, code: string, seconds: number, act: () => void): HoldButton {
+/** `grip`: what the operator holds a key for instead. */
+export function holdButton(label: string, grip: Grip, seconds: number, act: () => void): HoldButton {
   const hold = new Hold(seconds, act);
   const fill = el('i', { class: 'fill' });
   const key = el('small');
@@ -55,7 +56,7 @@ export function holdButton(label: string, code: string, seconds: number, act: ()
       const part = hold.tick(performance.now());
       if (part !== filled) fill.style.transform = `scaleX(${part.toFixed(3)})`;
       filled = part;
-      if (code) setText(key, nameOf(code));
+      setText(key, keyOf(grip));
     },
   };
 }

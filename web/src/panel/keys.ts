@@ -1,83 +1,77 @@
-/** The key map, over the monitors; its caps light as they are pressed. */
+/** The key map, over the monitors, as the mappings in use have it; its caps light as they are pressed. */
 
-import { learnLayout, nameOf } from '../input/layout';
+import { keyOf, learnLayout, nameOfSource } from '../input/layout';
+import { type Kind, sourcesOf } from '../input/mapping';
+import { mappingOf } from '../input/store';
 import { button, el, setClass } from './dom';
 
-const LEFT = [
-  ['KeyQ', 'up'],
-  ['KeyW', '+X'],
-  ['KeyE', 'down'],
-  ['KeyA', 'left'],
-  ['KeyS', '−X'],
-  ['KeyD', 'right'],
-] as const;
+type Cap = readonly [use: string, does: string];
 
-const RIGHT = [
-  ['KeyU', 'roll −'],
-  ['KeyI', 'nose up'],
-  ['KeyO', 'roll +'],
-  ['KeyJ', 'left'],
-  ['KeyK', 'nose dn'],
-  ['KeyL', 'right'],
-] as const;
+const LEFT: readonly Cap[] = [
+  ['-Z', 'up'],
+  ['+X', '+X'],
+  ['+Z', 'down'],
+  ['-Y', 'left'],
+  ['-X', '−X'],
+  ['+Y', 'right'],
+];
 
-type Row = readonly [codes: readonly string[], does: string, pad: string];
+const RIGHT: readonly Cap[] = [
+  ['-roll', 'roll −'],
+  ['+pitch', 'nose up'],
+  ['+roll', 'roll +'],
+  ['-yaw', 'left'],
+  ['-pitch', 'nose dn'],
+  ['+yaw', 'right'],
+];
 
-/** Keys by place, what they do, and the pad's way. */
+type Row = readonly [uses: readonly string[], does: string, pad?: 'untold'];
+
+/** Uses, and what they do. */
 const FLYING: readonly Row[] = [
-  [['Space'], 'stop: sticks to zero, a sequence to rest', 'east'],
-  [['KeyV'], 'coarse or vernier', 'south'],
-  [['KeyH'], 'rate hold: keep the present rates, let go of them', 'west'],
-  [['BracketLeft', 'BracketRight', 'Enter'], 'turn the mode rotary, enter the mode', ''],
-  [['Minus', 'Equal'], 'joint in SINGLE and DIRECT; then W and S drive it', ''],
-  [['KeyP'], 'proceed: to the target, or on from a pause point', ''],
-  [['KeyM'], 'acknowledge the master alarm', ''],
-  [['KeyX'], 'the other monitor in hand', 'view'],
-  [['Digit1', 'Digit9'], 'camera 1 to 9 on the monitor in hand', ''],
-  [['Comma', 'Period'], 'camera before, after', 'menu'],
+  [['stop'], 'stop: sticks to zero, a sequence to rest'],
+  [['rate'], 'coarse or vernier'],
+  [['rate hold'], 'rate hold: keep the present rates, let go of them'],
+  [['mode -', 'mode +', 'enter'], 'turn the mode rotary, enter the mode'],
+  [['joint -', 'joint +'], 'joint in SINGLE and DIRECT; then THC X drives it'],
+  [['proceed'], 'proceed: to the target, or on from a pause point'],
+  [['acknowledge'], 'acknowledge the master alarm'],
+  [['otherMonitor'], 'the other monitor in hand'],
+  [['camera 1', 'camera 10'], 'cameras on the monitor in hand'],
+  [['cameraStep -', 'cameraStep +'], 'camera before, after'],
 ];
 
 const WORKING: readonly Row[] = [
-  [['KeyG'], 'held 0.3 s: capture; the prong closes', 'north'],
-  [['KeyR'], 'held 1 s: release; the prong opens', 'menu + north'],
-  [['KeyG', 'KeyR'], 'while the prong moves: either stops it', ''],
-  [['KeyT'], 'held 1 s: latch the payload in its seat, or unlatch', 'menu + south'],
-  [['KeyF'], 'separating plane in the pictures', 'menu + west'],
-  [['KeyY', 'KeyN'], 'telescope longer, shorter', 'menu + cross'],
-  [['Backquote'], 'THC flies the orbiter, or the arm again', 'menu + view'],
+  [['close'], 'held 0.3 s: capture; the prong closes'],
+  [['open'], 'held 1 s: release; the prong opens'],
+  [['close', 'open'], 'while the prong moves: either stops it', 'untold'],
+  [['latch'], 'held 1 s: latch the payload in its seat, or unlatch'],
+  [['plane'], 'separating plane in the pictures'],
+  [['-telescope', '+telescope'], 'telescope shorter, longer'],
+  [['fly orbiter'], 'THC flies the orbiter, or the arm again'],
 ];
 
 export class KeyMap {
-  readonly element: HTMLDialogElement;
-  private readonly caps = new Map<string, HTMLElement[]>();
+  readonly element = el('dialog', {
+    class: 'key-map',
+    'aria-label': 'Key map',
+    tabindex: '-1',
+    autofocus: '',
+  });
+  private caps = new Map<string, HTMLElement[]>();
 
-  constructor() {
-    this.element = el(
-      'dialog',
-      { class: 'key-map', 'aria-label': 'Key map', tabindex: '-1', autofocus: '' },
-      el(
-        'div',
-        { class: 'hands' },
-        this.hand('Left hand moves', LEFT, 'Pad: left stick; triggers up, down'),
-        this.hand('Right hand turns', RIGHT, 'Pad: right stick; bumpers roll'),
-      ),
-      el('div', {}, el('h3', {}, 'Arm and cameras'), this.table(FLYING)),
-      el(
-        'div',
-        { class: 'working' },
-        el('h3', {}, 'End effector and worksite'),
-        this.table(WORKING),
-        el('p', {}, 'MASTER: arrows move the slider in focus by half a degree, Page up, down by five.'),
-        el('p', {}, 'Keys go by their place. In a text field, keys type and do not fly.'),
-        button({ class: 'close' }, ['Close'], () => this.close()),
-      ),
-    );
-    void learnLayout().then(() => this.letter());
+  /** `change`: opens what changes the keys. */
+  constructor(private readonly change: () => void) {
+    void learnLayout().then(() => this.fill());
   }
 
   toggle(): void {
     if (this.element.open) this.close();
-    else this.element.show();
+    else {
+      this.fill();
+      this.element.show();
+      this.element.focus();
+    }
   }
 
   close(): void {
@@ -92,43 +86,83 @@ export class KeyMap {
     }
   }
 
-  private hand(title: string, keys: readonly (readonly [string, string])[], pad: string): HTMLElement {
-    const caps = keys.map(([code, does]) => {
-      const cap = this.cap(code);
+  /** Writes it anew: mappings may have changed. */
+  private fill(): void {
+    this.caps = new Map();
+    this.element.replaceChildren(
+      el('div', { class: 'hands' }, this.hand('Left hand moves', LEFT), this.hand('Right hand turns', RIGHT)),
+      el('div', {}, el('h3', {}, 'Arm and cameras'), this.table(FLYING)),
+      el(
+        'div',
+        { class: 'working' },
+        el('h3', {}, 'End effector and worksite'),
+        this.table(WORKING),
+        el('p', {}, 'MASTER: arrows move the slider in focus by half a degree, Page up, down by five.'),
+        el('p', {}, 'Keys go by their place. In a text field, keys type and do not fly.'),
+        el(
+          'div',
+          { class: 'close' },
+          button({}, ['Controllers: see, change'], () => this.change()),
+          button({}, ['Close'], () => this.close()),
+        ),
+      ),
+    );
+  }
+
+  private hand(title: string, keys: readonly Cap[]): HTMLElement {
+    const caps = keys.map(([use, does]) => {
+      const cap = this.cap(use);
       cap.append(el('small', {}, does));
       return cap;
     });
-    return el('div', {}, el('h3', {}, title), el('div', { class: 'caps' }, ...caps), el('p', {}, pad));
+    const pad = [...new Set(keys.flatMap(([use]) => sources('pad', use)))];
+    return el(
+      'div',
+      {},
+      el('h3', {}, title),
+      el('div', { class: 'caps' }, ...caps),
+      el('p', {}, `Pad: ${together(pad)}`),
+    );
   }
 
   private table(rows: readonly Row[]): HTMLElement {
-    const lines = rows.map(([codes, does, pad]) =>
-      el(
+    const lines = rows.map(([uses, does, untold]) => {
+      const pad = untold ? '' : together(uses.flatMap((use) => sources('pad', use)));
+      return el(
         'tr',
         {},
-        el('th', { scope: 'row' }, ...this.row(codes)),
+        el('th', { scope: 'row' }, ...this.row(uses)),
         el('td', {}, does),
         el('td', { class: 'pad' }, pad && `pad ${pad}`),
-      ),
-    );
+      );
+    });
     return el('table', {}, ...lines);
   }
 
-  private row(codes: readonly string[]): (Node | string)[] {
-    const caps = codes.map((code) => this.cap(code));
-    return codes[0] === 'Digit1' ? [caps[0] ?? '', ' … ', caps[1] ?? ''] : caps;
+  private row(uses: readonly string[]): (Node | string)[] {
+    const caps = uses.map((use) => this.cap(use));
+    return uses[0] === 'camera 1' ? [caps[0] ?? '', ' … ', caps[1] ?? ''] : caps;
   }
 
-  private cap(code: string): HTMLElement {
-    const cap = el('kbd', {}, el('b', {}, nameOf(code)));
-    this.caps.set(code, [...(this.caps.get(code) ?? []), cap]);
+  private cap(use: string): HTMLElement {
+    const cap = el('kbd', {}, el('b', {}, keyOf(use) || '–'));
+    for (const code of sourcesOf(mappingOf('keyboard'), use)) {
+      this.caps.set(code, [...(this.caps.get(code) ?? []), cap]);
+    }
     return cap;
   }
+}
 
-  /** Shows the letters of the user's layout. */
-  private letter(): void {
-    for (const [code, caps] of this.caps) {
-      for (const cap of caps) cap.querySelector('b')?.replaceChildren(nameOf(code));
-    }
-  }
+function sources(kind: Kind, use: string): readonly string[] {
+  return sourcesOf(mappingOf(kind), use).map((source) => nameOfSource(kind, source));
+}
+
+/** Names one after the other, what they begin with alike said once: `Menu + Cross ↓ ↑`. */
+export function together(names: readonly string[]): string {
+  const [first = '', ...others] = names;
+  if (others.length === 0) return first;
+  let alike = first.lastIndexOf(' ') + 1;
+  while (alike > 0 && !others.every((name) => name.startsWith(first.slice(0, alike))))
+    alike = first.lastIndexOf(' ', alike - 2) + 1;
+  return alike > 0 ? [first, ...others.map((name) => name.slice(alike))].join(' ') : names.join(', ');
 }

@@ -1,5 +1,6 @@
 /** What the desk's groups have in common: they draw one frame, and hold nothing of the arm themselves. */
 
+import type { ControllersShown } from '../input/controllers';
 import type { Deflection } from '../input/deflection';
 import type { Frame, Welcome } from '../protocol';
 import type { Command } from '../socket';
@@ -11,6 +12,8 @@ export interface View {
   readonly units: Units;
   /** Where this page's own sticks stand. */
   readonly hand: Deflection;
+  /** What is told of the devices that move them. */
+  readonly controllers: ControllersShown;
   /** This page holds the sticks. */
   readonly flying: boolean;
   /** This page's THC flies the orbiter. */

@@ -17,8 +17,8 @@ export function isMoving({ switch: put, opening }: Pick<HandFrame, 'switch' | 'o
 
 export function prong(desk: Desk): Hand {
   const put = (position: EffectorSwitch) => desk.send({ type: 'effector', switch: position });
-  const close = holdButton('Close', 'KeyG', CLOSE_S, () => put('close'));
-  const open = holdButton('Open', 'KeyR', OPEN_S, () => put('open'));
+  const close = holdButton('Close', 'close', CLOSE_S, () => put('close'));
+  const open = holdButton('Open', 'open', OPEN_S, () => put('open'));
   const stop = button(
     { title: 'Stops the prong; so does pressing either key while it moves' },
     ['Stop'],

@@ -14,6 +14,7 @@ export interface RailListener {
   units(): void;
   restart(): void;
   keys(): void;
+  controllers(): void;
 }
 
 export interface Rail {
@@ -55,6 +56,9 @@ export function rail(desk: Desk, software: boolean, listener: RailListener): Rai
     units,
     button({ title: 'Puts the scenario back to its first instant' }, ['Restart'], () => listener.restart()),
     parts.element,
+    button({ title: 'The devices that fly, their keys and axes' }, ['Controllers'], () =>
+      listener.controllers(),
+    ),
     button({ class: 'keys' }, ['Keys ?'], () => listener.keys()),
   );
   return {

@@ -1,15 +1,15 @@
 /** Rotational hand controller, POSITION HOLD, and the devices that move both. */
 
 import { PITCH, ROLL, YAW } from '../input/deflection';
-import type { Pad } from '../input/gamepad';
 import { button, el, group, setAttribute, setClass, setPressed, setText, svg } from './dom';
 import type { Desk, Part } from './part';
-import { mark, setHand, triple } from './sticks';
+import { gone, mark, setHand, triple } from './sticks';
 
 const ROLL_SPAN = 75;
 
-export function rhc(desk: Desk, pad: Pad): Part {
+export function rhc(desk: Desk): Part {
   let holding = false;
+  const lost = gone('M-35 -35 L35 35 M-35 35 L35 -35');
   const tilt = mark();
   const heldTilt = mark(true);
   const roll = svg('circle', { class: 'mark', r: '5.5', cx: '0', cy: '-32' });
@@ -40,12 +40,13 @@ export function rhc(desk: Desk, pad: Pad): Part {
           { viewBox: '-50 -50 100 100', 'aria-hidden': 'true' },
           svg('circle', { class: 'well', r: '49' }),
           svg('path', { class: 'cross', d: 'M-40 0 H40 M0 -40 V40' }),
-          svg('circle', { class: 'dead', r: '3.2' }),
-          svg('path', { class: 'crossed', d: 'M-35 -35 L35 35 M-35 35 L35 -35' }),
+          lost.ring,
+          lost.cross,
           heldTilt.element,
           tilt.element,
         ),
         el('span', {}, 'yaw left, right'),
+        lost.words,
       ),
       el(
         'div',
@@ -72,37 +73,24 @@ export function rhc(desk: Desk, pad: Pad): Part {
       turn(heldRoll, rollNow);
       setClass(heldRoll, 'middle', rollNow === 0);
       const own = frame.rate_hold && flying;
-      tilt.set(own ? hand[YAW] : yaw, own ? hand[PITCH] : pitch);
-      turn(roll, own ? hand[ROLL] : rollNow);
+      tilt.set(own ? (hand[YAW] ?? 0) : yaw, own ? (hand[PITCH] ?? 0) : pitch);
+      turn(roll, own ? (hand[ROLL] ?? 0) : rollNow);
     },
-    values({ frame, flying }) {
+    values({ frame, flying, controllers }) {
+      lost.set(element, controllers, 'rhc');
       const [rollNow, pitch, yaw] = frame.rotation;
       setHand(element, 'right hand', frame, flying);
       numbers.set([pitch, yaw, rollNow]);
       holding = frame.position_hold;
       setPressed(hold, holding);
       setClass(element, 'holding', frame.rate_hold);
-      const words = frame.by === 'script' ? 'Move a stick to take over' : deviceText(pad);
+      const words = frame.by === 'script' ? 'Move a stick to take over' : controllers.words;
       setText(device, flying ? words : '');
-      setClass(document.body, 'pad-lost', pad.state === 'lost');
+      setAttribute(device, 'title', flying ? words : '');
     },
   };
 }
 
 function turn(mark: Element, roll: number): void {
   setAttribute(mark, 'transform', `rotate(${(roll * ROLL_SPAN).toFixed(1)})`);
-}
-
-function deviceText(pad: Pad): string {
-  const short = pad.name.replace(/\s*\(.*$/, '').slice(0, 26);
-  switch (pad.state) {
-    case 'none':
-      return 'Keyboard flies';
-    case 'flying':
-      return `${short} and keyboard fly`;
-    case 'waiting':
-      return `Let go of both sticks: ${short}`;
-    case 'lost':
-      return `${short} is gone; keys fly`;
-  }
 }

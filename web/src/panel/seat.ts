@@ -19,8 +19,8 @@ export interface Seat {
 }
 
 export function seat(desk: Desk): Seat {
-  const latch = holdButton('Latch', 'KeyT', LATCH_S, () => desk.send({ type: 'latch', latch: 'latch' }));
-  const unlatch = holdButton('Unlatch', 'KeyT', LATCH_S, () =>
+  const latch = holdButton('Latch', 'latch', LATCH_S, () => desk.send({ type: 'latch', latch: 'latch' }));
+  const unlatch = holdButton('Unlatch', 'latch', LATCH_S, () =>
     desk.send({ type: 'latch', latch: 'unlatch' }),
   );
   const where = el('span', { class: 'where' });

@@ -20,10 +20,10 @@ const MODES = [
 const CARRIAGE = ['rigid', 'derigid'] as const;
 
 export function snares(desk: Desk): Hand {
-  const close = holdButton('Capture', 'KeyG', CLOSE_S, () =>
+  const close = holdButton('Capture', 'close', CLOSE_S, () =>
     desk.send({ type: 'effector', switch: 'close' }),
   );
-  const open = holdButton('Release', 'KeyR', OPEN_S, () => desk.send({ type: 'effector', switch: 'open' }));
+  const open = holdButton('Release', 'open', OPEN_S, () => desk.send({ type: 'effector', switch: 'open' }));
   const flags = FLAGS.map((name) => el('span', { class: 'flag' }, name));
   const modes = MODES.map(([mode, name]) =>
     button({}, [name], () => desk.send({ type: 'effector_mode', mode })),

@@ -1,5 +1,6 @@
 /** The lamps between the monitors, each with its cause, under the master alarm. */
 
+import { keyOf } from '../input/layout';
 import type { Lamp } from '../protocol';
 import { button, el, setAttribute, setClass, setText } from './dom';
 
@@ -64,7 +65,11 @@ export class Spine {
     setClass(this.master, 'warning', warned);
     const count = counted(lamps);
     if (test) setText(this.words, 'lamp test');
-    else setText(this.words, count === '' ? 'clear' : this.unseen.size > 0 ? `${count} · press M` : count);
+    else
+      setText(
+        this.words,
+        count === '' ? 'clear' : this.unseen.size > 0 ? `${count} · press ${keyOf('acknowledge')}` : count,
+      );
   }
 
   /** The operator has seen what is lit. */

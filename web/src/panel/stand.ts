@@ -1,7 +1,7 @@
 /** The telescope that the arm stands on: one more row under the joints. */
 
 import { fixed } from '../format';
-import { nameOf } from '../input/layout';
+import { keyOf } from '../input/layout';
 import type { StandInfo } from '../protocol';
 import type { Units } from '../units';
 import { el, setAttribute, setText, svg } from './dom';
@@ -49,8 +49,8 @@ export function standRow({ least, greatest }: StandInfo): StandRow {
       setText(unit, units.length.name);
       setText(value, shown(length));
       setAttribute(scale, 'title', `Stand: ${shown(least)} to ${shown(greatest)} ${units.length.name}`);
-      setText(keys[0], `${nameOf('KeyY')} longer`);
-      setText(keys[1], `${nameOf('KeyN')} shorter`);
+      setText(keys[0], `${keyOf('+telescope')} longer`);
+      setText(keys[1], `${keyOf('-telescope')} shorter`);
     },
   };
 }

@@ -4,6 +4,8 @@
  */
 
 import { fixed } from '../format';
+import type { ControllersShown } from '../input/controllers';
+import type { Hand } from '../input/deflection';
 import type { Frame } from '../protocol';
 import { el, setAbout, setAttribute, setClass, setText, svg } from './dom';
 
@@ -29,6 +31,28 @@ export function mark(held = false): Mark {
       setAttribute(stem, 'y2', v);
       setAttribute(ring, 'cx', h);
       setAttribute(ring, 'cy', v);
+    },
+  };
+}
+
+/** A stick display's deadband ring, its cross, and the words on it where its device is gone. */
+export function gone(cross: string): {
+  readonly ring: SVGElement;
+  readonly cross: SVGElement;
+  readonly words: HTMLElement;
+  set(section: HTMLElement, shown: ControllersShown, hand: Hand): void;
+} {
+  const ring = svg('circle', { class: 'dead', r: '0' });
+  const words = el('b', { class: 'gone' });
+  return {
+    ring,
+    cross: svg('path', { class: 'crossed', d: cross }),
+    words,
+    set(section, shown, hand) {
+      const name = shown.gone[hand];
+      setAttribute(ring, 'r', (shown.deadband[hand] * REACH).toFixed(1));
+      setClass(section, 'lost', name !== null);
+      setText(words, name === null ? '' : `${name} is gone`);
     },
   };
 }

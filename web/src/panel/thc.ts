@@ -4,12 +4,13 @@ import { X, Y, Z } from '../input/deflection';
 import { button, el, group, setAttribute, setClass, setPressed, setText, svg } from './dom';
 import { isMoving, orbiterReading } from './orbiter';
 import type { Desk, Part } from './part';
-import { mark, setHand, triple } from './sticks';
+import { gone, mark, setHand, triple } from './sticks';
 
 /** `flyOrbiter` hands the THC to the orbiter, or back to the arm. */
 export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
   const [up, down] = [el('span'), el('span')];
   const [lift, drop] = [el('span'), el('span')];
+  const device = gone('M-49 -49 L49 49 M-49 49 L49 -49');
   const plane = mark();
   const height = mark();
   const heldPlane = mark(true);
@@ -43,12 +44,13 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
           { viewBox: '-50 -50 100 100', 'aria-hidden': 'true' },
           svg('rect', { class: 'well', x: '-49', y: '-49', width: '98', height: '98' }),
           svg('path', { class: 'cross', d: 'M-40 0 H40 M0 -40 V40' }),
-          svg('circle', { class: 'dead', r: '3.2' }),
-          svg('path', { class: 'crossed', d: 'M-49 -49 L49 49 M-49 49 L49 -49' }),
+          device.ring,
+          device.cross,
           heldPlane.element,
           plane.element,
         ),
         down,
+        device.words,
       ),
       el(
         'div',
@@ -78,10 +80,11 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
       heldPlane.set(y, x);
       heldHeight.set(0, -z);
       const own = orbiting || (frame.rate_hold && flying);
-      plane.set(own ? hand[Y] : y, own ? hand[X] : x + frame.drive);
-      height.set(0, own ? -hand[Z] : -z);
+      plane.set(own ? (hand[Y] ?? 0) : y, own ? (hand[X] ?? 0) : x + frame.drive);
+      height.set(0, own ? -(hand[Z] ?? 0) : -z);
     },
-    values({ frame, flying, hand, orbiting, units }) {
+    values({ frame, flying, hand, orbiting, units, controllers }) {
+      device.set(element, controllers, 'thc');
       const mode = desk.welcome.modes.find((each) => each.position === frame.mode);
       const driving = mode?.kind === 'single' && !orbiting;
       const [x, , z] = orbiting ? ORBITER_AXES : (mode?.axis_names ?? ['+X', '+Y', '+Z']);
@@ -98,7 +101,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
       rates.hidden = hold.hidden = orbiting;
       reading.set(frame.work, units);
       setClass(orbiter, 'moving', isMoving(frame.work));
-      if (orbiting) numbers.set([hand[X], hand[Y], hand[Z]], 'X');
+      if (orbiting) numbers.set([hand[X] ?? 0, hand[Y] ?? 0, hand[Z] ?? 0], 'X');
       else if (driving) numbers.set([frame.drive, 0, 0], 'Drive');
       else numbers.set(frame.translation, 'X');
       setAttribute(numbers.element, 'aria-label', 'Translation sticks');

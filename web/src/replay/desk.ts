@@ -1,6 +1,6 @@
 /** The desk as it was flown: the same groups, drawn from the recorded frame, and nothing to operate. */
 
-import { Pad } from '../input/gamepad';
+import { NO_CONTROLLERS } from '../input/controllers';
 import { deskGroups, type Groups } from '../panel/desk';
 import { el } from '../panel/dom';
 import { EventsGroup } from '../panel/events';
@@ -17,8 +17,7 @@ export class FlownDesk {
 
   constructor(private readonly index: PlaybackIndex) {
     const desk: Desk = { welcome: index.welcome, send() {}, say() {} };
-    const pad = new Pad(() => {});
-    this.groups = deskGroups(desk, this.events, pad, { plane() {}, flyOrbiter() {} });
+    this.groups = deskGroups(desk, this.events, { plane() {}, flyOrbiter() {} });
     this.element = el(
       'section',
       { class: 'desk', 'aria-label': 'Desk as flown', inert: '' },
@@ -53,5 +52,6 @@ export class FlownDesk {
 function viewOf(frame: Frame, units: Units): View {
   const [x, y, z] = frame.translation;
   const [roll, pitch, yaw] = frame.rotation;
-  return { frame, units, hand: [x, y, z, roll, pitch, yaw, 0], flying: false, orbiting: false };
+  const hand = [x, y, z, roll, pitch, yaw, 0];
+  return { frame, units, hand, controllers: NO_CONTROLLERS, flying: false, orbiting: false };
 }

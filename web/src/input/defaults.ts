@@ -1,0 +1,153 @@
+/** The mappings that the station comes with. */
+
+import type { Kind, Mapping } from './mapping';
+
+const DEADBAND = 0.08;
+const EXPO = 0.3;
+
+const digits = Array.from({ length: 10 }, (_, i): [string, string] => [
+  `Digit${(i + 1) % 10}`,
+  `camera ${i + 1}`,
+]);
+
+/** By place on the keyboard: the left hand moves, the right hand turns. */
+const KEYBOARD = {
+  KeyW: '+X',
+  KeyS: '-X',
+  KeyD: '+Y',
+  KeyA: '-Y',
+  KeyE: '+Z',
+  KeyQ: '-Z',
+  KeyI: '+pitch',
+  KeyK: '-pitch',
+  KeyL: '+yaw',
+  KeyJ: '-yaw',
+  KeyO: '+roll',
+  KeyU: '-roll',
+  KeyY: '+telescope',
+  KeyN: '-telescope',
+  ArrowRight: '+pan',
+  ArrowLeft: '-pan',
+  ArrowUp: '+tilt',
+  ArrowDown: '-tilt',
+  PageUp: '+zoom',
+  PageDown: '-zoom',
+  Space: 'stop',
+  KeyV: 'rate',
+  KeyH: 'rate hold',
+  KeyG: 'close',
+  KeyR: 'open',
+  KeyT: 'latch',
+  BracketLeft: 'mode -',
+  BracketRight: 'mode +',
+  Enter: 'enter',
+  NumpadEnter: 'enter',
+  KeyP: 'proceed',
+  Minus: 'joint -',
+  Equal: 'joint +',
+  Backquote: 'fly orbiter',
+  KeyM: 'acknowledge',
+  KeyF: 'plane',
+  KeyX: 'otherMonitor',
+  Comma: 'cameraStep -',
+  Period: 'cameraStep +',
+  KeyZ: 'split',
+  KeyC: 'matrix',
+  Escape: 'leave',
+  ...Object.fromEntries(digits),
+};
+
+/** A pad's cross, stick presses, View and Menu, in the browser's standard mapping. */
+const PAD_CAMERAS = {
+  b15: '+pan',
+  b14: '-pan',
+  b12: '+tilt',
+  b13: '-tilt',
+  b11: '+zoom',
+  b10: '-zoom',
+  b8: 'otherMonitor',
+  b9: 'cameraStep +',
+};
+
+/** Axes grow to the right and towards the operator; a stick pushed away is +X and nose up. */
+const PAD = {
+  a1: '-X',
+  a0: '+Y',
+  b7: '+Z',
+  b6: '-Z',
+  a3: '-pitch',
+  a2: '+yaw',
+  b5: '+roll',
+  b4: '-roll',
+  'b9+b12': '+telescope',
+  'b9+b13': '-telescope',
+  b0: 'rate',
+  b1: 'stop',
+  b2: 'rate hold',
+  b3: 'close',
+  'b9+b3': 'open',
+  'b9+b0': 'latch',
+  'b9+b2': 'plane',
+  'b9+b8': 'fly orbiter',
+  ...PAD_CAMERAS,
+};
+
+const THC_PAD = {
+  a1: '-X',
+  a0: '+Y',
+  a3: '+Z',
+  b7: '+Z',
+  b6: '-Z',
+  b1: 'stop',
+  'b9+b12': '+telescope',
+  'b9+b13': '-telescope',
+  'b9+b8': 'fly orbiter',
+  ...PAD_CAMERAS,
+};
+
+const RHC_PAD = {
+  a1: '-pitch',
+  a0: '+roll',
+  a2: '+yaw',
+  b7: 'close',
+  b6: 'open',
+  b0: 'rate hold',
+  b5: 'rate',
+  b1: 'stop',
+  b3: 'latch',
+  ...PAD_CAMERAS,
+};
+
+/** Joysticks have no standard; most give x, y, twist, and trigger, thumb, pinkie first. */
+const THC_JOYSTICK = { a1: '-X', a0: '+Y', a2: '+Z', b1: 'stop' };
+const RHC_JOYSTICK = { a1: '-pitch', a0: '+roll', a2: '+yaw', b0: 'close', b1: 'rate hold', b2: 'rate' };
+
+/** x right, y to the operator, z down, rotations right-handed about them (HID Usage Tables, 4.2). */
+const SPACEMOUSE = {
+  a1: '-X',
+  a0: '+Y',
+  a2: '+Z',
+  a4: '-roll',
+  a3: '+pitch',
+  a5: '+yaw',
+  b0: 'stop',
+  b1: 'rate',
+};
+
+/** Left stick, its slider, right stick, its slider; drawn axes grow to the right and downwards. */
+const TOUCH = { a1: '-X', a0: '+Y', a2: '+Z', a4: '-pitch', a3: '+yaw', a5: '+roll' };
+
+function mapping(bindings: Readonly<Record<string, string>>): Mapping {
+  return { deadband: DEADBAND, expo: EXPO, bindings, centres: [] };
+}
+
+export const DEFAULTS: Readonly<Record<Kind, Mapping>> = {
+  keyboard: { deadband: 0, expo: 0, bindings: KEYBOARD, centres: [] },
+  pad: mapping(PAD),
+  'thc pad': mapping(THC_PAD),
+  'rhc pad': mapping(RHC_PAD),
+  'thc joystick': mapping(THC_JOYSTICK),
+  'rhc joystick': mapping(RHC_JOYSTICK),
+  spacemouse: mapping(SPACEMOUSE),
+  touch: mapping(TOUCH),
+};

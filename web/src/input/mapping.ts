@@ -1,0 +1,90 @@
+/**
+ * What a kind of device is put to, as plain data. A binding goes from a source to a use, so that no source can have
+ * two. Sources are keys by their place (`KeyW`), buttons (`b3`), axes (`a1`), and a button with another one held
+ * (`b9+b12`).
+ */
+
+import { USES } from './keymap';
+
+export const KINDS = [
+  'keyboard',
+  'pad',
+  'thc pad',
+  'rhc pad',
+  'thc joystick',
+  'rhc joystick',
+  'spacemouse',
+  'touch',
+] as const;
+export type Kind = (typeof KINDS)[number];
+
+export interface Mapping {
+  /** Part of an axis' travel about its centre that counts as zero. */
+  readonly deadband: number;
+  /** 0: straight; 1: the cube. */
+  readonly expo: number;
+  readonly bindings: Readonly<Record<string, string>>;
+  /** Where each axis rests, as the operator has confirmed; absent: 0. */
+  readonly centres: readonly number[];
+}
+
+/** Greatest deadband, and the farthest from 0 that a sensor may rest. */
+export const MOST_DEADBAND = 0.5;
+export const MOST_OFFSET = 0.3;
+/** As many sources may have a use; the station takes no more. */
+export const MOST_BINDINGS = 64;
+
+const SOURCE = /^(?:[ab]\d{1,2}|b\d{1,2}\+b\d{1,2}|[A-Z][A-Za-z0-9]{1,15})$/;
+
+/** The number in `a1` or `b3`; null where the source is another one. */
+export function indexOf(source: string, letter: 'a' | 'b'): number | null {
+  const index = source[0] === letter ? Number(source.slice(1)) : Number.NaN;
+  return Number.isNaN(index) ? null : index;
+}
+
+/** An axis' travel from where it rests, full deflection staying full on either side. */
+export function centred(raw: number, centre: number): number {
+  const from = Math.max(-1, Math.min(1, raw)) - centre;
+  return from === 0 ? 0 : from / (from > 0 ? 1 - centre : 1 + centre);
+}
+
+/** An axis in [-1, 1] after deadband and expo. */
+export function shape(value: number, { deadband, expo }: Pick<Mapping, 'deadband' | 'expo'>): number {
+  const size = Math.min(1, Math.max(0, (Math.abs(value) - deadband) / (1 - deadband)));
+  return size === 0 ? 0 : Math.sign(value) * ((1 - expo) * size + expo * size ** 3);
+}
+
+/** The sources of a use. */
+export function sourcesOf(mapping: Mapping, use: string): readonly string[] {
+  return Object.keys(mapping.bindings).filter((source) => mapping.bindings[source] === use);
+}
+
+/**
+ * A mapping from data that came from somewhere.
+ *
+ * Throws an Error whose sentence says what is wrong.
+ */
+export function parseMapping(data: unknown): Mapping {
+  if (typeof data !== 'object' || data === null) throw new Error('a mapping is an object');
+  const { deadband, expo, bindings, centres } = data as Record<string, unknown>;
+  if (typeof bindings !== 'object' || bindings === null) throw new Error('a mapping has bindings');
+  const entries = Object.entries(bindings);
+  if (entries.length > MOST_BINDINGS) throw new Error(`a mapping has at most ${MOST_BINDINGS} bindings`);
+  for (const [source, use] of entries) {
+    if (!SOURCE.test(source)) throw new Error(`“${source}” is no key, button or axis`);
+    if (typeof use !== 'string' || !USES.has(use)) throw new Error(`“${use}” is nothing that can be done`);
+    if (source[0] === 'a' && USES.get(use)?.does.kind !== 'axis') throw new Error(`an axis cannot ${use}`);
+  }
+  if (!Array.isArray(centres)) throw new Error('a mapping has centres');
+  return {
+    deadband: within(deadband, 0, MOST_DEADBAND, 'the deadband'),
+    expo: within(expo, 0, 1, 'expo'),
+    bindings: Object.fromEntries(entries),
+    centres: centres.map((centre) => within(centre, -MOST_OFFSET, MOST_OFFSET, 'a centre')),
+  };
+}
+
+function within(value: unknown, least: number, most: number, what: string): number {
+  if (typeof value === 'number' && value >= least && value <= most) return value;
+  throw new Error(`${what} lies between ${least} and ${most}, got ${value}`);
+}

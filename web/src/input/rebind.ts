@@ -1,0 +1,123 @@
+/** Changing a mapping, and what is refused. */
+
+import { axisUse, labelOf, USES } from './keymap';
+import { nameOfSource } from './layout';
+import { indexOf, type Kind, type Mapping, MOST_OFFSET, sourcesOf } from './mapping';
+
+/** What was pressed or moved; `sign`: to which side an axis went. */
+export interface Source {
+  readonly source: string;
+  readonly sign: 1 | -1;
+}
+
+/** Keys whose use never changes. */
+const FIXED: Readonly<Record<string, string>> = {
+  Space: 'Space stops, always',
+  Escape: 'Esc closes what is open, always',
+  Enter: 'Enter presses buttons and enters the mode',
+  NumpadEnter: 'Enter presses buttons and enters the mode',
+};
+const FIXED_USES = new Set(['stop', 'leave', 'enter']);
+
+const BROWSERS = new Set([
+  'Tab',
+  'Backspace',
+  'Slash',
+  'Quote',
+  'CapsLock',
+  'NumLock',
+  'ScrollLock',
+  'ContextMenu',
+]);
+const BROWSERS_PATTERN =
+  /^(?:F\d{1,2}|(?:Control|Alt|Meta|OS|Shift)(?:Left|Right)?|Print.*|Pause|Browser.*|Media.*|Audio.*)$/;
+
+/** Whether people may put another key to a use. */
+export function isFixed(kind: Kind, use: string): boolean {
+  return kind === 'keyboard' && FIXED_USES.has(use);
+}
+
+/** Why a key cannot be taken, in a sentence; null: it can. */
+export function keyRefusal(
+  event: Pick<KeyboardEvent, 'code' | 'ctrlKey' | 'altKey' | 'metaKey'>,
+): string | null {
+  const { code } = event;
+  if (event.ctrlKey || event.altKey || event.metaKey)
+    return 'Keys with Ctrl, Alt or Meta belong to the browser: press a key alone.';
+  if (FIXED[code]) return `${FIXED[code]}: press another key.`;
+  if (BROWSERS.has(code) || BROWSERS_PATTERN.test(code))
+    return `${nameOfSource('keyboard', code)} belongs to the browser: press another key.`;
+  if (!/^[A-Z][A-Za-z0-9]{1,15}$/.test(code)) return 'This key has no place of its own: press another key.';
+  return null;
+}
+
+/**
+ * A mapping with a use put to what was pressed or moved.
+ *
+ * Throws an Error whose sentence says what stands against it.
+ */
+export function bind(kind: Kind, mapping: Mapping, use: string, { source, sign }: Source): Mapping {
+  const does = USES.get(use)?.does;
+  if (!does) throw new Error(`“${use}” is nothing that can be done.`);
+  const analogue = indexOf(source, 'a') !== null;
+  const name = nameOfSource(kind, source);
+  if (analogue && does.kind !== 'axis')
+    throw new Error(`${name} moves things; “${labelOf(use)}” needs a button.`);
+  const goal = does.kind === 'axis' && sign < 0 ? axisUse(does.axis, -does.sign) : use;
+  const before = mapping.bindings[source];
+  if (before !== undefined && !sameAxis(before, use, analogue))
+    throw new Error(`${name} is “${labelOf(before)}” already: put that elsewhere first.`);
+  const bindings: Record<string, string> = {};
+  for (const [each, its] of Object.entries(mapping.bindings)) {
+    const whole = (analogue || indexOf(each, 'a') !== null) && sameAxis(its, use, true);
+    if (each !== source && its !== use && !whole) bindings[each] = its;
+  }
+  bindings[source] = goal;
+  return { ...mapping, bindings };
+}
+
+/** A mapping in which nothing has this use. */
+export function unbind(mapping: Mapping, use: string): Mapping {
+  const gone = new Set(sourcesOf(mapping, use));
+  for (const source of wholeAxes(mapping, use)) gone.add(source);
+  const kept = Object.entries(mapping.bindings).filter(([source]) => !gone.has(source));
+  return { ...mapping, bindings: Object.fromEntries(kept) };
+}
+
+/** What moves a use: keys and buttons of its own, and axes that go to both sides. */
+export function movers(mapping: Mapping, use: string): readonly Source[] {
+  const own = sourcesOf(mapping, use).map((source): Source => ({ source, sign: 1 }));
+  const others = wholeAxes(mapping, use)
+    .filter((source) => mapping.bindings[source] !== use)
+    .map((source): Source => ({ source, sign: -1 }));
+  return [...own, ...others];
+}
+
+/**
+ * A mapping in which the axes are at zero where they stand.
+ *
+ * Throws an Error whose sentence says which one stands too far off.
+ */
+export function zeroed(kind: Kind, mapping: Mapping, axes: readonly number[]): Mapping {
+  const centres = axes.map((value, axis) => {
+    if (mapping.bindings[`a${axis}`] === undefined) return 0;
+    if (Math.abs(value) <= MOST_OFFSET) return Math.round(value * 1000) / 1000;
+    throw new Error(
+      `${nameOfSource(kind, `a${axis}`)} stands at ${value.toFixed(2)}, more than ${MOST_OFFSET} off: ` +
+        'let go of it, or leave it without a use.',
+    );
+  });
+  return { ...mapping, centres };
+}
+
+function wholeAxes(mapping: Mapping, use: string): readonly string[] {
+  return Object.entries(mapping.bindings)
+    .filter(([source, its]) => indexOf(source, 'a') !== null && sameAxis(its, use, true))
+    .map(([source]) => source);
+}
+
+/** The same use, or where `either`, the same axis to whichever side. */
+function sameAxis(a: string, b: string, either: boolean): boolean {
+  const [one, other] = [USES.get(a)?.does, USES.get(b)?.does];
+  return a === b || (either && one?.kind === 'axis' && other?.kind === 'axis' && one.axis === other.axis);
+}

@@ -1,0 +1,161 @@
+/**
+ * A SpaceMouse through WebHID. Report 1 holds three translations, or all six axes; report 2 three rotations; report 3
+ * the buttons, a bit each; little-endian 16 bit, full deflection about 350. Layouts as in PySpaceMouse's table of
+ * devices and spacenavd; what is not understood is said, and moves nothing.
+ */
+
+import type { Reading } from './device';
+
+/** Logitech, who made the early ones, and 3Dconnexion. */
+const VENDORS = [0x046d, 0x256f];
+/** Generic desktop, multi-axis controller: no mouse or keyboard of the same makers. */
+const PAGE = 0x01;
+const USAGE = 0x08;
+const FULL = 350;
+const AXES = 6;
+const MOST_BUTTONS = 32;
+/** A deflected cap tells so all the time; after this long without a report it is out of reach [ms]. */
+const SILENCE_MS = 500;
+/** A look counts for no more than this [ms]: reports wait, too, while the page is busy. */
+const MOST_OF_A_LOOK_MS = 50;
+
+const [TRANSLATION, ROTATION, BUTTONS] = [1, 2, 3];
+
+export interface Cap {
+  readonly axes: readonly number[];
+  readonly buttons: readonly boolean[];
+}
+
+export const CAP_AT_REST: Cap = { axes: Array<number>(AXES).fill(0), buttons: [] };
+
+/** What the cap shows after a report; null: the report is not understood. Others than the three are passed over. */
+export function parsed(cap: Cap, report: number, data: DataView): Cap | null {
+  if (report === BUTTONS) return { ...cap, buttons: bits(data) };
+  if (report !== TRANSLATION && report !== ROTATION) return cap;
+  const first = report === TRANSLATION ? 0 : 3;
+  const count = data.byteLength >= 12 && report === TRANSLATION ? AXES : 3;
+  if (data.byteLength < 2 * count || (count === 3 && data.byteLength > 8)) return null;
+  const axes = [...cap.axes];
+  for (let i = 0; i < count; i += 1) {
+    axes[first + i] = Math.max(-1, Math.min(1, data.getInt16(2 * i, true) / FULL));
+  }
+  return { ...cap, axes };
+}
+
+function bits(data: DataView): readonly boolean[] {
+  const count = Math.min(MOST_BUTTONS, 8 * data.byteLength);
+  return Array.from({ length: count }, (_, i) => ((data.getUint8(i >> 3) >> (i & 7)) & 1) === 1);
+}
+
+/** What of WebHID is used here; TypeScript's own library does not know it. */
+interface HidDevice extends EventTarget {
+  readonly vendorId: number;
+  readonly productName: string;
+  readonly opened: boolean;
+  readonly collections: readonly { readonly usagePage?: number; readonly usage?: number }[];
+  open(): Promise<void>;
+}
+
+interface Hid extends EventTarget {
+  getDevices(): Promise<readonly HidDevice[]>;
+  requestDevice(options: { filters: readonly object[] }): Promise<readonly HidDevice[]>;
+}
+
+interface ReportEvent extends Event {
+  readonly reportId: number;
+  readonly data: DataView;
+}
+
+function hid(): Hid | undefined {
+  return (navigator as Navigator & { hid?: Hid }).hid;
+}
+
+export class SpaceMouse {
+  /** As it calls itself; empty before there is one. */
+  name = '';
+  /** Why it does not fly, in a sentence; empty where nothing is wrong. */
+  problem = '';
+  private device: HidDevice | null = null;
+  private cap = CAP_AT_REST;
+  private silent = 0;
+  private looked = 0;
+  private readonly ended = new AbortController();
+
+  constructor() {
+    const { signal } = this.ended;
+    hid()?.addEventListener(
+      'disconnect',
+      (event) => this.gone((event as Event & { device: HidDevice }).device),
+      {
+        signal,
+      },
+    );
+    hid()?.addEventListener('connect', () => void this.find((all) => all.getDevices()), { signal });
+    // One that was allowed before needs no second asking.
+    void this.find((all) => all.getDevices());
+  }
+
+  /** Whether this browser can talk to one. */
+  get possible(): boolean {
+    return hid() !== undefined;
+  }
+
+  /** Asks the operator to choose one; the browser wants a press of a button before. */
+  async connect(): Promise<void> {
+    const filters = VENDORS.map((vendorId) => ({ vendorId, usagePage: PAGE, usage: USAGE }));
+    await this.find((all) => all.requestDevice({ filters }));
+  }
+
+  /** What it shows at `now` [ms]; null: there is none, it is out of reach, or not understood. */
+  reading(now: number): Reading | null {
+    if (!this.device || this.problem) return null;
+    const { axes, buttons } = this.cap;
+    this.silent += Math.min(MOST_OF_A_LOOK_MS, now - this.looked);
+    this.looked = now;
+    if (axes.some((value) => value !== 0) && this.silent > SILENCE_MS) return null;
+    return { axes, buttons: buttons.map((pressed) => ({ pressed, value: Number(pressed) })) };
+  }
+
+  dispose(): void {
+    this.ended.abort();
+  }
+
+  private async find(ask: (all: Hid) => Promise<readonly HidDevice[]>): Promise<void> {
+    const all = hid();
+    if (!all) return;
+    try {
+      await this.open((await ask(all)).find(isOurs));
+    } catch (error) {
+      this.problem = `The browser opened no SpaceMouse: ${error instanceof Error ? error.message : error}`;
+    }
+  }
+
+  private async open(device: HidDevice | undefined): Promise<void> {
+    if (!device || !isOurs(device) || this.device) return;
+    if (!device.opened) await device.open();
+    this.device = device;
+    this.name = device.productName || 'SpaceMouse';
+    this.problem = '';
+    this.cap = CAP_AT_REST;
+    device.addEventListener('inputreport', (event) => this.report(event as ReportEvent), {
+      signal: this.ended.signal,
+    });
+  }
+
+  private gone(device: HidDevice): void {
+    if (device === this.device) this.device = null;
+  }
+
+  private report({ reportId, data }: ReportEvent): void {
+    const cap = parsed(this.cap, reportId, data);
+    this.silent = 0;
+    if (cap) this.cap = cap;
+    else
+      this.problem = `Report ${reportId} with ${data.byteLength} bytes is not understood; this model does not fly.`;
+  }
+}
+
+function isOurs(device: HidDevice): boolean {
+  const capped = device.collections.some(({ usagePage, usage }) => usagePage === PAGE && usage === USAGE);
+  return VENDORS.includes(device.vendorId) && capped;
+}
