@@ -20,7 +20,8 @@ Array = NDArray[np.float64]
 
 def rotation(rng: np.random.Generator) -> Array:
     q, _ = np.linalg.qr(rng.normal(size=(3, 3)))
-    return q * np.sign(np.linalg.det(q))
+    proper: Array = q * np.sign(np.linalg.det(q))
+    return proper
 
 
 def some_row(rng: np.random.Generator, size: float = 5.0) -> Array:

@@ -16,7 +16,7 @@ export type Level = 'info' | 'caution' | 'warning';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
-export type FromPage = Sticks | Shown | Controllers | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromPage = Sticks | Shown | Controllers | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type FromServer = Welcome | Role | Frame | Events | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -292,6 +292,20 @@ export interface PositionHold {
   readonly on: boolean;
 }
 
+/** Set BRAKES: on, every joint stands at once. */
+export interface SetBrakes {
+  readonly type: 'brakes';
+  readonly seq: number;
+  readonly on: boolean;
+}
+
+/** Set SAFING: on, zero joint rates are commanded; off is its CANCEL. */
+export interface SetSafing {
+  readonly type: 'safing';
+  readonly seq: number;
+  readonly on: boolean;
+}
+
 /** Key in the end position and attitude of OPR CMD (SPEC 94 items 18-23), in panel components. */
 export interface SetTarget {
   readonly type: 'set_target';
@@ -524,6 +538,8 @@ export interface Frame {
   readonly payload_axes: boolean;
   readonly rate_hold: boolean;
   readonly position_hold: boolean;
+  readonly brakes: boolean;
+  readonly safing: boolean;
   readonly joint: number;
   readonly rate: Rate;
   /** READY and IN PROG of the automatic modes. */

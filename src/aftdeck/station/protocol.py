@@ -130,6 +130,20 @@ class PositionHold(_Message, frozen=True, tag="position_hold"):
     on: bool
 
 
+class SetBrakes(_Message, frozen=True, tag="brakes"):
+    """Set BRAKES: on, every joint stands at once."""
+
+    seq: Seq
+    on: bool
+
+
+class SetSafing(_Message, frozen=True, tag="safing"):
+    """Set SAFING: on, zero joint rates are commanded; off is its CANCEL."""
+
+    seq: Seq
+    on: bool
+
+
 class Proceed(_Message, frozen=True, tag="proceed"):
     """AUTO SEQ switch to PROCEED."""
 
@@ -233,6 +247,8 @@ FromPage = (
     | PayloadAxes
     | RateHold
     | PositionHold
+    | SetBrakes
+    | SetSafing
     | SetTarget
     | Proceed
     | Stop
@@ -533,6 +549,8 @@ class Frame(_Message, frozen=True, tag="frame"):
     payload_axes: bool
     rate_hold: bool
     position_hold: bool
+    brakes: bool
+    safing: bool
     joint: int
     rate: Rate
     sequence: Literal["idle", "ready", "in progress"]

@@ -51,6 +51,8 @@ _SWITCHES: dict[type, tuple[str, str]] = {
     wire.SelectRate: ("rate", "rate"),
     wire.PayloadAxes: ("payload_axes", "on"),
     wire.PositionHold: ("position_hold", "on"),
+    wire.SetBrakes: ("brakes", "on"),
+    wire.SetSafing: ("safing", "on"),
     wire.SetEffector: ("effector", "switch"),
     wire.SetEffectorMode: ("effector_mode", "mode"),
     wire.SetRigid: ("rigid", "rigid"),

@@ -106,6 +106,8 @@ class Translator:
             payload_axes=frame.payload_axes,
             rate_hold=frame.rate_hold,
             position_hold=frame.position_hold,
+            brakes=frame.brakes,
+            safing=frame.safing,
             joint=frame.joint,
             rate=frame.rate,
             sequence=frame.sequence,

@@ -38,6 +38,7 @@ const KEYBOARD = {
   KeyG: 'close',
   KeyR: 'open',
   KeyT: 'latch',
+  KeyB: 'brakes',
   BracketLeft: 'mode -',
   BracketRight: 'mode +',
   Enter: 'enter',

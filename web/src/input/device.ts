@@ -1,7 +1,7 @@
 /** One device with axes and buttons: from its raw reading to axes and actions, and whether it may fly. */
 
 import { AXES, type Deflection, HANDS, type Hand, isZero, ZERO } from './deflection';
-import { type Action, USES } from './keymap';
+import { type Action, type Grip, USES } from './keymap';
 import { centred, indexOf, type Kind, type Mapping, shape } from './mapping';
 import { mappingOf } from './store';
 
@@ -169,7 +169,7 @@ export class Device {
     if (does?.kind === 'grip') this.grip(does.grip, false);
   }
 
-  private grip(grip: 'close' | 'open' | 'latch', down: boolean): void {
+  private grip(grip: Grip, down: boolean): void {
     this.acted({ name: 'grip', grip, down, at: performance.now() });
   }
 

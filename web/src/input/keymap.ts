@@ -5,8 +5,8 @@
 
 import { AXES } from './deflection';
 
-/** What is held for a while before it acts: close or open the hand, latch or unlatch what it holds. */
-export type Grip = 'close' | 'open' | 'latch';
+/** What is held for a while before it acts: close or open the hand, latch or unlatch what it holds, let go the brakes. */
+export type Grip = 'close' | 'open' | 'latch' | 'brakes';
 
 export type Action =
   | {
@@ -92,6 +92,7 @@ const ACTIONS: readonly Use[] = [
   held('close', 'capture, close'),
   held('open', 'release, open'),
   held('latch', 'latch, unlatch'),
+  held('brakes', 'brakes'),
   once('mode -', 'mode before', { name: 'turn mode', by: -1 }),
   once('mode +', 'mode after', { name: 'turn mode', by: 1 }),
   once('enter', 'enter mode', { name: 'enter' }),

@@ -16,6 +16,7 @@ import type { Desk, View } from './part';
 import { resolution } from './resolution';
 import { rhc } from './rhc';
 import { singularity } from './singularity';
+import { standing } from './standing';
 import { type TargetGroup, targetGroup } from './target';
 import { thc } from './thc';
 
@@ -49,7 +50,8 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   const effector = effectorGroup(desk);
   const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
   const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
-  const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc(desk)];
+  const still = standing(desk);
+  const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc(desk, still)];
   const own = joints(desk);
   const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
   const last = singularity();
@@ -88,7 +90,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
     target,
     clearance: () => clearance.level,
     setPlane: (on) => clearance.setPlane(on),
-    grip: (action) => effector.grip(action),
+    grip: (action) => (action.grip === 'brakes' ? still : effector).grip(action),
     meetMaster: () => master.meet(),
     bars(view) {
       for (const part of parts) part.bars?.(view);

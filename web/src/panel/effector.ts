@@ -36,6 +36,7 @@ export function effectorGroup(desk: Desk): EffectorGroup {
   let latest: WorkFrame | null = null;
 
   function grip({ grip: which, down, at }: GripAction): void {
+    if (which === 'brakes') return; // not the hand's
     if (which === 'latch') {
       if (down) seats?.keyed().press(at);
       else seats?.lift(at);

@@ -14,9 +14,18 @@ export interface HoldButton {
   tick(): void;
 }
 
-/** `grip`: what the operator holds a key for instead. */
-export function holdButton(label: string, grip: Grip, seconds: number, act: () => void): HoldButton {
+/** `grip`: what the operator holds a key for instead; `begins`: whether being held leads to anything now. */
+export function holdButton(
+  label: string,
+  grip: Grip,
+  seconds: number,
+  act: () => void,
+  begins: () => boolean = () => true,
+): HoldButton {
   const hold = new Hold(seconds, act);
+  const press = (at: number) => {
+    if (begins()) hold.press(at);
+  };
   const fill = el('i', { class: 'fill' });
   const key = el('small');
   const element = el(
@@ -32,25 +41,25 @@ export function holdButton(label: string, grip: Grip, seconds: number, act: () =
     key,
   );
   let filled = 0;
-  element.addEventListener('pointerdown', ({ timeStamp }) => hold.press(timeStamp));
+  element.addEventListener('pointerdown', ({ timeStamp }) => press(timeStamp));
   for (const ends of ['pointerup', 'pointerleave', 'pointercancel', 'blur'] as const) {
     element.addEventListener(ends, ({ timeStamp }) => hold.lift(timeStamp));
   }
   element.addEventListener('keydown', (event) => {
     if (event.key !== 'Enter') return;
     event.preventDefault();
-    if (!event.repeat) hold.press(event.timeStamp);
+    if (!event.repeat) press(event.timeStamp);
   });
   element.addEventListener('keyup', (event) => {
     if (event.key === 'Enter') hold.lift(event.timeStamp);
   });
   element.addEventListener('click', (event) => {
     if (event.detail > 0) element.blur();
-    else act(); // neither pointer nor key: an assistive device, which cannot hold
+    else if (begins()) act(); // neither pointer nor key: an assistive device, which cannot hold
   });
   return {
     element,
-    press: (at) => hold.press(at),
+    press,
     lift: (at) => hold.lift(at),
     tick() {
       const part = hold.tick(performance.now());

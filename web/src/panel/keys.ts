@@ -30,6 +30,7 @@ type Row = readonly [uses: readonly string[], does: string, pad?: 'untold'];
 /** Uses, and what they do. */
 const FLYING: readonly Row[] = [
   [['stop'], 'stop: sticks to zero, a sequence to rest'],
+  [['brakes'], 'brakes on; held 0.5 s: off'],
   [['rate'], 'coarse or vernier'],
   [['rate hold'], 'rate hold: keep the present rates, let go of them'],
   [['mode -', 'mode +', 'enter'], 'turn the mode rotary, enter the mode'],

@@ -3,11 +3,12 @@
 import { PITCH, ROLL, YAW } from '../input/deflection';
 import { button, el, group, setAttribute, setClass, setPressed, setText, svg } from './dom';
 import type { Desk, Part } from './part';
+import type { Standing } from './standing';
 import { gone, mark, setHand, triple } from './sticks';
 
 const ROLL_SPAN = 75;
 
-export function rhc(desk: Desk): Part {
+export function rhc(desk: Desk, still: Standing): Part {
   let holding = false;
   const lost = gone('M-35 -35 L35 35 M-35 35 L35 -35');
   const tilt = mark();
@@ -62,12 +63,14 @@ export function rhc(desk: Desk): Part {
       ),
     ),
     numbers.element,
+    still.element,
     hold,
     device,
   );
   return {
     element,
     bars({ frame, hand, flying }) {
+      still.bars();
       const [rollNow, pitch, yaw] = frame.rotation;
       heldTilt.set(yaw, pitch);
       turn(heldRoll, rollNow);
@@ -76,7 +79,9 @@ export function rhc(desk: Desk): Part {
       tilt.set(own ? (hand[YAW] ?? 0) : yaw, own ? (hand[PITCH] ?? 0) : pitch);
       turn(roll, own ? (hand[ROLL] ?? 0) : rollNow);
     },
-    values({ frame, flying, controllers }) {
+    values(view) {
+      const { frame, flying, controllers } = view;
+      still.values(view);
       lost.set(element, controllers, 'rhc');
       const [rollNow, pitch, yaw] = frame.rotation;
       setHand(element, 'right hand', frame, flying);
