@@ -4,6 +4,7 @@ import { assertUnreachable } from './assert';
 import type { Action } from './input/keymap';
 import { keyOf } from './input/layout';
 import { reread } from './input/store';
+import { keeper } from './kept';
 import { Latency } from './latency';
 import { Operator } from './operator';
 import { clearanceCause } from './panel/clearance';
@@ -25,6 +26,7 @@ import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Welcome } from './
 import type { Drawing } from './quality';
 import type { DrawnBody } from './scene/bodies';
 import type { Command, LinkState } from './socket';
+import { Tones } from './tones';
 import { type UnitName, unitsOf } from './units';
 
 /** Figures and legends change this often [ms]. */
@@ -44,6 +46,9 @@ export class Station {
   drawn = 0;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
   readonly latency = new Latency();
+  private readonly tones = new Tones(keeper(), () => new AudioContext());
+  /** What the last frame showed, for the clicks. */
+  private heard = { mode: '', held: 0 };
   private frame: Frame | null = null;
   private restarts = 0;
   private arrived = 0;
@@ -55,6 +60,7 @@ export class Station {
   private units: UnitName;
   private refusal: { readonly text: string; readonly at: number } | null = null;
   private request = 0;
+  private readonly ended = new AbortController();
   private readonly pictures: Pictures;
   private readonly operator: Operator;
   private readonly spine = new Spine({
@@ -103,7 +109,7 @@ export class Station {
       plane: () => this.showPlane(),
       flyOrbiter: (on) => this.flyOrbiter(on),
     });
-    this.rail = rail(desk, drawing.software && drawing.quality === 'low', {
+    this.rail = rail(desk, drawing.software && drawing.quality === 'low', this.tones, {
       units: () => {
         this.units = this.units === 'SI' ? 'ft-in' : 'SI';
       },
@@ -123,6 +129,8 @@ export class Station {
       this.keys.element,
       this.sheet.element,
     );
+    for (const used of ['keydown', 'pointerdown'] as const)
+      document.addEventListener(used, () => this.tones.wake(), { signal: this.ended.signal });
     this.request = requestAnimationFrame(() => this.tick());
   }
 
@@ -173,6 +181,8 @@ export class Station {
 
   dispose(): void {
     cancelAnimationFrame(this.request);
+    this.tones.dispose();
+    this.ended.abort();
     this.operator.dispose();
     this.pictures.dispose();
   }
@@ -215,12 +225,24 @@ export class Station {
     this.spine.show([...view.frame.lamps, ...this.ownLamps(view, now, age)], test);
     const latency95 = this.latency.percentile95(now);
     this.rail.values(view, latency95, this.role.watchers, this.link);
+    this.sound(view.frame);
     if (view.frame.recording_s !== null && this.role.flying && now - this.toldAt >= TOLD_MS) {
       this.toldAt = now;
       this.transmit({ type: 'shown', latency_ms: latency95 });
     }
     if (test) lightSegments();
     this.shown = { frame: view.frame, restarts: this.restarts };
+  }
+
+  /** Alarms until they are acknowledged, and clicks for a mode entered and a payload captured. */
+  private sound(frame: Frame): void {
+    const { alarm, more } = this.spine.takeAlarm();
+    this.tones.sound(alarm, more);
+    this.spine.setMuted(this.tones.muted);
+    const now = { mode: frame.mode, held: frame.work.cargo.filter(({ held }) => held).length };
+    if (this.heard.mode !== '' && now.mode !== this.heard.mode) this.tones.entered();
+    if (this.heard.mode !== '' && now.held > this.heard.held) this.tones.captured();
+    this.heard = now;
   }
 
   /** Who flies tells what he flies with, and holds position where a device is gone. */

@@ -1,5 +1,7 @@
 /** The station's sounds: alarms that are heard until they are seen, and clicks for what was done. */
 
+import type { Keeper } from './kept';
+
 export type Alarm = 'none' | 'caution' | 'warning';
 
 /** One tone [Hz], this long [s]. */
@@ -40,7 +42,7 @@ export class Tones {
 
   /** `open`: makes the browser's sound; browsers let it be heard only once a key or a pointer was used. */
   constructor(
-    private readonly store: Pick<Storage, 'getItem' | 'setItem'>,
+    private readonly store: Keeper,
     private readonly open: () => AudioContext,
   ) {
     this.settings = kept(store.getItem(KEPT));

@@ -2,10 +2,12 @@
 
 import { clock, missionTime } from '../format';
 import type { LinkState } from '../socket';
+import type { Tones } from '../tones';
 import { TASKS } from './cargo';
 import { button, el, setClass, setText } from './dom';
 import { initialise } from './initialise';
 import type { Desk, View } from './part';
+import { sound } from './sound';
 
 /** Slower than this, the picture lags behind the hand [ms]. */
 const SLOW_MS = 100;
@@ -24,13 +26,14 @@ export interface Rail {
   close(): void;
 }
 
-export function rail(desk: Desk, software: boolean, listener: RailListener): Rail {
+export function rail(desk: Desk, software: boolean, tones: Tones, listener: RailListener): Rail {
   const { welcome } = desk;
   // The script's phases; flown by hand, the report's modes, which come in any order.
   const scripted = welcome.phases.length > 0;
   const steps = scripted ? welcome.phases : welcome.work.cargo.length > 0 ? TASKS : [];
   const phases = steps.map((name) => el('li', {}, name));
   const parts = initialise(desk);
+  const heard = sound(tones);
   const lag = el('b');
   const met = el('b');
   const rec = el('b');
@@ -53,6 +56,7 @@ export function rail(desk: Desk, software: boolean, listener: RailListener): Rai
     recording,
     el('span', { class: 'met' }, 'MET ', met),
     who,
+    heard.element,
     units,
     button({ title: 'Puts the scenario back to its first instant' }, ['Restart'], () => listener.restart()),
     parts.element,
@@ -74,6 +78,7 @@ export function rail(desk: Desk, software: boolean, listener: RailListener): Rai
       setText(met, missionTime(frame.time_s));
       setClass(recording, 'absent', frame.recording_s === null);
       setText(rec, clock(frame.recording_s ?? 0));
+      heard.values();
       setText(units, shown.name === 'SI' ? 'SI' : 'ft · in');
       const lost = link.kind === 'lost';
       setText(who, lost ? `No connection, try ${link.attempt}` : roles(flying, watchers));

@@ -2,6 +2,7 @@
 
 import { keyOf } from '../input/layout';
 import type { Lamp } from '../protocol';
+import type { Alarm } from '../tones';
 import { button, el, setAttribute, setClass, setText } from './dom';
 
 /** Lamps of the arm as on the panel, then those of the station. */
@@ -24,6 +25,8 @@ export class Spine {
   private readonly arm = el('div', { class: 'lamps' });
   private lit = new Map<string, Lamp>();
   private unseen = new Set<string>();
+  private raised = false;
+  private readonly silent = el('p', { class: 'silent' }, 'Tones muted');
 
   constructor(private readonly listener: SpineListener) {
     this.master = button({ class: 'master' }, [el('b', {}, 'Master alarm'), this.words], () =>
@@ -35,6 +38,7 @@ export class Spine {
       'section',
       { class: 'spine', 'aria-label': 'Lamps' },
       this.master,
+      this.silent,
       this.arm,
       station,
       this.polite,
@@ -72,6 +76,20 @@ export class Spine {
       );
   }
 
+  /** What nobody has acknowledged yet, and whether another lamp was lit since this was last asked. */
+  takeAlarm(): { readonly alarm: Alarm; readonly more: boolean } {
+    const levels = [...this.unseen].map((name) => this.lit.get(name)?.level);
+    const alarm = levels.includes('warning') ? 'warning' : levels.length > 0 ? 'caution' : 'none';
+    const more = this.raised;
+    this.raised = false;
+    return { alarm, more };
+  }
+
+  /** Says beside the master alarm that no tone will be heard. */
+  setMuted(muted: boolean): void {
+    this.silent.hidden = !muted;
+  }
+
   /** The operator has seen what is lit. */
   acknowledge(): void {
     this.unseen.clear();
@@ -79,6 +97,7 @@ export class Spine {
   }
 
   private raise(lamp: Lamp): void {
+    this.raised = true;
     this.unseen.add(lamp.name);
     setText(lamp.level === 'warning' ? this.alert : this.polite, `${lamp.name}: ${lamp.text}`);
   }
