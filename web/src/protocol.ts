@@ -16,7 +16,7 @@ export type Level = 'info' | 'caution' | 'warning';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
-export type FromPage = Sticks | Shown | Controllers | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromPage = Sticks | Shown | Controllers | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type FromServer = Welcome | Role | Frame | Events | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -292,6 +292,14 @@ export interface PositionHold {
   readonly on: boolean;
 }
 
+/** How far to look ahead. */
+export interface LookAhead {
+  readonly type: 'look_ahead';
+  readonly seq: number;
+  /** [s] */
+  readonly seconds: number;
+}
+
 /** Set BRAKES: on, every joint stands at once. */
 export interface SetBrakes {
   readonly type: 'brakes';
@@ -395,6 +403,8 @@ export interface Welcome {
   readonly joints: readonly JointInfo[];
   readonly modes: readonly ModeInfo[];
   readonly bodies: readonly BodyInfo[];
+  /** Indices of the bodies that `Frame.ahead` tells of. */
+  readonly ghost: readonly number[];
   readonly cameras: readonly Camera[];
   readonly work: WorkInfo;
   /** Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none. */
@@ -575,6 +585,8 @@ export interface Frame {
   readonly lamps: readonly Lamp[];
   readonly aim: Aim | null;
   readonly work: WorkFrame;
+  /** The newest look ahead; null: none was made yet. */
+  readonly ahead: Ahead | null;
   /** The control frame's axes in the scene, for the frame axes in the pictures. */
   readonly axes: Quat;
   /** Seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene. */
@@ -722,6 +734,31 @@ export interface CargoFrame {
   readonly seat: string;
   /** Of its centre against the arm's base [m/s]. */
   readonly speed: number;
+}
+
+/** Look ahead: what the sticks as they stand would do in some seconds; told five times a second. */
+export interface Ahead {
+  /** How far is looked [s]. */
+  readonly seconds: number;
+  /** The sticks as they stand; false: they rest, and this is the last axis used at full deflection. */
+  readonly held: boolean;
+  /** Whether the arm is then elsewhere than now. */
+  readonly moves: boolean;
+  /** Least clearance then [m]; null: nothing is watched. */
+  readonly clearance: number | null;
+  /** The two parts that have it. */
+  readonly a: string;
+  readonly b: string;
+  /** When the first contact is found on the way [s]; null: none is. */
+  readonly contact_s: number | null;
+  /** How far the tip goes on if the sticks are let go now [m]. */
+  readonly stopping: number;
+  /** The joint nearest to a reach limit then, 0 to 5. */
+  readonly joint: number;
+  /** How far it is from that limit then; negative past it [rad]. */
+  readonly room: number;
+  /** Seven numbers for each body of `Welcome.ghost`, as in `Frame.poses`. */
+  readonly poses: readonly number[];
 }
 
 /** New log lines, oldest first; none is ever skipped. */

@@ -9,6 +9,7 @@ from aftdeck.frames import SCENE_FROM_PANEL_AXES, Rows, quaternion
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.poses import ArmPoses
 from aftdeck.simulation.frame import Frame, Vec3
+from aftdeck.simulation.look_ahead import Ahead
 
 Array = NDArray[np.float64]
 
@@ -37,6 +38,13 @@ class ScenePoses:
             poses += self.pose(*frame.payload)
         for cargo in frame.work.cargo:
             poses += self.pose(cargo.position, cargo.orientation)
+        return poses
+
+    def then(self, ahead: Ahead, prong: float | None) -> list[float]:
+        """Seven numbers a body, for those of the arm and then the worksite's payloads, as they would be."""
+        poses = self.arm.at(np.array(ahead.angles), ahead.stand, prong)
+        for position, orientation in ahead.cargo:
+            poses += self.pose(position, orientation)
         return poses
 
     def worksite(self, frame: Frame) -> list[float]:

@@ -24,7 +24,7 @@ from aftdeck.steering.mode import MODES
 from aftdeck.steering.rehearsal import rehearse
 from aftdeck.worksite.around import place_everything
 from aftdeck.worksite.found import CLEARANCE
-from aftdeck.worksite.report import Near
+from aftdeck.worksite.report import Near, Rows, Vec3
 
 Array = NDArray[np.float64]
 
@@ -60,6 +60,8 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     """Joint angles then [rad]."""
     stand: float
     """Height of the shoulder then [m]."""
+    cargo: tuple[tuple[Vec3, Rows], ...]
+    """Centre and axes (rows) of each payload of the worksite then, in L [m]."""
     nearest: Near | None
     """The watched pair with the least clearance then, of those not made to touch."""
     contact_s: float | None
@@ -112,12 +114,18 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         moves=bool(np.abs(angles - state.plant.angles).max() > _STILL or height != stand.position),
         angles=(a, b, c, d, e, f),
         stand=height,
+        cargo=tuple(_placed(row) for row in frames[len(frames) - len(site.cargo) :].tolist()),
         nearest=None if group < 0 else near_of(flight, state, watch.found, group),
         contact_s=contact,
         stopping=_stopping(state),
         joint=joint,
         room=room,
     )
+
+
+def _placed(row: list[float]) -> tuple[Vec3, Rows]:
+    x, y, z, a, b, c, d, e, f, g, h, i = row
+    return (x, y, z), ((a, b, c), (d, e, f), (g, h, i))
 
 
 def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:

@@ -12,6 +12,7 @@ from aftdeck.simulation.flight import Flight, prepare
 from aftdeck.simulation.grasp import let_go, set_free, take_hold
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.look import look
+from aftdeck.simulation.look_ahead import MOST_S, look_ahead
 from aftdeck.simulation.seating import conditions_at
 from aftdeck.simulation.sliding import slide_along
 from aftdeck.simulation.state import State
@@ -37,6 +38,7 @@ def warm_up(scenario: Scenario) -> None:
         step(flight, state, Inputs(stop=True))
     with contextlib.suppress(AftdeckError):  # the first pose may itself be singular
         arm.inverse(here.pose, near=scenario.initial_angles)
+    look_ahead(flight, state, MOST_S, (3, 1))
     ways_out(flight, state, (1, 0, 0, 0, 0, 0), ("elbow",))
     step(flight, state, Inputs(mode="SINGLE"))
     ways_out(flight, state, (0, 0, 0, 0, 0, 0), ("elbow",))

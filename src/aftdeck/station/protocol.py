@@ -144,6 +144,14 @@ class SetSafing(_Message, frozen=True, tag="safing"):
     on: bool
 
 
+class LookAhead(_Message, frozen=True, tag="look_ahead"):
+    """How far to look ahead."""
+
+    seq: Seq
+    seconds: Annotated[float, msgspec.Meta(ge=2.0, le=20.0)]
+    """[s]"""
+
+
 class Proceed(_Message, frozen=True, tag="proceed"):
     """AUTO SEQ switch to PROCEED."""
 
@@ -247,6 +255,7 @@ FromPage = (
     | PayloadAxes
     | RateHold
     | PositionHold
+    | LookAhead
     | SetBrakes
     | SetSafing
     | SetTarget
@@ -354,6 +363,8 @@ class Welcome(_Message, frozen=True, tag="welcome"):
     joints: tuple[JointInfo, ...]
     modes: tuple[ModeInfo, ...]
     bodies: tuple[BodyInfo, ...]
+    ghost: tuple[int, ...]
+    """Indices of the bodies that `Frame.ahead` tells of."""
     cameras: tuple[Camera, ...]
     work: WorkInfo
     phases: tuple[str, ...] = ()
@@ -530,6 +541,32 @@ class WorkFrame(msgspec.Struct, frozen=True):
     """Where the master arm stands [rad]; null in other modes than MASTER."""
 
 
+class Ahead(msgspec.Struct, frozen=True):
+    """Look ahead: what the sticks as they stand would do in some seconds; told five times a second."""
+
+    seconds: float
+    """How far is looked [s]."""
+    held: bool
+    """The sticks as they stand; false: they rest, and this is the last axis used at full deflection."""
+    moves: bool
+    """Whether the arm is then elsewhere than now."""
+    clearance: float | None
+    """Least clearance then [m]; null: nothing is watched."""
+    a: str
+    """The two parts that have it."""
+    b: str
+    contact_s: float | None
+    """When the first contact is found on the way [s]; null: none is."""
+    stopping: float
+    """How far the tip goes on if the sticks are let go now [m]."""
+    joint: int
+    """The joint nearest to a reach limit then, 0 to 5."""
+    room: float
+    """How far it is from that limit then; negative past it [rad]."""
+    poses: tuple[float, ...]
+    """Seven numbers for each body of `Welcome.ghost`, as in `Frame.poses`."""
+
+
 class Frame(_Message, frozen=True, tag="frame"):
     """All that the page shows of one instant; newest wins, frames may be skipped."""
 
@@ -586,6 +623,8 @@ class Frame(_Message, frozen=True, tag="frame"):
     lamps: tuple[Lamp, ...]
     aim: Aim | None
     work: WorkFrame
+    ahead: Ahead | None
+    """The newest look ahead; null: none was made yet."""
     axes: Quat
     """The control frame's axes in the scene, for the frame axes in the pictures."""
     poses: tuple[float, ...]

@@ -24,6 +24,7 @@ from aftdeck.scenario.target import target_at
 from aftdeck.simulation.frame import Event, Level
 from aftdeck.simulation.frame import Frame as SimFrame
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.look_ahead import Axis
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.station import protocol as wire
@@ -35,6 +36,10 @@ MOST_WAITING = 32
 """Commands that may wait to be flown; one is taken a step."""
 MOST_BEHIND = 0.25
 """A step this late [s] is not caught up on: the clock starts afresh from there."""
+LOOK_EVERY = 10
+"""Steps from one look ahead to the next."""
+LOOK_S = 5.0
+"""How far is looked ahead until a page says otherwise [s]."""
 MOVED = 1e-3
 """Stick deflection from which a person takes over from the demonstration."""
 FARTHEST = 1000.0
@@ -104,6 +109,9 @@ class Session:
         self._lock = threading.Lock()
         self._tape = Tape(record, Index(), live)
         self._latency_ms: float | None = None
+        self._look_s = LOOK_S
+        self._ahead: wire.Ahead | None = None
+        self._axis: Axis | None = None
         self._controllers = NO_CONTROLLERS
         self._recorded = NO_CONTROLLERS
         self._commands: deque[wire.FromPage] = deque()
@@ -235,6 +243,8 @@ class Session:
         if isinstance(message, wire.Restart):
             self._restart()
             message = None
+        elif isinstance(message, wire.LookAhead):
+            self._look_s, message = message.seconds, None
         if controllers is not self._recorded:
             self._recorded = controllers
             self._tape.controllers(self._time(), controller_records(controllers))
@@ -247,7 +257,10 @@ class Session:
         self._tape.step(inputs, frame, self._latency_ms)
         for text in self._tape.complaints():
             self._note("recording", text, "warning")
-        self._newest = _encoder.encode(self._translator.frame(frame, sticks.seq, self._tape.running_s))
+        if frame.tick % LOOK_EVERY == 1:
+            self._axis = _deflected(frame) or self._axis
+            self._ahead = self._translator.ahead(self._sim.ahead(self._look_s, self._axis), frame)
+        self._newest = _encoder.encode(self._translator.frame(frame, sticks.seq, self._tape.running_s, self._ahead))
         self._note_all(frame)
 
     def _inputs(self, sticks: wire.Sticks, message: wire.FromPage | None) -> Inputs:
@@ -280,6 +293,7 @@ class Session:
         self._tape.end("restarted")
         self._sim = Simulation(self._scenario, self._seed)
         self._demo = self._start_demo
+        self._ahead = self._axis = None
         self._tape.begin(self._scenario, self._sim.seed)
         self._recorded = NO_CONTROLLERS  # the new file is told anew
         self._note("restart", f"{self._scenario.title}: from the beginning")
@@ -294,6 +308,15 @@ class Session:
         if frame.events:
             with self._lock:
                 self._log.extend(frame.events)
+
+
+def _deflected(frame: SimFrame) -> Axis | None:
+    """The axis that is deflected most, and which way; None: the sticks rest."""
+    axes = (*frame.rotation, *frame.translation, frame.drive)
+    most = max(range(len(axes)), key=lambda k: abs(axes[k]))
+    if axes[most] == 0.0:
+        return None
+    return most, 1 if axes[most] > 0.0 else -1
 
 
 def _travel(sticks: wire.Sticks) -> tuple[float, ...]:

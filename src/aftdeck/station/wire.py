@@ -16,6 +16,7 @@ from aftdeck.scene.bodies import bodies_of
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation import frame as sim
 from aftdeck.simulation.log import spoken
+from aftdeck.simulation.look_ahead import Ahead
 from aftdeck.station import protocol as wire
 from aftdeck.station.wire_work import WorkTranslator, work_info
 from aftdeck.steering.mode import MODES, Mode
@@ -78,9 +79,15 @@ class Translator:
             modes=modes,
             work=work_info(scenario),
             bodies=bodies,
+            ghost=self._ghost(len(bodies)),
             cameras=cameras,
             phases=phases,
         )
+
+    def _ghost(self, count: int) -> tuple[int, ...]:
+        """The arm's bodies and the worksite's payloads, of so many."""
+        first, cargo = len(self._scenario.worksite.bodies), len(self._scenario.cargo)
+        return (*range(first, first + len(self._arm.model.frames)), *range(count - cargo, count))
 
     def _can_enter(self, mode: Mode) -> bool:
         scenario = self._scenario
@@ -88,7 +95,30 @@ class Translator:
             return scenario.payload is not None
         return not mode.position.startswith("AUTO") or mode.position in scenario.sequences
 
-    def frame(self, frame: sim.Frame, stick_seq: int, recording_s: float | None = None) -> wire.Frame:
+    def ahead(self, ahead: Ahead, frame: sim.Frame) -> wire.Ahead:
+        """A look ahead from a frame as the page takes it."""
+        near = ahead.nearest
+        return wire.Ahead(
+            seconds=ahead.seconds,
+            held=ahead.held,
+            moves=ahead.moves,
+            clearance=None if near is None else near.clearance,
+            a="" if near is None else near.a,
+            b="" if near is None else near.b,
+            contact_s=ahead.contact_s,
+            stopping=ahead.stopping,
+            joint=ahead.joint,
+            room=ahead.room,
+            poses=tuple(self._poses.then(ahead, self._poses.prong(frame))),
+        )
+
+    def frame(
+        self,
+        frame: sim.Frame,
+        stick_seq: int,
+        recording_s: float | None = None,
+        ahead: wire.Ahead | None = None,
+    ) -> wire.Frame:
         """A frame of the simulation as the page takes it."""
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
@@ -131,6 +161,7 @@ class Translator:
             lamps=self.lamps(frame),
             aim=self._aim(frame.goal),
             work=self._work.frame(frame.work),
+            ahead=ahead,
             axes=quaternion(SCENE_FROM_PANEL_AXES @ self._control_axes(frame, tip)),
             poses=tuple(self._poses.at(frame)),
         )
