@@ -1,0 +1,86 @@
+/** Look ahead: what the sticks as they stand would do in some seconds, in figures; the ghost is the same, drawn. */
+
+import type { Ahead } from '../protocol';
+import type { Units } from '../units';
+import { button, el, group, setAbout, setClass, setText } from './dom';
+import type { Desk, Part } from './part';
+
+/** How far may be looked ahead, in turn [s]. */
+const TIMES = [2, 5, 10, 20] as const;
+const DEGREES = 180 / Math.PI;
+
+export function lookAhead(desk: Desk): Part {
+  let seconds = 5;
+  const time = button({ class: 'time', title: 'How far to look ahead' }, [], () =>
+    desk.send({ type: 'look_ahead', seconds: next(seconds) }),
+  );
+  const [clear, between, stop, joint] = [el('b'), el('span'), el('b'), el('b')];
+  const element = group(
+    'look-ahead',
+    'Look ahead',
+    el(
+      'dl',
+      {},
+      el('dt', {}, 'Clearance then'),
+      el('dd', {}, clear, between),
+      el('dt', {}, 'Stops within'),
+      el('dd', {}, stop),
+      el('dt', {}, 'Nearest limit'),
+      el('dd', {}, joint),
+    ),
+    time,
+  );
+  return {
+    element,
+    values({ frame: { ahead }, units }) {
+      setText(time, `${(ahead?.seconds ?? seconds).toFixed(0)} s`);
+      if (!ahead) return;
+      seconds = ahead.seconds;
+      const told = words(ahead, desk.welcome.joints, units);
+      setText(clear, told.clearance);
+      setText(between, told.between);
+      setText(stop, told.stopping);
+      setText(joint, told.joint);
+      setAbout(element, about(ahead));
+      setClass(element, 'resting', !ahead.held);
+      setClass(clear, 'caution', ahead.contact_s !== null || below(ahead, desk.welcome.work.caution));
+      setClass(joint, 'caution', ahead.room <= 0);
+    },
+  };
+}
+
+/** Whose look it is. */
+export function about({ held, moves }: Pick<Ahead, 'held' | 'moves'>): string {
+  if (held) return 'sticks held';
+  return moves ? 'last axis, in full' : 'sticks at rest';
+}
+
+/** The next time that may be chosen [s]. */
+export function next(seconds: number): number {
+  return TIMES.find((each) => each > seconds) ?? TIMES[0];
+}
+
+function below({ clearance }: Ahead, caution: number): boolean {
+  return clearance !== null && clearance < caution;
+}
+
+/** The figures, in the operator's units. */
+export function words(
+  ahead: Ahead,
+  joints: readonly { readonly label: string }[],
+  units: Pick<Units, 'short'>,
+): { readonly clearance: string; readonly between: string; readonly stopping: string; readonly joint: string } {
+  const { clearance, a, b, contact_s, stopping, joint, room } = ahead;
+  const left = `${Math.abs(room * DEGREES).toFixed(0)}°`;
+  return {
+    clearance:
+      contact_s !== null
+        ? `contact in ${contact_s.toFixed(1)} s`
+        : clearance === null
+          ? '–'
+          : units.short(clearance),
+    between: clearance === null ? '' : `${a} to ${b}`,
+    stopping: units.short(stopping),
+    joint: `${joints[joint]?.label ?? ''} ${room > 0 ? left : `${left} past`}`,
+  };
+}
