@@ -101,6 +101,7 @@ def look(flight: Flight, state: State, by_script: bool, phase: str) -> Frame:
         goal=_goal(state, position, orientation, report[REMAINING]),
         work=look_work(flight, state),
         events=tuple(state.events),
+        views=state.cameras.views,
     )
 
 

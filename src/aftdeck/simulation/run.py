@@ -65,12 +65,14 @@ class Simulation:
             inputs: sticks and switches; None lets the scenario's script fly.
 
         Raises:
-            InputError: inputs that no hand controller can give, a target that is none or contradicts itself;
-                nothing has changed.
+            InputError: inputs that no hand controller can give, a target that is none or contradicts itself, a
+                camera that cannot be turned; nothing has changed.
             SimulationError: the state is no longer finite.
         """
         if inputs is not None:
             inputs.check(self._state.arm)
+            if inputs.camera is not None:
+                self._state.cameras.check(inputs.camera)
         frame = step(self._flight, self._state, inputs)
         if not math.isfinite(sum(frame.angles)):
             raise SimulationError(f"the arm's state is no longer finite at {frame.time_s:g} s: {frame.angles}")

@@ -8,12 +8,14 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.bodies.cameras import Setting
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.linkage import L1
 from aftdeck.plant.kinematic import KinematicPlant
 from aftdeck.plant.slide import stand_of
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import Target
+from aftdeck.simulation.cameras import Cameras
 from aftdeck.simulation.carried import Carried
 from aftdeck.simulation.frame import Check, Event, Sequence, Six
 from aftdeck.simulation.inputs import Inputs
@@ -80,6 +82,7 @@ class State:
         carried: what the arm holds, and its rules with it.
         plant: what moves.
         site: the worksite.
+        cameras: their drives.
         steering: measured angles and rise, commanded rates, commanded twist.
         commanded: (6,) integral of the commanded rates from the initial angles [rad].
         command: what the steering laws are told in this step.
@@ -103,6 +106,7 @@ class State:
         self.plant = KinematicPlant(scenario.initial_angles, scenario.initial_rates, stand_of(scenario.arm.model))
         self._arm = scenario.arm
         self.site = Things(scenario, site)
+        self.cameras = Cameras(scenario)
         self.steering = np.zeros(STATE)
         self.commanded = np.array(scenario.initial_angles)
         self.command = np.zeros(COMMAND)
@@ -123,6 +127,7 @@ class State:
             self.commanded.tolist(),
             self.command.tolist(),
             self.report.tolist(),
+            self.cameras.save(),
         )
 
     def restore(self, saved: Saved) -> None:
@@ -137,10 +142,11 @@ class State:
         self.commanded[:] = saved.commanded
         self.command[:] = saved.command
         self.report[:] = saved.report
+        self.cameras.restore(saved.cameras)
         self.events.clear()
 
     def become(self, other: State) -> None:
-        """Be as another state of the same flight, but for the tick, the script, the log and the inputs under way."""
+        """Be as another state of the same flight, but for the tick, script, log, cameras and inputs under way."""
         self.panel, self.carried, self.plant, self.site = other.panel, other.carried, other.plant, other.site
         self.steering, self.commanded = other.steering, other.commanded
         self.command, self.report = other.command, other.report
@@ -176,3 +182,4 @@ class Saved(msgspec.Struct, frozen=True):
     commanded: list[float]
     command: list[float]
     report: list[float]
+    cameras: tuple[Setting, ...]

@@ -58,6 +58,8 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Frame:
     state.plant.move(rates, period, telescope)
     state.commanded += rates * period
     work(flight, state, inputs)
+    if inputs.camera is not None:
+        state.cameras.drive(inputs.camera, period)
 
     # what a reader may know of it
     if by_script:

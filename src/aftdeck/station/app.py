@@ -141,6 +141,8 @@ class Page:
                 self.pages.session.steer(message)
             elif isinstance(message, wire.Shown):
                 self.pages.session.shown(message)
+            elif isinstance(message, wire.DriveCamera):
+                self.pages.session.turn(message)
             else:
                 self.pages.session.command(message)
         except CommandError as error:
