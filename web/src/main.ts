@@ -15,6 +15,7 @@ import './style/effector.css';
 import './style/key-map.css';
 import './style/replay.css';
 import './style/timeline.css';
+import './style/all-cameras.css';
 import { present } from './assert';
 import { fly } from './live';
 import { notice } from './notice';

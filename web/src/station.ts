@@ -1,6 +1,7 @@
 /** The operator's station: monitors, spine and desk, drawn from the last frame alone. */
 
 import { assertUnreachable } from './assert';
+import { CameraHand, turningOf } from './input/camera-hand';
 import type { Action } from './input/keymap';
 import { Latency } from './latency';
 import { Operator } from './operator';
@@ -11,8 +12,8 @@ import { el, setClass } from './panel/dom';
 import { EventsGroup } from './panel/events';
 import { KeyMap } from './panel/keys';
 import { lightSegments } from './panel/lamp-test';
-import { STALE_S } from './panel/monitor';
 import type { Desk, View } from './panel/part';
+import { STALE_S } from './panel/picture';
 import { rail } from './panel/rail';
 import { Spine } from './panel/spine';
 import { Pictures } from './pictures';
@@ -21,6 +22,7 @@ import type { Drawing } from './quality';
 import type { DrawnBody } from './scene/bodies';
 import type { Command, LinkState } from './socket';
 import { type UnitName, unitsOf } from './units';
+import { tearOff, Windows } from './windows';
 
 /** Figures and legends change this often [ms]. */
 const VALUES_MS = 100;
@@ -43,6 +45,7 @@ export class Station {
   private fresh = false;
   private valuesAt = 0;
   private toldAt = 0;
+  private toldOf = '';
   private role: Role = { type: 'role', flying: false, watchers: 0 };
   private link: LinkState = { kind: 'open' };
   private units: UnitName;
@@ -50,6 +53,8 @@ export class Station {
   private request = 0;
   private readonly pictures: Pictures;
   private readonly operator: Operator;
+  private readonly cameraHand: CameraHand;
+  private readonly windows: Windows;
   private readonly spine = new Spine({
     acknowledged: () => this.acknowledge(),
     pressed: (lamp) => this.explain(lamp),
@@ -72,8 +77,32 @@ export class Station {
     this.events = new EventsGroup([welcome.text, KEYS_HINT]);
     this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
     this.movable = welcome.work.cargo.length > 0;
-    this.pictures = new Pictures(welcome, drawing);
+    this.pictures = new Pictures(welcome, drawing, {
+      tearOff,
+      opened: (matrix) => this.showMatrix(root, matrix),
+      changed: () => this.tellWindows(),
+    });
+    this.windows = new Windows((said) => {
+      if (said.kind === 'ask') this.tellWindows();
+      else if (said.kind === 'show') this.pictures.show(said.monitor, said.names);
+      else if (said.kind === 'put') {
+        const camera = welcome.cameras.find(({ name }) => name === said.name);
+        if (camera) this.pictures.choose(camera);
+      }
+    });
     this.operator = new Operator(this.latency, { acted: (action) => this.act(action), send: transmit });
+    this.cameraHand = new CameraHand(() => turningOf(this.operator.keyboard.held), {
+      hand: () => this.pictures,
+      barred: () => {
+        if (!this.operator.flying) return 'You watch; only the one who flies turns cameras.';
+        return this.frame?.by === 'script'
+          ? 'The script flies: take the sticks, then the cameras turn, too.'
+          : '';
+      },
+      say: (text) => this.say(text),
+      send: transmit,
+      orbit: (camera, ...by) => this.pictures.orbit(camera, ...by),
+    });
     const desk: Desk = {
       welcome,
       send: (command) => this.send(command),
@@ -95,7 +124,9 @@ export class Station {
     root.replaceChildren(
       this.pictures.canvas,
       el('main', { class: 'monitors' }, first.element, second.element, this.spine.element),
+      this.pictures.matrix.element,
       el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.groups.elements),
+      this.pictures.matrix.strip,
       this.rail.element,
       this.keys.element,
     );
@@ -148,6 +179,8 @@ export class Station {
   dispose(): void {
     cancelAnimationFrame(this.request);
     this.operator.dispose();
+    this.cameraHand.dispose();
+    this.windows.dispose();
     this.pictures.dispose();
   }
 
@@ -185,9 +218,11 @@ export class Station {
     this.spine.show([...view.frame.lamps, ...this.ownLamps(view, now, age)], test);
     const latency95 = this.latency.percentile95(now);
     this.rail.values(view, latency95, this.role.watchers, this.link);
-    if (view.frame.recording_s !== null && this.role.flying && now - this.toldAt >= TOLD_MS) {
-      this.toldAt = now;
-      this.transmit({ type: 'shown', latency_ms: latency95 });
+    const monitors = this.pictures.shown;
+    const due = now - this.toldAt >= TOLD_MS || monitors.join('/') !== this.toldOf;
+    if (view.frame.recording_s !== null && this.role.flying && due) {
+      [this.toldAt, this.toldOf] = [now, monitors.join('/')];
+      this.transmit({ type: 'shown', latency_ms: latency95, monitors });
     }
     if (test) lightSegments();
     this.shown = { frame: view.frame, restarts: this.restarts };
@@ -244,6 +279,18 @@ export class Station {
     this.groups.setPlane(this.pictures.togglePlane());
   }
 
+  /** All cameras in place of monitors and desk, whose clearance and lamps stay in sight. */
+  private showMatrix(root: HTMLElement, on: boolean): void {
+    setClass(root, 'all-cameras', on);
+    const { matrix } = this.pictures;
+    if (on) matrix.open(root.querySelector('.desk > .clearance'), this.spine.element);
+    else matrix.close();
+  }
+
+  private tellWindows(): void {
+    this.windows?.say({ kind: 'shown', monitors: this.pictures.shown });
+  }
+
   private flyOrbiter(on: boolean): void {
     if (!this.role.flying) this.say('You watch; only the one who flies can do that.');
     else this.operator.sticks.flyOrbiter(on && this.movable);
@@ -273,13 +320,22 @@ export class Station {
         this.groups.mode.turnJoint(action.by);
         break;
       case 'camera':
-        this.pictures.hand.choose(action.index);
+        this.pictures.chooseDigit(action.index, performance.now());
         break;
       case 'step camera':
-        this.pictures.hand.step(action.by);
+        this.pictures.step(action.by);
         break;
       case 'other monitor':
         this.pictures.takeOther();
+        break;
+      case 'matrix':
+        this.pictures.toggleMatrix();
+        break;
+      case 'split':
+        this.pictures.toggleSplit();
+        break;
+      case 'slow camera':
+        this.pictures.toggleSlow();
         break;
       case 'acknowledge':
         this.acknowledge();

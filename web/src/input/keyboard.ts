@@ -1,5 +1,6 @@
 /** The keyboard as two hand controllers and a row of switches. */
 
+import { CAMERA_KEYS } from './camera-hand';
 import { type Deflection, map, ZERO } from './deflection';
 import { ACTION_KEYS, type Action, AXIS_KEYS, GRIP_KEYS } from './keymap';
 
@@ -66,6 +67,9 @@ export class Keyboard {
     if (action) {
       event.preventDefault();
       if (!event.repeat) this.listener.acted(action);
+    } else if (CAMERA_KEYS.has(event.code) && !isSlider(event.target)) {
+      event.preventDefault();
+      if (!event.repeat) this.held.add(event.code);
     } else if (AXIS_KEYS.has(event.code) || GRIP_KEYS.has(event.code)) {
       event.preventDefault();
       if (event.repeat || this.held.has(event.code)) return;
@@ -77,7 +81,7 @@ export class Keyboard {
   private up(event: KeyboardEvent): void {
     // A button takes the click of Space on release; Space is stop and nothing else.
     if (event.code === 'Space') event.preventDefault();
-    if (!this.held.delete(event.code)) return;
+    if (!this.held.delete(event.code) || CAMERA_KEYS.has(event.code)) return;
     if (!this.grip(event.code, false, event.timeStamp)) this.listener.moved(event.timeStamp);
   }
 
@@ -95,6 +99,11 @@ function actionOf(event: KeyboardEvent): Action | undefined {
 
 export function isTyping(target: EventTarget | null): target is HTMLInputElement {
   return target instanceof HTMLInputElement;
+}
+
+/** Arrows and page keys are a slider's own. */
+function isSlider(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && target.matches('[role=slider]');
 }
 
 function isControl(target: EventTarget | null): boolean {

@@ -16,6 +16,9 @@ export type Action =
         | 'other monitor'
         | 'acknowledge'
         | 'plane'
+        | 'matrix'
+        | 'split'
+        | 'slow camera'
         | 'fly orbiter'
         | 'keys'
         | 'close';
@@ -79,7 +82,13 @@ export const ACTION_KEYS: ReadonlyMap<string, Action> = new Map<string, Action>(
   ['KeyX', { name: 'other monitor' }],
   ['KeyM', { name: 'acknowledge' }],
   ['KeyF', { name: 'plane' }],
+  ['KeyC', { name: 'matrix' }],
+  ['KeyZ', { name: 'split' }],
+  ['Semicolon', { name: 'slow camera' }],
   ['Backquote', { name: 'fly orbiter' }],
   ['Escape', { name: 'close' }],
-  ...Array.from({ length: 9 }, (_, i): [string, Action] => [`Digit${i + 1}`, { name: 'camera', index: i }]),
+  ...Array.from({ length: 10 }, (_, i): [string, Action] => [
+    `Digit${(i + 1) % 10}`,
+    { name: 'camera', index: i },
+  ]),
 ]);

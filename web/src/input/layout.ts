@@ -10,6 +10,13 @@ const NAMES: Readonly<Record<string, string>> = {
   Comma: ',',
   Period: '.',
   Backquote: '`',
+  Semicolon: ';',
+  ArrowLeft: '←',
+  ArrowRight: '→',
+  ArrowUp: '↑',
+  ArrowDown: '↓',
+  PageUp: 'Page ↑',
+  PageDown: 'Page ↓',
 };
 
 let letters: ReadonlyMap<string, string> = new Map();

@@ -32,9 +32,12 @@ const FLYING: readonly Row[] = [
   [['Minus', 'Equal'], 'joint in SINGLE and DIRECT; then W and S drive it', ''],
   [['KeyP'], 'proceed: to the target, or on from a pause point', ''],
   [['KeyM'], 'acknowledge the master alarm', ''],
-  [['KeyX'], 'the other monitor in hand', 'view'],
-  [['Digit1', 'Digit9'], 'camera 1 to 9 on the monitor in hand', ''],
+  [['KeyX'], 'the other monitor, or half, in hand', 'view'],
+  [['Digit1', 'Digit0'], 'camera 1 to 10 in hand; twice: 11 to 20', ''],
   [['Comma', 'Period'], 'camera before, after', 'menu'],
+  [['ArrowLeft', 'ArrowUp', 'PageUp'], 'and their opposites: pan, tilt, zoom', ''],
+  [['Semicolon'], 'cameras turn slowly', ''],
+  [['KeyC', 'KeyZ'], 'all cameras, and back; split', ''],
 ];
 
 const WORKING: readonly Row[] = [
