@@ -17,19 +17,27 @@ export interface Sighting {
 }
 
 export interface Pair {
-  readonly target: Target;
+  /** What both see. */
+  readonly targets: readonly Target[];
   /** The one whose picture goes more with the sticks first. */
   readonly cameras: readonly [Sighting, Sighting];
   /** Between their lines of sight, 0 to 90° [rad]. */
   readonly apart: number;
 }
 
+/** What a pair is for, the most telling first; the angle is taken at the first of each. */
+const PURPOSES: readonly (readonly [Target, ...Target[]])[] = [
+  ['gap'],
+  ['tip', 'payload'],
+  ['tip'],
+  ['payload'],
+];
 /** Nearer to square than this is as good as square [rad]. */
 const GOOD = (70 * Math.PI) / 180;
 
 /**
- * The pair that sees the most telling target which any two see: of those the one whose lines of sight are the most
- * apart. What is apart by more than `GOOD` is chosen by what else is seen, then by how little the pictures are turned.
+ * The pair that sees the most telling thing which any two see: the one whose lines of sight are the most apart; of
+ * those that are apart by more than `GOOD`, the one whose pictures are turned the least against the sticks.
  *
  * @param at where the targets are in the scene; null: there is none.
  */
@@ -37,20 +45,20 @@ export function bestPair(
   sightings: readonly Sighting[],
   at: Readonly<Record<Target, Vec3 | null>>,
 ): Pair | null {
-  for (const target of [...TARGETS].reverse()) {
-    const place = at[target];
-    const seeing = sightings.filter(({ sees }) => sees.has(target));
+  for (const targets of PURPOSES) {
+    const place = at[targets[0]];
+    const seeing = sightings.filter(({ sees }) => targets.every((target) => sees.has(target)));
     if (!place || seeing.length < 2) continue;
     let best: Pair | null = null;
-    let score = Number.NEGATIVE_INFINITY;
+    let least = Number.POSITIVE_INFINITY;
     seeing.forEach((a, i) => {
       for (const b of seeing.slice(i + 1)) {
         const apart = between(a.lens, b.lens, place);
-        const more = a.sees.size + b.sees.size;
-        const own = 100 * Math.min(apart, GOOD) + 10 * more - a.turned - b.turned;
-        if (own <= score) continue;
-        score = own;
-        best = { target, cameras: a.turned <= b.turned ? [a, b] : [b, a], apart };
+        // Turned pictures count only among pairs that are equally good.
+        const missing = 1e3 * Math.max(0, GOOD - apart) + a.turned + b.turned;
+        if (missing >= least) continue;
+        least = missing;
+        best = { targets, cameras: a.turned <= b.turned ? [a, b] : [b, a], apart };
       }
     });
     return best;

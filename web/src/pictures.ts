@@ -267,7 +267,7 @@ export class Pictures {
     if (this.chosen) return;
     this.chosen = true;
     this.survey.lookAll(frame, gap);
-    this.survey.first(frame)?.forEach((camera, i) => {
+    this.survey.first(frame).forEach((camera, i) => {
       this.monitors[i === 0 ? 0 : 1].choose(camera);
     });
     this.listener.changed?.();

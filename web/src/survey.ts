@@ -6,8 +6,8 @@ import { middleOf } from './panel/gap-overlay';
 import type { Camera, Frame, Near, Vec3, Welcome } from './protocol';
 import type { Scene } from './scene';
 
-/** The body that carries the tip, and that of a payload without a place of its own. */
-const [TIP, PAYLOAD] = ['arm.wrist_roll', 'payload'];
+/** How the names of the arm's bodies begin; the one that carries the tip; a payload without a place of its own. */
+const [ARM, TIP, PAYLOAD] = ['arm.', 'arm.wrist_roll', 'payload'];
 
 type Places = Readonly<Record<Target, Vec3 | null>>;
 
@@ -58,28 +58,32 @@ export class Survey {
 
   /** The best pair of television cameras. */
   best(): Pair | null {
-    const { cameras } = this.welcome;
-    const sightings = cameras
-      .filter(({ kind }) => kind === 'camera')
-      .map(({ name }) => this.seen.get(name))
-      .filter((sighting) => sighting !== undefined);
-    return bestPair(sightings, this.at);
+    return this.bestOf(({ kind }) => kind === 'camera');
   }
 
   /**
-   * What the two monitors show at first: the best pair; with an empty hand, the hand's own camera in place of the
-   * second, if it sees the payload that is to be taken.
+   * What the two monitors show at first: the best pair of those that stand still, as the arm's own cameras look
+   * elsewhere once it moves; with an empty hand, the hand's own camera in place of the second, if it sees the payload
+   * that is to be taken.
    */
-  first(frame: Frame): readonly [Camera, Camera] | null {
+  first(frame: Frame): readonly Camera[] {
     const { cameras } = this.welcome;
-    const named = (name: string | undefined) => cameras.find((camera) => camera.name === name);
-    const pair = this.best()?.cameras.map(({ camera }) => named(camera));
+    const pair = this.bestOf(({ kind, body }) => kind === 'camera' && !body.startsWith(ARM)) ?? this.best();
+    const named = (pair?.cameras ?? []).flatMap(({ camera }) =>
+      cameras.filter(({ name }) => name === camera),
+    );
     const held = frame.work.cargo.some((cargo) => cargo.held);
-    const own = held ? undefined : cameras.find(({ body }) => body === TIP);
-    const aimed = own && this.sees(own).includes('payload') ? own : undefined;
-    const [one, two] = [pair?.[0] ?? cameras[0], aimed ?? pair?.[1] ?? cameras[1] ?? cameras[0]];
-    if (!one || !two) return null;
-    return one === two && pair?.[1] ? [pair[1], two] : [one, two];
+    const own = cameras.find(({ body, kind }) => body === TIP && kind === 'camera');
+    const aimed = !held && own && this.sees(own).includes('payload') ? [own] : [];
+    return [...named.slice(0, 2 - aimed.length), ...aimed, ...cameras].slice(0, 2);
+  }
+
+  private bestOf(allowed: (camera: Camera) => boolean): Pair | null {
+    const sightings = this.welcome.cameras
+      .filter(allowed)
+      .map(({ name }) => this.seen.get(name))
+      .filter((sighting) => sighting !== undefined);
+    return bestPair(sightings, this.at);
   }
 
   private sighting(camera: Camera, frame: Frame, gap: Near | null): Sighting {
@@ -99,7 +103,7 @@ export function pairWords(pair: Pair | null): readonly string[] {
   const [a, b] = pair.cameras;
   const angle = (radians: number) => `${Math.round((radians * 180) / Math.PI)}°`;
   return [
-    `${a.camera} and ${b.camera} both see the ${pair.target}, ${angle(pair.apart)} apart.`,
+    `${a.camera} and ${b.camera} both see the ${pair.targets.join(' and the ')}, ${angle(pair.apart)} apart.`,
     `Sticks against picture: ${a.camera} ${angle(a.turned)}, ${b.camera} ${angle(b.turned)}.`,
   ];
 }

@@ -54,7 +54,11 @@ export class Monitor {
       listener.taken(this.half);
       listener.split();
     });
-    this.slowKey = button({ title: 'Cameras turn at their low speed' }, ['Slow'], () => listener.slow());
+    this.slowKey = button(
+      { class: 'slow', title: `Cameras turn at their low speed: ${nameOf('Semicolon')}` },
+      ['Slow'],
+      () => listener.slow(),
+    );
     const { tearOff } = listener;
     const off = tearOff
       ? [
@@ -65,7 +69,7 @@ export class Monitor {
           ),
         ]
       : [];
-    this.bezel = el('div', { class: 'bezel' }, ...this.halves.map(({ element }) => element));
+    this.bezel = el('div', { class: 'bezel' }, this.halves[0].element);
     this.element = el(
       'section',
       { class: 'monitor', 'aria-label': label },
@@ -144,7 +148,8 @@ export class Monitor {
   private setSplit(on: boolean): void {
     this.two = on;
     if (!on) this.half = 0;
-    this.halves[1].element.hidden = !on;
+    if (on) this.bezel.append(this.halves[1].element);
+    else this.halves[1].element.remove();
     setClass(this.bezel, 'split', on);
     setPressed(this.splitKey, on);
     this.mark();

@@ -6,7 +6,7 @@ import { Orbit } from './orbit';
 import { settingOf, type View, viewOf } from './view';
 
 /** Nothing nearer is drawn [m]; behind a window, what stands before its pane. */
-const NEAR = 0.08;
+const NEAR = 0.01;
 const FAR = 400;
 const ORIGIN = new Vector3();
 const point = new Vector3();
