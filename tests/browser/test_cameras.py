@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.conftest import SIZES
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.looks import assert_readable, assert_tidy
 
@@ -230,15 +230,16 @@ def test_all_cameras_stand_in_a_window_of_their_own(flight: Flight) -> None:
     page.close()
 
 
-def test_nothing_scrolls_overlaps_or_fades(open_page: OpenPage) -> None:
+def test_nothing_scrolls_overlaps_or_fades(flight: Flight) -> None:
     for width, height in SIZES:
-        flight = open_page(width, height)
-        for keys in ([], ["z"], ["z", "c"]):
-            flight.press(*keys)
+        flight.page.set_viewport_size({"width": width, "height": height})
+        flight.until(f"innerWidth === {width} && innerHeight === {height}")
+        for key in ("z", "c"):
+            flight.press(key)
             steady(flight, 5)
             assert_tidy(flight)
             assert_readable(flight)
-        flight.press("c")
+        flight.press("c", "z")
 
 
 def test_a_page_says_why_a_fixed_camera_does_not_turn(flight: Flight) -> None:

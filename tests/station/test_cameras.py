@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import itertools
 import math
+import time
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import msgspec
 import pytest
@@ -15,6 +17,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord, Shown
 from aftdeck.recording.replay import verify
 from aftdeck.station import protocol as wire
+from aftdeck.station import session as station_session
 from aftdeck.station.reel import Reel
 from aftdeck.station.session import SILENCE
 from aftdeck.station.verdict import CHECKING
@@ -45,18 +48,19 @@ def test_a_camera_turns_while_it_is_told_to_and_stops_when_it_is_let_go(session:
     assert [view for i, view in enumerate(still) if i != 1] == [view for i, view in enumerate(before) if i != 1]
 
 
-def test_a_page_that_falls_silent_turns_no_camera_any_longer(session: Flown) -> None:
-    before = shown(session).views
-    session.turn(turn(0, tilt=1.0))
-    comes(session, lambda frame: frame.views != before, "B tilts")
-    seen: list[tuple[wire.Vec3, ...]] = []
-
-    def rests(frame: wire.Frame) -> bool:
-        seen.append(frame.views)
-        return seen[-10:] == [frame.views] * 10
-
-    top = comes(session, rests, "B stops").views[1][1]
-    assert 0.0 < top - before[1][1] < math.radians(12.0) * (SILENCE + 1.0)
+def test_a_page_that_falls_silent_turns_no_camera_any_longer_and_no_sooner(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [100.0]
+    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
+    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
+    monkeypatch.setattr(station_session, "time", fake)
+    with flying() as session:
+        session.turn(turn(0, tilt=1.0))
+        clock[0] += 0.99 * SILENCE
+        before = goes_on(session, 5).views[1][1]
+        assert goes_on(session, 5).views[1][1] > before
+        clock[0] += 0.02 * SILENCE
+        still = goes_on(session, 2).views
+        assert goes_on(session, 5).views == still
 
 
 def test_a_page_that_leaves_lets_its_camera_go(session: Flown) -> None:

@@ -37,7 +37,7 @@ const GOOD = (70 * Math.PI) / 180;
 
 /**
  * The pair that sees the most telling thing which any two see: the one whose lines of sight are the most apart; of
- * those that are apart by more than `GOOD`, the one whose pictures are turned the least against the sticks.
+ * those that are apart by more than `GOOD`, the one whose more turned picture is turned the least against the sticks.
  *
  * @param at where the targets are in the scene; null: there is none.
  */
@@ -55,7 +55,7 @@ export function bestPair(
       for (const b of seeing.slice(i + 1)) {
         const apart = between(a.lens, b.lens, place);
         // Turned pictures count only among pairs that are equally good.
-        const missing = 1e3 * Math.max(0, GOOD - apart) + a.turned + b.turned;
+        const missing = 1e3 * Math.max(0, GOOD - apart) + Math.max(a.turned, b.turned);
         if (missing >= least) continue;
         least = missing;
         best = { targets, cameras: a.turned <= b.turned ? [a, b] : [b, a], apart };

@@ -329,7 +329,8 @@ export class Pictures {
   }
 
   private showMatrixOf(frame: Frame, gap: Near | null, wiped: boolean): void {
-    if (this.count % SURVEYED === 0) this.survey.look(frame, gap, 1);
+    if (wiped) this.survey.lookAll(frame, gap);
+    else if (this.count % SURVEYED === 0) this.survey.look(frame, gap, 1);
     this.cameras.forEach((camera, i) => {
       const tags = this.monitors.filter(({ pictures }) =>
         pictures.some((picture) => picture.camera === camera),
