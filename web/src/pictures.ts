@@ -18,7 +18,7 @@ import { pairWords, Survey } from './survey';
 /** Colours of the gap's line, as `--caution` and `--ink`. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
 /** Pictures are drawn each so many times that the page is: MON 1, MON 2, a tile, the plan. */
-const PACES = { full: [1, 1, 2, 8], low: [1, 2, 6, 24] } as const;
+const PACES = { full: [1, 1, 3, 8], low: [1, 2, 6, 24] } as const;
 /** One camera is looked through each so many times. */
 const SURVEYED = 3;
 /** A digit pressed again within this time is that of the second bank [ms]. */
