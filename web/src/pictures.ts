@@ -355,7 +355,7 @@ export class Pictures {
     const marks = this.televised.map((camera) => ({
       camera,
       lens: sight.lens(camera),
-      ahead: sight.ahead(camera),
+      ahead: sight.direction(camera),
       angle: this.settingOf(camera, frame)?.[2] ?? camera.field_of_view,
       used: used.includes(camera),
     }));

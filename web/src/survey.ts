@@ -89,8 +89,9 @@ export class Survey {
   private sighting(camera: Camera, frame: Frame, gap: Near | null): Sighting {
     const { sight } = this.scene;
     const sees = new Set<Target>();
-    if (sight.body(camera, TIP)) sees.add('tip');
-    if (this.payloads.some((name) => sight.body(camera, name))) sees.add('payload');
+    const ahead = sight.ahead(camera);
+    if (ahead.has(TIP) || sight.body(camera, TIP)) sees.add('tip');
+    if (this.payloads.some((name) => ahead.has(name) || sight.body(camera, name))) sees.add('payload');
     if (gap && sight.line(camera, gap.point_a, gap.point_b)) sees.add('gap');
     const turned = stickToPicture(this.scene.directions(camera.name, frame.axes));
     return { camera: camera.name, sees, lens: sight.lens(camera), turned };

@@ -136,10 +136,18 @@ test('a camera that has been turned sees what it is turned to', () => {
   expect(sight.body(bay, 'payload')).toBe(false);
   cameras.put([[90 * degree, 0, 60 * degree]]);
   expect(sight.body(bay, 'payload')).toBe(true);
-  near(sight.ahead(bay), [0, -1, 0]);
+  near(sight.direction(bay), [0, -1, 0]);
   cameras.put([[90 * degree, 0, 9 * degree]]);
   expect(cameras.project('B', 1, [0, -10, 0]).visible).toBe(true);
   expect(cameras.project('B', 1, [1, -10, 0]).visible).toBe(false);
+});
+
+test('what is so near that it fills the picture is seen, and what it hides is not', () => {
+  const wall = body('payload', [5, 40, 0], [0.2, 100, 100]);
+  const { sight } = place(wall, body('post', [9, 0, 0]));
+  expect(sight.body(bay, 'payload')).toBe(false);
+  expect([...sight.ahead(bay)]).toEqual(['payload']);
+  expect([...place().sight.ahead(bay)]).toEqual([]);
 });
 
 test('a gap is seen where any of it lies open', () => {

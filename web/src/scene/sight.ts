@@ -1,12 +1,22 @@
 /** What a camera sees: points of the scene that lie in its picture and that nothing stands before. */
 
-import { type Mesh, Raycaster, Vector3 } from 'three';
+import { type Intersection, type Mesh, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
 import type { Camera, Vec3 } from '../protocol';
 import type { Body } from './bodies';
 import type { Cameras } from './cameras';
 
 /** A picture's width over its height, for what counts as within it. */
 export const ASPECT = 1.5;
+/** Points of a picture, from -1 to 1 to the right and upwards. */
+const MIDDLE = [
+  [0, 0],
+  [-0.5, -0.5],
+  [0.5, -0.5],
+  [-0.5, 0.5],
+  [0.5, 0.5],
+] as const;
+/** Nothing farther away is looked for [m]. */
+const FARTHEST = 400;
 /** Where a line is looked at, from one end to the other. */
 const ALONG = [0.5, 0.2, 0.8];
 /** A hit this much before the point is the point's own surface [m]. */
@@ -26,6 +36,20 @@ export class Sight {
     this.meshes = bodies.flatMap(
       ({ group }) => group.children.filter((child) => child.type === 'Mesh') as Mesh[],
     );
+  }
+
+  /** The bodies in the middle of its picture and halfway to its corners: what is too near for its box to be in it. */
+  ahead(camera: Camera): ReadonlySet<string> {
+    const seen = this.cameras.at(camera.name, ASPECT);
+    const found = new Set<string>();
+    for (const [x, y] of MIDDLE) {
+      lens.setFromMatrixPosition(seen.matrixWorld);
+      way.set(x, y, 0.5).unproject(seen).sub(lens).normalize();
+      const [first] = this.cast(seen, FARTHEST);
+      if (first?.object.parent) found.add(first.object.parent.name);
+    }
+    found.delete(camera.body);
+    return found;
   }
 
   /** Whether it sees any of a line of the scene, but for its ends, which lie on what they belong to. */
@@ -55,7 +79,7 @@ export class Sight {
   }
 
   /** Direction of its view in the scene. */
-  ahead({ name }: Camera): Vec3 {
+  direction({ name }: Camera): Vec3 {
     const { x, y, z } = axis.set(0, 0, -1).transformDirection(this.cameras.at(name, ASPECT).matrixWorld);
     return [x, y, z];
   }
@@ -75,12 +99,17 @@ export class Sight {
     way.set(...place).sub(lens);
     const distance = way.length();
     way.divideScalar(distance);
+    const [first] = this.cast(seen, distance - OWN);
+    return !first || first.object.parent === own?.group;
+  }
+
+  /** What stands on the way from the lens, beyond the near plane and up to a distance [m]. */
+  private cast(seen: PerspectiveCamera, distance: number): Intersection[] {
     axis.set(0, 0, -1).transformDirection(seen.matrixWorld);
     ray.set(lens, way);
     ray.near = seen.near / Math.max(way.dot(axis), 1e-3);
-    ray.far = distance - OWN;
-    const [first] = ray.intersectObjects(this.meshes, false);
-    return !first || first.object.parent === own?.group;
+    ray.far = distance;
+    return ray.intersectObjects(this.meshes, false);
   }
 
   private samplesOf(body: Body): readonly Vector3[] {
