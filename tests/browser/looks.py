@@ -15,6 +15,7 @@ _CLASHES = """async () => {
         if (p.left < 0 || p.top < 0 || p.right > innerWidth + .5 || p.bottom > innerHeight + .5)
             clashes.push(`${name(a)} leaves the page`);
         for (const b of parts.slice(i + 1)) {
+            if (a.contains(b)) continue;
             const q = box(b);
             const apart = p.right <= q.left + .5 || q.right <= p.left + .5
                 || p.bottom <= q.top + .5 || q.bottom <= p.top + .5;

@@ -147,3 +147,19 @@ def test_the_html_file_plays_without_a_server_a_request_or_an_error(
     page.close()
     assert [url for url in asked if not url.startswith("data:")] == [f"{out.as_uri()}?quality=low"]
     assert [text for text in said if "GPU stall" not in text] == []
+
+
+def test_the_monitors_show_what_they_showed_in_flight_until_a_camera_is_chosen(replay: Flight) -> None:
+    names = "[...document.querySelectorAll('.picture .name b')].map((name) => name.textContent).join()"
+    replay.until(f"{names} === 'C,WR'")
+    replay.press("End")
+    replay.until(f"{names} === 'A,B,ELB'")
+    replay.press("Home")
+    replay.until(f"{names} === 'C,WR'")
+    replay.press("2", "End")
+    replay.until("frame.tick === 600")
+    assert replay.script(names) == "B,WR"
+    replay.press("c")
+    replay.page.locator(".tile").first.wait_for()
+    replay.page.locator(".tile .words").filter(has_text="tip").first.wait_for()
+    replay.press("c")

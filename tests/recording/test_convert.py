@@ -15,6 +15,7 @@ from aftdeck.recording.convert import DECIMALS, DIGITS, frame_of, frame_record, 
 from aftdeck.recording.convert_work import DECIMALS as WORK_DECIMALS
 from aftdeck.recording.records import FrameRecord, Input
 from aftdeck.scenario.target import Target
+from aftdeck.simulation.cameras import CameraDrive
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.steering.mode import MODES
@@ -76,6 +77,7 @@ anything = st.builds(
     orbiter=three,
     master=st.none() | st.tuples(*[number] * 6),
     initialise=st.sampled_from([None, "full problem", "acquisition", "extraction", "manoeuvring"]),
+    camera=st.none() | st.builds(CameraDrive, camera=st.text(), pan=stick, tilt=stick, zoom=stick, slow=st.booleans()),
 )
 
 

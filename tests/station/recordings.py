@@ -40,8 +40,11 @@ def recorded(path: Path, steps: int = 600, *, script: bool = True) -> list[Frame
         flown = hand if i < steps * 3 // 4 or not script else None
         frames.append(simulation.step(flown))
         recorder.step(flown, frames[-1], latency_ms=40.0 if turning else None)
+        if i == 0:
+            recorder.shown(frames[-1].time_s, (("C",), ("WR",)))
         if i == steps // 2:
             recorder.note(NOTE)
+            recorder.shown(frames[-1].time_s, (("A", "B"), ("ELB",)))
     recorder.close("stopped")
     assert not recorder.failure
     return frames

@@ -66,7 +66,7 @@ def test_a_thinned_reel_keeps_the_first_moment_and_every_so_manieth(flown: Flown
 
 
 def test_lanes_cover_the_run_without_gaps(index: PlaybackIndex) -> None:
-    assert [lane.name for lane in index.lanes] == ["Phase", "Mode", "Alarms", "Limits"]
+    assert [lane.name for lane in index.lanes] == ["Phase", "Mode", "MON 1", "MON 2", "Alarms", "Limits"]
     for lane in index.lanes:
         ends = [0.0, *(stretch.end_s for stretch in lane.stretches)]
         assert [stretch.start_s for stretch in lane.stretches] == ends[:-1]
@@ -80,7 +80,7 @@ def test_a_flight_by_hand_alone_has_no_phases(tmp_path: Path) -> None:
     recorded(tmp_path / "hand.mcap", 4, script=False)
     with Reel(tmp_path / "hand.mcap") as reel:
         names = [lane.name for lane in reel.index(CHECKING).lanes]
-    assert names == ["Mode", "Alarms", "Limits"]
+    assert names == ["Mode", "MON 1", "MON 2", "Alarms", "Limits"]
 
 
 def test_every_curve_has_a_value_in_every_moment_and_strips_their_extremes(flown: Flown, index: PlaybackIndex) -> None:

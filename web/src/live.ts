@@ -1,28 +1,36 @@
 /** Flying: connect, and hand every message to the station. */
 
 import { assertUnreachable } from './assert';
+import { Display } from './display';
 import { publish } from './hook';
 import { notice } from './notice';
 import type { FromServer, Role, Welcome } from './protocol';
 import type { Drawing } from './quality';
 import { Link, type LinkState } from './socket';
 import { Station } from './station';
+import { tornHere } from './windows';
 
 export function fly(root: HTMLElement, drawing: Drawing): void {
-  let station: Station | null = null;
+  let station: Station | Display | null = null;
+  const torn = tornHere(location.search);
   let welcomed: Welcome | null = null;
   let role: Role | null = null;
 
   function welcome(message: Welcome): void {
     // A station that comes back as it was keeps its page, and tells its whole log anew.
     if (station && JSON.stringify(message) === JSON.stringify(welcomed)) {
-      station.forgetEvents();
+      if (station instanceof Station) station.forgetEvents();
       return;
     }
     station?.dispose();
     welcomed = message;
-    station = new Station(root, message, drawing, (command) => link.send(command));
-    if (role) station.setRole(role);
+    if (torn !== null) {
+      station = new Display(root, message, drawing, torn);
+      return;
+    }
+    const own = new Station(root, message, drawing, (command) => link.send(command));
+    if (role) own.setRole(role);
+    station = own;
     document.title = `${message.title} · Aftdeck`;
   }
 
@@ -33,16 +41,16 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
         break;
       case 'role':
         role = received;
-        station?.setRole(received);
+        if (station instanceof Station) station.setRole(received);
         break;
       case 'frame':
         station?.setFrame(received);
         break;
       case 'events':
-        station?.addEvents(received.events);
+        if (station instanceof Station) station.addEvents(received.events);
         break;
       case 'refused':
-        station?.refuse(received.text);
+        if (station instanceof Station) station.refuse(received.text);
         break;
       default:
         assertUnreachable(received);
@@ -50,7 +58,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   }
 
   function state(now: LinkState): void {
-    station?.setLink(now);
+    if (station instanceof Station) station.setLink(now);
     if (now.kind === 'refused') {
       station?.dispose();
       station = null;
@@ -72,6 +80,6 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     lastFrame: station?.shown.frame ?? null,
     restarts: station?.shown.restarts ?? 0,
     bodies: station?.bodies ?? [],
-    latency95: station?.latency.percentile95(performance.now()) ?? null,
+    latency95: station instanceof Station ? station.latency.percentile95(performance.now()) : null,
   }));
 }

@@ -17,6 +17,7 @@ import './style/controllers.css';
 import './style/touch.css';
 import './style/replay.css';
 import './style/timeline.css';
+import './style/all-cameras.css';
 import { present } from './assert';
 import { fly } from './live';
 import { notice } from './notice';

@@ -1,9 +1,11 @@
 /** The operator's hands: devices into sticks and actions, and everything that takes the sticks to zero. */
 
+import { type Turning, turningOf } from './input/camera-hand';
 import { Controllers } from './input/controllers';
 import { isTyping } from './input/keyboard';
 import type { Action } from './input/keymap';
 import { Sticks } from './input/sticks';
+import { mappingOf } from './input/store';
 import type { Latency } from './latency';
 import { setClass } from './panel/dom';
 import type { Command } from './socket';
@@ -56,6 +58,13 @@ export class Operator {
   tick(now: number): void {
     if ((this.flying || this.controllers.paused) && !document.hidden) this.sticks.tick(now);
     else this.sticks.zero();
+  }
+
+  /** How the switches of the camera in hand are pushed; who only watches has the keyboard's, for views of its own. */
+  get turning(): Turning {
+    if (this.controllers.paused) return { pan: 0, tilt: 0, zoom: 0 };
+    const watched = turningOf(this.controllers.keyboard.held, mappingOf('keyboard'));
+    return this.flying ? this.sticks.camera : watched;
   }
 
   dispose(): void {

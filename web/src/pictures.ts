@@ -1,36 +1,101 @@
-/** The two monitors and the one canvas behind them. */
+/** The two monitors, all cameras at once, and the one canvas behind them. */
 
 import { small } from './format';
 import { el } from './panel/dom';
-import type { GapLine, Touch } from './panel/gap-overlay';
+import { type GapLine, middleOf, type Touch } from './panel/gap-overlay';
 import { FARTHEST } from './panel/gap-scale';
+import { Matrix } from './panel/matrix';
 import { Monitor } from './panel/monitor';
 import type { View as DeskView } from './panel/part';
-import type { Frame, Level, Near, Welcome } from './protocol';
+import type { Picture } from './panel/picture';
+import type { Extent } from './panel/plan';
+import type { Camera, Frame, Level, Near, Vec3, Welcome } from './protocol';
 import type { Drawing } from './quality';
-import { Scene, type View } from './scene';
+import { type Rect, Scene, type View } from './scene';
 import type { DrawnBody } from './scene/bodies';
+import { pairWords, Survey } from './survey';
 
-/** What the monitors show at first, where the scenario has these cameras. */
-const FIRST = ['B', 'WR'] as const;
 /** Colours of the gap's line, as `--caution` and `--ink`. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
+/** Pictures are drawn each so many times that the page is: MON 1, MON 2, a tile, the plan. */
+const PACES = { full: [1, 1, 3, 8], low: [1, 2, 6, 24] } as const;
+/** One camera is looked through each so many times. */
+const SURVEYED = 3;
+/** A digit pressed again within this time is that of the second bank [ms]. */
+const AGAIN_MS = 700;
+const BANK = 10;
+/** Room round what the plan shows, of its size. */
+const MARGIN = 0.16;
+
+/** A picture on the canvas. */
+interface Pane {
+  readonly camera: Camera;
+  readonly element: HTMLElement;
+  readonly pace: number;
+  /** On a monitor; null: a tile. */
+  readonly picture: Picture | null;
+}
+
+export interface PicturesListener {
+  /** A monitor shall be shown in a window of its own (0, 1), or all cameras. */
+  tearOff?: (what: 0 | 1 | 'matrix') => void;
+  /** All cameras are shown, or no longer. */
+  opened?: (matrix: boolean) => void;
+  /** A monitor shows another camera, or is split. */
+  changed?: () => void;
+}
 
 export class Pictures {
   readonly canvas = el('canvas', { class: 'scene', 'aria-hidden': 'true' });
   readonly monitors: readonly [Monitor, Monitor];
+  readonly matrix: Matrix;
   private readonly scene: Scene;
+  private readonly survey: Survey;
+  private readonly cameras: readonly Camera[];
+  private readonly driven: readonly Camera[];
+  private readonly televised: readonly Camera[];
+  private readonly paces: readonly [number, number, number, number];
+  private readonly stamps = new WeakMap<HTMLElement, string>();
   private inHand = 0;
   private plane = false;
+  private slowly = false;
+  private open = false;
+  private chosen = false;
+  private count = 0;
+  private orbits = 0;
+  private layout = '';
+  private digit = { index: -1, at: 0 };
 
-  constructor(welcome: Welcome, drawing: Drawing) {
-    const monitor = (index: number) =>
-      new Monitor(`MON ${index + 1}`, welcome.cameras, FIRST[index] ?? '', {
-        taken: () => this.take(index),
+  constructor(
+    welcome: Welcome,
+    drawing: Drawing,
+    private readonly listener: PicturesListener = {},
+  ) {
+    const { cameras } = welcome;
+    const [first] = cameras;
+    if (!first) throw new Error(`The scenario ${welcome.scenario} has no camera.`);
+    this.cameras = cameras;
+    this.driven = cameras.filter(({ drive }) => drive !== null);
+    this.televised = cameras.filter(({ kind }) => kind === 'camera');
+    this.paces = PACES[drawing.quality];
+    const { tearOff } = listener;
+    const monitor = (index: 0 | 1) =>
+      new Monitor(`MON ${index + 1}`, cameras, first, {
+        taken: (half) => this.take(index, half),
+        choose: (camera) => this.choose(camera),
+        split: () => this.toggleSplit(),
+        slow: () => this.toggleSlow(),
+        orbited: (camera, ...by) => this.orbit(camera, ...by),
+        ...(tearOff ? { tearOff: () => tearOff(index) } : {}),
       });
     this.monitors = [monitor(0), monitor(1)];
+    this.matrix = new Matrix(cameras, {
+      chosen: (camera) => this.choose(camera),
+      ...(tearOff ? { tearOff: () => tearOff('matrix') } : {}),
+    });
     this.take(0);
     this.scene = new Scene(this.canvas, welcome, drawing.quality);
+    this.survey = new Survey(this.scene, welcome);
   }
 
   /** The monitor that camera keys act on. */
@@ -38,8 +103,29 @@ export class Pictures {
     return this.monitors[this.inHand === 0 ? 0 : 1];
   }
 
-  takeOther(): void {
-    this.take(1 - this.inHand);
+  /** The camera that camera keys act on. */
+  get camera(): Camera {
+    return this.hand.picture.camera;
+  }
+
+  /** The drives turn at their low speed. */
+  get slow(): boolean {
+    return this.slowly;
+  }
+
+  /** What the monitors show, by name. */
+  get shown(): readonly (readonly string[])[] {
+    return this.monitors.map(({ pictures }) => pictures.map(({ camera }) => camera.name));
+  }
+
+  /** How often an engineering view was moved. */
+  get moved(): number {
+    return this.orbits;
+  }
+
+  /** All cameras are shown in place of the monitors. */
+  get matrixOpen(): boolean {
+    return this.open;
   }
 
   /** The bodies as they are drawn now. */
@@ -52,46 +138,230 @@ export class Pictures {
     return this.plane;
   }
 
+  /** Puts a camera on the monitor in hand; from among all cameras the monitors come back. */
+  choose(camera: Camera): void {
+    this.hand.choose(camera);
+    this.chosen = true;
+    if (this.open) this.showMatrix(false);
+    this.listener.changed?.();
+  }
+
+  /** The camera of a digit on the monitor in hand; of the digit pressed again, that of the second bank. */
+  chooseDigit(index: number, now: number): void {
+    const again = index === this.digit.index && now - this.digit.at < AGAIN_MS;
+    this.digit = { index: again ? -1 : index, at: now };
+    const camera = this.cameras[again ? index + BANK : index];
+    if (camera) this.choose(camera);
+  }
+
+  step(by: number): void {
+    this.hand.step(by);
+    this.chosen = true;
+    this.listener.changed?.();
+  }
+
+  /** Shows other cameras on a monitor: one, or two halves; a monitor that shows them already is left alone. */
+  show(index: number, names: readonly string[]): void {
+    const monitor = this.monitors[index === 0 ? 0 : 1];
+    if (this.shown[index]?.join() === names.join()) return;
+    monitor.show(names);
+    this.chosen = true;
+    this.take(this.inHand);
+    this.listener.changed?.();
+  }
+
+  takeMonitor(index: 0 | 1): void {
+    this.take(index);
+  }
+
+  /** The next picture in hand: the other half of a split monitor, then the other monitor. */
+  takeOther(): void {
+    const { hand } = this;
+    if (hand.split && hand.picture === hand.halves[0]) this.take(this.inHand, 1);
+    else this.take(1 - this.inHand, 0);
+  }
+
+  toggleSplit(): void {
+    this.hand.toggleSplit();
+    this.take(this.inHand);
+    this.listener.changed?.();
+  }
+
+  toggleSlow(): void {
+    this.slowly = !this.slowly;
+    for (const monitor of this.monitors) monitor.setSlow(this.slowly);
+  }
+
+  toggleMatrix(): void {
+    this.showMatrix(!this.open);
+  }
+
+  showMatrix(on: boolean): void {
+    this.open = on;
+    this.listener.opened?.(on);
+  }
+
+  /** Moves an engineering view: round to the right and upwards [rad], and nearer by a factor. */
+  orbit({ name }: Camera, right: number, upwards: number, nearer: number): void {
+    this.orbits += 1;
+    this.scene.orbit(name, right, upwards, nearer);
+  }
+
   /** Shows or hides the separating plane; returns whether it is shown now. */
   togglePlane(): boolean {
     this.plane = !this.plane;
     return this.plane;
   }
 
-  /** `clearance`: what the narrowest gap calls for. */
-  draw(frame: Frame, clearance: Level): void {
-    const over = this.canvas.getBoundingClientRect();
+  /**
+   * Draws what is due; true: all that is shown is of this frame.
+   *
+   * @param clearance what the narrowest gap calls for.
+   */
+  draw(frame: Frame, clearance: Level): boolean {
     const caution = clearance !== 'info';
     const gap = drawnGap(frame.work.nearest);
     this.scene.setPoses(frame.poses);
+    this.scene.setViews(frame.views);
     this.scene.setGap(gap, caution ? CAUTION : CALM, this.plane);
-    const views = this.monitors.map((monitor): View => {
-      const { left, top, width, height } = monitor.picture.getBoundingClientRect();
-      const rect = { left: left - over.left, top: top - over.top, width, height };
-      return { camera: monitor.camera, rect };
+    this.begin(frame, gap);
+    this.count += 1;
+    const panes = this.panes();
+    const wiped = this.wipe(panes);
+    const state = `${frame.tick} ${this.orbits} ${this.plane}`;
+    const views: View[] = [];
+    let complete = true;
+    panes.forEach((pane, i) => {
+      const stamp = `${state} ${pane.camera.name}`;
+      if (this.stamps.get(pane.element) === stamp && !wiped) return;
+      if ((this.count + i) % pane.pace !== 0 && !wiped) {
+        complete = false;
+        return;
+      }
+      this.stamps.set(pane.element, stamp);
+      const view = { camera: pane.camera.name, rect: this.rectOf(pane.element) };
+      views.push(view);
+      if (pane.picture) this.overlay(pane.picture, view, frame, gap, caution);
     });
     this.scene.draw(views);
-    const [w, x, y, z] = frame.axes;
-    this.monitors.forEach((monitor, i) => {
-      monitor.setAxes(this.scene.directions(monitor.camera, [w, x, y, z]));
-      const view = views[i];
-      if (!view) return;
-      const line = gap && this.line(view, gap, caution);
-      monitor.setGap(line, this.touches(view, frame.work.contacts), view.rect);
-    });
+    if (this.open) this.showMatrixOf(frame, gap, wiped);
+    return complete;
   }
 
   /** Time codes and figures; `age` of the picture in seconds, null where it is a recorded one. */
   setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: number | null): void {
     const { nearest } = frame.work;
-    for (const monitor of this.monitors) {
-      monitor.setTime(frame, age);
-      if (nearest) monitor.setGapText(`${small(nearest.clearance, units.gap)} ${units.gap.name}`);
+    for (const picture of this.monitors.flatMap(({ pictures }) => pictures)) {
+      picture.setTime(frame, age);
+      if (nearest) picture.setGapText(`${small(nearest.clearance, units.gap)} ${units.gap.name}`);
     }
+    if (this.open) this.matrix.setAge(age);
   }
 
   dispose(): void {
     this.scene.dispose();
+  }
+
+  /** At the first frame, the monitors show what the work needs. */
+  private begin(frame: Frame, gap: Near | null): void {
+    if (this.chosen) return;
+    this.chosen = true;
+    this.survey.lookAll(frame, gap);
+    this.survey.first(frame).forEach((camera, i) => {
+      this.monitors[i === 0 ? 0 : 1].choose(camera);
+    });
+    this.listener.changed?.();
+  }
+
+  /** The pictures on the page. */
+  private panes(): readonly Pane[] {
+    const [first, second, tile] = this.paces;
+    if (this.open) {
+      return this.matrix.tiles.map(({ camera, picture }) => ({
+        camera,
+        element: picture,
+        pace: tile,
+        picture: null,
+      }));
+    }
+    return this.monitors.flatMap(({ element, pictures }, i) =>
+      element.isConnected
+        ? pictures.map((picture) => {
+            const pace = i === 0 || !this.monitors[0].element.isConnected ? first : second;
+            return { camera: picture.camera, element: picture.element, pace, picture };
+          })
+        : [],
+    );
+  }
+
+  /** Wipes the canvas where pictures have come, gone or moved; returns whether they have. */
+  private wipe(panes: readonly Pane[]): boolean {
+    const { clientWidth, clientHeight } = this.canvas;
+    const layout = [
+      clientWidth,
+      clientHeight,
+      this.open,
+      ...panes.map(({ element }) => element.clientWidth),
+    ].join();
+    if (layout === this.layout) return false;
+    this.layout = layout;
+    this.scene.wipe();
+    return true;
+  }
+
+  private rectOf(element: HTMLElement): Rect {
+    const over = this.canvas.getBoundingClientRect();
+    const { left, top, width, height } = element.getBoundingClientRect();
+    return { left: left - over.left, top: top - over.top, width, height };
+  }
+
+  /** What is drawn over a monitor's picture, with the picture. */
+  private overlay(picture: Picture, view: View, frame: Frame, gap: Near | null, caution: boolean): void {
+    const [w, x, y, z] = frame.axes;
+    picture.setLens(this.settingOf(picture.camera, frame), view.rect);
+    picture.setAxes(this.scene.directions(view.camera, [w, x, y, z]));
+    picture.setGap(gap && this.line(view, gap, caution), this.touches(view, frame.work.contacts), view.rect);
+  }
+
+  private settingOf(camera: Camera, frame: Frame): Vec3 | null {
+    const at = this.driven.indexOf(camera);
+    return frame.views[at] ?? null;
+  }
+
+  private showMatrixOf(frame: Frame, gap: Near | null, wiped: boolean): void {
+    if (wiped) this.survey.lookAll(frame, gap);
+    else if (this.count % SURVEYED === 0) this.survey.look(frame, gap, 1);
+    this.cameras.forEach((camera, i) => {
+      const tags = this.monitors.filter(({ pictures }) =>
+        pictures.some((picture) => picture.camera === camera),
+      );
+      this.matrix.say(
+        i,
+        this.survey.sees(camera),
+        tags.map(({ label }) => label),
+      );
+    });
+    this.matrix.setAdvice(pairWords(this.survey.best()));
+    if (this.count % this.paces[3] === 0 || wiped) this.drawPlan(frame, middleOf(gap));
+  }
+
+  private drawPlan(frame: Frame, gap: Vec3 | null): void {
+    const { plan } = this.matrix;
+    if (!plan.picture.isConnected) return;
+    const rect = this.rectOf(plan.picture);
+    if (rect.width < 1 || rect.height < 1) return;
+    const used = this.monitors.flatMap(({ pictures }) => pictures.map(({ camera }) => camera));
+    const { sight } = this.scene;
+    const marks = this.televised.map((camera) => ({
+      camera,
+      lens: sight.lens(camera),
+      ahead: sight.direction(camera),
+      angle: this.settingOf(camera, frame)?.[2] ?? camera.field_of_view,
+      used: used.includes(camera),
+    }));
+    const extent = extentOf([...marks.map(({ lens }) => lens), ...this.survey.places], rect);
+    plan.set(extent, marks, gap);
+    this.scene.drawPlan(rect, extent);
   }
 
   private line({ camera, rect }: View, near: Near, caution: boolean): GapLine | null {
@@ -108,18 +378,17 @@ export class Pictures {
 
   private touches({ camera, rect }: View, contacts: readonly Near[]): readonly Touch[] {
     const { width, height } = rect;
-    return contacts.flatMap(({ point_a, point_b, essential }) => {
-      const [ax, ay, az] = point_a;
-      const [bx, by, bz] = point_b;
-      const at = this.scene.project(camera, width / height, [(ax + bx) / 2, (ay + by) / 2, (az + bz) / 2]);
-      return at.visible ? [{ at: { x: at.x * width, y: at.y * height }, essential }] : [];
+    return contacts.flatMap((near) => {
+      const at = this.scene.project(camera, width / height, middleOf(near));
+      return at.visible ? [{ at: { x: at.x * width, y: at.y * height }, essential: near.essential }] : [];
     });
   }
 
-  private take(index: number): void {
+  private take(index: number, half?: number): void {
     this.inHand = index;
     this.monitors.forEach((monitor, i) => {
-      monitor.setInHand(i === index);
+      const own = monitor.halves.indexOf(monitor.picture);
+      monitor.setInHand(i === index ? (half ?? own) : null);
     });
   }
 }
@@ -127,4 +396,16 @@ export class Pictures {
 /** The gap that is worth a line: none that is wide, none where the two touch. */
 export function drawnGap(nearest: Near | null): Near | null {
   return nearest && nearest.clearance > 0 && nearest.clearance < FARTHEST ? nearest : null;
+}
+
+/** What lies round some places of the scene, in a rectangle's shape. */
+function extentOf(places: readonly Vec3[], { width, height }: Rect): Extent {
+  const sides = [0, 1].map((k) => places.map((place) => place[k] ?? 0));
+  const [left = 0, right = 0, low = 0, high = 0] = sides.flatMap((values) => [
+    Math.min(...values),
+    Math.max(...values),
+  ]);
+  const scale = (1 + 2 * MARGIN) * Math.max((right - left) / width, (high - low) / height);
+  const [wide, tall] = [width * scale, height * scale];
+  return { x: (left + right - wide) / 2, y: (low + high - tall) / 2, width: wide, height: tall };
 }

@@ -16,7 +16,7 @@ export type Level = 'info' | 'caution' | 'warning';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
-export type FromPage = Sticks | Shown | Controllers | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromPage = Sticks | Shown | Controllers | DriveCamera | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type FromServer = Welcome | Role | Frame | Events | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -212,12 +212,14 @@ export interface Sticks {
   readonly orbiter: Vec3;
 }
 
-/** What the page measures of itself, told once a second where it has anything to tell; for the recording. */
+/** What the page measures of itself and shows, told once a second and when it changes; for the recording. */
 export interface Shown {
   readonly type: 'shown';
   readonly seq: number;
   /** Stick to picture, 95th percentile of the last 10 s [ms]. */
   readonly latency_ms: number | null;
+  /** What MON 1 and MON 2 show. */
+  readonly monitors: readonly (readonly string[])[];
 }
 
 /** The hand controllers in use, told when the page begins to fly and whenever they change; for the recording. */
@@ -240,6 +242,21 @@ export interface ControllerInUse {
   readonly bindings: readonly string[];
   /** Where each axis rests, as the operator has confirmed; beyond the last: 0. */
   readonly centres: readonly number[];
+}
+
+/** The switches that turn a camera, each in [-1, 1]; sent and forgotten as `Sticks` are. */
+export interface DriveCamera {
+  readonly type: 'drive_camera';
+  readonly seq: number;
+  readonly camera: string;
+  /** To the right in the picture. */
+  readonly pan: number;
+  /** Upwards. */
+  readonly tilt: number;
+  /** In, to a narrower field of view. */
+  readonly zoom: number;
+  /** At the low speed, where the drive has two. */
+  readonly slow: boolean;
 }
 
 /** Turn the MODE rotary to a position and press ENTER. */
@@ -450,7 +467,7 @@ export interface BodyInfo {
   readonly shapes: readonly Shape[];
 }
 
-/** A television camera on a body, as it is set at the start. */
+/** A television camera on a body, as it is set at the start; or an eye that looks from there. */
 export interface Camera {
   /** Short name on the selector: `B`. */
   readonly name: string;
@@ -468,6 +485,9 @@ export interface Camera {
   readonly field_of_view: number;
   /** How it can be turned; None: it is fixed. */
   readonly drive: Drive | null;
+  readonly kind: 'camera' | 'window' | 'engineering';
+  /** What a window leaves open; of windows alone. */
+  readonly pane: Pane | null;
 }
 
 /** A pan and tilt unit with its lens; what it has no drive for stays as the camera has it. */
@@ -492,6 +512,16 @@ export interface Travel {
   readonly rate: number;
   /** Its low speed, where it has two [rad/s]. */
   readonly slow: number | null;
+}
+
+/** A window's opening, square to the line of sight through its middle: nothing is seen beside it or before it. */
+export interface Pane {
+  /** From the eye [m]. */
+  readonly distance: number;
+  /** [m] */
+  readonly width: number;
+  /** [m] */
+  readonly height: number;
 }
 
 /** What can be done at this worksite. */
@@ -591,6 +621,11 @@ export interface Frame {
   readonly axes: Quat;
   /** Seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene. */
   readonly poses: readonly number[];
+  /**
+   * Pan, tilt and horizontal field of view [rad] of the cameras that have a drive, in the order of
+   * `Welcome.cameras`.
+   */
+  readonly views: readonly Vec3[];
 }
 
 /** CMD CK: what a rehearsal of the way to a target found. */
@@ -821,6 +856,13 @@ export interface Curve {
   readonly values: readonly (number | null)[];
 }
 
+/** What the monitors of the page that flew showed from a time on. */
+export interface Pictured {
+  readonly time_s: number;
+  /** Of MON 1 and MON 2: the camera's name, two where it was split; none: no page flew. */
+  readonly monitors: readonly (readonly string[])[];
+}
+
 /** A quantity over the run. */
 export interface Strip {
   readonly name: string;
@@ -878,6 +920,7 @@ export interface PlaybackIndex {
   readonly verdict: Verdict;
   readonly events: readonly Event[];
   readonly lanes: readonly Lane[];
+  readonly pictures: readonly Pictured[];
   readonly strips: readonly Strip[];
   readonly measures: readonly Measure[];
 }

@@ -1,6 +1,7 @@
 /** The operator's station: monitors, spine and desk, drawn from the last frame alone. */
 
 import { assertUnreachable } from './assert';
+import { CameraHand } from './input/camera-hand';
 import type { Action } from './input/keymap';
 import { keyOf } from './input/layout';
 import { reread } from './input/store';
@@ -15,8 +16,8 @@ import { el, setClass } from './panel/dom';
 import { EventsGroup } from './panel/events';
 import { KeyMap } from './panel/keys';
 import { lightSegments } from './panel/lamp-test';
-import { STALE_S } from './panel/monitor';
 import type { Desk, View } from './panel/part';
+import { STALE_S } from './panel/picture';
 import { rail } from './panel/rail';
 import { Spine } from './panel/spine';
 import { swapQuestion } from './panel/swap';
@@ -28,6 +29,7 @@ import type { DrawnBody } from './scene/bodies';
 import type { Command, LinkState } from './socket';
 import { Tones } from './tones';
 import { type UnitName, unitsOf } from './units';
+import { tearOff, Windows } from './windows';
 
 /** Figures and legends change this often [ms]. */
 const VALUES_MS = 100;
@@ -55,6 +57,7 @@ export class Station {
   private fresh = false;
   private valuesAt = 0;
   private toldAt = 0;
+  private toldOf = '';
   private role: Role = { type: 'role', flying: false, watchers: 0 };
   private link: LinkState = { kind: 'open' };
   private units: UnitName;
@@ -63,6 +66,8 @@ export class Station {
   private readonly ended = new AbortController();
   private readonly pictures: Pictures;
   private readonly operator: Operator;
+  private readonly cameraHand: CameraHand;
+  private readonly windows: Windows;
   private readonly spine = new Spine({
     acknowledged: () => this.acknowledge(),
     pressed: (lamp) => this.explain(lamp),
@@ -91,7 +96,19 @@ export class Station {
     this.events = new EventsGroup([welcome.text, ...reread(), keysHint()]);
     this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
     this.movable = welcome.work.cargo.length > 0;
-    this.pictures = new Pictures(welcome, drawing);
+    this.pictures = new Pictures(welcome, drawing, {
+      tearOff,
+      opened: (matrix) => this.showMatrix(root, matrix),
+      changed: () => this.tellWindows(),
+    });
+    this.windows = new Windows((said) => {
+      if (said.kind === 'ask') this.tellWindows();
+      else if (said.kind === 'show') this.pictures.show(said.monitor, said.names);
+      else if (said.kind === 'put') {
+        const camera = welcome.cameras.find(({ name }) => name === said.name);
+        if (camera) this.pictures.choose(camera);
+      }
+    });
     this.operator = new Operator(this.latency, {
       acted: (action) => this.act(action),
       send: transmit,
@@ -100,6 +117,18 @@ export class Station {
     this.sheet = new ControllersSheet(this.operator.controllers);
     this.touch = touchView(this.operator.controllers.touch);
     this.swap = swapQuestion(this.operator.controllers.pads);
+    this.cameraHand = new CameraHand(() => this.operator.turning, {
+      hand: () => this.pictures,
+      barred: () => {
+        if (!this.operator.flying) return 'You watch; only the one who flies turns cameras.';
+        return this.frame?.by === 'script'
+          ? 'The script flies: take the sticks, then the cameras turn, too.'
+          : '';
+      },
+      say: (text) => this.say(text),
+      send: transmit,
+      orbit: (camera, ...by) => this.pictures.orbit(camera, ...by),
+    });
     const desk: Desk = {
       welcome,
       send: (command) => this.send(command),
@@ -122,7 +151,9 @@ export class Station {
     root.replaceChildren(
       this.pictures.canvas,
       el('main', { class: 'monitors' }, first.element, second.element, this.spine.element),
+      this.pictures.matrix.element,
       el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.groups.elements),
+      this.pictures.matrix.strip,
       this.rail.element,
       this.touch.element,
       this.swap.element,
@@ -184,6 +215,8 @@ export class Station {
     this.tones.dispose();
     this.ended.abort();
     this.operator.dispose();
+    this.cameraHand.dispose();
+    this.windows.dispose();
     this.pictures.dispose();
   }
 
@@ -226,9 +259,11 @@ export class Station {
     const latency95 = this.latency.percentile95(now);
     this.rail.values(view, latency95, this.role.watchers, this.link);
     this.sound(view.frame);
-    if (view.frame.recording_s !== null && this.role.flying && now - this.toldAt >= TOLD_MS) {
-      this.toldAt = now;
-      this.transmit({ type: 'shown', latency_ms: latency95 });
+    const monitors = this.pictures.shown;
+    const due = now - this.toldAt >= TOLD_MS || monitors.join('/') !== this.toldOf;
+    if (view.frame.recording_s !== null && this.role.flying && due) {
+      [this.toldAt, this.toldOf] = [now, monitors.join('/')];
+      this.transmit({ type: 'shown', latency_ms: latency95, monitors });
     }
     if (test) lightSegments();
     this.shown = { frame: view.frame, restarts: this.restarts };
@@ -317,6 +352,18 @@ export class Station {
     this.groups.setPlane(this.pictures.togglePlane());
   }
 
+  /** All cameras in place of monitors and desk, whose clearance and lamps stay in sight. */
+  private showMatrix(root: HTMLElement, on: boolean): void {
+    setClass(root, 'all-cameras', on);
+    const { matrix } = this.pictures;
+    if (on) matrix.open(root.querySelector('.desk > .clearance'), this.spine.element);
+    else matrix.close();
+  }
+
+  private tellWindows(): void {
+    this.windows?.say({ kind: 'shown', monitors: this.pictures.shown });
+  }
+
   private flyOrbiter(on: boolean): void {
     if (!this.role.flying) this.say('You watch; only the one who flies can do that.');
     else this.operator.sticks.flyOrbiter(on && this.movable);
@@ -346,13 +393,22 @@ export class Station {
         this.groups.mode.turnJoint(action.by);
         break;
       case 'camera':
-        this.pictures.hand.choose(action.number - 1);
+        this.pictures.chooseDigit(action.number - 1, performance.now());
         break;
       case 'cameraStep':
-        this.pictures.hand.step(action.by);
+        this.pictures.step(action.by);
         break;
       case 'otherMonitor':
         this.pictures.takeOther();
+        break;
+      case 'matrix':
+        this.pictures.toggleMatrix();
+        break;
+      case 'split':
+        this.pictures.toggleSplit();
+        break;
+      case 'slow camera':
+        this.pictures.toggleSlow();
         break;
       case 'acknowledge':
         this.acknowledge();
@@ -368,10 +424,6 @@ export class Station {
         break;
       case 'keys':
         this.keys.toggle();
-        break;
-      case 'split':
-      case 'matrix':
-        this.say('Each monitor of this station shows one camera.');
         break;
       case 'leave':
         this.sheet.close();

@@ -166,6 +166,8 @@ test('keys play, seek and step; others are not ours', async () => {
     stepCamera: none,
     otherMonitor: none,
     plane: none,
+    matrix: none,
+    split: none,
     close: none,
   };
   const press = (code: string, shiftKey = false) => actionOf(made, keys, { code, shiftKey })?.();

@@ -150,6 +150,8 @@ const camera: Camera = {
   up: [0, 0, 1],
   field_of_view: Math.PI / 2,
   drive: null,
+  kind: 'camera',
+  pane: null,
 };
 
 function cameraAt(pose: readonly number[]): Cameras {

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from aftdeck.bodies.cameras import Camera, Drive, Travel, Vec3, along, setting, square
+from aftdeck.bodies.cameras import Camera, Drive, Kind, Pane, Travel, Vec3, along, setting, square
 from aftdeck.units import Angle, AngularRate, Length
 
 
@@ -41,6 +41,23 @@ class DriveFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     zoom: TravelFile | None = None
 
 
+class PaneFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A window's opening."""
+
+    distance: Length
+    """From the eye to it."""
+    width: Length
+    height: Length
+
+    def __post_init__(self) -> None:
+        """Refuse what `Pane` refuses (ValueError)."""
+        self.pane()
+
+    def pane(self) -> Pane:
+        """The same, as the scene has it."""
+        return Pane(float(self.distance), float(self.width), float(self.height))
+
+
 class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A camera, as it is set at the start; the fields are those of `Camera`."""
 
@@ -57,6 +74,9 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Name of the drive that turns it; None: it is fixed."""
     zero: Vec3 | None = None
     """Direction in which pan and tilt are zero; None: the boresight. It is made square to `up`."""
+    kind: Kind = "camera"
+    pane: PaneFile | None = None
+    """Of a window: its opening."""
 
     def __post_init__(self) -> None:
         """Refuse what `Camera` refuses, and a zero direction that is none (ValueError)."""
@@ -66,15 +86,18 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     def _camera(self, drive: Drive | None) -> Camera:
         x, y, z = map(float, self.position)
+        pane = None if self.pane is None else self.pane.pane()
+        angle = float(self.field_of_view)
         return Camera(
-            self.name, self.title, self.body, (x, y, z), self.boresight, self.up, float(self.field_of_view), drive
+            self.name, self.title, self.body, (x, y, z), self.boresight, self.up, angle, drive, self.kind, pane
         )
 
     def camera(self, drives: Sequence[DriveFile]) -> Camera:
         """The camera with its drive.
 
         Raises:
-            ValueError: none of the drives has that name, or the camera starts outside of its ranges.
+            ValueError: none of the drives has that name, the camera starts outside of its ranges, or it is no
+                camera that could have a drive.
         """
         if self.drive is None:
             return self._camera(None)

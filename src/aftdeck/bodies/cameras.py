@@ -7,11 +7,14 @@ upwards. That is the report's heading and pitch: heading about Z, which points d
 from __future__ import annotations
 
 from math import atan2, cos, hypot, pi, sin
-from typing import NamedTuple
+from typing import Literal, NamedTuple, get_args
 
 import msgspec
 
 Vec3 = tuple[float, float, float]
+Kind = Literal["camera", "window", "engineering"]
+KINDS: tuple[Kind, ...] = get_args(Kind)
+"""What a picture can come from: a television camera; an eye behind a window; nothing that flies along."""
 
 
 class Travel(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -48,8 +51,25 @@ class Drive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Of the horizontal field of view."""
 
 
+class Pane(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A window's opening, square to the line of sight through its middle: nothing is seen beside it or before it."""
+
+    distance: float
+    """From the eye [m]."""
+    width: float
+    """[m]"""
+    height: float
+    """[m]"""
+
+    def __post_init__(self) -> None:
+        """Refuse an opening that is none (ValueError)."""
+        for name, size in (("distance", self.distance), ("width", self.width), ("height", self.height)):
+            if not size > 0.0:
+                raise ValueError(f"the pane's {name} is {size:g}; it has to be above 0")
+
+
 class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A television camera on a body, as it is set at the start."""
+    """A television camera on a body, as it is set at the start; or an eye that looks from there."""
 
     name: str
     """Short name on the selector: ``B``."""
@@ -67,9 +87,16 @@ class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Horizontal field of view [rad]."""
     drive: Drive | None = None
     """How it can be turned; None: it is fixed."""
+    kind: Kind = "camera"
+    pane: Pane | None = None
+    """What a window leaves open; of windows alone."""
 
     def __post_init__(self) -> None:
-        """Refuse a camera that can make no picture (ValueError)."""
+        """Refuse a camera that can make no picture, and a window without its pane (ValueError)."""
+        if (self.kind == "window") != (self.pane is not None):
+            raise ValueError(f"{self.name} is a {self.kind}; a window has a pane, and nothing else has one")
+        if self.kind != "camera" and self.drive is not None:
+            raise ValueError(f"{self.name} is a {self.kind}; only a camera has a drive")
         if not 0.0 < self.field_of_view < pi:
             raise ValueError(
                 f"camera {self.name}'s field_of_view is {self.field_of_view:g}; it has to be between 0 and pi"

@@ -8,9 +8,11 @@ from typing import cast
 import msgspec
 import numpy as np
 
+from aftdeck.bodies.cameras import Setting
 from aftdeck.frames import Rows, quaternion, rotation_of
 from aftdeck.recording.convert_work import work_of, work_record
 from aftdeck.recording.records import (
+    CameraRecord,
     EventRecord,
     FrameRecord,
     GoalRecord,
@@ -20,6 +22,7 @@ from aftdeck.recording.records import (
 )
 from aftdeck.recording.told import Numbers
 from aftdeck.scenario.target import Target
+from aftdeck.simulation.cameras import CameraDrive
 from aftdeck.simulation.frame import Check, Event, Frame, Goal, Limit, Six, Vec3, WayOut
 from aftdeck.simulation.inputs import Inputs
 
@@ -63,6 +66,7 @@ def input_record(tick: int, inputs: Inputs | None) -> Input:
         orbiter=_floats(inputs.orbiter),
         master=None if inputs.master is None else _floats(inputs.master),
         initialise=inputs.initialise,
+        camera=None if inputs.camera is None else _camera_record(inputs.camera),
     )
 
 
@@ -99,6 +103,7 @@ def inputs_of(record: Input) -> Inputs | None:
         orbiter=cast("Vec3", record.orbiter),
         master=cast("Six | None", record.master),
         initialise=record.initialise,
+        camera=None if record.camera is None else CameraDrive(*msgspec.structs.astuple(record.camera)),
     )
 
 
@@ -153,6 +158,7 @@ def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> Frame
         goal=None if goal is None else _goal_record(goal),
         work=work_record(frame.work),
         events=tuple(EventRecord(e.time_s, e.kind, e.level, e.text) for e in frame.events),
+        views=tuple([round(angle, DECIMALS) for view in frame.views for angle in view]),
     )
 
 
@@ -207,7 +213,12 @@ def frame_of(record: FrameRecord) -> Frame:
         work=work_of(record.work),
         events=tuple(Event(e.time_s, e.kind, e.level, e.text) for e in record.events),
         sha256=record.sha256,
+        views=tuple([Setting(*record.views[i : i + 3]) for i in range(0, len(record.views), 3)]),
     )
+
+
+def _camera_record(drive: CameraDrive) -> CameraRecord:
+    return CameraRecord(drive.camera, float(drive.pan), float(drive.tilt), float(drive.zoom), drive.slow)
 
 
 def _goal_record(goal: Goal) -> GoalRecord:

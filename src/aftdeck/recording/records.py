@@ -39,6 +39,16 @@ class Opening(Message, frozen=True):
     changes: Annotated[tuple[str, ...], told("KEY=VALUE: what a replay changed in the scenario")] = ()
 
 
+class CameraRecord(Message, frozen=True, omit_defaults=True):
+    """The switches that turned a camera."""
+
+    camera: Annotated[str, told("which camera, by its name")]
+    pan: Annotated[float, told("to the right, in [-1, 1]", "1")] = 0.0
+    tilt: Annotated[float, told("upwards, in [-1, 1]", "1")] = 0.0
+    zoom: Annotated[float, told("in, in [-1, 1]", "1")] = 0.0
+    slow: Annotated[bool, told("at the low speed")] = False
+
+
 class Input(Message, frozen=True, omit_defaults=True):
     """The operator's sticks and switches in one step, exact; what is absent was left as it is."""
 
@@ -74,6 +84,7 @@ class Input(Message, frozen=True, omit_defaults=True):
         Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None,
         told("part of the problem begun anew"),
     ] = None
+    camera: Annotated[CameraRecord | None, told("a camera turned")] = None
 
 
 class LimitRecord(Message, frozen=True):
@@ -163,6 +174,9 @@ class FrameRecord(Message, frozen=True):
     goal: Annotated[GoalRecord | None, told("target of an automatic mode")]
     work: Annotated[WorkRecord, told("contacts, captures, and where the worksite's things are")]
     events: Annotated[tuple[EventRecord, ...], told("what happened in this step")]
+    views: Annotated[
+        Numbers, told("pan, tilt and field of view of each camera that turns, as the worksite lists them", "rad")
+    ]
 
 
 class Note(EventRecord, frozen=True):
@@ -190,6 +204,14 @@ class ControllersRecord(Message, frozen=True):
     wall_s: Annotated[float, told("wall time since the run began", "s")]
 
 
+class Shown(Message, frozen=True):
+    """What the monitors of the page that flew showed from now on."""
+
+    time_s: Annotated[float, told("simulated time", "s")]
+    mon_1: Annotated[tuple[str, ...], told("names of MON 1's cameras: two where it was split; none: no page flew")]
+    mon_2: Annotated[tuple[str, ...], told("the same of MON 2")]
+
+
 class Closing(Message, frozen=True):
     """The last message of a run that was ended in order."""
 
@@ -205,6 +227,7 @@ CHANNELS: dict[str, tuple[type[Message], str]] = {
     "/frames": (FrameRecord, "every step"),
     "/notes": (Note, "when the station writes one"),
     "/controllers": (ControllersRecord, "when somebody begins to fly by hand, and when devices or mappings change"),
+    "/shown": (Shown, "when a monitor shows another camera"),
     "/closing": (Closing, "once, last"),
 }
 """Type and times of each channel's messages."""

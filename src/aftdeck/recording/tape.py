@@ -84,6 +84,11 @@ class Tape:
         if self._recorder is not None:
             self._recorder.controllers(time_s, used)
 
+    def shown(self, time_s: float, monitors: tuple[tuple[str, ...], ...]) -> None:
+        """What the monitors show from now on."""
+        if self._recorder is not None:
+            self._recorder.shown(time_s, monitors)
+
     def complaints(self) -> list[str]:
         """What went wrong since this was last asked, a sentence each."""
         self._look()

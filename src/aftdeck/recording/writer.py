@@ -24,7 +24,7 @@ from aftdeck.recording.channels import Channels
 from aftdeck.recording.convert import frame_record, input_record
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
-from aftdeck.recording.records import PROFILE, Closing, ControllerRecord, ControllersRecord, Note
+from aftdeck.recording.records import PROFILE, Closing, ControllerRecord, ControllersRecord, Note, Shown
 from aftdeck.recording.sink import Sink
 from aftdeck.recording.viewing import Viewing
 from aftdeck.scenario.model import Scenario
@@ -102,7 +102,7 @@ class Recorder:
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
         self._opening = opening(scenario, seed, self._began_ns, changes)
-        self._waiting: deque[_Step | Note | ControllersRecord | _End] = deque()
+        self._waiting: deque[_Step | Note | ControllersRecord | Shown | _End] = deque()
         self._over = threading.Event()
         self._live = live
         self._scenario = scenario
@@ -135,6 +135,12 @@ class Recorder:
         if not self.failure:
             wall = round(time.perf_counter() - self._began, 6)
             self._waiting.append(ControllersRecord(time_s, used, wall))
+
+    def shown(self, time_s: float, monitors: tuple[tuple[str, ...], ...]) -> None:
+        """Hand over what the monitors show from now on."""
+        if not self.failure:
+            mon_1, mon_2 = (*monitors, (), ())[:2]
+            self._waiting.append(Shown(time_s, mon_1, mon_2))
 
     def wait_for_room(self) -> None:
         """Let the disk catch up: for runs that no clock drives."""
@@ -215,7 +221,7 @@ class Recorder:
         view.open()
         frames = hashlib.sha256()
         ticks, time_s, now = 0, 0.0, self._began_ns
-        item: _Step | Note | ControllersRecord | _End | None = None
+        item: _Step | Note | ControllersRecord | Shown | _End | None = None
         while not isinstance(item, _End):
             if not self._waiting:
                 self._over.wait(LOOK_S)
@@ -233,6 +239,8 @@ class Recorder:
                 view.line(item, now)
             elif isinstance(item, ControllersRecord):
                 channels.log("/controllers", item, now)
+            elif isinstance(item, Shown):
+                channels.log("/shown", item, now)
             if time.monotonic() >= due:
                 if file is not None:
                     file.flush()

@@ -6,6 +6,7 @@ from typing import Literal
 
 import msgspec
 
+from aftdeck.bodies.cameras import Setting
 from aftdeck.worksite.report import Work
 
 Vec3 = tuple[float, float, float]
@@ -167,5 +168,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     """Contacts, captures, and where the worksite's things are."""
     events: tuple[Event, ...]
     """What happened in this step."""
+    views: tuple[Setting, ...]
+    """Where the drives of the cameras stand that have any, in the order of `scenario.cameras.cameras_of`."""
     sha256: str
     """Of all this and the state behind it, to the last digit."""

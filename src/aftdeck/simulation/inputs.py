@@ -11,6 +11,7 @@ import msgspec
 from aftdeck.errors import InputError
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.target import Target
+from aftdeck.simulation.cameras import CameraDrive
 from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
 
 Vec3 = tuple[float, float, float]
@@ -73,6 +74,8 @@ class Inputs(msgspec.Struct, frozen=True):
     """The master arm's six joint angles [rad], which MASTER follows; it stays where it is put."""
     initialise: Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None = None
     """Put arm and payload back to where a part of the problem begins, in this step."""
+    camera: CameraDrive | None = None
+    """Turn a camera in this step; `simulation.cameras.Cameras.check` says which there are."""
 
     def check(self, arm: Arm) -> None:
         """Refuse what no hand controller can give.

@@ -86,6 +86,7 @@ def look(flight: Flight, state: State) -> Frame:
         goal=_goal(state, position, orientation, report[REMAINING]),
         work=look_work(flight, state),
         events=tuple(state.events),
+        views=state.cameras.views,
         sha256=seal(state).hex(),
     )
 

@@ -76,12 +76,14 @@ class Simulation:
             inputs: sticks and switches; None lets the scenario's script fly.
 
         Raises:
-            InputError: inputs that no hand controller can give, a target that is none or contradicts itself;
-                nothing has changed.
+            InputError: inputs that no hand controller can give, a target that is none or contradicts itself, a
+                camera that cannot be turned; nothing has changed.
             SimulationError: the state is no longer finite.
         """
         if inputs is not None:
             inputs.check(self._state.arm)
+            if inputs.camera is not None:
+                self._state.cameras.check(inputs.camera)
         state = self._state
         step(self._flight, state, inputs)
         self._stepped, self._frame = True, None

@@ -29,6 +29,7 @@ def seal(state: State) -> bytes:
         things.nearest,
         things.advice,
         [thing.seat for thing in things.cargo],
+        state.cameras.views,
         state.events,
     )
     numbers = (

@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.bodies.cameras import Setting
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.linkage import L1
 from aftdeck.kinematics.observe import OBSERVED
@@ -15,6 +16,7 @@ from aftdeck.plant.kinematic import KinematicPlant
 from aftdeck.plant.slide import stand_of
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import Target
+from aftdeck.simulation.cameras import Cameras
 from aftdeck.simulation.carried import Carried
 from aftdeck.simulation.frame import Check, Event, Sequence, Six, WayOut
 from aftdeck.simulation.inputs import Inputs
@@ -86,6 +88,7 @@ class State:
         carried: what the arm holds, and its rules with it.
         plant: what moves.
         site: the worksite.
+        cameras: their drives.
         steering: measured angles and rise, commanded rates, commanded twist.
         command: what the steering laws are told in this step.
         report: what they said of it.
@@ -113,6 +116,7 @@ class State:
         self._arm = scenario.arm
         self._height = float(scenario.arm.model.links[L1])
         self.site = Things(scenario, site)
+        self.cameras = Cameras(scenario)
         self.steering = np.zeros(STATE)
         self.command = np.zeros(COMMAND)
         self.command[MASTER : MASTER + 6] = scenario.initial_angles
@@ -134,6 +138,7 @@ class State:
             self.steering.tolist(),
             self.command.tolist(),
             self.report.tolist(),
+            self.cameras.save(),
         )
 
     def restore(self, saved: Saved) -> None:
@@ -147,10 +152,11 @@ class State:
         self.steering[:] = saved.steering
         self.command[:] = saved.command
         self.report[:] = saved.report
+        self.cameras.restore(saved.cameras)
         self.events.clear()
 
     def become(self, other: State) -> None:
-        """Be as another state of the same flight, but for the tick, the script, the log and the inputs under way."""
+        """Be as another state of the same flight, but for the tick, script, log, cameras and inputs under way."""
         self.panel, self.carried, self.plant, self.site = other.panel, other.carried, other.plant, other.site
         self.steering = other.steering
         self.command, self.report = other.command, other.report
@@ -179,3 +185,4 @@ class Saved(msgspec.Struct, frozen=True):
     steering: list[float]
     command: list[float]
     report: list[float]
+    cameras: tuple[Setting, ...]

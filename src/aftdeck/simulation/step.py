@@ -52,6 +52,8 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> None:
     period = flight.scenario.control_period
     state.plant.move(rates, period, telescope)
     work(flight, state, inputs)
+    if inputs.camera is not None:
+        state.cameras.drive(inputs.camera, period)
 
     # what the log tells of the arm; a script whose time has run out ends
     notice(flight, state)

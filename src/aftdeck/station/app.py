@@ -143,6 +143,8 @@ class Page:
                 self.pages.session.shown(message)
             elif isinstance(message, wire.Controllers):
                 self.pages.session.controllers_in_use(message)
+            elif isinstance(message, wire.DriveCamera):
+                self.pages.session.turn(message)
             else:
                 self.pages.session.command(message)
         except CommandError as error:

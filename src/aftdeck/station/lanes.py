@@ -8,20 +8,35 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.station.playback import Lane, Stretch
 from aftdeck.station.protocol import Lamp, Level
 
+MONITORS = ("MON 1", "MON 2")
+
 
 class Lanes:
     """Phase, mode, alarms and limits of a run, collected frame by frame."""
 
     def __init__(self, period_s: float) -> None:
         self._period_s = period_s
-        self._lanes: dict[str, list[tuple[int, str, Level]]] = {"Phase": [], "Mode": [], "Alarms": [], "Limits": []}
+        self._lanes: dict[str, list[tuple[int, str, Level]]] = {
+            "Phase": [],
+            "Mode": [],
+            **{name: [] for name in MONITORS},
+            "Alarms": [],
+            "Limits": [],
+        }
         self._ticks = 0
+        self._shown: tuple[tuple[str, ...], ...] = ((), ())
+
+    def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
+        """What the monitors show from the next frame on."""
+        self._shown = monitors
 
     def add(self, frame: Frame, lamps: Iterable[Lamp]) -> None:
         """The next frame and the lamps lit in it."""
         alarms = [lamp.name for lamp in lamps if lamp.level != "info"]
         self._put("Phase", frame.phase, "info")
         self._put("Mode", frame.mode, "info")
+        for name, cameras in zip(MONITORS, self._shown, strict=True):
+            self._put(name, " | ".join(cameras), "info")
         self._put("Alarms", " · ".join(alarms), "caution" if alarms else "info")
         self._put("Limits", " · ".join(sorted({limit.kind for limit in frame.limits})), "info")
         self._ticks = frame.tick
@@ -32,11 +47,11 @@ class Lanes:
             stretches.append((self._ticks, label, level))
 
     def lanes(self) -> tuple[Lane, ...]:
-        """The lanes, their stretches without a gap from zero to the last frame; phases only where a script flew."""
+        """The lanes, their stretches without a gap from zero to the last frame; phases, monitors if there were any."""
         return tuple(
             Lane(name, self._stretches(stretches))
             for name, stretches in self._lanes.items()
-            if name != "Phase" or any(label for _, label, _ in stretches)
+            if name not in ("Phase", *MONITORS) or any(label for _, label, _ in stretches)
         )
 
     def _stretches(self, stretches: list[tuple[int, str, Level]]) -> tuple[Stretch, ...]:

@@ -60,6 +60,14 @@ class Curve(msgspec.Struct, frozen=True):
     """None: there was no such thing."""
 
 
+class Pictured(msgspec.Struct, frozen=True):
+    """What the monitors of the page that flew showed from a time on."""
+
+    time_s: float
+    monitors: tuple[tuple[str, ...], ...]
+    """Of MON 1 and MON 2: the camera's name, two where it was split; none: no page flew."""
+
+
 class Strip(msgspec.Struct, frozen=True):
     """A quantity over the run."""
 
@@ -121,6 +129,7 @@ class PlaybackIndex(msgspec.Struct, frozen=True):
     verdict: Verdict
     events: tuple[Event, ...]
     lanes: tuple[Lane, ...]
+    pictures: tuple[Pictured, ...]
     strips: tuple[Strip, ...]
     measures: tuple[Measure, ...]
 

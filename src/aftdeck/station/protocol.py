@@ -34,6 +34,9 @@ Binding = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9+]{1,16} [A-Za-z0-9+ 
 Offset = Annotated[float, msgspec.Meta(ge=-0.3, le=0.3)]
 Seq = Annotated[int, msgspec.Meta(ge=0, le=2**53 - 1)]
 """Number of a page's message: a whole number that JavaScript carries exactly."""
+Name = Annotated[str, msgspec.Meta(max_length=64)]
+Monitor = Annotated[tuple[Name, ...], msgspec.Meta(min_length=1, max_length=2)]
+"""Names of the cameras that a monitor shows: one, or two halves from the left."""
 
 
 class _Message(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="type"):
@@ -213,12 +216,29 @@ class Restart(_Message, frozen=True, tag="restart"):
     seq: Seq
 
 
+class DriveCamera(_Message, frozen=True, tag="drive_camera"):
+    """The switches that turn a camera, each in [-1, 1]; sent and forgotten as `Sticks` are."""
+
+    seq: Seq
+    camera: Name
+    pan: float
+    """To the right in the picture."""
+    tilt: float
+    """Upwards."""
+    zoom: float
+    """In, to a narrower field of view."""
+    slow: bool
+    """At the low speed, where the drive has two."""
+
+
 class Shown(_Message, frozen=True, tag="shown"):
-    """What the page measures of itself, told once a second where it has anything to tell; for the recording."""
+    """What the page measures of itself and shows, told once a second and when it changes; for the recording."""
 
     seq: Seq
     latency_ms: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] | None
     """Stick to picture, 95th percentile of the last 10 s [ms]."""
+    monitors: Annotated[tuple[Monitor, ...], msgspec.Meta(max_length=2)] = ()
+    """What MON 1 and MON 2 show."""
 
 
 class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -248,6 +268,7 @@ FromPage = (
     Sticks
     | Shown
     | Controllers
+    | DriveCamera
     | EnterMode
     | SelectJoint
     | SelectRate
@@ -629,6 +650,9 @@ class Frame(_Message, frozen=True, tag="frame"):
     """The control frame's axes in the scene, for the frame axes in the pictures."""
     poses: tuple[float, ...]
     """Seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene."""
+    views: tuple[Vec3, ...]
+    """Pan, tilt and horizontal field of view [rad] of the cameras that have a drive, in the order of
+    `Welcome.cameras`."""
 
 
 class Event(msgspec.Struct, frozen=True):

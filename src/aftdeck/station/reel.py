@@ -20,11 +20,11 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.convert import frame_of
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import ControllersRecord, EventRecord, FrameRecord, Note
+from aftdeck.recording.records import ControllersRecord, EventRecord, FrameRecord, Note, Shown
 from aftdeck.simulation.log import spoken
 from aftdeck.station.lanes import Lanes
 from aftdeck.station.measures import Measures
-from aftdeck.station.playback import BLOCK, Block, Moment, PlaybackIndex, Verdict
+from aftdeck.station.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
 from aftdeck.station.protocol import Event
 from aftdeck.station.strips import Strips, readings, worst_rate
 from aftdeck.station.verdict import CHECKING
@@ -110,6 +110,7 @@ class Reel:
         period = opening.control_period_s
         lanes, strips, measures = Lanes(period), Strips(self._arm, period), Measures(period)
         events: list[Event] = []
+        pictures: list[Pictured] = []
         waiting: list[FrameRecord] = []
         ticks = 0
         for message in recording.messages():
@@ -117,6 +118,10 @@ class Reel:
                 events.append(_event(message))
             elif isinstance(message, ControllersRecord):
                 measures.use(message.controllers)
+            elif isinstance(message, Shown):
+                monitors = message.mon_1, message.mon_2
+                pictures.append(Pictured(message.time_s, monitors))
+                lanes.shown(monitors)
             elif isinstance(message, FrameRecord):
                 frame = frame_of(message)
                 lamps = self._translator.lamps(frame)
@@ -148,6 +153,7 @@ class Reel:
             verdict=CHECKING,
             events=tuple(sorted(events, key=lambda event: event.time_s)),
             lanes=lanes.lanes(),
+            pictures=tuple(pictures),
             strips=strips.strips(),
             measures=measures.measures(recording.ended),
         )

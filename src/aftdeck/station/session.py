@@ -21,6 +21,7 @@ from aftdeck.recording.live import Live
 from aftdeck.recording.tape import Tape
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
+from aftdeck.simulation.cameras import CameraDrive
 from aftdeck.simulation.frame import Event, Level
 from aftdeck.simulation.frame import Frame as SimFrame
 from aftdeck.simulation.inputs import Inputs
@@ -48,6 +49,8 @@ MOST_TURNED = 100.0
 """Greatest angle of a keyed-in attitude that is looked at [rad]."""
 NO_CONTROLLERS = wire.Controllers(0, ())
 HANDS_OFF = wire.Sticks(-1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
+STILL = CameraDrive("")
+"""No camera turns."""
 
 _SWITCHES: dict[type, tuple[str, str]] = {
     wire.EnterMode: ("mode", "mode"),
@@ -114,6 +117,9 @@ class Session:
         self._axis: Axis | None = None
         self._controllers = NO_CONTROLLERS
         self._recorded = NO_CONTROLLERS
+        self._monitors: tuple[wire.Monitor, ...] = ()
+        self._monitors_kept: tuple[wire.Monitor, ...] = ()
+        self._camera, self._camera_heard = STILL, 0.0
         self._commands: deque[wire.FromPage] = deque()
         self._sticks = HANDS_OFF
         self._heard = 0.0
@@ -160,9 +166,35 @@ class Session:
         with self._lock:
             self._sticks, self._heard = sticks, time.monotonic()
 
+    def turn(self, message: wire.DriveCamera) -> None:
+        """How the switches stand that turn a camera.
+
+        Raises:
+            CommandError: a camera that cannot be turned, a switch beyond its travel, or the script flies.
+        """
+        driven = [camera.name for camera in self.welcome.cameras if camera.drive is not None]
+        if message.camera not in driven:
+            there = ", ".join(driven) or "none"
+            raise CommandError(f"no camera {message.camera!r} can be turned here: there are {there}")
+        if not all(-1.0 <= s <= 1.0 for s in (message.pan, message.tilt, message.zoom)):
+            raise CommandError("a camera's pan, tilt and zoom lie between -1 and 1; this message was not flown")
+        if self._demo:
+            raise CommandError("the script flies: take the sticks, then the cameras turn, too")
+        with self._lock:
+            self._camera = CameraDrive(message.camera, message.pan, message.tilt, message.zoom, message.slow)
+            self._camera_heard = time.monotonic()
+
     def shown(self, message: wire.Shown) -> None:
-        """What the page that flies measures of itself."""
-        self._latency_ms = message.latency_ms
+        """What the page that flies measures of itself and shows.
+
+        Raises:
+            CommandError: a camera that there is not.
+        """
+        names = [camera.name for camera in self.welcome.cameras]
+        unknown = [name for monitor in message.monitors for name in monitor if name not in names]
+        if unknown:
+            raise CommandError(f"there is no camera {unknown[0]!r}: there are {', '.join(names)}")
+        self._latency_ms, self._monitors = message.latency_ms, message.monitors
 
     def controllers_in_use(self, message: wire.Controllers) -> None:
         """What moves the sticks of the page that flies, and how."""
@@ -172,10 +204,10 @@ class Session:
     def let_go(self) -> None:
         """Sticks to zero and commands forgotten: the page that flew is gone."""
         with self._lock:
-            self._sticks = HANDS_OFF
+            self._sticks, self._camera = HANDS_OFF, STILL
             self._commands.clear()
             self._controllers = NO_CONTROLLERS
-        self._latency_ms = None
+        self._latency_ms, self._monitors = None, ()
 
     def command(self, message: wire.FromPage) -> None:
         """Queue a switch's movement for one of the next steps.
@@ -204,6 +236,7 @@ class Session:
             if isinstance(message, wire.Stop):
                 self._commands.clear()
                 self._sticks = msgspec.structs.replace(HANDS_OFF, seq=self._sticks.seq)
+                self._camera = STILL
             if len(self._commands) >= MOST_WAITING:
                 raise CommandError(f"{MOST_WAITING} commands are waiting already; this one was not taken")
             self._commands.append(message)
@@ -238,6 +271,7 @@ class Session:
             sticks = self._sticks
             if time.monotonic() - self._heard > SILENCE:
                 sticks = msgspec.structs.replace(HANDS_OFF, seq=sticks.seq)
+            camera = self._camera if time.monotonic() - self._camera_heard <= SILENCE else STILL
             message = self._commands.popleft() if self._commands else None
             controllers = self._controllers
         if isinstance(message, wire.Restart):
@@ -253,7 +287,12 @@ class Session:
             self._demo = False
             self._note("hand", "you have the sticks")
         inputs = None if self._demo else self._inputs(sticks, message)
+        if inputs is not None and (camera.pan or camera.tilt or camera.zoom):
+            inputs = msgspec.structs.replace(inputs, camera=camera)
         frame = self._sim.step(inputs)
+        if self._monitors != self._monitors_kept:
+            self._monitors_kept = self._monitors
+            self._tape.shown(frame.time_s, self._monitors)
         self._tape.step(inputs, frame, self._latency_ms)
         for text in self._tape.complaints():
             self._note("recording", text, "warning")
@@ -294,6 +333,7 @@ class Session:
         self._sim = Simulation(self._scenario, self._seed)
         self._demo = self._start_demo
         self._ahead = self._axis = None
+        self._monitors_kept = ()
         self._tape.begin(self._scenario, self._sim.seed)
         self._recorded = NO_CONTROLLERS  # the new file is told anew
         self._note("restart", f"{self._scenario.title}: from the beginning")

@@ -7,10 +7,10 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.arms.shapes import shapes_of
-from aftdeck.bodies.cameras import Camera
+from aftdeck.bodies.cameras import Camera, Setting
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
 from aftdeck.recording.records import ControllerRecord
+from aftdeck.scenario.cameras import cameras_of
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import bodies_of
 from aftdeck.scene.everything import ScenePoses
@@ -26,6 +26,8 @@ Array = NDArray[np.float64]
 
 END_EFFECTOR, PAYLOAD = 5, 6
 """The report's numbers of the modes whose axes move with the arm."""
+VIEW = 6
+"""Decimals of a camera's angles on the page [rad]: a pixel is a thousand times as wide."""
 
 
 class Translator:
@@ -38,11 +40,10 @@ class Translator:
         self._hand = rotation_x(scenario.arm.model.end_effector_roll)
         self._poses = ScenePoses(scenario)
         self._work = WorkTranslator(scenario)
-        worksite = scenario.worksite
         bodies = tuple(wire.BodyInfo(body.name, body.shapes) for body in bodies_of(scenario))
-        cameras = worksite.cameras + shapes_of(scenario.arm.model).cameras
         phases = tuple(phase.name for phase in scenario.phases) if demo else ()
-        self.welcome = self._welcome(bodies, cameras, phases)
+        self.welcome = self._welcome(bodies, cameras_of(scenario), phases)
+        self._views: tuple[tuple[Setting, ...], tuple[wire.Vec3, ...]] = ((), ())
 
     def _welcome(
         self, bodies: tuple[wire.BodyInfo, ...], cameras: tuple[Camera, ...], phases: tuple[str, ...]
@@ -164,11 +165,19 @@ class Translator:
             ahead=ahead,
             axes=quaternion(SCENE_FROM_PANEL_AXES @ self._control_axes(frame, tip)),
             poses=tuple(self._poses.at(frame)),
+            views=self._shortened(frame.views),
         )
 
     def target(self, message: wire.SetTarget) -> Pose:
         """A keyed-in target, panel components, as frame 7 in L."""
         return self._arm.from_panel(message.position, message.attitude)
+
+    def _shortened(self, views: tuple[Setting, ...]) -> tuple[wire.Vec3, ...]:
+        """The settings to a microradian; while no camera moves, what was made before."""
+        if views is not self._views[0]:
+            short = [(round(pan, VIEW), round(tilt, VIEW), round(zoom, VIEW)) for pan, tilt, zoom in views]
+            self._views = views, tuple(short)
+        return self._views[1]
 
     def _shown_axes(self, frame: sim.Frame, tip: Pose, loaded: bool) -> Array:
         """Axes in L whose attitude the panel shows: the payload's in the payload's modes, else the end effector's."""

@@ -74,11 +74,13 @@ def blind_cameras(
 
     A camera on a body is held against all bodies' solids, as they stand at the start; one on a cargo against the
     cargo's own. What a camera is itself made of is called after it (``camera A``) and left out. Cameras on the arm,
-    and what comes near a camera in flight, are not looked at.
+    eyes behind windows, and what comes near a camera in flight, are not looked at.
     """
     still = {body.name: body.pose for body in bodies}
     own = {cargo.name: cargo.solids for cargo in cargoes}
     for i, camera in enumerate(cameras):
+        if camera.kind == "window":
+            continue
         pose = still.get(camera.body)
         near = solids if pose else own.get(camera.body, ())
         place = _in_scene(pose, camera.position) if pose else np.array(camera.position)

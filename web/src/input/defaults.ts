@@ -54,6 +54,7 @@ const KEYBOARD = {
   Period: 'cameraStep +',
   KeyZ: 'split',
   KeyC: 'matrix',
+  Semicolon: 'slow camera',
   Escape: 'leave',
   ...Object.fromEntries(digits),
 };

@@ -21,6 +21,9 @@ export type Action =
         | 'matrix'
         | 'acknowledge'
         | 'plane'
+        | 'matrix'
+        | 'split'
+        | 'slow camera'
         | 'fly orbiter'
         | 'keys'
         | 'leave';
@@ -107,6 +110,7 @@ const ACTIONS: readonly Use[] = [
   once('cameraStep +', 'camera after', { name: 'cameraStep', by: 1 }),
   once('split', 'split', { name: 'split' }),
   once('matrix', 'all cameras', { name: 'matrix' }),
+  once('slow camera', 'cameras turn slowly', { name: 'slow camera' }),
   once('leave', 'close what is open', { name: 'leave' }),
   ...Array.from({ length: CAMERAS }, (_, i) =>
     once(`camera ${i + 1}`, `camera ${i + 1}`, { name: 'camera', number: i + 1 }),

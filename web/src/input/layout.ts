@@ -26,8 +26,8 @@ const NAMES: Readonly<Record<string, string>> = {
   ArrowRight: '→',
   ArrowUp: '↑',
   ArrowDown: '↓',
-  PageUp: 'Page up',
-  PageDown: 'Page dn',
+  PageUp: 'Page ↑',
+  PageDown: 'Page ↓',
 };
 
 /** The browser's standard mapping. */

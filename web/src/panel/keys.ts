@@ -37,9 +37,12 @@ const FLYING: readonly Row[] = [
   [['joint -', 'joint +'], 'joint in SINGLE and DIRECT; then THC X drives it'],
   [['proceed'], 'proceed: to the target, or on from a pause point'],
   [['acknowledge'], 'acknowledge the master alarm'],
-  [['otherMonitor'], 'the other monitor in hand'],
-  [['camera 1', 'camera 10'], 'cameras on the monitor in hand'],
+  [['otherMonitor'], 'the other monitor, or half, in hand'],
+  [['camera 1', 'camera 10'], 'camera 1 to 10 in hand; twice: 11 to 20'],
   [['cameraStep -', 'cameraStep +'], 'camera before, after'],
+  [['-pan', '+tilt', '+zoom'], 'and their opposites: pan, tilt, zoom'],
+  [['slow camera'], 'cameras turn slowly'],
+  [['matrix', 'split'], 'all cameras, and back; split'],
 ];
 
 const WORKING: readonly Row[] = [

@@ -1,5 +1,6 @@
 /** Look ahead: what the sticks as they stand would do in some seconds, in figures; the ghost is the same, drawn. */
 
+import { small } from '../format';
 import type { Ahead } from '../protocol';
 import type { Units } from '../units';
 import { button, el, group, setAbout, setClass, setText } from './dom';
@@ -68,9 +69,15 @@ function below({ clearance }: Ahead, caution: number): boolean {
 export function words(
   ahead: Ahead,
   joints: readonly { readonly label: string }[],
-  units: Pick<Units, 'short'>,
-): { readonly clearance: string; readonly between: string; readonly stopping: string; readonly joint: string } {
+  { gap }: Pick<Units, 'gap'>,
+): {
+  readonly clearance: string;
+  readonly between: string;
+  readonly stopping: string;
+  readonly joint: string;
+} {
   const { clearance, a, b, contact_s, stopping, joint, room } = ahead;
+  const shown = (value: number) => `${small(value, gap)} ${gap.name}`;
   const left = `${Math.abs(room * DEGREES).toFixed(0)}°`;
   return {
     clearance:
@@ -78,9 +85,9 @@ export function words(
         ? `contact in ${contact_s.toFixed(1)} s`
         : clearance === null
           ? '–'
-          : units.short(clearance),
+          : shown(clearance),
     between: clearance === null ? '' : `${a} to ${b}`,
-    stopping: units.short(stopping),
+    stopping: shown(stopping),
     joint: `${joints[joint]?.label ?? ''} ${room > 0 ? left : `${left} past`}`,
   };
 }

@@ -1,151 +1,167 @@
-/** One monitor: a hole over the scene's canvas, what is burned into its picture, and its selector. */
+/** One monitor: its picture, or two beside each other, and its selector. */
 
-import { degrees, timeCode } from '../format';
-import type { Camera, Frame, Vec3 } from '../protocol';
-import { axesOverlay } from './axes';
-import { button, el, setAttribute, setClass, setPressed, setText, svg } from './dom';
-import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
-import type { Box, Size } from './label-place';
-
-/** A picture older than this is stale [s]. */
-export const STALE_S = 0.5;
+import { nameOf } from '../input/layout';
+import type { Camera } from '../protocol';
+import { button, el, setAttribute, setClass, setPressed } from './dom';
+import { Picture } from './picture';
 
 export interface MonitorListener {
-  /** The operator took this monitor in hand. */
-  taken(): void;
+  /** The operator took a half of this monitor in hand, or pressed a key of the selector, which acts on it. */
+  taken(half: number): void;
+  choose(camera: Camera): void;
+  split(): void;
+  slow(): void;
+  /** It shall be shown in a window of its own; absent: it is. */
+  tearOff?: () => void;
+  orbited(camera: Camera, right: number, upwards: number, nearer: number): void;
 }
 
 export class Monitor {
   readonly element: HTMLElement;
-  readonly picture = el('div', { class: 'picture' });
-  private readonly keys: HTMLButtonElement[];
-  private readonly name = el('b');
-  private readonly title = el('span');
-  private readonly time = el('span', { class: 'code' });
-  private readonly age = el('span');
-  private readonly lens = el('span');
-  private readonly stale = el('p', { class: 'stale' });
-  private readonly axes = axesOverlay();
-  private readonly gap = gapOverlay((picture) => this.burnedIn(picture));
-  private corners: { readonly of: Size; readonly boxes: readonly Box[] } | null = null;
+  /** Left and right; the right one is shown where the monitor is split. */
+  readonly halves: readonly [Picture, Picture];
+  private readonly keys: readonly HTMLButtonElement[];
   private readonly hand: HTMLButtonElement;
-  private chosen: number;
+  private readonly splitKey: HTMLButtonElement;
+  private readonly slowKey: HTMLButtonElement;
+  private readonly bezel: HTMLElement;
+  private half = 0;
+  private two = false;
 
   constructor(
-    label: string,
+    readonly label: string,
     private readonly cameras: readonly Camera[],
-    first: string,
+    first: Camera,
     listener: MonitorListener,
   ) {
-    this.chosen = Math.max(
-      0,
-      cameras.findIndex(({ name }) => name === first),
-    );
-    this.keys = cameras.map(({ name, title }, index) =>
-      button({ title }, [name], () => {
-        listener.taken();
-        this.choose(index);
+    const picture = (half: number): Picture =>
+      new Picture(first, {
+        taken: () => listener.taken(half),
+        orbited: (right, upwards, nearer) => {
+          const { camera } = half === 0 ? this.halves[0] : this.halves[1];
+          listener.orbited(camera, right, upwards, nearer);
+        },
+      });
+    this.halves = [picture(0), picture(1)];
+    this.keys = cameras.map((camera) =>
+      button({ title: camera.title }, [camera.name], () => {
+        listener.taken(this.half);
+        listener.choose(camera);
       }),
     );
-    this.hand = button({ class: 'hand' }, [label, el('em', {}, 'in hand')], () => listener.taken());
-    this.picture.append(
-      el('p', { class: 'burned name' }, this.name, ' ', this.title),
-      el('p', { class: 'burned time' }, this.time, this.age),
-      el('p', { class: 'burned lens' }, this.lens),
-      reticle(),
-      this.axes.element,
-      ...this.gap.elements,
-      this.stale,
+    this.hand = button({ class: 'hand' }, [label, el('em', {}, 'in hand')], () => listener.taken(this.half));
+    this.splitKey = button({ title: `Two cameras beside each other: ${nameOf('KeyZ')}` }, ['Split'], () => {
+      listener.taken(this.half);
+      listener.split();
+    });
+    this.slowKey = button(
+      { class: 'slow', title: `Cameras turn at their low speed: ${nameOf('Semicolon')}` },
+      ['Slow'],
+      () => listener.slow(),
     );
-    this.picture.addEventListener('click', () => listener.taken());
+    const { tearOff } = listener;
+    const off = tearOff
+      ? [
+          button(
+            { class: 'off', title: `${label} in a window of its own`, 'aria-label': 'Own window' },
+            ['↗'],
+            tearOff,
+          ),
+        ]
+      : [];
+    this.bezel = el('div', { class: 'bezel' }, this.halves[0].element);
     this.element = el(
       'section',
       { class: 'monitor', 'aria-label': label },
-      el('div', { class: 'bezel' }, this.picture),
+      this.bezel,
       el(
         'div',
         { class: 'selector' },
         this.hand,
         el('div', { class: 'cameras', role: 'group', 'aria-label': `Camera of ${label}` }, ...this.keys),
+        el('div', { class: 'monitor-keys' }, this.slowKey, this.splitKey, ...off),
       ),
     );
-    this.choose(this.chosen);
+    this.setSplit(false);
   }
 
-  get camera(): string {
-    return this.cameras[this.chosen]?.name ?? '';
+  /** What the camera keys act on. */
+  get picture(): Picture {
+    return this.half === 1 && this.two ? this.halves[1] : this.halves[0];
   }
 
-  /** Puts the camera of that number on, if there is one. */
-  choose(index: number): void {
-    const camera = this.cameras[index];
-    if (!camera) return;
-    this.chosen = index;
-    setText(this.name, camera.name);
-    setText(this.title, camera.title);
-    setText(this.lens, `FIXED  FOV ${degrees(camera.field_of_view, 1, false)}°`);
+  /** Those that are shown, from the left. */
+  get pictures(): readonly Picture[] {
+    return this.two ? this.halves : [this.halves[0]];
+  }
+
+  get split(): boolean {
+    return this.two;
+  }
+
+  /** Shows other cameras: one, or two halves; those that there are not leave what is shown. */
+  show(names: readonly string[]): void {
+    const cameras = names.flatMap((name) => this.cameras.filter((camera) => camera.name === name));
+    if (cameras.length === 0) return;
+    cameras.slice(0, 2).forEach((camera, half) => {
+      this.halves[half]?.show(camera);
+    });
+    this.setSplit(cameras.length > 1);
+  }
+
+  choose(camera: Camera): void {
+    this.picture.show(camera);
+    this.mark();
+  }
+
+  /** The camera so many places on from the one in hand. */
+  step(by: number): void {
+    const { cameras } = this;
+    const at = cameras.indexOf(this.picture.camera);
+    const next = cameras[(at + by + cameras.length) % cameras.length];
+    if (next) this.choose(next);
+  }
+
+  /** Splits, with the right half in hand, or leaves the half in hand alone. */
+  toggleSplit(): void {
+    if (this.two) {
+      this.halves[0].show(this.picture.camera);
+      this.setSplit(false);
+    } else {
+      this.half = 1;
+      this.setSplit(true);
+    }
+  }
+
+  /** `half`: which one of its halves is in hand; null: none is. */
+  setInHand(half: number | null): void {
+    if (half !== null) this.half = half;
+    setClass(this.element, 'in-hand', half !== null);
+    setAttribute(this.hand, 'aria-pressed', String(half !== null));
+    this.mark();
+  }
+
+  setSlow(on: boolean): void {
+    setPressed(this.slowKey, on);
+  }
+
+  private setSplit(on: boolean): void {
+    this.two = on;
+    if (!on) this.half = 0;
+    if (on) this.bezel.append(this.halves[1].element);
+    else this.halves[1].element.remove();
+    setClass(this.bezel, 'split', on);
+    setPressed(this.splitKey, on);
+    this.mark();
+  }
+
+  private mark(): void {
+    this.halves.forEach(({ element }, i) => {
+      setClass(element, 'half-in-hand', this.two && i === this.half);
+    });
+    const { camera } = this.picture;
     this.keys.forEach((key, i) => {
-      setPressed(key, i === index);
+      setPressed(key, this.cameras[i] === camera);
     });
   }
-
-  step(by: number): void {
-    this.choose((this.chosen + by + this.cameras.length) % this.cameras.length);
-  }
-
-  setInHand(on: boolean): void {
-    setClass(this.element, 'in-hand', on);
-    setAttribute(this.hand, 'aria-pressed', String(on));
-  }
-
-  /** The control frame's axes, at picture rate. */
-  setAxes(directions: readonly [Vec3, Vec3, Vec3]): void {
-    this.axes.set(directions);
-  }
-
-  /** The narrowest gap and what touches, as this picture of that size sees them, at picture rate. */
-  setGap(line: GapLine | null, touches: readonly Touch[], picture: Size): void {
-    this.gap.show(line, touches, picture);
-  }
-
-  private burnedIn(picture: Size): readonly Box[] {
-    const { corners } = this;
-    if (corners?.of.width === picture.width && corners.of.height === picture.height) return corners.boxes;
-    this.corners = { of: picture, boxes: cornersOf(picture) };
-    return this.corners.boxes;
-  }
-
-  /** How wide the gap is. */
-  setGapText(text: string): void {
-    this.gap.setText(text);
-  }
-
-  /** Time code of the picture and its age [s]; null: it is a recorded one. */
-  setTime(frame: Frame, age: number | null): void {
-    const stale = age !== null && age > STALE_S;
-    setText(this.time, timeCode(frame.time_s));
-    setText(this.age, age === null ? 'recorded' : stale ? `${age.toFixed(1)} s old` : 'live');
-    setText(this.stale, stale ? `${age.toFixed(1)} s old` : '');
-    setClass(this.picture, 'is-stale', stale);
-  }
-}
-
-/** What is burned into the corners of a picture, with room around it [px]. */
-function cornersOf({ width, height }: Size): readonly Box[] {
-  const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
-  const [across, axes, lens] = [0.4 * width, 7 * rem, 2 * rem];
-  return [
-    { left: 0, top: 0, right: width, bottom: 2.6 * rem },
-    { left: 0, top: height - axes, right: axes, bottom: height },
-    { left: width - across, top: height - lens, right: width, bottom: height },
-  ];
-}
-
-function reticle(): SVGSVGElement {
-  return svg(
-    'svg',
-    { class: 'reticle', viewBox: '-30 -30 60 60', 'aria-hidden': 'true' },
-    svg('path', { class: 'edge', d: 'M-30 0 H-12 M12 0 H30 M0 -30 V-12 M0 12 V30' }),
-    svg('path', { d: 'M-30 0 H-12 M12 0 H30 M0 -30 V-12 M0 12 V30' }),
-  );
 }

@@ -40,6 +40,11 @@ class Replay {
   private before = performance.now();
   private valuesAt = 0;
   private pictured = '';
+  /** All pictures are of the frame at the playhead. */
+  private complete = false;
+  /** The reader chose what the monitors show; until then they show what they showed in flight. */
+  private chosen = false;
+  private following = false;
   private readonly player: Player;
   private readonly pictures: Pictures;
   private readonly timeline: Timeline;
@@ -57,7 +62,12 @@ class Replay {
   ) {
     this.units = index.welcome.units;
     this.player = new Player(index, (number) => source.block(number));
-    this.pictures = new Pictures(index.welcome, drawing);
+    this.pictures = new Pictures(index.welcome, drawing, {
+      opened: (matrix) => setClass(root, 'all-cameras', matrix),
+      changed: () => {
+        this.chosen ||= !this.following;
+      },
+    });
     this.timeline = new Timeline(index, (position) => this.player.seek(position));
     this.transport = new Transport(index, this.player, {
       event: (by) => this.toEvent(by),
@@ -81,6 +91,7 @@ class Replay {
     root.replaceChildren(
       this.pictures.canvas,
       el('main', { class: 'monitors' }, first.element, second.element, this.run.element),
+      this.pictures.matrix.element,
       this.band,
       this.rail.element,
     );
@@ -88,8 +99,10 @@ class Replay {
     listen(this.player, {
       event: (by) => this.toEvent(by),
       desk: () => this.showDesk(),
-      camera: (number) => this.pictures.hand.choose(number),
-      stepCamera: (by) => this.pictures.hand.step(by),
+      camera: (number) => this.pictures.chooseDigit(number, performance.now()),
+      stepCamera: (by) => this.pictures.step(by),
+      matrix: () => this.pictures.toggleMatrix(),
+      split: () => this.pictures.toggleSplit(),
       otherMonitor: () => this.pictures.takeOther(),
       plane: () => this.desk.setPlane(this.pictures.togglePlane()),
       close: () => this.transport.open(false),
@@ -113,9 +126,10 @@ class Replay {
     this.before = now;
     const { moment, position } = this.player;
     const units = unitsOf(this.units);
-    if (moment && this.isNew(moment.frame)) {
+    if (moment && (this.isNew(moment.frame) || !this.complete)) {
       this.desk.bars(moment.frame, units);
-      this.pictures.draw(moment.frame, this.desk.clearance());
+      this.follow();
+      this.complete = this.pictures.draw(moment.frame, this.desk.clearance());
       this.pictures.setTime({ frame: moment.frame, units }, null);
       this.drawn += 1;
     }
@@ -136,18 +150,24 @@ class Replay {
 
   /** Whether the pictures differ from those that stand: another frame, camera, or window. */
   private isNew(frame: Frame): boolean {
-    const { canvas, monitors, showsPlane } = this.pictures;
+    const { canvas, shown, showsPlane, matrixOpen, moved } = this.pictures;
     const { clientWidth, clientHeight } = canvas;
-    const asked = [
-      frame.tick,
-      clientWidth,
-      clientHeight,
-      showsPlane,
-      ...monitors.map(({ camera }) => camera),
-    ].join();
+    const asked = [frame.tick, clientWidth, clientHeight, showsPlane, matrixOpen, moved, ...shown].join();
     if (asked === this.pictured) return false;
     this.pictured = asked;
     return true;
+  }
+
+  /** The monitors as they were in flight, until one is chosen. */
+  private follow(): void {
+    if (this.chosen) return;
+    const { pictures } = this.index;
+    const flown = pictures.findLast(({ time_s }) => time_s <= this.player.position + AT) ?? pictures[0];
+    this.following = true;
+    flown?.monitors.forEach((names, i) => {
+      if (names.length > 0) this.pictures.show(i, names);
+    });
+    this.following = false;
   }
 
   /** Events up to the playhead. */

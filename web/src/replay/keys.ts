@@ -13,13 +13,15 @@ export interface ReplayKeys {
   stepCamera(by: 1 | -1): void;
   otherMonitor(): void;
   plane(): void;
+  matrix(): void;
+  split(): void;
   close(): void;
 }
 
 /** What a key does; undefined: it is not ours. */
 export function actionOf(player: Player, keys: ReplayKeys, event: Pick<KeyboardEvent, 'code' | 'shiftKey'>) {
-  const digit = /^Digit([1-9])$/.exec(event.code)?.[1];
-  if (digit) return () => keys.camera(Number(digit) - 1);
+  const digit = /^Digit([0-9])$/.exec(event.code)?.[1];
+  if (digit) return () => keys.camera((Number(digit) + 9) % 10);
   const by = (seconds: number) => () => player.seek(player.position + seconds);
   const actions: Readonly<Record<string, () => void>> = {
     Space: () => player.toggle(),
@@ -38,6 +40,8 @@ export function actionOf(player: Player, keys: ReplayKeys, event: Pick<KeyboardE
     KeyX: () => keys.otherMonitor(),
     KeyD: () => keys.desk(),
     KeyF: () => keys.plane(),
+    KeyC: () => keys.matrix(),
+    KeyZ: () => keys.split(),
     Escape: () => keys.close(),
   };
   return actions[event.code];

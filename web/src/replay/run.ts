@@ -12,7 +12,8 @@ const HINTS = [
   'Space plays and pauses. Home, End.',
   'Left, right: a second; with Shift a frame.',
   'Up, down: speed. [ ] go from event to event.',
-  '1–9 , . cameras · X monitor · D desk · F plane',
+  '1–9, 0 , . cameras · X monitor · Z split · C all',
+  'D desk · F plane',
 ];
 
 export class RunColumn {

@@ -2,8 +2,11 @@ import { MathUtils, Matrix4, PerspectiveCamera, Quaternion, Vector3 } from 'thre
 import { present } from '../assert';
 import type { Camera, Quat, Vec3 } from '../protocol';
 import type { Body } from './bodies';
+import { Orbit } from './orbit';
+import { settingOf, type View, viewOf } from './view';
 
-const NEAR = 0.08;
+/** Nothing nearer is drawn [m]; behind a window, what stands before its pane. */
+const NEAR = 0.01;
 const FAR = 400;
 const ORIGIN = new Vector3();
 const point = new Vector3();
@@ -24,25 +27,42 @@ export interface Projected extends Place {
 
 /** A television camera on its body. */
 class Mounted {
-  private readonly picture = new PerspectiveCamera(40, 1, NEAR, FAR);
-  private readonly inBody: Matrix4;
+  private readonly picture: PerspectiveCamera;
+  private readonly inBody = new Matrix4();
   private aspect = 0;
+  private angle = 0;
+  private setting: Vec3;
 
   constructor(
-    private readonly camera: Camera,
+    readonly camera: Camera,
     private readonly body: Body,
   ) {
+    const near = camera.pane?.distance ?? NEAR;
+    this.picture = new PerspectiveCamera(40, 1, near, FAR);
     this.picture.matrixAutoUpdate = this.picture.matrixWorldAutoUpdate = false;
-    const boresight = new Vector3(...camera.boresight);
-    this.inBody = new Matrix4().lookAt(ORIGIN, boresight, new Vector3(...camera.up));
-    this.inBody.setPosition(...camera.position);
+    this.setting = settingOf(camera);
+    this.look(viewOf(camera, this.setting));
+  }
+
+  /** Puts the drives: pan, tilt, horizontal field of view [rad]. */
+  put(setting: Vec3): void {
+    if (setting.every((angle, i) => angle === this.setting[i])) return;
+    this.setting = setting;
+    this.look(viewOf(this.camera, setting));
+  }
+
+  look({ position, boresight, up, angle }: View): void {
+    this.inBody.lookAt(ORIGIN, start.set(...boresight), end.set(...up));
+    this.inBody.setPosition(...position);
+    if (angle !== this.angle) this.aspect = 0;
+    this.angle = angle;
   }
 
   /** The camera where its body is now; its stated field of view is the horizontal one at every aspect. */
   at(aspect: number): PerspectiveCamera {
     const { picture } = this;
     if (this.aspect !== aspect) {
-      const half = Math.atan(Math.tan(this.camera.field_of_view / 2) / aspect);
+      const half = Math.atan(Math.tan(this.angle / 2) / aspect);
       picture.fov = MathUtils.radToDeg(2 * half);
       this.aspect = picture.aspect = aspect;
       picture.updateProjectionMatrix();
@@ -56,24 +76,49 @@ class Mounted {
 /** All cameras of a scene by their short names. */
 export class Cameras {
   private readonly mounted = new Map<string, Mounted>();
+  private readonly driven: readonly Mounted[];
+  private readonly orbits = new Map<string, Orbit>();
 
   constructor(cameras: readonly Camera[], bodies: readonly Body[]) {
     for (const camera of cameras) {
       const body = bodies.find(({ group }) => group.name === camera.body);
       this.mounted.set(camera.name, new Mounted(camera, present(body, `body ${camera.body}`)));
+      if (camera.kind === 'engineering') this.orbits.set(camera.name, new Orbit(camera));
     }
+    this.driven = [...this.mounted.values()].filter(({ camera }) => camera.drive !== null);
+  }
+
+  /** Puts the drives of those that have any, in order: pan, tilt, horizontal field of view [rad]. */
+  put(views: readonly Vec3[]): void {
+    this.driven.forEach((mounted, i) => {
+      const view = views[i];
+      if (view) mounted.put(view);
+    });
+  }
+
+  /** Moves an engineering view: round to the right and upwards [rad], and nearer by a factor. */
+  orbit(name: string, right: number, upwards: number, nearer: number): void {
+    const orbit = this.orbits.get(name);
+    if (!orbit) return;
+    orbit.turn(right, upwards);
+    orbit.approach(nearer);
+    this.one(name).look(orbit.view);
   }
 
   /** The camera as it stands now, for a picture of this width over height. */
   at(name: string, aspect: number): PerspectiveCamera {
-    return present(this.mounted.get(name), `camera ${name}`).at(aspect);
+    return this.one(name).at(aspect);
+  }
+
+  private one(name: string): Mounted {
+    return present(this.mounted.get(name), `camera ${name}`);
   }
 
   /** Where a point of the scene lies in a camera's picture. */
   project(name: string, aspect: number, position: Vec3): Projected {
     const camera = this.at(name, aspect);
     point.set(...position).applyMatrix4(camera.matrixWorldInverse);
-    const ahead = point.z < -NEAR;
+    const ahead = point.z < -camera.near;
     point.applyMatrix4(camera.projectionMatrix);
     const [x, y] = [(1 + point.x) / 2, (1 - point.y) / 2];
     return { x, y, visible: ahead && x >= 0 && x <= 1 && y >= 0 && y <= 1 };
@@ -87,9 +132,10 @@ export class Cameras {
     const camera = this.at(name, aspect);
     start.set(...a).applyMatrix4(camera.matrixWorldInverse);
     end.set(...b).applyMatrix4(camera.matrixWorldInverse);
-    if (start.z > -NEAR && end.z > -NEAR) return null;
-    if (start.z > -NEAR) start.lerp(end, (start.z + NEAR) / (start.z - end.z));
-    else if (end.z > -NEAR) end.lerp(start, (end.z + NEAR) / (end.z - start.z));
+    const { near } = camera;
+    if (start.z > -near && end.z > -near) return null;
+    if (start.z > -near) start.lerp(end, (start.z + near) / (start.z - end.z));
+    else if (end.z > -near) end.lerp(start, (end.z + near) / (end.z - start.z));
     const seen = (place: Vector3): Place => {
       place.applyMatrix4(camera.projectionMatrix);
       return { x: (1 + place.x) / 2, y: (1 - place.y) / 2 };

@@ -4,11 +4,13 @@ import {
   Mesh,
   MeshBasicMaterial,
   NoToneMapping,
+  OrthographicCamera,
   PCFShadowMap,
   PMREMGenerator,
   SphereGeometry,
   Scene as Stage,
   type Texture,
+  Vector3,
   WebGLRenderer,
 } from 'three';
 import type { Near, Quat, Vec3, Welcome } from '../protocol';
@@ -19,6 +21,7 @@ import { Earth } from './earth';
 import { Gap } from './gap';
 import { Lights, TO_SUN } from './lights';
 import { Materials } from './materials';
+import { Sight } from './sight';
 
 /** `full` is for graphics hardware; `low` is quick where the processor draws. */
 export type Quality = 'full' | 'low';
@@ -26,12 +29,14 @@ export type Quality = 'full' | 'low';
 /** One picture: a camera by name, and where on the canvas it goes [CSS px from its top left]. */
 export interface View {
   readonly camera: string;
-  readonly rect: {
-    readonly left: number;
-    readonly top: number;
-    readonly width: number;
-    readonly height: number;
-  };
+  readonly rect: Rect;
+}
+
+export interface Rect {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
 }
 
 /** Numbers a body in `Frame.poses`. */
@@ -39,6 +44,10 @@ const POSE = 7;
 /** The room round the pictures, as the page's own background. */
 const ROOM = new Color('#0c0d0e');
 const SPACE = new Color('#000000');
+/** What the plan lies on, as the page's plate. */
+const PLATE = new Color('#161719');
+/** From where the plan is seen [m]. */
+const HIGH = 150;
 
 /** The orbiter, the arm, the Earth and the light on them, drawn as the cameras see them. */
 export class Scene {
@@ -46,12 +55,15 @@ export class Scene {
   private readonly stage = new Stage();
   private readonly materials: Materials;
   private readonly bodies: Body[];
+  /** What the cameras see. */
+  readonly sight: Sight;
   private readonly cameras: Cameras;
   private readonly lights: Lights | null;
   private readonly earth: Earth;
   private readonly blob: Blob | null;
   private readonly gap: Gap;
   private readonly surroundings: Texture | null;
+  private readonly plan = new OrthographicCamera(-1, 1, 1, -1, 1, 2 * HIGH);
   private width = 0;
   private height = 0;
 
@@ -66,6 +78,7 @@ export class Scene {
     for (const { group } of this.bodies) this.stage.add(group);
     this.stage.matrixWorldAutoUpdate = false;
     this.cameras = new Cameras(welcome.cameras, this.bodies);
+    this.sight = new Sight(this.cameras, this.bodies);
     this.lights = quality === 'full' ? new Lights(this.stage, this.bodies) : null;
     this.earth = new Earth(this.stage, quality);
     this.surroundings = quality === 'full' ? surroundings(this.renderer, this.earth) : null;
@@ -89,31 +102,81 @@ export class Scene {
     this.blob?.update();
   }
 
+  /** Pan, tilt, horizontal field of view [rad] of the cameras that have drives, in order. */
+  setViews(views: readonly Vec3[]): void {
+    this.cameras.put(views);
+  }
+
+  /** Moves an engineering view: round to the right and upwards [rad], and nearer by a factor. */
+  orbit(camera: string, right: number, upwards: number, nearer: number): void {
+    this.cameras.orbit(camera, right, upwards, nearer);
+  }
+
+  /** The middle of a body in the scene; null: there is no such body, or nothing of it is drawn. */
+  middle(name: string): Vec3 | null {
+    const body = this.bodies.find(({ group }) => group.name === name);
+    const box = body?.box();
+    if (!body || !box || box.isEmpty()) return null;
+    const { x, y, z } = box.getCenter(new Vector3()).applyMatrix4(body.group.matrixWorld);
+    return [x, y, z];
+  }
+
   /** The narrowest gap, drawn as a line in a colour `#rrggbb`, on demand with the plane in it; null: none. */
   setGap(near: Near | null, colour: string, plane: boolean): void {
     this.gap.set(near, colour, plane);
   }
 
-  /** Draws all views anew. */
-  draw(views: readonly View[]): void {
+  /** Wipes the canvas, whose pictures stand in other places from now on. */
+  wipe(): void {
     const { renderer } = this;
     this.fit();
     renderer.setScissorTest(false);
     renderer.setClearColor(ROOM);
     renderer.clear();
+  }
+
+  /** Draws these views anew; the others stay as they were drawn. */
+  draw(views: readonly View[]): void {
+    const { renderer } = this;
     renderer.setScissorTest(true);
     renderer.setClearColor(SPACE);
     renderer.shadowMap.needsUpdate = true;
     for (const { camera, rect } of views) {
-      const { left, top, width, height } = rect;
-      if (width < 1 || height < 1) continue;
-      const bottom = this.height - top - height;
-      renderer.setViewport(left, bottom, width, height);
-      renderer.setScissor(left, bottom, width, height);
-      renderer.clear();
-      this.gap.fit(width, height);
-      renderer.render(this.stage, this.cameras.at(camera, width / height));
+      if (!this.aim(rect)) continue;
+      this.gap.fit(rect.width, rect.height);
+      renderer.render(this.stage, this.cameras.at(camera, rect.width / rect.height));
     }
+  }
+
+  /** Draws a part of the place as seen from above: x to the right, y upwards from the extent's corner [m]. */
+  drawPlan(
+    rect: Rect,
+    extent: Omit<Rect, 'left' | 'top'> & { readonly x: number; readonly y: number },
+  ): void {
+    const { renderer, plan } = this;
+    const { x, y, width, height } = extent;
+    renderer.setScissorTest(true);
+    renderer.setClearColor(PLATE);
+    if (!this.aim(rect)) return;
+    plan.position.set(x + width / 2, y + height / 2, HIGH);
+    plan.up.set(0, 1, 0);
+    plan.lookAt(plan.position.x, plan.position.y, 0);
+    [plan.left, plan.right, plan.top, plan.bottom] = [-width / 2, width / 2, height / 2, -height / 2];
+    plan.updateProjectionMatrix();
+    plan.updateMatrixWorld();
+    this.earth.mesh.visible = false;
+    renderer.render(this.stage, plan);
+    this.earth.mesh.visible = true;
+  }
+
+  /** Makes a part of the canvas the one that is drawn to, and wipes it; false: it is too small. */
+  private aim({ left, top, width, height }: Rect): boolean {
+    if (width < 1 || height < 1) return false;
+    const bottom = this.height - top - height;
+    this.renderer.setViewport(left, bottom, width, height);
+    this.renderer.setScissor(left, bottom, width, height);
+    this.renderer.clear();
+    return true;
   }
 
   /** Where a point of the scene frame lies in a picture of this width over height. */
@@ -154,7 +217,12 @@ export class Scene {
 
 function rendererFor(canvas: HTMLCanvasElement, quality: Quality): WebGLRenderer {
   const full = quality === 'full';
-  const renderer = new WebGLRenderer({ canvas, antialias: full, powerPreference: 'high-performance' });
+  const renderer = new WebGLRenderer({
+    canvas,
+    antialias: full,
+    powerPreference: 'high-performance',
+    preserveDrawingBuffer: true, // not every picture is drawn every time
+  });
   renderer.setPixelRatio(full ? Math.min(window.devicePixelRatio, 2) : 0.75);
   renderer.autoClear = false;
   renderer.toneMapping = full ? AgXToneMapping : NoToneMapping;

@@ -1,0 +1,32 @@
+"""The page turns cameras by a law of its own: both it and `view` have to give these views."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from aftdeck.bodies.cameras import Camera, Setting, Vec3, view
+
+VIEWS = Path(__file__).parents[2] / "web" / "tests" / "views.json"
+
+
+class Witness(msgspec.Struct):
+    """A camera, how its drives stand, and what it shows then."""
+
+    camera: Camera
+    setting: Setting
+    position: Vec3
+    boresight: Vec3
+    up: Vec3
+
+
+def test_the_page_and_the_simulation_turn_cameras_alike() -> None:
+    witnesses = msgspec.json.decode(VIEWS.read_bytes(), type=list[Witness])
+    assert len(witnesses) > 10
+    for one in witnesses:
+        seen = view(one.camera, one.setting)
+        assert seen.position == pytest.approx(one.position, abs=1e-8)
+        assert seen.boresight == pytest.approx(one.boresight, abs=1e-8)
+        assert seen.up == pytest.approx(one.up, abs=1e-8)

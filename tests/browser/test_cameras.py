@@ -1,0 +1,249 @@
+"""Cameras from the page: chosen, turned, split, all at once, through windows, and in a second window."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page
+
+from tests.browser.conftest import SIZES
+from tests.browser.flight import WAIT_MS, Flight
+from tests.browser.looks import assert_readable, assert_tidy
+
+pytestmark = pytest.mark.browser
+
+SCENARIO = "concept-1972"
+CAMERAS = [*"ABCDEFGHI", "P1", "P2", "CAE2", "W", "AFT", "ENG"]
+"""Thirteen of the report, a window, and the engineering view: more than the first bank of digits holds."""
+
+
+def shows(monitor: int, *names: str) -> str:
+    """In JavaScript: a monitor's pictures have these cameras' names, from the left."""
+    pictures = f"document.querySelectorAll('.monitor')[{monitor}].querySelectorAll('.picture .name b')"
+    return f"[...{pictures}].map((name) => name.textContent).join() === '{','.join(names)}'"
+
+
+def lens(flight: Flight) -> str:
+    """What is burned into MON 1's picture of its lens."""
+    return str(flight.page.locator(".monitor .lens").first.inner_text())
+
+
+def figure(flight: Flight, name: str) -> float:
+    """A figure of MON 1's lens: ``PAN``, ``TILT``, ``ZOOM``, ``FOV``."""
+    found = re.search(rf"{name} ([+−]?[\d.]+)", lens(flight))
+    assert found is not None, lens(flight)
+    return float(found[1].replace("−", "-"))
+
+
+def drawn(flight: Flight) -> bytes:
+    """The middle of MON 1's picture as it is drawn."""
+    box = flight.page.locator(".picture").first.bounding_box()
+    assert box is not None
+    clip: Any = {"x": box["x"] + box["width"] / 4, "y": box["y"] + box["height"] / 4, "width": 120, "height": 80}
+    return bytes(flight.page.screenshot(clip=clip))
+
+
+def steady(flight: Flight, steps: int = 15) -> None:
+    """Waits until some steps more have been flown and drawn."""
+    tick, count = flight.frame().tick, flight.script("window.__aftdeck.frames")
+    flight.until(f"frame.tick > {tick + steps} && window.__aftdeck.frames > {count + 4}")
+
+
+def test_the_monitors_begin_with_two_cameras_that_see_the_work(flight: Flight) -> None:
+    names = [flight.page.locator(".monitor .name b").nth(i).inner_text() for i in (0, 1)]
+    assert len(set(names)) == 2
+    flight.press("c")
+    for name in names:
+        flight.page.locator(f".tile[aria-label^='{name},'][aria-label*='gap']").wait_for()
+
+
+def test_every_camera_is_put_on_either_monitor_by_its_digit(flight: Flight) -> None:
+    for monitor in (0, 1):
+        for index, name in enumerate(CAMERAS):
+            digit = str((index + 1) % 10)
+            flight.press(digit)
+            if index >= 10:
+                flight.press(digit)
+            flight.until(shows(monitor, name))
+            flight.press(",")  # so that the next press of the same digit is a first one
+        flight.press("x")
+
+
+def test_every_camera_is_put_on_either_monitor_by_its_button(flight: Flight) -> None:
+    for monitor in (0, 1):
+        keys = flight.page.get_by_role("group", name=f"Camera of MON {monitor + 1}").get_by_role("button")
+        assert keys.all_inner_texts() == CAMERAS
+        for index, name in enumerate(CAMERAS):
+            keys.nth(index).click()
+            flight.until(shows(monitor, name))
+            assert keys.nth(index).get_attribute("aria-pressed") == "true"
+
+
+def test_arrows_and_page_keys_turn_the_camera_and_the_picture_with_it_and_letting_go_stops_it(flight: Flight) -> None:
+    flight.press("3")
+    steady(flight)
+    before, picture = figure(flight, "PAN"), drawn(flight)
+    flight.hold("ArrowRight")
+    flight.until(f"frame.views[2][0] > {math.radians(before + 5.0)}")
+    flight.release("ArrowRight")
+    flight.until("frame.sequence === 'idle'")
+    steady(flight)
+    stopped = flight.frame().views[2]
+    assert figure(flight, "PAN") == pytest.approx(math.degrees(stopped[0]), abs=0.06)
+    assert drawn(flight) != picture
+    steady(flight)
+    assert flight.frame().views[2] == stopped
+    tilt = figure(flight, "TILT")
+    flight.hold("ArrowUp")
+    flight.until(f"frame.views[2][1] > {math.radians(tilt + 2.0)}")
+    flight.release("ArrowUp")
+    assert flight.frame().translation == (0, 0, 0)
+
+
+def test_the_zoom_ends_at_its_limit_and_says_so_in_the_figures(flight: Flight) -> None:
+    flight.press("3")
+    flight.hold("PageUp")
+    flight.until(f"frame.views[2][2] < {math.radians(25.0) + 1e-5}")
+    steady(flight)
+    flight.release("PageUp")
+    assert figure(flight, "FOV") == 25.0
+    assert figure(flight, "ZOOM") == 100
+    flight.hold("ArrowDown")
+    flight.until(f"frame.views[2][1] < {math.radians(-80.0) + 1e-5}")
+    steady(flight)
+    flight.release("ArrowDown")
+    assert "TILT −80.0 STOP" in lens(flight)
+
+
+def test_losing_the_focus_stops_the_camera_though_the_key_is_held(flight: Flight) -> None:
+    flight.press("3")
+    before = flight.frame().views[2][0]
+    flight.hold("ArrowLeft")
+    flight.until(f"frame.views[2][0] < {before - 0.01}")
+    flight.script("window.dispatchEvent(new Event('blur'))")
+    steady(flight)
+    still = flight.frame().views[2]
+    steady(flight)
+    assert flight.frame().views[2] == still
+    flight.release("ArrowLeft")
+
+
+def test_z_splits_the_monitor_each_half_takes_its_own_camera_and_x_goes_through_them(flight: Flight) -> None:
+    flight.press("1", "x", "2", "x", "z")
+    flight.press("3")
+    flight.until(shows(0, "A", "C"))
+    flight.press("x", "4")
+    flight.until(shows(1, "D"))
+    flight.press("x", "5")
+    flight.until(shows(0, "E", "C"))
+    assert flight.page.locator(".monitor").first.locator(".lens").count() == 2
+    flight.page.locator(".monitor").first.get_by_role("button", name="Split").click()
+    flight.until(shows(0, "E"))
+
+
+def test_c_shows_all_cameras_and_a_click_or_a_digit_puts_one_on_the_monitor_in_hand(flight: Flight) -> None:
+    flight.press("1", "x", "2", "x", "c")
+    tiles = flight.page.locator(".tile")
+    flight.until(f"document.querySelectorAll('.tile').length === {len(CAMERAS)}")
+    assert flight.page.locator(".tile .caption > b").all_inner_texts() == CAMERAS
+    flight.until("document.querySelectorAll('.tile.used').length === 2")
+    flight.page.locator(".pair-words").get_by_text(re.compile(r"both see the gap, \d+° apart")).wait_for()
+    assert flight.page.locator(".strip-below .lamp").count() >= 8
+    assert flight.page.locator(".strip-below .gap-value").inner_text() != ""
+    tiles.filter(has_text="CAE2").click()
+    flight.until(shows(0, "CAE2"))
+    assert not flight.page.locator(".matrix").is_visible()
+    assert flight.page.locator(".desk > .clearance").is_visible()
+    flight.press("c", "8")
+    flight.until(shows(0, "H"))
+    flight.press("c")
+    flight.page.locator(".matrix").wait_for(state="visible")
+    flight.press("c")
+    flight.page.locator(".desk").wait_for(state="visible")
+
+
+def test_the_arm_is_flown_on_while_all_cameras_are_shown(flight: Flight) -> None:
+    flight.press("c")
+    start = flight.frame().actual.position
+    flight.hold("w")
+    flight.until(f"Math.abs(frame.actual.position[0] - {start[0]}) > 0.02")
+    flight.release("w")
+
+
+def test_the_engineering_view_goes_round_by_mouse_and_keys_and_no_camera_turns(flight: Flight) -> None:
+    flight.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="ENG").click()
+    steady(flight)
+    views, picture = flight.frame().views, drawn(flight)
+    box = flight.page.locator(".picture").first.bounding_box()
+    assert box is not None
+    flight.page.mouse.move(box["x"] + 100, box["y"] + 100)
+    flight.page.mouse.down()
+    flight.page.mouse.move(box["x"] + 200, box["y"] + 120, steps=4)
+    flight.page.mouse.up()
+    steady(flight)
+    dragged = drawn(flight)
+    assert dragged != picture
+    flight.hold("ArrowLeft")
+    steady(flight)
+    flight.release("ArrowLeft")
+    assert drawn(flight) != dragged
+    assert flight.frame().views == views
+
+
+def test_a_second_window_shows_the_same_flight_and_what_its_monitor_shows(flight: Flight) -> None:
+    flight.press("1", "x", "2", "x")
+    with flight.page.expect_popup() as opened:
+        flight.page.locator(".monitor").nth(1).get_by_role("button", name="Own window").click()
+    page: Page = opened.value
+    page.set_default_timeout(WAIT_MS)
+    errors: list[str] = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    second = Flight(page)
+    second.until(shows(0, "B"))
+    assert page.locator(".monitor").count() == 1
+    assert page.locator(".desk").count() == 0
+    tick = flight.frame().tick
+    second.until(f"frame.tick > {tick}")
+    flight.press("x", "7")
+    second.until(shows(0, "G"))
+    page.get_by_role("button", name="P1", exact=True).click()
+    flight.until(shows(1, "P1"))
+    assert "You fly" in flight.page.locator(".rail .who").inner_text()
+    assert errors == []
+    page.close()
+
+
+def test_all_cameras_stand_in_a_window_of_their_own(flight: Flight) -> None:
+    flight.press("1", "c")
+    with flight.page.expect_popup() as opened:
+        flight.page.locator(".views").get_by_role("button", name="Own window").click()
+    page: Page = opened.value
+    page.set_default_timeout(WAIT_MS)
+    second = Flight(page)
+    flight.press("c")
+    page.locator(".tile").filter(has_text="P2").click()
+    flight.until(shows(0, "P2"))
+    second.until(f"document.querySelectorAll('.tile').length === {len(CAMERAS)}")
+    page.close()
+
+
+def test_nothing_scrolls_overlaps_or_fades(flight: Flight) -> None:
+    for width, height in SIZES:
+        flight.page.set_viewport_size({"width": width, "height": height})
+        flight.until(f"innerWidth === {width} && innerHeight === {height}")
+        for key in ("z", "c"):
+            flight.press(key)
+            steady(flight, 5)
+            assert_tidy(flight)
+            assert_readable(flight)
+        flight.press("c", "z")
+
+
+def test_a_page_says_why_a_fixed_camera_does_not_turn(flight: Flight) -> None:
+    flight.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="AFT", exact=True).click()
+    flight.hold("ArrowRight")
+    flight.until_logged("AFT is fixed.")
+    flight.release("ArrowRight")

@@ -1,0 +1,161 @@
+"""Cameras in flight: their drives' rates and limits, what is refused, and that nothing else moves with them."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable
+from typing import Any
+
+import msgspec
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import aftdeck
+from aftdeck.bodies.cameras import Camera, Drive, Setting, Travel, setting
+from aftdeck.errors import InputError
+from aftdeck.scenario.cameras import cameras_of
+from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.cameras import CameraDrive, Cameras, moved
+from aftdeck.simulation.run import SavedSimulation
+
+PERIOD = 0.02
+DEPLOY = load_scenario("srms-deploy")
+DRIVEN = [camera for camera in cameras_of(DEPLOY) if camera.drive is not None]
+NAMES = [camera.name for camera in DRIVEN]
+switch = st.floats(-1.0, 1.0)
+commands = st.builds(
+    CameraDrive, camera=st.sampled_from(NAMES), pan=switch, tilt=switch, zoom=switch, slow=st.booleans()
+)
+
+
+def travels(drive: Drive | None) -> tuple[Travel | None, ...]:
+    assert drive is not None
+    return drive.pan, drive.tilt, drive.zoom
+
+
+def flown(given: Iterable[CameraDrive | None]) -> list[tuple[Setting, ...]]:
+    """The settings after each step."""
+    sim = aftdeck.Simulation(DEPLOY)
+    return [sim.step(aftdeck.Inputs(camera=one)).views for one in given]
+
+
+@given(st.lists(commands, min_size=1, max_size=60), st.floats(0.001, 3.0))
+def test_no_command_takes_a_camera_past_its_limits_or_moves_it_faster_than_its_rate(
+    given_commands: list[CameraDrive], period: float
+) -> None:
+    cameras = Cameras(DEPLOY)
+    for command in given_commands:
+        before = cameras.views
+        cameras.drive(command, period)
+        for camera, was, now in zip(DRIVEN, before, cameras.views, strict=True):
+            pushed = (command.pan, command.tilt, -command.zoom) if camera.name == command.camera else (0.0, 0.0, 0.0)
+            for travel, a, b, push in zip(travels(camera.drive), was, now, pushed, strict=True):
+                if travel is None or push == 0.0:
+                    assert b == a
+                    continue
+                rate = travel.slow if command.slow and travel.slow is not None else travel.rate
+                assert travel.least <= b <= travel.greatest
+                assert abs(b - a) <= abs(push) * rate * period * (1.0 + 1e-12) + 1e-15
+                assert (b - a) * push >= 0.0
+
+
+@given(st.sampled_from(DRIVEN), st.sampled_from([-1.0, 1.0]), st.floats(0.005, 0.1))
+def test_a_drive_pushed_long_enough_ends_exactly_at_its_stop_and_stays(
+    camera: Camera, push: float, period: float
+) -> None:
+    at = setting(camera)
+    for _ in range(math.ceil(40.0 / period)):
+        at = moved(camera, at, CameraDrive(camera.name, push, push, push), period)
+    for travel, angle, way in zip(travels(camera.drive), at, (push, push, -push), strict=True):
+        if travel is not None:
+            assert angle == (travel.greatest if way > 0.0 else travel.least)
+
+
+def test_the_shuttles_cameras_cross_their_pan_in_the_published_time() -> None:
+    """340 deg at 12 deg/s is 28.3 s, at 1.2 deg/s ten times as long; the zoom goes from end to end in 8 s."""
+    for slow, seconds in ((False, 340.0 / 12.0), (True, 340.0 / 1.2)):
+        at, steps = Setting(math.radians(-170.0), 0.0, 1.0), 0
+        while at.pan < math.radians(170.0):
+            at, steps = moved(DRIVEN[0], at, CameraDrive("A", pan=1.0, slow=slow), PERIOD), steps + 1
+        assert steps * PERIOD == pytest.approx(seconds, abs=2 * PERIOD)
+    at, steps = Setting(0.0, 0.0, math.radians(77.0)), 0
+    while at.zoom > math.radians(9.0):
+        at, steps = moved(DRIVEN[0], at, CameraDrive("A", zoom=1.0), PERIOD), steps + 1
+    assert steps * PERIOD == pytest.approx(8.0, abs=2 * PERIOD)
+
+
+def test_release_stops_a_camera_at_once_and_hands_off_keeps_the_very_same_settings() -> None:
+    push = CameraDrive("B", pan=1.0, tilt=-0.5)
+    views = flown([push] * 5 + [None] * 5)
+    rate = math.radians(12.0)
+    assert views[4][1].pan - views[3][1].pan == pytest.approx(rate * PERIOD)
+    assert views[4][1].tilt - views[3][1].tilt == pytest.approx(-0.5 * rate * PERIOD)
+    assert all(after is views[4] for after in views[5:])
+
+
+def test_turning_a_camera_moves_nothing_else() -> None:
+    still, turned = aftdeck.Simulation(DEPLOY), aftdeck.Simulation(DEPLOY)
+    for _ in range(20):
+        one = still.step(aftdeck.Inputs())
+        two = turned.step(aftdeck.Inputs(camera=CameraDrive("ELB", tilt=1.0)))
+        assert two.views != one.views
+        assert msgspec.structs.replace(two, views=one.views) == one
+
+
+def test_a_command_takes_the_way_of_all_others_through_the_command_delay() -> None:
+    delayed = aftdeck.Simulation(dataclasses.replace(DEPLOY, delay=3))
+    frames = [delayed.step(aftdeck.Inputs(camera=CameraDrive("A", pan=1.0) if k == 0 else None)) for k in range(6)]
+    moving = [k for k in range(1, 6) if frames[k].views != frames[k - 1].views]
+    assert moving == [3]
+
+
+@settings(max_examples=5, deadline=None)
+@given(st.lists(st.none() | commands, min_size=4, max_size=40), st.data())
+def test_a_state_saved_at_any_step_goes_on_bit_for_bit(
+    given_commands: list[CameraDrive | None], data: st.DataObject
+) -> None:
+    at = data.draw(st.integers(0, len(given_commands) - 1))
+    sim = aftdeck.Simulation(DEPLOY)
+    frames, saved = [], sim.save()
+    for k, command in enumerate(given_commands):
+        if k == at:
+            saved = sim.save()
+        frames.append(sim.step(aftdeck.Inputs(camera=command)))
+    packed = msgspec.msgpack.decode(msgspec.msgpack.encode(saved), type=SavedSimulation)
+    other = aftdeck.Simulation(DEPLOY)
+    other.step(aftdeck.Inputs(camera=CameraDrive("A", pan=1.0)))
+    other.restore(packed)
+    rest = [other.step(aftdeck.Inputs(camera=command)) for command in given_commands[at:]]
+    assert msgspec.msgpack.encode(rest) == msgspec.msgpack.encode(frames[at:])
+
+
+Refused: Any = CameraDrive
+"""As a caller without a type checker sees it."""
+
+
+@pytest.mark.parametrize(
+    ("command", "message"),
+    [
+        (CameraDrive("Q", pan=1.0), r"no camera 'Q' can be turned here: there are A, B, C, D, KEEL, ELB, WR$"),
+        (CameraDrive("ENG", pan=1.0), r"no camera 'ENG' can be turned here"),
+        (CameraDrive("A", pan=1.01), r"pan, tilt and zoom lie in \[-1, 1\], got \(1.01, 0.0, 0.0\)"),
+        (CameraDrive("A", tilt=math.nan), r"lie in \[-1, 1\]"),
+        (Refused("A", zoom=-math.inf), r"lie in \[-1, 1\]"),
+    ],
+)
+def test_what_no_switch_can_give_is_refused_and_changes_nothing(command: CameraDrive, message: str) -> None:
+    sim = aftdeck.Simulation(DEPLOY)
+    sim.step(aftdeck.Inputs())
+    before = sim.save()
+    with pytest.raises(InputError, match=message):
+        sim.step(aftdeck.Inputs(camera=command))
+    assert sim.save() == before
+
+
+def test_cameras_are_listed_before_windows_and_these_before_the_engineers_view() -> None:
+    for name in ("srms-deploy", "concept-1972"):
+        kinds = [camera.kind for camera in cameras_of(load_scenario(name))]
+        assert kinds == sorted(kinds, key=["camera", "window", "engineering"].index)
+        assert set(kinds) == {"camera", "window", "engineering"}

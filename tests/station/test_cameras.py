@@ -1,0 +1,149 @@
+"""What the page may say of cameras: how they turn, and what its monitors show."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from types import SimpleNamespace
+
+import msgspec
+import pytest
+
+from aftdeck.errors import CommandError
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import FrameRecord, Shown
+from aftdeck.recording.replay import verify
+from aftdeck.station import protocol as wire
+from aftdeck.station import session as station_session
+from aftdeck.station.reel import Reel
+from aftdeck.station.session import SILENCE
+from aftdeck.station.verdict import CHECKING
+from tests.station.flying import Flown, comes, flying, goes_on, shown
+from tests.station.pages import text_of
+
+_from_page: msgspec.json.Decoder[wire.FromPage] = msgspec.json.Decoder(wire.FromPage)
+
+
+def turn(seq: int, camera: str = "B", pan: float = 0.0, tilt: float = 0.0, zoom: float = 0.0) -> wire.DriveCamera:
+    return wire.DriveCamera(seq, camera, pan, tilt, zoom, slow=False)
+
+
+@pytest.fixture
+def session() -> Iterator[Flown]:
+    with flying() as flown:
+        yield flown
+
+
+def test_a_camera_turns_while_it_is_told_to_and_stops_when_it_is_let_go(session: Flown) -> None:
+    before = shown(session).views
+    session.turn(turn(0, pan=1.0))
+    comes(session, lambda frame: frame.views[1][0] > before[1][0] + 0.01, "B pans to the right")
+    session.turn(turn(1))
+    goes_on(session, 2)
+    still = shown(session).views
+    assert goes_on(session, 5).views == still
+    assert [view for i, view in enumerate(still) if i != 1] == [view for i, view in enumerate(before) if i != 1]
+
+
+def test_a_page_that_falls_silent_turns_no_camera_any_longer_and_no_sooner(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [100.0]
+    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
+    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
+    monkeypatch.setattr(station_session, "time", fake)
+    with flying() as session:
+        session.turn(turn(0, tilt=1.0))
+        clock[0] += 0.99 * SILENCE
+        before = goes_on(session, 5).views[1][1]
+        assert goes_on(session, 5).views[1][1] > before
+        clock[0] += 0.02 * SILENCE
+        still = goes_on(session, 2).views
+        assert goes_on(session, 5).views == still
+
+
+def test_a_page_that_leaves_lets_its_camera_go(session: Flown) -> None:
+    session.turn(turn(0, zoom=1.0))
+    goes_on(session, 2)
+    session.let_go()
+    frame = goes_on(session, 2)
+    assert goes_on(session, 5).views == frame.views
+
+
+def test_stop_lets_the_camera_go_too(session: Flown) -> None:
+    session.turn(turn(0, zoom=1.0))
+    goes_on(session, 2)
+    session.command(wire.Stop(1))
+    frame = goes_on(session, 2)
+    assert goes_on(session, 5).views == frame.views
+
+
+@pytest.mark.parametrize(
+    ("message", "said"),
+    [
+        (turn(0, camera="Z", pan=1.0), r"no camera 'Z' can be turned here: there are A, B, C, D, KEEL, ELB, WR"),
+        (turn(0, camera="ENG", pan=1.0), r"no camera 'ENG' can be turned here"),
+        (turn(0, pan=1.5), r"lie between -1 and 1; this message was not flown"),
+        (turn(0, tilt=math.nan), r"lie between -1 and 1"),
+    ],
+)
+def test_what_cannot_be_turned_is_refused_in_a_sentence(session: Flown, message: wire.DriveCamera, said: str) -> None:
+    with pytest.raises(CommandError, match=said):
+        session.turn(message)
+
+
+def test_while_the_script_flies_no_camera_turns() -> None:
+    with flying(demo=True) as session, pytest.raises(CommandError, match="the script flies: take the sticks"):
+        session.turn(turn(0, pan=1.0))
+
+
+def test_a_monitor_cannot_show_a_camera_that_there_is_not(session: Flown) -> None:
+    with pytest.raises(CommandError, match=r"there is no camera 'Q': there are A, B, C, D, KEEL, ELB, WR, AFT P"):
+        session.shown(wire.Shown(0, None, (("B",), ("A", "Q"))))
+
+
+@pytest.mark.parametrize(
+    "monitors",
+    ['[["A"],["B"],["C"]]', '[["A","B","C"]]', "[[]]", f'[["{"A" * 65}"]]', '[["A"],[1]]', '"A"'],
+)
+def test_more_monitors_halves_or_letters_than_there_are_are_not_understood(monitors: str) -> None:
+    text = f'{{"type":"shown","seq":0,"latency_ms":null,"monitors":{monitors}}}'
+    with pytest.raises(msgspec.ValidationError):
+        _from_page.decode(text)
+
+
+def test_the_longest_legal_messages_are_taken() -> None:
+    name = "A" * 64
+    for message in (wire.Shown(2**53 - 1, 1e6, ((name, name), (name, name))), turn(2**53 - 1, name, -1.0, -1.0, -1.0)):
+        text = text_of(message)
+        assert len(text) < wire.MAX_MESSAGE_BYTES / 4
+        assert _from_page.decode(text) == message
+
+
+def test_a_recording_keeps_cameras_and_monitors_as_they_change_and_flies_again_alike(tmp_path: Path) -> None:
+    with flying(record=tmp_path) as session:
+        for seq, monitors in enumerate([(("B",), ("WR",)), (("B",), ("WR",)), (("A", "C"), ("WR",))]):
+            session.shown(wire.Shown(seq, 40.0, monitors))
+            session.turn(turn(seq, pan=0.5, zoom=0.25))
+            goes_on(session, 10)
+        session.let_go()
+        goes_on(session, 5)
+    (path,) = tmp_path.glob("*.mcap")
+    messages = list(Recording(path).messages())
+    changes = [(m.mon_1, m.mon_2) for m in messages if isinstance(m, Shown)]
+    assert changes == [(("B",), ("WR",)), (("A", "C"), ("WR",)), ((), ())]
+    views = [m.views for m in messages if isinstance(m, FrameRecord)]
+    assert len(views[0]) == 3 * 7
+    assert views[-1][3] > views[0][3]
+    assert verify(path).equal
+    with Reel(path) as reel:
+        index = reel.index(CHECKING)
+        lanes = {lane.name: [stretch.label for stretch in lane.stretches] for lane in index.lanes}
+        assert [pictured.monitors for pictured in index.pictures] == changes
+        assert [label for label in lanes["MON 1"] if label] == ["B", "A | C"]
+        assert [label for label in lanes["MON 2"] if label] == ["WR"]
+        turned = [
+            moment.frame.views for moment in itertools.chain.from_iterable(reel.block(n) for n in range(reel.blocks))
+        ]
+        assert turned[-1][1][0] > turned[0][1][0]

@@ -1,0 +1,111 @@
+/** The switches that turn the camera in hand: held keys, or whatever else says how far they are pushed. */
+
+import type { Camera } from '../protocol';
+import type { Command } from '../socket';
+import type { Mapping } from './mapping';
+
+/** Pan to the right, tilt upwards, zoom in, each in [-1, 1]. */
+export interface Turning {
+  readonly pan: number;
+  readonly tilt: number;
+  readonly zoom: number;
+}
+
+/** The hand is read this often [ms]; a deflected one is sent at least every `REPEAT_MS`. */
+const TICK_MS = 15;
+const REPEAT_MS = 100;
+/** An engineering view goes round [rad/s] and comes nearer by this factor in a second. */
+const ROUND = 0.8;
+const NEARER = 2.5;
+const LONGEST_S = 0.1;
+const STILL: Turning = { pan: 0, tilt: 0, zoom: 0 };
+
+export interface CameraHandListener {
+  /** The camera in hand, and whether its drives turn slowly. */
+  hand(): { readonly camera: Camera; readonly slow: boolean };
+  /** Why this page may not turn cameras, in a sentence; empty: it may. */
+  barred(): string;
+  /** The sentence, told once as the switches are pushed. */
+  say(text: string): void;
+  send(command: Command): void;
+  /** An engineering view moves: to the right and upwards [rad], nearer by a factor. */
+  orbit(camera: Camera, right: number, upwards: number, nearer: number): void;
+}
+
+export class CameraHand {
+  private readonly timer: number;
+  private sent: Omit<Extract<Command, { type: 'drive_camera' }>, 'type'> | null = null;
+  private sentAt = 0;
+  private pushed = false;
+  private last = performance.now();
+
+  /** `read` tells how the switches are pushed now. */
+  constructor(
+    private readonly read: () => Turning,
+    private readonly listener: CameraHandListener,
+  ) {
+    this.timer = window.setInterval(() => this.tick(performance.now()), TICK_MS);
+  }
+
+  /** Reads the switches at `now` [ms] and sends what changed. */
+  tick(now: number): void {
+    const dt = Math.min(LONGEST_S, (now - this.last) / 1000);
+    this.last = now;
+    const { camera, slow } = this.listener.hand();
+    const read = document.hidden ? STILL : this.read();
+    if (camera.kind === 'engineering') {
+      if (isTurning(read)) {
+        this.listener.orbit(
+          camera,
+          read.pan * ROUND * dt,
+          read.tilt * ROUND * dt,
+          NEARER ** (read.zoom * dt),
+        );
+      }
+      this.drive(null, now);
+    } else {
+      const pushed = isTurning(read);
+      const why = pushed ? (camera.drive ? this.listener.barred() : `${camera.name} is fixed.`) : '';
+      if (why && !this.pushed) this.listener.say(why);
+      this.pushed = pushed;
+      this.drive(pushed && !why ? { camera: camera.name, ...read, slow } : null, now);
+    }
+  }
+
+  dispose(): void {
+    clearInterval(this.timer);
+  }
+
+  /** Sends how a camera turns, when that changed or was long ago; null: none turns any more. */
+  private drive(turned: typeof this.sent, now: number): void {
+    const { sent } = this;
+    if (!turned) {
+      if (sent) this.transmit({ ...sent, ...STILL }, null, now);
+      return;
+    }
+    const changed =
+      !sent || Object.entries(turned).some(([name, value]) => sent[name as keyof typeof sent] !== value);
+    if (changed || now - this.sentAt >= REPEAT_MS) this.transmit(turned, turned, now);
+  }
+
+  private transmit(said: NonNullable<typeof this.sent>, kept: typeof this.sent, now: number): void {
+    this.listener.send({ type: 'drive_camera', ...said });
+    this.sent = kept;
+    this.sentAt = now;
+  }
+}
+
+/** How held keys push the switches, by the keyboard's mapping. */
+export function turningOf(held: ReadonlySet<string>, { bindings }: Pick<Mapping, 'bindings'>): Turning {
+  const turning = { ...STILL };
+  for (const code of held) {
+    const use = bindings[code] ?? '';
+    const axis = use.slice(1);
+    if (axis === 'pan' || axis === 'tilt' || axis === 'zoom') turning[axis] += use.startsWith('-') ? -1 : 1;
+  }
+  return turning;
+}
+
+function isTurning({ pan, tilt, zoom }: Turning): boolean {
+  return pan !== 0 || tilt !== 0 || zoom !== 0;
+}

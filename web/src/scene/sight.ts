@@ -1,0 +1,129 @@
+/** What a camera sees: points of the scene that lie in its picture and that nothing stands before. */
+
+import { type Intersection, type Mesh, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
+import type { Camera, Vec3 } from '../protocol';
+import type { Body } from './bodies';
+import type { Cameras } from './cameras';
+
+/** A picture's width over its height, for what counts as within it. */
+export const ASPECT = 1.5;
+/** Points of a picture, from -1 to 1 to the right and upwards. */
+const MIDDLE = [
+  [0, 0],
+  [-0.5, -0.5],
+  [0.5, -0.5],
+  [-0.5, 0.5],
+  [0.5, 0.5],
+] as const;
+/** Nothing farther away is looked for [m]. */
+const FARTHEST = 400;
+/** Where a line is looked at, from one end to the other. */
+const ALONG = [0.5, 0.2, 0.8];
+/** A hit this much before the point is the point's own surface [m]. */
+const OWN = 0.02;
+
+const ray = new Raycaster();
+const [lens, way, axis] = [new Vector3(), new Vector3(), new Vector3()];
+
+export class Sight {
+  private readonly meshes: Mesh[];
+  private readonly samples = new Map<string, readonly Vector3[]>();
+
+  constructor(
+    private readonly cameras: Cameras,
+    private readonly bodies: readonly Body[],
+  ) {
+    this.meshes = bodies.flatMap(
+      ({ group }) => group.children.filter((child) => child.type === 'Mesh') as Mesh[],
+    );
+  }
+
+  /** The bodies in the middle of its picture and halfway to its corners: what is too near for its box to be in it. */
+  ahead(camera: Camera): ReadonlySet<string> {
+    const seen = this.cameras.at(camera.name, ASPECT);
+    const found = new Set<string>();
+    for (const [x, y] of MIDDLE) {
+      lens.setFromMatrixPosition(seen.matrixWorld);
+      way.set(x, y, 0.5).unproject(seen).sub(lens).normalize();
+      const [first] = this.cast(seen, FARTHEST);
+      if (first?.object.parent) found.add(first.object.parent.name);
+    }
+    found.delete(camera.body);
+    return found;
+  }
+
+  /** Whether it sees any of a line of the scene, but for its ends, which lie on what they belong to. */
+  line(camera: Camera, a: Vec3, b: Vec3): boolean {
+    return ALONG.some((part) => {
+      const [x, y, z] = a.map((value, i) => value + part * ((b[i] ?? 0) - value));
+      const place: Vec3 = [x ?? 0, y ?? 0, z ?? 0];
+      return this.within(camera, place) && this.clear(camera, place, null);
+    });
+  }
+
+  /** Whether it sees any of a body: the middle of its box, or of one of the box's faces. */
+  body(camera: Camera, name: string): boolean {
+    const body = this.bodies.find(({ group }) => group.name === name);
+    if (!body || camera.body === name) return false;
+    return this.samplesOf(body).some((sample) => {
+      const { x, y, z } = way.copy(sample).applyMatrix4(body.group.matrixWorld);
+      const place: Vec3 = [x, y, z];
+      return this.within(camera, place) && this.clear(camera, place, body);
+    });
+  }
+
+  /** Where its lens stands in the scene. */
+  lens({ name }: Camera): Vec3 {
+    const { x, y, z } = lens.setFromMatrixPosition(this.cameras.at(name, ASPECT).matrixWorld);
+    return [x, y, z];
+  }
+
+  /** Direction of its view in the scene. */
+  direction({ name }: Camera): Vec3 {
+    const { x, y, z } = axis.set(0, 0, -1).transformDirection(this.cameras.at(name, ASPECT).matrixWorld);
+    return [x, y, z];
+  }
+
+  private within({ name, pane }: Camera, place: Vec3): boolean {
+    if (!this.cameras.project(name, ASPECT, place).visible) return false;
+    if (!pane) return true;
+    const { x, y, z } = axis.set(...place).applyMatrix4(this.cameras.at(name, ASPECT).matrixWorldInverse);
+    const wide = -z / pane.distance / 2;
+    return Math.abs(x) <= wide * pane.width && Math.abs(y) <= wide * pane.height;
+  }
+
+  /** Nothing but `own` stands between the lens and a place. */
+  private clear(camera: Camera, place: Vec3, own: Body | null): boolean {
+    const seen = this.cameras.at(camera.name, ASPECT);
+    lens.setFromMatrixPosition(seen.matrixWorld);
+    way.set(...place).sub(lens);
+    const distance = way.length();
+    way.divideScalar(distance);
+    const [first] = this.cast(seen, distance - OWN);
+    return !first || first.object.parent === own?.group;
+  }
+
+  /** What stands on the way from the lens, beyond the near plane and up to a distance [m]. */
+  private cast(seen: PerspectiveCamera, distance: number): Intersection[] {
+    axis.set(0, 0, -1).transformDirection(seen.matrixWorld);
+    ray.set(lens, way);
+    ray.near = seen.near / Math.max(way.dot(axis), 1e-3);
+    ray.far = distance;
+    return ray.intersectObjects(this.meshes, false);
+  }
+
+  private samplesOf(body: Body): readonly Vector3[] {
+    const known = this.samples.get(body.group.name);
+    if (known) return known;
+    const box = body.box();
+    const [middle, half] = [box.getCenter(new Vector3()), box.getSize(new Vector3()).multiplyScalar(0.5)];
+    const faces = [0, 1, 2].flatMap((k) =>
+      [1, -1].map((sign) =>
+        middle.clone().setComponent(k, middle.getComponent(k) + sign * half.getComponent(k)),
+      ),
+    );
+    const samples = box.isEmpty() ? [] : [middle, ...faces];
+    this.samples.set(body.group.name, samples);
+    return samples;
+  }
+}
