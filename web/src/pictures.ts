@@ -224,6 +224,8 @@ export class Pictures {
     this.scene.setPoses(frame.poses);
     this.scene.setViews(frame.views);
     this.scene.setGap(gap, caution ? CAUTION : CALM, this.plane);
+    const { ahead } = frame;
+    this.scene.setGhost(ahead?.held && ahead.moves ? ahead.poses : null);
     this.begin(frame, gap);
     this.count += 1;
     const panes = this.panes();

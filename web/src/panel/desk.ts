@@ -10,6 +10,7 @@ import { effectorGroup } from './effector';
 import type { EventsGroup } from './events';
 import { joints } from './joints';
 import { limits } from './limits';
+import { lookAhead } from './look-ahead';
 import { masterGroup } from './master';
 import { type ModeGroup, modeGroup } from './mode';
 import type { Desk, View } from './part';
@@ -49,13 +50,14 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   const clearance = clearanceGroup(desk, () => listener.plane());
   const effector = effectorGroup(desk);
   const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
-  const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
+  const ahead = lookAhead(desk);
+  const resting = el('div', { class: 'resting' }, acting.element, cargo.element, ahead.element);
   const still = standing(desk);
   const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc(desk, still)];
   const own = joints(desk);
   const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
   const last = singularity();
-  const parts = [...upper, effector, acting, cargo, conditions, last];
+  const parts = [...upper, effector, acting, cargo, ahead, conditions, last];
   const row = el(
     'div',
     { class: 'lower' },

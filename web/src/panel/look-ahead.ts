@@ -3,7 +3,7 @@
 import { small } from '../format';
 import type { Ahead } from '../protocol';
 import type { Units } from '../units';
-import { button, el, group, setAbout, setClass, setText } from './dom';
+import { button, el, group, setAbout, setAttribute, setClass, setText } from './dom';
 import type { Desk, Part } from './part';
 
 /** How far may be looked ahead, in turn [s]. */
@@ -12,10 +12,10 @@ const DEGREES = 180 / Math.PI;
 
 export function lookAhead(desk: Desk): Part {
   let seconds = 5;
-  const time = button({ class: 'time', title: 'How far to look ahead' }, [], () =>
+  const time = button({ class: 'more', title: 'How far to look ahead' }, [], () =>
     desk.send({ type: 'look_ahead', seconds: next(seconds) }),
   );
-  const [clear, between, stop, joint] = [el('b'), el('span'), el('b'), el('b')];
+  const [clear, stop, joint] = [el('b'), el('b'), el('b')];
   const element = group(
     'look-ahead',
     'Look ahead',
@@ -23,14 +23,14 @@ export function lookAhead(desk: Desk): Part {
       'dl',
       {},
       el('dt', {}, 'Clearance then'),
-      el('dd', {}, clear, between),
+      el('dd', {}, clear),
       el('dt', {}, 'Stops within'),
       el('dd', {}, stop),
       el('dt', {}, 'Nearest limit'),
       el('dd', {}, joint),
     ),
-    time,
   );
+  element.querySelector('h2')?.append(time);
   return {
     element,
     values({ frame: { ahead }, units }) {
@@ -39,11 +39,11 @@ export function lookAhead(desk: Desk): Part {
       seconds = ahead.seconds;
       const told = words(ahead, desk.welcome.joints, units);
       setText(clear, told.clearance);
-      setText(between, told.between);
+      setAttribute(clear, 'title', told.between);
       setText(stop, told.stopping);
       setText(joint, told.joint);
       setAbout(element, about(ahead));
-      setClass(element, 'resting', !ahead.held);
+      setClass(element, 'resting-sticks', !ahead.held);
       setClass(clear, 'caution', ahead.contact_s !== null || below(ahead, desk.welcome.work.caution));
       setClass(joint, 'caution', ahead.room <= 0);
     },

@@ -50,7 +50,7 @@ export function rail(desk: Desk, software: boolean, tones: Tones, listener: Rail
     el('span', { class: 'scenario', title: welcome.text }, welcome.title),
     el('ol', { class: 'phases', 'aria-label': 'Phases' }, ...phases),
     el('span', { class: 'space' }),
-    ...(software ? [el('span', { class: 'note', title: SOFTWARE }, 'Software drawing, low detail')] : []),
+    ...(software ? [el('span', { class: 'note', title: SOFTWARE }, 'Low detail')] : []),
     el('span', { class: 'lag' }, 'Stick to picture ', lag),
     ...delays,
     recording,

@@ -19,6 +19,7 @@ import { Body, type DrawnBody } from './bodies';
 import { Cameras, type Place, type Projected } from './cameras';
 import { Earth } from './earth';
 import { Gap } from './gap';
+import { Ghost } from './ghost';
 import { Lights, TO_SUN } from './lights';
 import { Materials } from './materials';
 import { Sight } from './sight';
@@ -62,6 +63,9 @@ export class Scene {
   private readonly earth: Earth;
   private readonly blob: Blob | null;
   private readonly gap: Gap;
+  private readonly ghost: Ghost;
+  /** Cameras on the arm: the ghost would fill their pictures. */
+  private readonly onArm: ReadonlySet<string>;
   private readonly surroundings: Texture | null;
   private readonly plan = new OrthographicCamera(-1, 1, 1, -1, 1, 2 * HIGH);
   private width = 0;
@@ -88,6 +92,10 @@ export class Scene {
     const ground = quality === 'low' ? fixed?.mesh('liner') : undefined;
     this.blob = ground ? new Blob(this.stage, ground, moving) : null;
     this.gap = new Gap(this.stage, this.bodies);
+    const ghosts = welcome.ghost.flatMap((i) => this.bodies[i] ?? []);
+    this.ghost = new Ghost(this.stage, ghosts, quality);
+    const carried = new Set(ghosts.map(({ group }) => group.name));
+    this.onArm = new Set(welcome.cameras.filter(({ body }) => carried.has(body)).map(({ name }) => name));
   }
 
   get drawn(): readonly DrawnBody[] {
@@ -126,6 +134,11 @@ export class Scene {
     this.gap.set(near, colour, plane);
   }
 
+  /** Where holding the sticks would take the arm, by the poses of `Welcome.ghost`; null: nothing is shown. */
+  setGhost(poses: readonly number[] | null): void {
+    this.ghost.set(poses, performance.now());
+  }
+
   /** Wipes the canvas, whose pictures stand in other places from now on. */
   wipe(): void {
     const { renderer } = this;
@@ -144,6 +157,7 @@ export class Scene {
     for (const { camera, rect } of views) {
       if (!this.aim(rect)) continue;
       this.gap.fit(rect.width, rect.height);
+      this.ghost.setVisible(!this.onArm.has(camera));
       renderer.render(this.stage, this.cameras.at(camera, rect.width / rect.height));
     }
   }
@@ -165,6 +179,7 @@ export class Scene {
     plan.updateProjectionMatrix();
     plan.updateMatrixWorld();
     this.earth.mesh.visible = false;
+    this.ghost.setVisible(false);
     renderer.render(this.stage, plan);
     this.earth.mesh.visible = true;
   }
@@ -197,6 +212,7 @@ export class Scene {
   dispose(): void {
     this.blob?.dispose();
     this.gap.dispose();
+    this.ghost.dispose();
     this.surroundings?.dispose();
     this.earth.dispose();
     this.lights?.dispose();

@@ -1,0 +1,48 @@
+import { expect, test } from 'vitest';
+import { about, next, words } from '../src/panel/look-ahead';
+import type { Ahead } from '../src/protocol';
+import { unitsOf } from '../src/units';
+
+const joints = ['Sho yaw', 'Sho pitch', 'Elbow', 'Wri pitch', 'Wri yaw', 'Wri roll'].map((label) => ({
+  label,
+}));
+const ahead: Ahead = {
+  seconds: 5,
+  held: true,
+  moves: true,
+  clearance: 0.254,
+  a: 'lower boom',
+  b: 'bay wall port',
+  contact_s: null,
+  stopping: 0.127,
+  joint: 2,
+  room: Math.PI / 18,
+  poses: [],
+};
+
+test('the figures are in the operator’s units', () => {
+  expect(words(ahead, joints, unitsOf('ft-in'))).toEqual({
+    clearance: '10 in',
+    between: 'lower boom to bay wall port',
+    stopping: '5.0 in',
+    joint: 'Elbow 10°',
+  });
+  expect(words(ahead, joints, unitsOf('SI')).clearance).toBe('25 cm');
+});
+
+test('a contact on the way is what is told, and a joint past its limit', () => {
+  const told = words({ ...ahead, contact_s: 3.04, room: -0.0175 }, joints, unitsOf('SI'));
+  expect(told.clearance).toBe('contact in 3.0 s');
+  expect(told.joint).toBe('Elbow 1° past');
+  expect(words({ ...ahead, clearance: null }, joints, unitsOf('SI')).clearance).toBe('–');
+});
+
+test('it says whose look it is', () => {
+  expect(about({ held: true, moves: true })).toBe('sticks held');
+  expect(about({ held: false, moves: true })).toBe('last axis, in full');
+  expect(about({ held: false, moves: false })).toBe('sticks at rest');
+});
+
+test('the times come in turn, 2 to 20 s', () => {
+  expect([2, 5, 10, 20, 12].map(next)).toEqual([5, 10, 20, 2, 20]);
+});
