@@ -25,6 +25,7 @@ import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Welcome } from './
 import type { Drawing } from './quality';
 import type { DrawnBody } from './scene/bodies';
 import type { Command, LinkState } from './socket';
+import { Tutorial } from './tutorial';
 import { type UnitName, unitsOf } from './units';
 
 /** Figures and legends change this often [ms]. */
@@ -74,6 +75,7 @@ export class Station {
   private readonly movable: boolean;
   private readonly groups: Groups;
   private readonly rail;
+  private readonly tutorial: Tutorial;
 
   constructor(
     root: HTMLElement,
@@ -103,11 +105,13 @@ export class Station {
       plane: () => this.showPlane(),
       flyOrbiter: (on) => this.flyOrbiter(on),
     });
+    this.tutorial = new Tutorial(desk, this.operator.controllers);
     this.rail = rail(desk, drawing.software && drawing.quality === 'low', {
       units: () => {
         this.units = this.units === 'SI' ? 'ft-in' : 'SI';
       },
       restart: () => this.send({ type: 'restart' }),
+      tutorial: () => this.tutorial.toggle(),
       keys: () => this.keys.toggle(),
       controllers: () => this.changeControllers(),
     });
@@ -116,7 +120,7 @@ export class Station {
     root.replaceChildren(
       this.pictures.canvas,
       el('main', { class: 'monitors' }, first.element, second.element, this.spine.element),
-      el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.groups.elements),
+      el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.groups.elements, this.tutorial.element),
       this.rail.element,
       this.touch.element,
       this.swap.element,
@@ -174,6 +178,7 @@ export class Station {
   dispose(): void {
     cancelAnimationFrame(this.request);
     this.operator.dispose();
+    this.tutorial.dispose();
     this.pictures.dispose();
   }
 
@@ -196,6 +201,7 @@ export class Station {
     this.keys.light(this.operator.controllers.keyboard.held);
     this.sheet.tick();
     this.touch.draw();
+    this.tutorial.light();
     this.watchDevices();
     this.drawn += 1;
     if (this.fresh) this.latency.drawn(this.frame.stick_seq, performance.now());
@@ -214,6 +220,7 @@ export class Station {
     const test = view.frame.mode === 'TEST';
     this.spine.show([...view.frame.lamps, ...this.ownLamps(view, now, age)], test);
     const latency95 = this.latency.percentile95(now);
+    this.tutorial.values(view);
     this.rail.values(view, latency95, this.role.watchers, this.link);
     if (view.frame.recording_s !== null && this.role.flying && now - this.toldAt >= TOLD_MS) {
       this.toldAt = now;
@@ -301,6 +308,7 @@ export class Station {
   }
 
   private act(action: Action): void {
+    this.tutorial.acted(action);
     switch (action.name) {
       case 'stop':
         this.stop();

@@ -13,6 +13,7 @@ const SLOW_MS = 100;
 export interface RailListener {
   units(): void;
   restart(): void;
+  tutorial(): void;
   keys(): void;
   controllers(): void;
 }
@@ -56,6 +57,7 @@ export function rail(desk: Desk, software: boolean, listener: RailListener): Rai
     units,
     button({ title: 'Puts the scenario back to its first instant' }, ['Restart'], () => listener.restart()),
     parts.element,
+    button({ title: 'A first capture, in six steps' }, ['Tutorial'], () => listener.tutorial()),
     button({ title: 'The devices that fly, their keys and axes' }, ['Controllers'], () =>
       listener.controllers(),
     ),
