@@ -48,13 +48,13 @@ export function padDrawing() {
   );
   return {
     element,
-    /** `concerned`: the sources that this step is flown with. */
-    set(device: Device, concerned: ReadonlySet<string>) {
+    /** `wanted`: the sources that this step is flown with. */
+    set(device: Device, wanted: ReadonlySet<string>) {
       for (const each of parts) {
         setClass(
           each.element,
-          'concerned',
-          each.sources.some((source) => concerned.has(source)),
+          'wanted',
+          each.sources.some((source) => wanted.has(source)),
         );
         setClass(
           each.element,

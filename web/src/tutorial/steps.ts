@@ -49,7 +49,7 @@ export const STEPS: readonly Step[] = [
     name: 'look',
     title: 'Look around',
     words: () =>
-      'Each monitor shows a camera. *WR*, the wrist camera, looks along the end effector, down at the pin that it shall take. ' +
+      'Each monitor shows a camera. *WR*, the wrist camera, looks along the end effector, at the pin that it shall take. ' +
       'Put another camera on the monitor in hand: press {cameraStep +}, or click one under a picture.',
     caps: [
       ['cameraStep +', 'next camera'],
@@ -72,8 +72,8 @@ export const STEPS: readonly Step[] = [
     name: 'line up',
     title: 'Line up with the pin',
     words: () =>
-      'Slide across the picture until *pin off axis* has its tick, then let go. It counts down while you slide the right ' +
-      'way. {rate} changes to slow rates, and back.',
+      'Slide until the dark target stands in the middle of the picture of *WR*, and let go once *pin off axis* has its ' +
+      'tick below. {rate} changes to slow rates, and back.',
     caps: [
       ['-Z', 'up'],
       ['rate', 'slow, fast'],
@@ -114,7 +114,7 @@ export const STEPS: readonly Step[] = [
       ['close', 'capture'],
       ['open', 'release'],
     ],
-    groups: ['effector', 'conditions'],
+    groups: ['thc', 'effector', 'conditions'],
     done: (now) => held(now),
   },
   {
