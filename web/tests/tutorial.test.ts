@@ -161,7 +161,13 @@ test('an axis counts as held to the side that is meant, past its deadband', () =
   expect(isDown({ reading: null, mapping: DEFAULTS.pad }, 'b3', 1)).toBe(false);
 });
 
+test('who has skipped steps is not told that all is flown', () => {
+  for (const now of [frame(), frame({ held: true }), frame({ seat: '' })])
+    expect(farewell(now)[0]).toBe('To be flown yet');
+});
+
 test('the closing words tell the time', () => {
-  expect(farewell(59.9)).toMatch(/, 59 s after/);
-  expect(farewell(185)).toMatch(/, 3 min 5 s after/);
+  const told = (time_s: number) => farewell({ ...frame({ held: true, seat: '' }), time_s }).join();
+  expect(told(59.9)).toMatch(/^Well flown.*, 59 s after/);
+  expect(told(185)).toMatch(/, 3 min 5 s after/);
 });

@@ -8,8 +8,8 @@ import type { Desk, View } from '../panel/part';
 import type { Frame } from '../protocol';
 import { Card } from './card';
 import { InHand } from './in-hand';
-import { BEGIN, back, isOver, looked, type Progress, seen, skip } from './progress';
-import { STEPS } from './steps';
+import { BEGIN, back, looked, type Progress, seen, skip } from './progress';
+import { held, STEPS } from './steps';
 
 /** The built-in scenario that it is flown in, and the mode. */
 export const SCENARIO = 'tutorial';
@@ -119,19 +119,28 @@ export class Tutorial {
     }
     const astray = frame.mode === MODE ? '' : frame.mode;
     if (step) this.card.set(progress, step.words(frame), step.title, astray);
-    else if (isOver(progress)) this.card.set(progress, farewell(frame.time_s), 'Well flown', astray);
+    else {
+      const [title, words] = farewell(frame);
+      this.card.set(progress, words, title, astray);
+    }
   }
 }
 
-/** The closing words; `time` flown since the scenario began [s]. */
-export function farewell(time: number): string {
-  const minutes = Math.floor(time / 60);
-  const seconds = Math.floor(time % 60);
+/** The closing title and words: whether all was flown, or some of it skipped. */
+export function farewell(now: Frame): readonly [title: string, words: string] {
+  if (!held(now) || now.work.cargo.some((cargo) => cargo.held && cargo.seat !== ''))
+    return [
+      'To be flown yet',
+      'That was the whole way, but the payload still stands in the bay. Go back to where you left off, or put everything ' +
+        'back with *Restart* and fly it from the start.',
+    ];
+  const [minutes, seconds] = [Math.floor(now.time_s / 60), Math.floor(now.time_s % 60)];
   const took = minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`;
-  return (
+  return [
+    'Well flown',
     `The payload is captured and out of its latches, ${took} after the start. Close the guide and fly on: turn it, put it back, ` +
-    'let it go. *Keys ?* shows all keys; *Restart* puts everything back.'
-  );
+      'let it go. *Keys ?* shows all keys; *Restart* puts everything back.',
+  ];
 }
 
 /** A browser that keeps nothing is shown it each time. */

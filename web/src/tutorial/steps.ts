@@ -50,7 +50,7 @@ export const STEPS: readonly Step[] = [
     title: 'Look around',
     words: () =>
       'Each monitor shows a camera. *WR*, the wrist camera, looks along the end effector, at the pin that it shall take. ' +
-      'Put another camera on the monitor in hand: press {cameraStep +}, or click one under a picture.',
+      'Put another camera on the monitor in hand: press {cameraStep +} or click one under a picture.',
     caps: [
       ['cameraStep +', 'next camera'],
       ['otherMonitor', 'other monitor'],
