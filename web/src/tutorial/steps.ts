@@ -72,7 +72,7 @@ export const STEPS: readonly Step[] = [
     name: 'line up',
     title: 'Line up with the pin',
     words: () =>
-      'Slide until the dark target stands in the middle of the picture of *WR*, and let go once *pin off axis* has its ' +
+      'Slide until the ball on the dark target stands in the middle of *WR*, and let go once *pin off axis* has its ' +
       'tick below. {rate} changes to slow rates, and back.',
     caps: [
       ['-Z', 'up'],
