@@ -15,7 +15,7 @@ from aftdeck.simulation.frame import Event
 from aftdeck.simulation.run import SavedSimulation
 from aftdeck.worksite.report import Work
 
-MISSIONS = ("concept-1972-script", "free-flyer", "srms-berth", "srms-deploy")
+MISSIONS = ("concept-1972-script", "free-flyer", "srms-berth", "srms-deploy", "tutorial")
 """Built-in scenarios that fly a whole task at a worksite: longer than the others."""
 SCRIPTED = tuple(name for name in built_in() if name != "concept-1972")
 """Built-in scenarios that fly themselves; the other is for a person."""

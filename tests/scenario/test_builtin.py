@@ -26,6 +26,7 @@ NAMES = {
     "sts-400-closed",
     "sts-400-open",
     "sts-400-position",
+    "tutorial",
     "uncradle",
 }
 

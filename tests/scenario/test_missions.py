@@ -31,6 +31,7 @@ TOLD = {
     "free-flyer": [HOLD, DOCK, LET_GO, HOLD, UNDOCK, LET_GO],
     "srms-berth": ["latch", "latched", LET_GO, LET_GO],  # the pin, then the payload
     "srms-deploy": [HOLD, "unlatched", UNDOCK, LET_GO, LET_GO],
+    "tutorial": [HOLD, "unlatched", UNDOCK],
 }
 
 
@@ -90,6 +91,16 @@ def test_a_deployed_payload_floats_at_rest_where_it_was_let_go() -> None:
     assert turned(first, last) < 1e-4
     assert math.hypot(*payload.velocity) < 1e-6
     assert done.at("released", 1).cargo[0].position == pytest.approx(payload.position, abs=1e-6)
+
+
+@pytest.mark.slow
+def test_the_tutorial_begins_beside_the_pin_and_square_to_it_and_ends_with_the_payload_lifted() -> None:
+    done = flown("tutorial")
+    first, last = done.work[0], done.work[-1]
+    wanting = {condition.name for condition in first.conditions if not condition.holds}
+    assert wanting == {"pin off axis", "pin depth"}
+    assert last.cargo[0].held and not last.cargo[0].seat
+    assert math.dist(last.cargo[0].position, first.cargo[0].position) > 1.0
 
 
 @pytest.mark.slow

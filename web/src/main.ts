@@ -15,6 +15,7 @@ import './style/effector.css';
 import './style/key-map.css';
 import './style/controllers.css';
 import './style/touch.css';
+import './style/tutorial.css';
 import './style/replay.css';
 import './style/timeline.css';
 import './style/all-cameras.css';

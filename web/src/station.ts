@@ -28,6 +28,7 @@ import type { Drawing } from './quality';
 import type { DrawnBody } from './scene/bodies';
 import type { Command, LinkState } from './socket';
 import { Tones } from './tones';
+import { Tutorial } from './tutorial';
 import { type UnitName, unitsOf } from './units';
 import { tearOff, Windows } from './windows';
 
@@ -85,6 +86,7 @@ export class Station {
   private readonly movable: boolean;
   private readonly groups: Groups;
   private readonly rail;
+  private readonly tutorial: Tutorial;
 
   constructor(
     root: HTMLElement,
@@ -138,11 +140,13 @@ export class Station {
       plane: () => this.showPlane(),
       flyOrbiter: (on) => this.flyOrbiter(on),
     });
+    this.tutorial = new Tutorial(desk, this.operator.controllers);
     this.rail = rail(desk, drawing.software && drawing.quality === 'low', this.tones, {
       units: () => {
         this.units = this.units === 'SI' ? 'ft-in' : 'SI';
       },
       restart: () => this.send({ type: 'restart' }),
+      tutorial: () => this.tutorial.toggle(),
       keys: () => this.keys.toggle(),
       controllers: () => this.changeControllers(),
     });
@@ -152,7 +156,7 @@ export class Station {
       this.pictures.canvas,
       el('main', { class: 'monitors' }, first.element, second.element, this.spine.element),
       this.pictures.matrix.element,
-      el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.groups.elements),
+      el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.groups.elements, this.tutorial.element),
       this.pictures.matrix.strip,
       this.rail.element,
       this.touch.element,
@@ -217,6 +221,7 @@ export class Station {
     this.operator.dispose();
     this.cameraHand.dispose();
     this.windows.dispose();
+    this.tutorial.dispose();
     this.pictures.dispose();
   }
 
@@ -239,6 +244,7 @@ export class Station {
     this.keys.light(this.operator.controllers.keyboard.held);
     this.sheet.tick();
     this.touch.draw();
+    this.tutorial.light();
     this.watchDevices();
     this.drawn += 1;
     if (this.fresh) this.latency.drawn(this.frame.stick_seq, performance.now());
@@ -257,6 +263,7 @@ export class Station {
     const test = view.frame.mode === 'TEST';
     this.spine.show([...view.frame.lamps, ...this.ownLamps(view, now, age)], test);
     const latency95 = this.latency.percentile95(now);
+    this.tutorial.values(view);
     this.rail.values(view, latency95, this.role.watchers, this.link);
     this.sound(view.frame);
     const monitors = this.pictures.shown;
@@ -370,6 +377,7 @@ export class Station {
   }
 
   private act(action: Action): void {
+    this.tutorial.acted(action);
     switch (action.name) {
       case 'stop':
         this.stop();

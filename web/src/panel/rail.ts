@@ -15,6 +15,7 @@ const SLOW_MS = 100;
 export interface RailListener {
   units(): void;
   restart(): void;
+  tutorial(): void;
   keys(): void;
   controllers(): void;
 }
@@ -60,6 +61,7 @@ export function rail(desk: Desk, software: boolean, tones: Tones, listener: Rail
     units,
     button({ title: 'Puts the scenario back to its first instant' }, ['Restart'], () => listener.restart()),
     parts.element,
+    button({ title: 'A first capture, in six steps' }, ['Tutorial'], () => listener.tutorial()),
     button({ title: 'The devices that fly, their keys and axes' }, ['Controllers'], () =>
       listener.controllers(),
     ),

@@ -1,0 +1,238 @@
+"""The tutorial: flown by a pad from the first look to the lift, opened once by itself, and how it looks."""
+
+from __future__ import annotations
+
+import pytest
+
+from aftdeck.station.protocol import Frame
+from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.flight import Flight
+from tests.browser.looks import assert_readable, assert_tidy
+
+pytestmark = pytest.mark.browser
+
+SCENARIO = "tutorial"
+STEP = "document.querySelector('.tutorial .steps span')?.textContent"
+OPEN = "document.querySelector('.tutorial')?.checkVisibility() === true"
+TITLE = "document.querySelector('.tutorial h2').textContent"
+WORDS = "document.querySelector('.tutorial .words').textContent"
+DRAWN = "document.querySelector('.tutorial .pad-drawing').checkVisibility()"
+AT_REST = "Math.hypot(...frame.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
+DEPTH = "frame.work.conditions.find(({ name }) => name === 'pin depth').value"
+SOUTH, NORTH, L_TRIGGER, R_TRIGGER, MENU = 0, 3, 6, 7, 9
+"""Buttons of the standard mapping."""
+INCH = 0.0254
+PIN_X = -903.7323 * INCH
+"""Where the pin stands, along the panel's X [m]; across it, in the bay's middle."""
+LATCHES_MS = 120_000
+"""The latches take 30 s; a busy machine is slower."""
+MOST_TRIES = 20
+
+CLASHES = """() => {
+    const box = (node) => node.getBoundingClientRect();
+    const card = document.querySelector('.tutorial');
+    const p = box(card);
+    const clashes = [...document.querySelectorAll('.monitor, .spine, .thc, .rhc, .effector, .conditions, .events')]
+        .filter((node) => node.checkVisibility())
+        .filter((node) => {
+            const q = box(node);
+            return p.right > q.left + .5 && q.right > p.left + .5 && p.bottom > q.top + .5 && q.bottom > p.top + .5;
+        })
+        .map((node) => `the card covers ${node.className}`);
+    const parts = [...card.querySelectorAll('h2, p, kbd, button, .pad-drawing, .steps')]
+        .filter((node) => node.checkVisibility());
+    for (const [i, node] of parts.entries()) {
+        const q = box(node);
+        if (q.left < p.left || q.right > p.right || q.top < p.top || q.bottom > p.bottom)
+            clashes.push(`“${node.textContent}” leaves the card`);
+        for (const other of parts.slice(i + 1)) {
+            const r = box(other);
+            const apart = q.right <= r.left + .5 || r.right <= q.left + .5
+                || q.bottom <= r.top + .5 || r.bottom <= q.top + .5;
+            if (!apart && !node.contains(other)) clashes.push(`“${node.textContent}” meets “${other.textContent}”`);
+        }
+    }
+    return clashes;
+}"""
+"""What of the card covers what shall be seen, leaves it, or meets another part of it."""
+
+
+def test_it_is_flown_by_a_pad_from_the_first_look_to_the_lift(open_page: OpenPage) -> None:
+    flight = open_page(pad=True)
+    flight.until(OPEN)
+    flight.from_the_start()
+
+    # Look: another camera.
+    flight.until(f"{STEP} === '1 of 6' && {AT_REST}")
+    flight.pad_buttons(MENU)
+    flight.until(f"{DRAWN} && {WORDS}.includes('Menu')")
+    flight.pad_buttons()
+    flight.until(f"{STEP} === '2 of 6'")
+
+    # Move: towards the pin, as it happens; the drawing lights what is held.
+    flight.pad_axes(-1.0, 0.0, 0.0, 0.0)
+    flight.until("document.querySelector('.tutorial kbd.held')?.textContent === 'L stick ←left'")
+    assert flight.script("document.querySelectorAll('.pad-drawing .part.held').length") == 1
+    assert_tidy(flight)
+    flight.until(f"{STEP} === '3 of 6'")
+    flight.pad_axes(0.0, 0.0, 0.0, 0.0)
+
+    _slow(flight)
+    _line_up(flight)
+    _close_in(flight)
+
+    # Capture: held, not tapped.
+    flight.until(f"{STEP} === '5 of 6' && {WORDS}.includes('Hold North until')")
+    flight.pad_buttons(NORTH)
+    flight.until("frame.work.cargo[0].held")
+    flight.pad_buttons()
+    flight.until(f"{STEP} === '6 of 6' && {WORDS}.includes('wait for RIGID')")
+
+    # Lift: the latches let go first, then it comes along.
+    flight.until(f"{WORDS}.includes('Hold Menu + South')")
+    flight.pad_buttons(MENU, SOUTH)
+    flight.until_logged("latches of the Payload bay latches opening")
+    flight.pad_buttons()
+    flight.until(f"frame.work.cargo[0].seat === '' && {WORDS}.startsWith('Free.')", LATCHES_MS)
+    flight.pad_buttons(SOUTH)
+    flight.until("frame.rate === 'coarse'")
+    flight.pad_buttons()
+    assert flight.script(STEP) == "6 of 6"
+    low = _height(flight)
+    flight.pad_axes(0.0, 1.0, 0.0, 0.0)
+    lifted = flight.until(f"{STEP} === 'All six done'")
+    flight.pad_axes(0.0, 0.0, 0.0, 0.0)
+    assert lifted.work.cargo[0].held and lifted.work.cargo[0].seat == ""
+    assert _height(flight) > low + 0.9
+    assert flight.script(TITLE) == "Well flown"
+
+    # Begun anew, the flight is taught anew.
+    flight.from_the_start()
+    flight.until(f"{STEP} === '1 of 6'")
+
+
+def test_it_opens_by_itself_once_and_by_its_key_whenever_asked(open_page: OpenPage) -> None:
+    flight = open_page()
+    flight.until(f"{OPEN} && {STEP} === '1 of 6'")
+    flight.press("x")
+    flight.until(f"{STEP} === '2 of 6'")
+    flight.page.get_by_role("button", name="Close the guide").press("Enter")
+    flight.until(f"!({OPEN}) && !document.body.matches('.guided')")
+    assert flight.frame().mode == "END EFF"
+
+    flight.page.reload()
+    flight = Flight(flight.page)
+    flight.until("document.querySelector('.who').textContent.startsWith('You fly') && window.__aftdeck.frames > 20")
+    assert not flight.script(OPEN)
+    flight.press_key("Tutorial")
+    flight.until(f"{OPEN} && {STEP} === '1 of 6'")
+    flight.press_key("Tutorial")
+    flight.until(f"!({OPEN})")
+
+
+def test_its_keys_light_and_give_way_to_the_pads_drawing(open_page: OpenPage) -> None:
+    flight = open_page(pad=True).from_the_start()
+    flight.press_key("Skip step")
+    flight.until(f"{STEP} === '2 of 6' && !({DRAWN}) && {WORDS}.includes('W into')")
+    flight.hold("a")
+    flight.until("document.querySelector('.tutorial kbd.held')?.textContent === 'Aleft'")
+    assert flight.script("getComputedStyle(document.querySelector('.tutorial kbd.held')).visibility") == "visible"
+    flight.release("a")
+    flight.pad_axes(0.0, 0.0, 0.5, 0.0)
+    flight.until(f"{DRAWN} && {WORDS}.includes('L stick ↑ into')")
+    flight.pad_axes(0.0, 0.0, 0.0, 0.0)
+    flight.press("a")
+    flight.hold("a")
+    flight.until(f"!({DRAWN}) && {WORDS}.includes('W into')")
+    flight.release("a")
+
+
+def test_another_mode_is_named_with_the_way_back(open_page: OpenPage) -> None:
+    flight = open_page().from_the_start()
+    flight.until(f"{STEP} === '1 of 6'")
+    flight.press("[", "Enter")
+    flight.until("frame.mode === 'ORB UNL'")
+    flight.until("document.querySelector('.tutorial .elsewhere').textContent.startsWith('The mode is ORB UNL')")
+    assert_tidy(flight)
+    assert flight.script(CLASHES) == []
+    flight.press_key("Enter END EFF")
+    flight.until("frame.mode === 'END EFF' && !document.querySelector('.tutorial .elsewhere').checkVisibility()")
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES)
+@pytest.mark.parametrize("pad", [False, True])
+def test_each_step_covers_nothing_that_it_needs_and_can_be_read(
+    open_page: OpenPage, width: int, height: int, pad: bool
+) -> None:
+    flight = open_page(width, height, pad=pad).from_the_start()
+    flight.until(OPEN)
+    for step in range(1, 7):
+        flight.until(f"{STEP} === '{step} of 6'")
+        if pad:
+            flight.pad_axes(0.0, 0.0, 0.5, 0.0)
+            flight.until(DRAWN)
+            flight.pad_axes(0.0, 0.0, 0.0, 0.0)
+        assert_tidy(flight)
+        assert flight.script(CLASHES) == []
+        assert_readable(flight, ".tutorial", least=8)
+        flight.press_key("Skip step")
+    flight.until(f"{STEP} === 'All six done' && {TITLE} === 'To be flown yet'")
+    assert flight.script(CLASHES) == []
+    flight.press_key("Back")
+    flight.until(f"{STEP} === '6 of 6'")
+
+
+def _slow(flight: Flight) -> None:
+    flight.pad_buttons(SOUTH)
+    flight.until("frame.rate === 'vernier'")
+    flight.pad_buttons()
+
+
+def _line_up(flight: Flight) -> None:
+    """Slides until the step ends: only with the stick let go."""
+    flown = -2
+    for _ in range(MOST_TRIES):
+        frame = flight.until(f"frame.stick_seq > {flown} && {AT_REST}")
+        if _wanting(frame) <= {"pin depth"}:
+            break
+        flown = frame.stick_seq
+        aft, starboard = frame.actual.position[0] - PIN_X, frame.actual.position[1]
+        if abs(starboard) > 0.05:
+            side = 1 if starboard > 0.0 else -1
+            flight.pad_axes(-side, 0.0, 0.0, 0.0)
+            flight.until(f"frame.actual.position[1] * {side} < 0.02")
+            assert flight.script(STEP) == "3 of 6"
+            flight.pad_axes(0.0, 0.0, 0.0, 0.0)
+        else:
+            flight.pad_buttons(L_TRIGGER if aft < 0.0 else R_TRIGGER)
+            side = 1 if aft > 0.0 else -1
+            flight.until(f"(frame.actual.position[0] - {PIN_X}) * {side} < 0.02")
+            assert flight.script(STEP) == "3 of 6"
+            flight.pad_buttons()
+    flight.until(f"{STEP} === '4 of 6'")
+
+
+def _close_in(flight: Flight) -> None:
+    """Flies at the pin until it stands in the snares and everything is at rest."""
+    flown = -2
+    for _ in range(MOST_TRIES):
+        frame = flight.until(f"frame.stick_seq > {flown} && {AT_REST}")
+        if not _wanting(frame):
+            break
+        flown = frame.stick_seq
+        (depth,) = [each.value for each in frame.work.conditions if each.name == "pin depth"]
+        assert depth < 0.1 or flight.script(STEP) == "4 of 6"
+        away, there = (-1.0, f"{DEPTH} < {3 * INCH}") if depth > 0.0 else (1.0, f"{DEPTH} > {0.5 * INCH}")
+        flight.pad_axes(0.0, away, 0.0, 0.0)
+        flight.until(f"{there} || frame.work.arm_inhibit", LATCHES_MS)
+        flight.pad_axes(0.0, 0.0, 0.0, 0.0)
+
+
+def _wanting(frame: Frame) -> set[str]:
+    return {each.name for each in frame.work.conditions if not each.holds}
+
+
+def _height(flight: Flight) -> float:
+    """Where the payload is drawn, upwards in the scene [m]."""
+    (place,) = [body["at"] for body in flight.script("window.__aftdeck.bodies") if body["name"] == "payload"]
+    return float(place[2])

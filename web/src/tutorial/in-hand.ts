@@ -1,0 +1,78 @@
+/** What the operator flies with at the moment: keys, or the device that was moved last; and what a use is called there. */
+
+import type { Controllers } from '../input/controllers';
+import type { Device } from '../input/device';
+import { nameOfSource } from '../input/layout';
+import { centred, indexOf, type Kind } from '../input/mapping';
+import { movers } from '../input/rebind';
+import { mappingOf } from '../input/store';
+
+/** An axis so far from its rest is moved by somebody. */
+const MOVED = 0.3;
+
+export class InHand {
+  /** The device moved last; null: the keys. */
+  device: Device | null = null;
+
+  constructor(private readonly controllers: Controllers) {}
+
+  /** Looks which was moved. */
+  look(): void {
+    const { devices, keyboard } = this.controllers;
+    const moved = devices.find((device) => isMoved(device));
+    if (moved) this.device = moved;
+    else if (keyboard.held.size > 0 || !devices.some((device) => device === this.device)) this.device = null;
+  }
+
+  /** Kinds of device, the one in hand first; what it cannot do, others can. */
+  get kinds(): readonly Kind[] {
+    const others = this.device ? this.controllers.devices.filter((each) => each !== this.device) : [];
+    return [...(this.device ? [this.device, ...others] : []).map(({ kind }) => kind), 'keyboard'];
+  }
+
+  /** What people call the key, button or end of an axis that has this use; empty where none has. */
+  name(use: string): string {
+    for (const kind of this.kinds) {
+      const [first] = movers(mappingOf(kind), use);
+      if (first) return nameOfSource(kind, first.source, first.sign);
+    }
+    return '';
+  }
+
+  /** Whether something is held that has this use. */
+  holds(use: string): boolean {
+    const { devices, keyboard } = this.controllers;
+    if (movers(mappingOf('keyboard'), use).some(({ source }) => keyboard.held.has(source))) return true;
+    return devices.some((device) =>
+      movers(device.mapping, use).some(({ source, sign }) => isDown(device, source, sign)),
+    );
+  }
+
+  /** Buttons and axes of the device in hand that have one of these uses. */
+  sources(uses: readonly string[]): ReadonlySet<string> {
+    const { device } = this;
+    if (!device) return new Set();
+    const all = uses.flatMap((use) => movers(device.mapping, use).map(({ source }) => source));
+    return new Set(all.flatMap((source) => source.split('+')));
+  }
+}
+
+function isMoved({ reading, mapping }: Device): boolean {
+  if (!reading) return false;
+  const off = (value: number, i: number) => Math.abs(centred(value, mapping.centres[i] ?? 0)) > MOVED;
+  return reading.axes.some(off) || reading.buttons.some(({ pressed }) => pressed);
+}
+
+/** Whether a button is down, or an axis is off its rest to that side. */
+export function isDown(
+  { reading, mapping }: Pick<Device, 'reading' | 'mapping'>,
+  source: string,
+  sign: 1 | -1,
+) {
+  if (!reading) return false;
+  const axis = indexOf(source, 'a');
+  if (axis !== null) {
+    return sign * centred(reading.axes[axis] ?? 0, mapping.centres[axis] ?? 0) > mapping.deadband;
+  }
+  return source.split('+').every((part) => reading.buttons[Number(part.slice(1))]?.pressed === true);
+}

@@ -1,0 +1,161 @@
+/** The tutorial: six steps of a first capture, each ended by doing it, in the scenario that is made for it. */
+
+import type { Controllers } from '../input/controllers';
+import type { Action } from '../input/keymap';
+import { revision } from '../input/store';
+import { setAttribute, setClass } from '../panel/dom';
+import type { Desk, View } from '../panel/part';
+import type { Frame } from '../protocol';
+import { Card } from './card';
+import { InHand } from './in-hand';
+import { BEGIN, back, looked, type Progress, seen, skip } from './progress';
+import { held, STEPS } from './steps';
+
+/** The built-in scenario that it is flown in, and the mode. */
+export const SCENARIO = 'tutorial';
+const MODE = 'END EFF';
+/** Kept in the browser once it has opened by itself. */
+const KEY = 'aftdeck.tutorial';
+const LOOKS: ReadonlySet<Action['name']> = new Set([
+  'camera',
+  'cameraStep',
+  'otherMonitor',
+  'split',
+  'matrix',
+]);
+
+export class Tutorial {
+  private readonly card: Card;
+  private readonly inHand: InHand;
+  private readonly ended = new AbortController();
+  private readonly payload: number;
+  private progress: Progress = BEGIN;
+  private open = false;
+  /** It may still open by itself. */
+  private unasked: boolean;
+  private drawn = '';
+
+  constructor(
+    private readonly desk: Desk,
+    controllers: Controllers,
+  ) {
+    const { welcome } = desk;
+    this.unasked = this.offered && !hasOpened();
+    this.payload = welcome.bodies.findIndex(({ name }) => name === welcome.work.cargo[0]);
+    this.inHand = new InHand(controllers);
+    this.card = new Card(this.inHand, {
+      back: () => this.go(back(this.progress)),
+      skip: () => this.go(skip(this.progress)),
+      close: () => this.show(false),
+      enterMode: () => desk.send({ type: 'enter_mode', mode: MODE }),
+    });
+    this.show(false);
+    const clicked = ({ target }: Event) => {
+      if (target instanceof Element && target.closest('.monitor button'))
+        this.progress = looked(this.progress);
+    };
+    document.addEventListener('click', clicked, { signal: this.ended.signal });
+  }
+
+  get element(): HTMLElement {
+    return this.card.element;
+  }
+
+  /** Opens or closes it; where another scenario is flown, says how to get there. */
+  toggle(): void {
+    if (this.offered) this.show(!this.open);
+    else this.desk.say('The tutorial has a scenario of its own. Start it with: aftdeck fly tutorial');
+  }
+
+  /** What the operator does besides flying. */
+  acted({ name }: Action): void {
+    if (LOOKS.has(name)) this.progress = looked(this.progress);
+  }
+
+  values({ frame, flying }: View): void {
+    if (this.unasked && flying) this.show(true);
+    if (!this.open) return;
+    this.progress = seen(this.progress, frame, frame.poses[7 * this.payload + 2] ?? 0);
+    this.inHand.look();
+    this.draw(frame);
+  }
+
+  light(): void {
+    if (this.open) this.card.light();
+  }
+
+  dispose(): void {
+    this.ended.abort();
+    this.show(false);
+  }
+
+  private get offered(): boolean {
+    return this.desk.welcome.scenario === SCENARIO;
+  }
+
+  private go(progress: Progress): void {
+    this.progress = progress;
+  }
+
+  private show(open: boolean): void {
+    if (open) {
+      this.progress = BEGIN;
+      this.unasked = false;
+      rememberOpened();
+    }
+    this.open = open;
+    this.card.element.hidden = !open;
+    setClass(document.body, 'guided', open);
+  }
+
+  private draw(frame: Frame): void {
+    const { progress } = this;
+    const step = STEPS[progress.at];
+    const drawn = `${progress.at} ${this.inHand.kinds.join()} ${revision()}`;
+    if (drawn !== this.drawn) {
+      this.drawn = drawn;
+      this.card.setCaps(step?.caps ?? []);
+      setAttribute(document.body, 'data-step', step?.groups.join(' ') ?? '');
+    }
+    const astray = frame.mode === MODE ? '' : frame.mode;
+    if (step) this.card.set(progress, step.words(frame), step.title, astray);
+    else {
+      const [title, words] = farewell(frame);
+      this.card.set(progress, words, title, astray);
+    }
+  }
+}
+
+/** The closing title and words: whether all was flown, or some of it skipped. */
+export function farewell(now: Frame): readonly [title: string, words: string] {
+  if (!held(now) || now.work.cargo.some((cargo) => cargo.held && cargo.seat !== ''))
+    return [
+      'To be flown yet',
+      'That was the whole way, but the payload still stands in the bay. Go back to where you left off, or put everything ' +
+        'back with *Restart* and fly it from the start.',
+    ];
+  const [minutes, seconds] = [Math.floor(now.time_s / 60), Math.floor(now.time_s % 60)];
+  const took = minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`;
+  return [
+    'Well flown',
+    `The payload is captured and out of its latches, ${took} after the start. Close the guide and fly on: turn it, put it back, ` +
+      'let it go. *Keys ?* shows all keys; *Restart* puts everything back.',
+  ];
+}
+
+/** A browser that keeps nothing is shown it each time. */
+function hasOpened(): boolean {
+  try {
+    return localStorage.getItem(KEY) !== null;
+  } catch {
+    return false;
+  }
+}
+
+function rememberOpened(): void {
+  try {
+    localStorage.setItem(KEY, 'opened');
+  } catch {
+    // Nothing is kept there; it opens the next time too.
+  }
+}

@@ -1,0 +1,56 @@
+/** How far a beginner has come: plain data, taken on by what the frames show. */
+
+import type { Frame, Vec3 } from '../protocol';
+import { held, STEPS } from './steps';
+
+export interface Progress {
+  /** The present step; as many as there are: all are done. */
+  readonly at: number;
+  /** Where the tip was when this step began; null: not seen yet. */
+  readonly from: Vec3 | null;
+  readonly looked: boolean;
+  /** Gone back to: this step was done before, and ends only once it is done anew. */
+  readonly again: boolean;
+  /** Height of the payload in its seat, or where it was first seen [m]; null: not seen yet. */
+  readonly seat: number | null;
+  /** The frame seen last. */
+  readonly tick: number;
+}
+
+export const BEGIN: Progress = { at: 0, from: null, looked: false, again: false, seat: null, tick: -1 };
+const LIFT = STEPS.length - 1;
+
+export function isOver({ at }: Progress): boolean {
+  return at >= STEPS.length;
+}
+
+/** The next frame; `height` of the payload in it [m]. A flight that has begun anew begins the tutorial anew. */
+export function seen(before: Progress, now: Frame, height: number): Progress {
+  if (now.tick < before.tick) return seen(BEGIN, now, height);
+  const first = before.tick < 0 && held(now);
+  const seated = now.work.cargo.some(({ seat }) => seat !== '');
+  const from = before.from ?? now.actual.position;
+  const seat = before.seat === null || seated ? height : before.seat;
+  const at = first ? LIFT : before.at;
+  const after = { ...before, at, from, seat, tick: now.tick };
+  const done = STEPS[at]?.done(now, { from, looked: before.looked, lifted: height - seat }) ?? false;
+  if (!done) return { ...after, again: false };
+  return before.again ? after : enter(after, at + 1);
+}
+
+/** The operator has changed a picture. */
+export function looked(before: Progress): Progress {
+  return { ...before, looked: true, again: false };
+}
+
+export function skip(before: Progress): Progress {
+  return isOver(before) ? before : enter(before, before.at + 1);
+}
+
+export function back(before: Progress): Progress {
+  return { ...enter(before, Math.max(0, before.at - 1)), again: true };
+}
+
+function enter(before: Progress, at: number): Progress {
+  return { ...before, at, from: null, looked: false, again: false };
+}

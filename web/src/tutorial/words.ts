@@ -1,0 +1,17 @@
+/** Words with marks in them, as pieces: `{+X}` stands for a key or a stick, `*RIGID*` for what the desk shows. */
+
+export interface Piece {
+  readonly kind: 'text' | 'use' | 'shown';
+  readonly text: string;
+}
+
+export function pieces(words: string): readonly Piece[] {
+  return words
+    .split(/(\{[^}]+\}|\*[^*]+\*)/)
+    .filter((part) => part !== '')
+    .map((part) => {
+      if (part.startsWith('{')) return { kind: 'use', text: part.slice(1, -1) };
+      if (part.startsWith('*')) return { kind: 'shown', text: part.slice(1, -1) };
+      return { kind: 'text', text: part };
+    });
+}

@@ -1,0 +1,173 @@
+import { expect, test } from 'vitest';
+import { DEFAULTS } from '../src/input/defaults';
+import { USES } from '../src/input/keymap';
+import { movers } from '../src/input/rebind';
+import type { Condition, Frame, WorkFrame } from '../src/protocol';
+import { farewell } from '../src/tutorial';
+import { isDown } from '../src/tutorial/in-hand';
+import { BEGIN, back, isOver, looked, type Progress, seen, skip } from '../src/tutorial/progress';
+import { LIFTED, MOVED, STEPS } from '../src/tutorial/steps';
+import { pieces } from '../src/tutorial/words';
+
+interface Flown {
+  readonly tick?: number;
+  readonly x?: number;
+  readonly stick?: number;
+  readonly offAxis?: boolean;
+  readonly depth?: boolean;
+  readonly held?: boolean;
+  readonly seat?: string;
+  readonly flags?: readonly string[];
+  readonly closing?: boolean;
+}
+
+function condition(name: string, holds: boolean): Condition {
+  return { name, holds, value: 0, limit: 0.1, unit: 'm', margin: 0, text: `${name} fails` };
+}
+
+/** A frame: over the payload in its seat, nothing right yet, nothing held. */
+function frame(flown: Flown = {}): Frame {
+  const { tick = 1, x = 0, stick = 0, held = false, seat = 'bay', flags = ['EXTEND', 'OPEN'] } = flown;
+  const work = {
+    conditions: held
+      ? []
+      : [condition('pin off axis', flown.offAxis ?? false), condition('pin depth', flown.depth ?? false)],
+    hand: { flags, switch: flown.closing ? 'close' : 'stop' },
+    cargo: [{ name: 'payload', held, seat, speed: 0 }],
+  } as unknown as WorkFrame;
+  return { tick, translation: [stick, 0, 0], actual: { position: [x, 0, 0] }, work } as unknown as Frame;
+}
+
+function at(name: string): Progress {
+  return { ...BEGIN, at: STEPS.findIndex((step) => step.name === name), tick: 0 };
+}
+
+/** What the panel shows in each state that words are made for. */
+const STATES: readonly Frame[] = [
+  frame(),
+  frame({ offAxis: true }),
+  frame({ depth: true }),
+  frame({ offAxis: true, depth: true }),
+  frame({ closing: true }),
+  frame({ flags: ['CLOSE'] }),
+  frame({ held: true }),
+  frame({ held: true, flags: ['RIGID'] }),
+  frame({ held: true, flags: ['RIGID'], seat: '' }),
+];
+
+test('there are six steps, each of which something ends and nothing at rest does', () => {
+  expect(STEPS.map(({ name }) => name)).toEqual(['look', 'move', 'line up', 'close in', 'capture', 'lift']);
+  const still = { from: [0, 0, 0], looked: false, lifted: 0 } as const;
+  const all = { from: [9, 9, 9], looked: true, lifted: LIFTED } as const;
+  for (const step of STEPS) {
+    expect(step.done(frame(), still)).toBe(false);
+    expect(STATES.some((now) => step.done(now, all))).toBe(true);
+  }
+});
+
+test('words and caps name only what can be done, by keys and by pad, and the words are short', () => {
+  for (const step of STEPS) {
+    const named = STATES.flatMap((now) => pieces(step.words(now)))
+      .filter(({ kind }) => kind === 'use')
+      .map(({ text }) => text);
+    for (const use of [...named, ...step.caps.map(([name]) => name), 'stop']) {
+      expect(USES.has(use), use).toBe(true);
+      expect(movers(DEFAULTS.keyboard, use).length, `${use} by keys`).toBeGreaterThan(0);
+      expect(movers(DEFAULTS.pad, use).length, `${use} by pad`).toBeGreaterThan(0);
+    }
+    for (const now of STATES) expect(step.words(now).length).toBeLessThan(240);
+  }
+});
+
+test('marks in words become pieces', () => {
+  expect(pieces('Hold {+X}: *RIGID*.')).toEqual([
+    { kind: 'text', text: 'Hold ' },
+    { kind: 'use', text: '+X' },
+    { kind: 'text', text: ': ' },
+    { kind: 'shown', text: 'RIGID' },
+    { kind: 'text', text: '.' },
+  ]);
+});
+
+test('a flight from the first look to the lift goes through every step in turn', () => {
+  let progress = seen(BEGIN, frame(), -2);
+  const fly = (flown: Flown, height = -2) => {
+    progress = seen(progress, frame({ tick: progress.tick + 1, ...flown }), height);
+    return STEPS[progress.at]?.name ?? 'over';
+  };
+  expect(fly({ x: 5 })).toBe('look');
+  progress = looked(progress);
+  expect(fly({ x: 5 })).toBe('move');
+  expect(fly({ x: 5 })).toBe('move');
+  expect(fly({ x: 5 + 0.9 * MOVED })).toBe('move');
+  expect(fly({ x: 5 - 1.01 * MOVED })).toBe('line up');
+  expect(fly({ depth: true })).toBe('line up');
+  expect(fly({ offAxis: true, stick: 1 })).toBe('line up');
+  expect(fly({ offAxis: true })).toBe('close in');
+  expect(fly({ offAxis: true })).toBe('close in');
+  expect(fly({ offAxis: true, depth: true, stick: 1 })).toBe('capture');
+  expect(fly({ offAxis: true, depth: true })).toBe('capture');
+  expect(fly({ held: true })).toBe('lift');
+  expect(fly({ held: true }, -1.9)).toBe('lift');
+  expect(fly({ held: true, seat: '' }, -1.9)).toBe('lift');
+  expect(fly({ held: true, seat: '' }, -1.9 + 0.9 * LIFTED)).toBe('lift');
+  expect(fly({ held: false, seat: '' }, 5)).toBe('lift');
+  expect(fly({ held: true, seat: '' }, -1.9 + 1.01 * LIFTED)).toBe('over');
+  expect(isOver(progress)).toBe(true);
+  expect(fly({}, 0)).toBe('over');
+});
+
+test('a flight begun anew begins the tutorial anew, from where the tip is then', () => {
+  const late = { ...at('capture'), tick: 900, from: [1, 2, 3] as const };
+  const progress = seen(late, frame({ tick: 1, x: 7 }), -2);
+  expect(progress).toMatchObject({ at: 0, tick: 1, from: [7, 0, 0], seat: -2 });
+});
+
+test('opened with the payload in the grasp it begins with the lift', () => {
+  expect(seen(BEGIN, frame({ held: true }), 0).at).toBe(STEPS.length - 1);
+});
+
+test('a step gone back to ends once it is done anew', () => {
+  const lined = (tick: number, offAxis: boolean) => frame({ tick, offAxis });
+  let progress = back(at('close in'));
+  expect(STEPS[progress.at]?.name).toBe('line up');
+  progress = seen(progress, lined(1, true), 0);
+  expect(STEPS[progress.at]?.name).toBe('line up');
+  progress = seen(progress, lined(2, false), 0);
+  expect(STEPS[seen(progress, lined(3, true), 0).at]?.name).toBe('close in');
+  expect(back(BEGIN).at).toBe(0);
+});
+
+test('skipping goes on to the end and no farther', () => {
+  let progress = BEGIN;
+  for (const _ of STEPS) progress = skip(progress);
+  expect(isOver(progress)).toBe(true);
+  expect(skip(progress)).toEqual(progress);
+});
+
+test('an axis counts as held to the side that is meant, past its deadband', () => {
+  const buttons = Array.from({ length: 17 }, (_, i) => ({ pressed: i === 9 || i === 3, value: 0 }));
+  const device = { reading: { axes: [0.02, -0.5], buttons }, mapping: DEFAULTS.pad };
+  expect([isDown(device, 'a1', -1), isDown(device, 'a1', 1), isDown(device, 'a0', 1)]).toEqual([
+    true,
+    false,
+    false,
+  ]);
+  expect([isDown(device, 'b3', 1), isDown(device, 'b9+b3', 1), isDown(device, 'b9+b0', 1)]).toEqual([
+    true,
+    true,
+    false,
+  ]);
+  expect(isDown({ reading: null, mapping: DEFAULTS.pad }, 'b3', 1)).toBe(false);
+});
+
+test('who has skipped steps is not told that all is flown', () => {
+  for (const now of [frame(), frame({ held: true }), frame({ seat: '' })])
+    expect(farewell(now)[0]).toBe('To be flown yet');
+});
+
+test('the closing words tell the time', () => {
+  const told = (time_s: number) => farewell({ ...frame({ held: true, seat: '' }), time_s }).join();
+  expect(told(59.9)).toMatch(/^Well flown.*, 59 s after/);
+  expect(told(185)).toMatch(/, 3 min 5 s after/);
+});
