@@ -13,7 +13,7 @@ from tests.browser.conftest import OpenPage
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = str(Path(__file__).parent / "over-the-bar.toml")
 """The hand begins open, 3 in over the bar."""

@@ -11,7 +11,7 @@ from aftdeck.scene.bodies import bodies_of
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = str(Path(__file__).parent / "over-the-pin.toml")
 """The end effector begins in line with the pin, 8 in from it."""

@@ -8,7 +8,7 @@ from tests.browser.conftest import OpenPage
 from tests.browser.flight import ENTERED, TURNED, Flight
 from tests.browser.looks import assert_tidy
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 HIDDEN = "document.querySelector('{}').checkVisibility() === false"
 SHOWN = "document.querySelector('{}').checkVisibility()"

@@ -15,6 +15,7 @@ from tests.kinematics.plain import results
 from tests.kinematics.poses import apart
 
 
+@pytest.mark.slow
 def test_laws_that_are_not_compiled_agree_with_the_compiled_ones() -> None:
     root = Path(__file__).parents[2]
     done = subprocess.run(
