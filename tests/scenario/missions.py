@@ -52,8 +52,12 @@ class Flown(NamedTuple):
 
     def at(self, kind: str, which: int = 0) -> Work:
         """The worksite after the step in which the log has a line of a kind for the first time, or a later one."""
+        return self.about(kind, which)[1]
+
+    def about(self, kind: str, which: int = 0) -> tuple[Work, Work]:
+        """The worksite before and after that step."""
         ticks = [self.tick(event) for event in self.events if event.kind == kind]
-        return self.work[ticks[which] - 1]
+        return self.work[ticks[which] - 2], self.work[ticks[which] - 1]
 
     def tick(self, event: Event) -> int:
         """The step that a line of the log is of, from 1."""

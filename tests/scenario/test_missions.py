@@ -105,10 +105,10 @@ def test_the_tutorial_begins_beside_the_pin_and_square_to_it_and_ends_with_the_p
 
 @pytest.mark.slow
 def test_a_captured_payload_is_held_only_once_its_fixture_is_in_the_envelope() -> None:
-    work = flown("srms-deploy").at("acquired")
-    assert work.cargo[0].held and work.cargo[0].seat == "bay"
-    assert {condition.name for condition in work.conditions} >= {"pin off axis", "pin depth", "roll"}
-    assert all(condition.holds and condition.margin >= 0.0 for condition in work.conditions)
+    before, work = flown("srms-deploy").about("acquired")
+    assert work.cargo[0].held and work.cargo[0].seat == "bay" and not before.cargo[0].held
+    assert {condition.name for condition in before.conditions} >= {"pin off axis", "pin depth", "roll"}
+    assert all(condition.holds and condition.margin >= 0.0 for condition in before.conditions)
 
 
 @pytest.mark.slow
