@@ -27,6 +27,7 @@ NAMES = {
     "help": "station.help_page",
     "start": "station.start",
     "latency": "station.latency",
+    "page": "page.page",
     "recording": "recording.recording",
 }
 """Benchmarks and the functions that make them."""

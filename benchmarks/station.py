@@ -41,7 +41,7 @@ def start() -> list[Figure]:
     pages, frames = [], []
     for number in range(4):
         begun = time.perf_counter()
-        with _flying() as address:
+        with flying() as address:
             with urllib.request.urlopen(f"http://{address}/", timeout=WAIT) as answer:
                 answer.read()
             page = time.perf_counter() - begun
@@ -59,7 +59,7 @@ def start() -> list[Figure]:
 def latency() -> list[Figure]:
     """From a sticks message sent to the arrival of the first frame that has flown it."""
     took, pause = [], random.Random(1)
-    with _flying() as address, _page(address) as socket:
+    with flying() as address, _page(address) as socket:
         for seq in range(500):
             time.sleep(pause.uniform(0.0, 0.02))  # so that messages come at all times of a control period
             sent = time.perf_counter()
@@ -79,9 +79,9 @@ def latency() -> list[Figure]:
 
 
 @contextmanager
-def _flying() -> Iterator[str]:
+def flying(scenario: str = "first-flight") -> Iterator[str]:
     """Host and port of a running ``aftdeck fly``."""
-    command = [*AFTDECK, "fly", "first-flight", "--no-browser", "--port", "0"]
+    command = [*AFTDECK, "fly", scenario, "--no-browser", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         try:

@@ -1,0 +1,76 @@
+"""The station's page in headless Chromium, drawn by the processor: time between pictures, and from key to picture."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from playwright.sync_api import Page, sync_playwright
+
+from benchmarks.measure import Figure
+from benchmarks.station import flying
+
+FLAGS = ("--use-angle=gl-egl", "--ignore-gpu-blocklist", "--no-sandbox")
+WIDTH, HEIGHT = 640, 400
+"""Of each monitor's picture [px]."""
+SECONDS = 10
+"""So long the arm is flown, key after key."""
+WAIT_MS = 300_000.0
+"""The longest that anything is waited for [ms]: where the laws are new, they are compiled first."""
+SIZE = "(({ clientWidth, clientHeight }) => [clientWidth, clientHeight])(document.querySelector('.picture'))"
+
+
+def page() -> list[Figure]:
+    """Two monitors of 640 x 400, low profile, the station beside it on the same machine."""
+    figures = []
+    for name in ("first-flight", "srms-deploy"):
+        with flying(name) as address, _opened(address) as shown:
+            _fit(shown)
+            before = shown.evaluate("window.__aftdeck.frames")
+            keys = ("w", "s", "a", "d", "q", "e")
+            for k in range(2 * SECONDS):
+                shown.keyboard.down(keys[k % len(keys)])
+                shown.wait_for_timeout(400)
+                shown.keyboard.up(keys[k % len(keys)])
+                shown.wait_for_timeout(100)
+            drawn = shown.evaluate("window.__aftdeck.frames") - before
+            late = shown.evaluate("window.__aftdeck.latency95")
+            width, height = shown.evaluate(SIZE)
+            said = f"low profile, {width:.0f} x {height:.0f} each, {shown.evaluate('window.__aftdeck.renderer')}"
+        figures += [
+            Figure(
+                f"{name}, time between pictures",
+                1e3 * SECONDS / drawn,
+                "ms",
+                40.0,
+                f"{drawn / SECONDS:.1f} a second; {said}",
+            ),
+            Figure(f"{name}, key to picture, p95", late, "ms", 100.0, "of the last 10 s"),
+        ]
+    return figures
+
+
+@contextmanager
+def _opened(address: str) -> Iterator[Page]:
+    """The station's page, once its first frame is drawn."""
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        shown = browser.new_page(viewport={"width": 1440, "height": 800})
+        shown.goto(f"http://{address}/?quality=low", timeout=WAIT_MS)
+        shown.wait_for_function("window.__aftdeck?.lastFrame", timeout=WAIT_MS)
+        yield shown
+        browser.close()
+
+
+def _fit(shown: Page) -> None:
+    """Make the window such that each monitor has its size: the page scales with both of its sides."""
+    for _ in range(12):
+        width, height = shown.evaluate(SIZE)
+        size = shown.viewport_size
+        assert size is not None
+        wide, tall = round(size["width"] * WIDTH / width), size["height"] + round(HEIGHT - height)
+        if (wide, tall) == (size["width"], size["height"]):
+            break
+        shown.set_viewport_size({"width": wide, "height": tall})
+        shown.wait_for_timeout(300)

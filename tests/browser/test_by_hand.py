@@ -1,0 +1,136 @@
+"""Whole missions flown by hand: what the phases of their scripts do is done on the page, by keys and typed targets."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from aftdeck import Simulation
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.replay import verify
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.model import PhasePlan
+from aftdeck.station.protocol import Aim
+from aftdeck.station.wire import Translator
+from tests.browser.conftest import OpenPage, flown
+from tests.browser.flight import Flight
+from tests.scenario.missions import TURNING_POINTS
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+TOLD = {
+    "concept-1972-script": ["acquired", "docked", "released", "acquired", "unseated", "released"],
+    "srms-berth": ["latch", "latched", "released", "released"],
+}
+"""A mission of each worksite, and its turning points."""
+INCH = 0.0254
+LEG_MS = 400_000
+"""The longest wait for the end of a phase [ms]: a station on a busy machine may fly slower than the clock."""
+KEYS = {(0, 1.0): "w", (0, -1.0): "s", (2, 1.0): "e", (2, -1.0): "q"}
+"""THC: axis and sign."""
+AT_REST = "Math.hypot(...frame.actual.velocity) < 1e-4"
+SEAT = "frame.work.cargo[0].seat"
+UNTIL = {
+    "captured": "frame.work.cargo[0].held",
+    "released": "!frame.work.cargo[0].held",
+    "latched": f"{SEAT} !== '' && /latched$|docked at/m.test(document.querySelector('.log').innerText)",
+    "unlatched": f"{SEAT} === ''",
+}
+
+
+@pytest.fixture(scope="module", params=TOLD)
+def mission(request: pytest.FixtureRequest) -> str:
+    """Name of the scenario."""
+    return str(request.param)
+
+
+@pytest.fixture(scope="module")
+def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder of the flights."""
+    return tmp_path_factory.mktemp("by-hand")
+
+
+@pytest.fixture(scope="module")
+def station(mission: str, recordings: Path) -> Iterator[str]:
+    """Address of a station that records."""
+    with flown(mission, "--record", str(recordings)) as address:
+        yield address
+
+
+def test_the_mission_is_flown_by_hand(open_page: OpenPage, mission: str, recordings: Path) -> None:
+    aims = _aims(mission)
+    flight = open_page().from_the_start()
+    for phase in load_scenario(mission).phases:
+        _fly(flight, phase, aims.get(phase.name))
+    flight.press_key("Restart")
+    flight.until("frame.time_s < 5")
+    newest = sorted(recordings.glob("*.mcap"), key=lambda path: path.stat().st_mtime)[-2]
+    told = [event for _, record in Recording(newest).steps() for event in record.events]
+    assert [event.kind for event in told if event.kind in TURNING_POINTS] == TOLD[mission]
+    assert not {event.kind for event in told} & {"fault", "inhibit", "missed"}
+    assert {record.by for _, record in Recording(newest).steps()} == {"hand"}
+    assert verify(newest).equal
+
+
+def _aims(mission: str) -> dict[str, Aim]:
+    """Where the script's phases send the arm, in panel components."""
+    sim = Simulation(mission)
+    translator, aims = Translator(sim.scenario, demo=False), {}
+    while not sim.ended:
+        sim.advance()
+        if sim.look().goal is not None and sim.look().phase not in aims:
+            aim = translator.frame(sim.look(), 0).aim
+            assert aim is not None
+            aims[sim.look().phase] = aim
+    return aims
+
+
+def _fly(flight: Flight, phase: PhasePlan, aim: Aim | None) -> None:
+    """Do by hand what a phase says."""
+    if flight.frame().rate != phase.rate:
+        flight.press("v")
+        flight.until(f"frame.rate === '{phase.rate}'")
+    flight.enter(phase.mode)
+    if phase.mode == "OPR CMD":
+        assert aim is not None
+        _key_in(flight, aim)
+        flight.press("p")
+        flight.until("frame.sequence === 'in progress'")
+    if phase.until is not None:
+        with _held(flight, {"close": "g", "open": "r"}.get(phase.effector or "") or ("t" if phase.latch else None)):
+            flight.until(UNTIL[phase.until], LEG_MS)
+    elif phase.mode == "OPR CMD":
+        flight.until(f"frame.sequence === 'idle' && {AT_REST}", LEG_MS)
+    else:
+        ((axis, value),) = [(i, value) for i, value in enumerate(phase.translation) if value]
+        assert phase.duration is not None
+        until = flight.frame().time_s + abs(value) * phase.duration
+        with _held(flight, KEYS[axis, math.copysign(1.0, value)]):
+            flight.until(f"frame.time_s > {until}", LEG_MS)
+        flight.until(AT_REST)
+
+
+@contextmanager
+def _held(flight: Flight, key: str | None) -> Iterator[None]:
+    """A key is held while something is awaited."""
+    if key is not None:
+        flight.hold(key)
+    yield
+    if key is not None:
+        flight.release(key)
+
+
+def _key_in(flight: Flight, aim: Aim) -> None:
+    """Type a target in the units that the page shows, and have it taken."""
+    unit = flight.script("document.querySelector('.keyed i').textContent")
+    metre = {"in": 1.0 / INCH, "m": 1.0}[unit]
+    shown = [*(value * metre for value in aim.position), *(math.degrees(angle) for angle in aim.attitude)]
+    for name, value in zip(("X", "Y", "Z", "pitch", "yaw", "roll"), shown, strict=True):
+        flight.page.get_by_label(f"Target {name}", exact=True).fill(f"{value:.4f}")
+    flight.press_key("Key in")
+    flight.until(f"frame.aim && Math.abs(frame.aim.position[0] - {aim.position[0]}) < 1e-4 && frame.check?.good")
+    flight.script("document.activeElement.blur()")
