@@ -231,7 +231,7 @@ export class Pictures {
     const panes = this.panes();
     const wiped = this.wipe(panes);
     const state = `${frame.tick} ${this.orbits} ${this.plane}`;
-    const views: View[] = [];
+    const due: (readonly [Pane, View])[] = [];
     let complete = true;
     panes.forEach((pane, i) => {
       const stamp = `${state} ${pane.camera.name}`;
@@ -241,11 +241,11 @@ export class Pictures {
         return;
       }
       this.stamps.set(pane.element, stamp);
-      const view = { camera: pane.camera.name, rect: this.rectOf(pane.element) };
-      views.push(view);
-      if (pane.picture) this.overlay(pane.picture, view, frame, gap, caution);
+      due.push([pane, { camera: pane.camera.name, rect: this.rectOf(pane.element) }]);
     });
-    this.scene.draw(views);
+    this.scene.draw(due.map(([, view]) => view));
+    // Places are read before anything is written over the pictures: the page is laid out once.
+    for (const [{ picture }, view] of due) if (picture) this.overlay(picture, view, frame, gap, caution);
     if (this.open) this.showMatrixOf(frame, gap, wiped);
     return complete;
   }

@@ -37,6 +37,8 @@ const VALUES_MS = 100;
 const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'];
 /** While a flight is recorded, the station is told this often what the page measures [ms]. */
 const TOLD_MS = 1000;
+/** Bars move each so many times that the pictures do. */
+const BAR_PACE = { full: 1, low: 2 } as const;
 /** The log told anew holds older refusals, which light nothing [s]. */
 const RECENT_S = 2;
 /** As much of a device's name as a lamp holds [characters]. */
@@ -64,6 +66,7 @@ export class Station {
   private units: UnitName;
   private refusal: { readonly text: string; readonly at: number } | null = null;
   private request = 0;
+  private readonly barPace: number;
   private readonly ended = new AbortController();
   private readonly pictures: Pictures;
   private readonly operator: Operator;
@@ -95,6 +98,7 @@ export class Station {
     private readonly transmit: (command: Command) => number,
   ) {
     this.units = welcome.units;
+    this.barPace = BAR_PACE[drawing.quality];
     this.events = new EventsGroup([welcome.text, ...reread(), keysHint()]);
     this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
     this.movable = welcome.work.cargo.length > 0;
@@ -239,8 +243,9 @@ export class Station {
       orbiting: this.operator.sticks.flyingOrbiter && this.role.flying,
     };
     this.operator.sticks.driving = this.modes.get(this.frame.mode) === 'single';
-    this.groups.bars(view);
+    // The pictures first: they read the page's places, which the desk's bars unsettle.
     this.pictures.draw(this.frame, this.groups.clearance());
+    if (this.drawn % this.barPace === 0) this.groups.bars(view);
     this.keys.light(this.operator.controllers.keyboard.held);
     this.sheet.tick();
     this.touch.draw();

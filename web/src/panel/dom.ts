@@ -55,7 +55,10 @@ export function setAbout(section: HTMLElement, text: string): void {
 }
 
 export function setText(node: Element, text: string): void {
-  if (node.textContent !== text) node.textContent = text;
+  const { firstChild } = node;
+  if (firstChild instanceof Text && firstChild === node.lastChild) {
+    if (firstChild.data !== text) firstChild.data = text; // cheaper than a node that goes and another that comes
+  } else if (node.textContent !== text) node.textContent = text;
 }
 
 export function setAttribute(node: Element, name: string, value: string): void {
