@@ -55,8 +55,8 @@ const SPACE = new Color('#000000');
 const PLATE = new Color('#161719');
 /** From where the plan is seen [m]. */
 const HIGH = 150;
-/** What light is multiplied by at no stops, so that both profiles are about as bright. */
-const EXPOSED = { full: 1.1, low: 0.9 } as const;
+/** What light is multiplied by at no stops. */
+const EXPOSED = 1.1;
 /** Each camera's picture is metered this often [ms]. */
 const METERED_MS = 450;
 /** A fraction of a stop that nobody sees. */
@@ -82,7 +82,6 @@ export class Scene {
   private readonly conditions: readonly LightCondition[];
   private readonly exposures: ReadonlyMap<string, { readonly exposure: Exposure; at: number }>;
   private readonly meter: Meter;
-  private readonly inSunlight: number;
   private surroundings: Texture | null = null;
   private daylight: Daylight | null = null;
   private lit = '';
@@ -111,7 +110,6 @@ export class Scene {
     this.conditions = welcome.conditions;
     this.exposures = new Map(welcome.cameras.map(({ name }) => [name, { exposure: new Exposure(), at: 0 }]));
     this.meter = new Meter(this.renderer, quality === 'full' ? LIGHT_OF : ROOTS);
-    this.inSunlight = EXPOSED[quality];
     const [fixed, ...moving] = this.bodies;
     const ground = quality === 'low' ? fixed?.mesh('liner') : undefined;
     this.blob = ground ? new Blob(this.stage, ground, moving) : null;
@@ -222,7 +220,7 @@ export class Scene {
 
   /** Exposes the pictures drawn next so many stops over full sunlight; returns the factor of light. */
   private expose(stops: number): number {
-    const factor = this.inSunlight * 2 ** stops;
+    const factor = EXPOSED * 2 ** stops;
     this.renderer.toneMappingExposure = factor;
     this.lambert.exposure.value = factor;
     return factor;
