@@ -6,7 +6,7 @@ export const RANGE = 2;
 export const TIME_CONSTANT_S = 0.8;
 /** The light that stands right at no stops: four tenths of what a white blanket in sunlight gives off. */
 export const KEY = 0.4;
-/** After so long a pause, or a jump back in time, it starts at what it finds [s]. */
+/** After so long a pause, or a jump back in time, it stands at once where the next picture calls for it [s]. */
 const PAUSE_S = 2;
 
 /**
@@ -25,6 +25,8 @@ export function metered(lights: Iterable<number>): number | null {
 /** One camera's exposure. */
 export class Exposure {
   private now: number | null = null;
+  /** The next picture sets it, instead of drawing it near. */
+  private anew = true;
   private wanted: number | null = null;
   private at = 0;
   private base = 0;
@@ -36,7 +38,7 @@ export class Exposure {
 
   /** It has followed a picture already. */
   get settled(): boolean {
-    return this.now !== null;
+    return !this.anew;
   }
 
   /** Goes on to a time [s] in a light whose exposure begins at `base`; `locked` holds it. */
@@ -44,9 +46,11 @@ export class Exposure {
     const step = time - this.at;
     this.at = time;
     this.base = base;
-    if (step < 0 || step > PAUSE_S) this.now = null;
-    if (locked !== null) this.now = locked;
-    else if (this.now !== null && this.wanted !== null) {
+    if (step < 0 || step > PAUSE_S) this.anew = true;
+    if (locked !== null) {
+      this.now = locked;
+      this.anew = false;
+    } else if (this.now !== null && this.wanted !== null) {
       const aim = this.held(this.wanted);
       this.now = aim + (this.now - aim) * Math.exp(-Math.max(0, step) / TIME_CONSTANT_S);
     }
@@ -55,7 +59,8 @@ export class Exposure {
   /** Takes what its picture called for; the first time, it stands there at once. */
   meter(wanted: number | null): void {
     if (wanted !== null) this.wanted = wanted;
-    this.now ??= this.held(wanted ?? this.base);
+    if (this.anew) this.now = this.held(wanted ?? this.base);
+    this.anew = false;
   }
 
   private held(stops: number): number {

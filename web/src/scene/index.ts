@@ -57,8 +57,8 @@ const PLATE = new Color('#161719');
 const HIGH = 150;
 /** What light is multiplied by at no stops. */
 const EXPOSED = 1.1;
-/** Each camera's picture is metered this often [ms]. */
-const METERED_MS = 450;
+/** Each camera's picture is metered this often [ms]; to read it, the page waits for what it has asked to be drawn. */
+const METERED_MS = 900;
 /** A fraction of a stop that nobody sees. */
 const UNSEEN = 50;
 

@@ -22,8 +22,8 @@ export interface Seen {
 }
 
 /**
- * Looks at a few rows of a picture that was drawn, without waiting for the drawing to end: it is asked for now, and
- * collected at a later picture.
+ * Looks at a few rows of a picture that was drawn: they are asked for now, and collected at a later picture, when they
+ * are there.
  */
 export class Meter {
   private readonly gl: WebGL2RenderingContext;
@@ -72,7 +72,7 @@ export class Meter {
   collect(): Seen | null {
     const { gl, look } = this;
     if (!look) return null;
-    if (gl.getSyncParameter(look.done, gl.SYNC_STATUS) !== gl.SIGNALED && !gl.isContextLost()) return null;
+    if (gl.clientWaitSync(look.done, 0, 0) === gl.TIMEOUT_EXPIRED) return null;
     this.look = null;
     gl.deleteSync(look.done);
     const bytes = new Uint8Array(4 * look.width * ROWS);
