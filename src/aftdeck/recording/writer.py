@@ -247,7 +247,7 @@ class Recorder:
             elif isinstance(item, Note):
                 channels.log("/notes", item, now)
                 view.line(item, now)
-            elif item is not None and type(item) in _AS_THEY_ARE:
+            elif isinstance(item, ControllersRecord | Shown | LightRecord):
                 channels.log(_AS_THEY_ARE[type(item)], item, now)
             if time.monotonic() >= due:
                 if file is not None:
