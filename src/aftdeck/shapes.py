@@ -7,6 +7,7 @@ A shape that cannot be drawn raises ValueError when it is made, so a decoder can
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import pairwise
 from math import inf, tau
 from typing import Literal
@@ -228,6 +229,8 @@ class Light(_Placed, frozen=True, kw_only=True, tag="light"):
     """How far it lights [m]."""
     intensity: float
     """On its axis [cd], in the scale in which the sun gives 4.1 lx."""
+    switch: str = "lamps"
+    """Which switch of the panel lights it, with others of that name."""
 
     def __post_init__(self) -> None:
         """Refuse sizes that are not above zero."""
@@ -256,3 +259,14 @@ class Group(_Placed, frozen=True, kw_only=True, tag="group"):
 
 
 Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group
+
+
+def switches(shapes: Iterable[Shape]) -> tuple[str, ...]:
+    """The switches of the lamps among some shapes, each once, in the order in which they come."""
+    found: dict[str, None] = {}
+    for shape in shapes:
+        if isinstance(shape, Light):
+            found[shape.switch] = None
+        elif isinstance(shape, Group):
+            found.update(dict.fromkeys(switches(shape.shapes)))
+    return tuple(found)

@@ -118,6 +118,11 @@ export class Pictures {
     return this.monitors.map(({ pictures }) => pictures.map(({ camera }) => camera.name));
   }
 
+  /** How a camera's picture is exposed [stops over full sunlight]. */
+  stops({ name }: Camera): number {
+    return this.scene.stops(name);
+  }
+
   /** How often an engineering view was moved. */
   get moved(): number {
     return this.orbits;
@@ -223,6 +228,7 @@ export class Pictures {
     const gap = drawnGap(frame.work.nearest);
     this.scene.setPoses(frame.poses);
     this.scene.setViews(frame.views);
+    this.scene.setLighting(frame.lighting, frame.time_s);
     this.scene.setGap(gap, caution ? CAUTION : CALM, this.plane);
     const { ahead } = frame;
     this.scene.setGhost(ahead?.held && ahead.moves ? ahead.poses : null);
@@ -234,7 +240,9 @@ export class Pictures {
     const due: (readonly [Pane, View])[] = [];
     let complete = true;
     panes.forEach((pane, i) => {
-      const stamp = `${state} ${pane.camera.name}`;
+      const { name } = pane.camera;
+      const stamp = `${state} ${name} ${this.scene.stops(name)}`;
+      if (this.scene.metering(name)) complete = false;
       if (this.stamps.get(pane.element) === stamp && !wiped) return;
       if ((this.count + i) % pane.pace !== 0 && !wiped) {
         complete = false;

@@ -16,7 +16,7 @@ export type Level = 'info' | 'caution' | 'warning';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
-export type FromPage = Sticks | Shown | Controllers | DriveCamera | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type FromServer = Welcome | Role | Frame | Events | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -170,6 +170,8 @@ export interface Light {
   readonly reach: number;
   /** On its axis [cd], in the scale in which the sun gives 4.1 lx. */
   readonly intensity: number;
+  /** Which switch of the panel lights it, with others of that name. */
+  readonly switch: string;
 }
 
 /** Shapes that share a place; drawn once, or several times in even steps, or also mirrored. */
@@ -257,6 +259,29 @@ export interface DriveCamera {
   readonly zoom: number;
   /** At the low speed, where the drive has two. */
   readonly slow: boolean;
+}
+
+/** How the light shall stand from now on, as a whole; it is no input of the flight, and is recorded. */
+export interface SetLight {
+  readonly type: 'set_light';
+  readonly seq: number;
+  readonly lighting: Lighting;
+}
+
+/** How the light stands. */
+export interface Lighting {
+  /** As `LightCondition.name`. */
+  readonly condition: string;
+  /** The switches that are on. */
+  readonly lamps: readonly string[];
+  readonly locked: readonly LockedExposure[];
+}
+
+/** A camera that does not follow its picture's brightness. */
+export interface LockedExposure {
+  readonly camera: string;
+  /** Its exposure [stops over that of full sunlight]. */
+  readonly stops: number;
 }
 
 /** Turn the MODE rotary to a position and press ENTER. */
@@ -424,6 +449,10 @@ export interface Welcome {
   readonly ghost: readonly number[];
   readonly cameras: readonly Camera[];
   readonly work: WorkInfo;
+  /** Where sun and Earth can stand. */
+  readonly conditions: readonly LightCondition[];
+  /** Switches of the lamps that are there. */
+  readonly lamps: readonly string[];
   /** Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none. */
   readonly phases: readonly string[];
 }
@@ -551,6 +580,36 @@ export interface StandInfo {
   readonly rate: number;
 }
 
+/** Where sun and Earth stand, and what comes from them. */
+export interface LightCondition {
+  readonly name: string;
+  /** Direction in the scene, of any length. */
+  readonly to_sun: Vec3;
+  /** Direction to the Earth's centre in the scene, of any length. */
+  readonly nadir: Vec3;
+  readonly sun: Glow;
+  readonly earthshine: Glow;
+  readonly sky: SkyGlow;
+  /** Where the cameras' exposure begins [stops over that of full sunlight]. */
+  readonly exposure: number;
+  readonly source: string;
+}
+
+/** Light from one side. */
+export interface Glow {
+  readonly colour: string;
+  /** [lx], in the scale in which full sunlight is 4.1 lx. */
+  readonly strength: number;
+}
+
+/** Light from all sides. */
+export interface SkyGlow {
+  readonly above: string;
+  /** Of the half spheres above and below the orbiter. */
+  readonly below: string;
+  readonly strength: number;
+}
+
 /** Who flies: sent on connection and whenever it changes. */
 export interface Role {
   readonly type: 'role';
@@ -626,6 +685,7 @@ export interface Frame {
    * `Welcome.cameras`.
    */
   readonly views: readonly Vec3[];
+  readonly lighting: Lighting;
 }
 
 /** CMD CK: what a rehearsal of the way to a target found. */

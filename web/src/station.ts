@@ -16,6 +16,7 @@ import { el, setClass } from './panel/dom';
 import { EventsGroup } from './panel/events';
 import { KeyMap } from './panel/keys';
 import { lightSegments } from './panel/lamp-test';
+import { lightControl } from './panel/light';
 import type { Desk, View } from './panel/part';
 import { STALE_S } from './panel/picture';
 import { rail } from './panel/rail';
@@ -88,6 +89,7 @@ export class Station {
   /** There is something that the orbiter can move against. */
   private readonly movable: boolean;
   private readonly groups: Groups;
+  private readonly light;
   private readonly rail;
   private readonly tutorial: Tutorial;
 
@@ -145,7 +147,8 @@ export class Station {
       flyOrbiter: (on) => this.flyOrbiter(on),
     });
     this.tutorial = new Tutorial(desk, this.operator.controllers);
-    this.rail = rail(desk, drawing.software && drawing.quality === 'low', this.tones, {
+    this.light = lightControl(desk, this.pictures);
+    this.rail = rail(desk, drawing.software && drawing.quality === 'low', this.tones, this.light, {
       units: () => {
         this.units = this.units === 'SI' ? 'ft-in' : 'SI';
       },
@@ -434,6 +437,12 @@ export class Station {
         break;
       case 'fly orbiter':
         this.flyOrbiter(!this.operator.sticks.flyingOrbiter);
+        break;
+      case 'light':
+        this.light.toggle();
+        break;
+      case 'lock exposure':
+        this.light.lock();
         break;
       case 'keys':
         this.keys.toggle();

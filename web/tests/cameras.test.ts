@@ -6,6 +6,7 @@ import { lensWords, zoomed } from '../src/panel/lens';
 import type { BodyInfo, Camera, Shape, Vec3 } from '../src/protocol';
 import { Body } from '../src/scene/bodies';
 import { Cameras } from '../src/scene/cameras';
+import { LambertLight } from '../src/scene/lambert';
 import { Materials } from '../src/scene/materials';
 import { Orbit } from '../src/scene/orbit';
 import { Sight } from '../src/scene/sight';
@@ -92,7 +93,7 @@ const placed = { position: [0, 0, 0], rotation: [0, 0, 0] } as const;
 function body(name: string, at: Vec3, size: Vec3 = [1, 1, 1]): Body {
   const box: Shape = { ...placed, kind: 'box', material: 'metal', size };
   const info: BodyInfo = { name, shapes: [box] };
-  const made = new Body(info, new Materials('low'), 'low');
+  const made = new Body(info, new Materials('low', new LambertLight(0)), 'low');
   made.setPose([...at, 1, 0, 0, 0], 0);
   return made;
 }

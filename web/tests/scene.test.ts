@@ -3,6 +3,7 @@ import { expect, test } from 'vitest';
 import type { BodyInfo, Camera, Group, Shape } from '../src/protocol';
 import { Body } from '../src/scene/bodies';
 import { Cameras } from '../src/scene/cameras';
+import { LambertLight } from '../src/scene/lambert';
 import { Materials } from '../src/scene/materials';
 import { surfaceOf } from '../src/scene/shapes';
 import { Surface } from '../src/scene/surface';
@@ -115,7 +116,7 @@ const box = { ...solid, kind: 'box', size: [0.2, 0.2, 0.2] } as const;
 
 function bodyOf(shapes: readonly Shape[]): Body {
   const info: BodyInfo = { name: 'thing', shapes };
-  return new Body(info, new Materials('low'), 'low');
+  return new Body(info, new Materials('low', new LambertLight(0)), 'low');
 }
 
 test('a group repeats in even steps and mirrors port to starboard', () => {

@@ -17,10 +17,13 @@ from aftdeck.recording.records import (
     FrameRecord,
     GoalRecord,
     Input,
+    LightRecord,
     LimitRecord,
+    LockRecord,
     WayOutRecord,
 )
 from aftdeck.recording.told import Numbers
+from aftdeck.scenario.light import Lighting, LockedExposure
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.cameras import CameraDrive
 from aftdeck.simulation.frame import Check, Event, Frame, Goal, Limit, Six, Vec3, WayOut
@@ -215,6 +218,18 @@ def frame_of(record: FrameRecord) -> Frame:
         sha256=record.sha256,
         views=tuple([Setting(*record.views[i : i + 3]) for i in range(0, len(record.views), 3)]),
     )
+
+
+def light_record(time_s: float, lighting: Lighting) -> LightRecord:
+    """How the light stands from a time on."""
+    locked = tuple([LockRecord(lock.camera, lock.stops) for lock in lighting.locked])
+    return LightRecord(time_s, lighting.condition, lighting.lamps, locked)
+
+
+def lighting_of(record: LightRecord) -> Lighting:
+    """The light of a recorded message."""
+    locked = tuple([LockedExposure(lock.camera, lock.stops) for lock in record.locked])
+    return Lighting(record.condition, record.lamps, locked)
 
 
 def _camera_record(drive: CameraDrive) -> CameraRecord:

@@ -212,6 +212,22 @@ class Shown(Message, frozen=True):
     mon_2: Annotated[tuple[str, ...], told("the same of MON 2")]
 
 
+class LockRecord(Message, frozen=True):
+    """A camera whose exposure did not follow its picture."""
+
+    camera: Annotated[str, told("the camera's name")]
+    stops: Annotated[float, told("its exposure, over that of full sunlight", "stops")]
+
+
+class LightRecord(Message, frozen=True):
+    """How the light stood from now on."""
+
+    time_s: Annotated[float, told("simulated time", "s")]
+    condition: Annotated[str, told("where sun and Earth stood: `high sun`, `low sun`, `night`, `terminator`")]
+    lamps: Annotated[tuple[str, ...], told("switches of the lamps that were on")]
+    locked: Annotated[tuple[LockRecord, ...], told("locked exposures; those of other cameras followed their pictures")]
+
+
 class Closing(Message, frozen=True):
     """The last message of a run that was ended in order."""
 
@@ -228,6 +244,7 @@ CHANNELS: dict[str, tuple[type[Message], str]] = {
     "/notes": (Note, "when the station writes one"),
     "/controllers": (ControllersRecord, "when somebody begins to fly by hand, and when devices or mappings change"),
     "/shown": (Shown, "when a monitor shows another camera"),
+    "/light": (LightRecord, "at the first step, and when light, a lamp or an exposure's lock is set otherwise"),
     "/closing": (Closing, "once, last"),
 }
 """Type and times of each channel's messages."""

@@ -12,6 +12,7 @@ from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.records import ControllerRecord
 from aftdeck.recording.writer import Ended, Recorder
+from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
@@ -88,6 +89,11 @@ class Tape:
         """What the monitors show from now on."""
         if self._recorder is not None:
             self._recorder.shown(time_s, monitors)
+
+    def light(self, time_s: float, lighting: Lighting) -> None:
+        """How the light stands from now on."""
+        if self._recorder is not None:
+            self._recorder.light(time_s, lighting)
 
     def complaints(self) -> list[str]:
         """What went wrong since this was last asked, a sentence each."""

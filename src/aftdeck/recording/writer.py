@@ -21,12 +21,13 @@ from foxglove.mcap import MCAPCompression, MCAPWriteOptions
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import opening
 from aftdeck.recording.channels import Channels
-from aftdeck.recording.convert import frame_record, input_record
+from aftdeck.recording.convert import frame_record, input_record, light_record
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
-from aftdeck.recording.records import PROFILE, Closing, ControllerRecord, ControllersRecord, Note, Shown
+from aftdeck.recording.records import PROFILE, Closing, ControllerRecord, ControllersRecord, LightRecord, Note, Shown
 from aftdeck.recording.sink import Sink
 from aftdeck.recording.viewing import Viewing
+from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
@@ -56,6 +57,10 @@ class _Step(NamedTuple):
 class _End(NamedTuple):
     ended: Ended
     summary: Summary | None
+
+
+_AS_THEY_ARE: dict[type, str] = {ControllersRecord: "/controllers", Shown: "/shown", LightRecord: "/light"}
+"""Channels of what is handed over as the message that is written."""
 
 
 class Recorder:
@@ -102,7 +107,7 @@ class Recorder:
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
         self._opening = opening(scenario, seed, self._began_ns, changes)
-        self._waiting: deque[_Step | Note | ControllersRecord | Shown | _End] = deque()
+        self._waiting: deque[_Step | Note | ControllersRecord | Shown | LightRecord | _End] = deque()
         self._over = threading.Event()
         self._live = live
         self._scenario = scenario
@@ -141,6 +146,11 @@ class Recorder:
         if not self.failure:
             mon_1, mon_2 = (*monitors, (), ())[:2]
             self._waiting.append(Shown(time_s, mon_1, mon_2))
+
+    def light(self, time_s: float, lighting: Lighting) -> None:
+        """Hand over how the light stands from now on."""
+        if not self.failure:
+            self._waiting.append(light_record(time_s, lighting))
 
     def wait_for_room(self) -> None:
         """Let the disk catch up: for runs that no clock drives."""
@@ -221,7 +231,7 @@ class Recorder:
         view.open()
         frames = hashlib.sha256()
         ticks, time_s, now = 0, 0.0, self._began_ns
-        item: _Step | Note | ControllersRecord | Shown | _End | None = None
+        item: _Step | Note | ControllersRecord | Shown | LightRecord | _End | None = None
         while not isinstance(item, _End):
             if not self._waiting:
                 self._over.wait(LOOK_S)
@@ -237,10 +247,8 @@ class Recorder:
             elif isinstance(item, Note):
                 channels.log("/notes", item, now)
                 view.line(item, now)
-            elif isinstance(item, ControllersRecord):
-                channels.log("/controllers", item, now)
-            elif isinstance(item, Shown):
-                channels.log("/shown", item, now)
+            elif isinstance(item, ControllersRecord | Shown | LightRecord):
+                channels.log(_AS_THEY_ARE[type(item)], item, now)
             if time.monotonic() >= due:
                 if file is not None:
                     file.flush()

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from aftdeck.errors import ScenarioError
 from aftdeck.scenario.cargo import present_cargo
+from aftdeck.scenario.light import lamps_of, lighting
 from aftdeck.scenario.limits import check_por, limited_arm, por_with
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
@@ -65,6 +66,8 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
     things = Things(cargo, tuple(seat.name for seat in worksite.seats) if worksite else ())
     phases = [phase_plan(problems, arm, phase, i, loads, sequences, things) for i, phase in enumerate(spec.phase)]
     _check_clearance(problems, spec)
+    lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
+    light = lighting(problems, spec.light, lamps)
     if problems or begin is None or worksite is None:
         return None
     return Scenario(
@@ -84,6 +87,8 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         docking_axes="y" if spec.docking == "y axis" else "all",
         caution=float(spec.clearance.caution),
         warning=float(spec.clearance.warning),
+        lamps=lamps,
+        lighting=light,
         mode=mode.position,
         rate=spec.rate,
         as_flown=spec.soft_stops == "as-flown",

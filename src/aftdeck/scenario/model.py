@@ -9,6 +9,7 @@ import numpy as np
 
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
+from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.schema import PorOverride, Rate, Until
 from aftdeck.scenario.target import Place, Target
 from aftdeck.steering.mode import LawChoice, PanelPosition
@@ -133,6 +134,8 @@ class Scenario:
         docking_axes: which axes docking compares: all, or y alone as the report does.
         caution: clearance under which the page cautions [m].
         warning: clearance under which it warns [m].
+        lamps: switches of the lamps that are there.
+        lighting: how the light is at the start.
         mode: entered at the start.
         rate: coarse or vernier at the start.
         as_flown: soft stops stop every joint in computed modes.
@@ -167,6 +170,8 @@ class Scenario:
     docking_axes: Literal["all", "y"]
     caution: float
     warning: float
+    lamps: tuple[str, ...]
+    lighting: Lighting
     mode: PanelPosition
     rate: Rate
     as_flown: bool

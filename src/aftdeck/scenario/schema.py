@@ -96,6 +96,18 @@ class ClearanceSpec(_Part, frozen=True):
     warning: Length = Length(0.15)
 
 
+class LightSpec(_Part, frozen=True):
+    """Light on the place: a condition by name, and the lamps that are lit at the start.
+
+    `condition`: `high sun` (absent: this), `low sun`, `night` or `terminator`, as `scenario/light.toml` has them.
+    `lamps` names switches that are on: at the orbiter `fwd floods`, `mid floods`, `aft floods`, `end effector`;
+    absent: all are.
+    """
+
+    condition: Text | None = None
+    lamps: tuple[Text, ...] | None = None
+
+
 class PorOverride(_Part, frozen=True):
     """Limits of the point of resolution in place of the arm's, whatever the payload."""
 
@@ -215,4 +227,5 @@ class ScenarioFile(_Part, frozen=True):
     docking: Literal["all axes", "y axis"] = "all axes"
     initialise: InitialiseSpec = InitialiseSpec()
     clearance: ClearanceSpec = ClearanceSpec()
+    light: LightSpec = LightSpec()
     phase: tuple[Phase, ...] = ()

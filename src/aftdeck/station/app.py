@@ -145,6 +145,8 @@ class Page:
                 self.pages.session.controllers_in_use(message)
             elif isinstance(message, wire.DriveCamera):
                 self.pages.session.turn(message)
+            elif isinstance(message, wire.SetLight):
+                self.pages.session.light(message)
             else:
                 self.pages.session.command(message)
         except CommandError as error:

@@ -13,6 +13,7 @@ from typing import Annotated, Literal
 import msgspec
 
 from aftdeck.bodies.cameras import Camera
+from aftdeck.scenario.light import LightCondition, Lighting
 from aftdeck.shapes import Shape
 
 PROTOCOL = 1
@@ -241,6 +242,13 @@ class Shown(_Message, frozen=True, tag="shown"):
     """What MON 1 and MON 2 show."""
 
 
+class SetLight(_Message, frozen=True, tag="set_light"):
+    """How the light shall stand from now on, as a whole; it is no input of the flight, and is recorded."""
+
+    seq: Seq
+    lighting: Lighting
+
+
 class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A device that moves the hand controllers, and what each part of it is put to."""
 
@@ -269,6 +277,7 @@ FromPage = (
     | Shown
     | Controllers
     | DriveCamera
+    | SetLight
     | EnterMode
     | SelectJoint
     | SelectRate
@@ -388,6 +397,10 @@ class Welcome(_Message, frozen=True, tag="welcome"):
     """Indices of the bodies that `Frame.ahead` tells of."""
     cameras: tuple[Camera, ...]
     work: WorkInfo
+    conditions: tuple[LightCondition, ...]
+    """Where sun and Earth can stand."""
+    lamps: tuple[str, ...]
+    """Switches of the lamps that are there."""
     phases: tuple[str, ...] = ()
     """Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none."""
 
@@ -653,6 +666,7 @@ class Frame(_Message, frozen=True, tag="frame"):
     views: tuple[Vec3, ...]
     """Pan, tilt and horizontal field of view [rad] of the cameras that have a drive, in the order of
     `Welcome.cameras`."""
+    lighting: Lighting
 
 
 class Event(msgspec.Struct, frozen=True):

@@ -7,6 +7,7 @@ block, until the page asks for them; what is known of the whole run is collected
 from __future__ import annotations
 
 import zlib
+from bisect import bisect
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -18,9 +19,10 @@ import msgspec
 
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import scenario_of
-from aftdeck.recording.convert import frame_of
+from aftdeck.recording.convert import frame_of, lighting_of
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import ControllersRecord, EventRecord, FrameRecord, Note, Shown
+from aftdeck.recording.records import ControllersRecord, EventRecord, FrameRecord, LightRecord, Note, Shown
+from aftdeck.scenario.light import Lighting
 from aftdeck.simulation.log import spoken
 from aftdeck.station.lanes import Lanes
 from aftdeck.station.measures import Measures
@@ -51,6 +53,7 @@ class Reel:
         self._arm = scenario.arm
         self._translator = Translator(scenario, demo=True)
         self._readings = readings(scenario.arm)
+        self._lights: list[tuple[int, Lighting]] = [(0, scenario.lighting)]
         self._ends, self._lock = [0], Lock()
         with ExitStack() as opened:
             self._file = opened.enter_context(TemporaryFile(prefix="aftdeck-"))
@@ -122,6 +125,8 @@ class Reel:
                 monitors = message.mon_1, message.mon_2
                 pictures.append(Pictured(message.time_s, monitors))
                 lanes.shown(monitors)
+            elif isinstance(message, LightRecord):
+                self._lights.append((ticks + 1, lighting_of(message)))
             elif isinstance(message, FrameRecord):
                 frame = frame_of(message)
                 lamps = self._translator.lamps(frame)
@@ -178,10 +183,14 @@ class Reel:
         frame = frame_of(record)
         _, joint = worst_rate(frame.rates, frame.rate_limits)
         return Moment(
-            self._translator.frame(frame, -1),
+            self._translator.frame(frame, -1, lighting=self._lighting(record.tick)),
             self._readings(frame, record.latency_ms),
             spoken(self._arm.joints[joint]) if joint >= 0 else "",
         )
+
+    def _lighting(self, tick: int) -> Lighting:
+        """How the light stood in a step."""
+        return self._lights[bisect(self._lights, tick, key=lambda light: light[0]) - 1][1]
 
 
 def _event(record: EventRecord) -> Event:

@@ -19,6 +19,7 @@ from aftdeck.errors import CommandError
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.tape import Tape
+from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.cameras import CameraDrive
@@ -119,6 +120,8 @@ class Session:
         self._recorded = NO_CONTROLLERS
         self._monitors: tuple[wire.Monitor, ...] = ()
         self._monitors_kept: tuple[wire.Monitor, ...] = ()
+        self._lighting = scenario.lighting
+        self._lighting_kept: Lighting | None = None
         self._camera, self._camera_heard = STILL, 0.0
         self._commands: deque[wire.FromPage] = deque()
         self._sticks = HANDS_OFF
@@ -195,6 +198,23 @@ class Session:
         if unknown:
             raise CommandError(f"there is no camera {unknown[0]!r}: there are {', '.join(names)}")
         self._latency_ms, self._monitors = message.latency_ms, message.monitors
+
+    def light(self, message: wire.SetLight) -> None:
+        """How the light shall stand; whoever flies may say so, the script's onlooker too.
+
+        Raises:
+            CommandError: a condition, a lamp or a camera that there is not.
+        """
+        lighting, welcome = message.lighting, self.welcome
+        for kind, wanted, there in (
+            ("condition of light", (lighting.condition,), [condition.name for condition in welcome.conditions]),
+            ("lamp", lighting.lamps, welcome.lamps),
+            ("camera", [locked.camera for locked in lighting.locked], [camera.name for camera in welcome.cameras]),
+        ):
+            unknown = [name for name in wanted if name not in there]
+            if unknown:
+                raise CommandError(f"there is no {kind} {unknown[0]!r}: there are {', '.join(there) or 'none'}")
+        self._lighting = lighting
 
     def controllers_in_use(self, message: wire.Controllers) -> None:
         """What moves the sticks of the page that flies, and how."""
@@ -293,14 +313,27 @@ class Session:
         if self._monitors != self._monitors_kept:
             self._monitors_kept = self._monitors
             self._tape.shown(frame.time_s, self._monitors)
+        self._keep_light(frame.time_s)
         self._tape.step(inputs, frame, self._latency_ms)
         for text in self._tape.complaints():
             self._note("recording", text, "warning")
         if frame.tick % LOOK_EVERY == 1:
             self._axis = _deflected(frame) or self._axis
             self._ahead = self._translator.ahead(self._sim.ahead(self._look_s, self._axis), frame)
-        self._newest = _encoder.encode(self._translator.frame(frame, sticks.seq, self._tape.running_s, self._ahead))
+        shown = self._translator.frame(frame, sticks.seq, self._tape.running_s, self._ahead, self._lighting_kept)
+        self._newest = _encoder.encode(shown)
         self._note_all(frame)
+
+    def _keep_light(self, time_s: float) -> None:
+        """Take over what was said of the light, with this step."""
+        lighting, before = self._lighting, self._lighting_kept
+        if lighting == before:
+            return
+        self._lighting_kept = lighting
+        self._tape.light(time_s, lighting)
+        if before is not None and (lighting.condition, lighting.lamps) != (before.condition, before.lamps):
+            lit = ", ".join(lighting.lamps) or "none"
+            self._note("light", f"light: {lighting.condition}; lamps lit: {lit}")
 
     def _inputs(self, sticks: wire.Sticks, message: wire.FromPage | None) -> Inputs:
         inputs = Inputs(
@@ -334,6 +367,7 @@ class Session:
         self._demo = self._start_demo
         self._ahead = self._axis = None
         self._monitors_kept = ()
+        self._lighting, self._lighting_kept = self._scenario.lighting, None
         self._tape.begin(self._scenario, self._sim.seed)
         self._recorded = NO_CONTROLLERS  # the new file is told anew
         self._note("restart", f"{self._scenario.title}: from the beginning")

@@ -11,6 +11,7 @@ from aftdeck.bodies.cameras import Camera, Setting
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
 from aftdeck.recording.records import ControllerRecord
 from aftdeck.scenario.cameras import cameras_of
+from aftdeck.scenario.light import Lighting, conditions
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import bodies_of
 from aftdeck.scene.everything import ScenePoses
@@ -79,6 +80,8 @@ class Translator:
             joints=joints,
             modes=modes,
             work=work_info(scenario),
+            conditions=conditions(),
+            lamps=scenario.lamps,
             bodies=bodies,
             ghost=self._ghost(len(bodies)),
             cameras=cameras,
@@ -119,8 +122,9 @@ class Translator:
         stick_seq: int,
         recording_s: float | None = None,
         ahead: wire.Ahead | None = None,
+        lighting: Lighting | None = None,
     ) -> wire.Frame:
-        """A frame of the simulation as the page takes it."""
+        """A frame of the simulation as the page takes it; the light is the scenario's, where none is given."""
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         resolution, axes = np.array(frame.resolution), self._shown_axes(frame, tip, loaded)
@@ -166,6 +170,7 @@ class Translator:
             axes=quaternion(SCENE_FROM_PANEL_AXES @ self._control_axes(frame, tip)),
             poses=tuple(self._poses.at(frame)),
             views=self._shortened(frame.views),
+            lighting=lighting or self._scenario.lighting,
         )
 
     def target(self, message: wire.SetTarget) -> Pose:

@@ -55,6 +55,8 @@ const KEYBOARD = {
   KeyZ: 'split',
   KeyC: 'matrix',
   Semicolon: 'slow camera',
+  Home: 'light',
+  End: 'lock exposure',
   Escape: 'leave',
   ...Object.fromEntries(digits),
 };

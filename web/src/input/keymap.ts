@@ -25,6 +25,8 @@ export type Action =
         | 'split'
         | 'slow camera'
         | 'fly orbiter'
+        | 'light'
+        | 'lock exposure'
         | 'keys'
         | 'leave';
     }
@@ -111,6 +113,8 @@ const ACTIONS: readonly Use[] = [
   once('split', 'split', { name: 'split' }),
   once('matrix', 'all cameras', { name: 'matrix' }),
   once('slow camera', 'cameras turn slowly', { name: 'slow camera' }),
+  once('light', 'light and lamps', { name: 'light' }),
+  once('lock exposure', 'lock the exposure', { name: 'lock exposure' }),
   once('leave', 'close what is open', { name: 'leave' }),
   ...Array.from({ length: CAMERAS }, (_, i) =>
     once(`camera ${i + 1}`, `camera ${i + 1}`, { name: 'camera', number: i + 1 }),

@@ -43,6 +43,7 @@ const FLYING: readonly Row[] = [
   [['-pan', '+tilt', '+zoom'], 'and their opposites: pan, tilt, zoom'],
   [['slow camera'], 'cameras turn slowly'],
   [['matrix', 'split'], 'all cameras, and back; split'],
+  [['light', 'lock exposure'], 'sun and lamps; lock the exposure in hand'],
 ];
 
 const WORKING: readonly Row[] = [

@@ -92,7 +92,9 @@ export class Picture {
   setTime(frame: Frame, age: number | null): void {
     const stale = age !== null && age > STALE_S;
     setText(this.time, timeCode(frame.time_s));
-    setText(this.age, age === null ? 'recorded' : stale ? `${age.toFixed(1)} s old` : 'live');
+    const how = age === null ? 'recorded' : stale ? `${age.toFixed(1)} s old` : 'live';
+    const locked = frame.lighting.locked.some(({ camera }) => camera === this.shown.name);
+    setText(this.age, locked ? `EXP LOCK  ${how}` : how);
     setText(this.stale, stale ? `${age.toFixed(1)} s old` : '');
     setClass(this.element, 'is-stale', stale);
   }

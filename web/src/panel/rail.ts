@@ -6,6 +6,7 @@ import type { Tones } from '../tones';
 import { TASKS } from './cargo';
 import { button, el, setClass, setText } from './dom';
 import { initialise } from './initialise';
+import type { LightControl } from './light';
 import type { Desk, View } from './part';
 import { sound } from './sound';
 
@@ -27,7 +28,13 @@ export interface Rail {
   close(): void;
 }
 
-export function rail(desk: Desk, software: boolean, tones: Tones, listener: RailListener): Rail {
+export function rail(
+  desk: Desk,
+  software: boolean,
+  tones: Tones,
+  light: LightControl,
+  listener: RailListener,
+): Rail {
   const { welcome } = desk;
   // The script's phases; flown by hand, the report's modes, which come in any order.
   const scripted = welcome.phases.length > 0;
@@ -61,6 +68,7 @@ export function rail(desk: Desk, software: boolean, tones: Tones, listener: Rail
     units,
     button({ title: 'Puts the scenario back to its first instant' }, ['Restart'], () => listener.restart()),
     parts.element,
+    light.element,
     button({ title: 'A first capture, in six steps' }, ['Tutorial'], () => listener.tutorial()),
     button({ title: 'The devices that fly, their keys and axes' }, ['Controllers'], () =>
       listener.controllers(),
@@ -70,6 +78,7 @@ export function rail(desk: Desk, software: boolean, tones: Tones, listener: Rail
   return {
     element,
     values({ frame, flying, units: shown }, latency95, watchers, link) {
+      light.values(frame);
       const at = scripted ? welcome.phases.indexOf(frame.phase) : frame.work.task - 1;
       phases.forEach((phase, i) => {
         setClass(phase, 'done', scripted && at >= 0 && i < at);
@@ -87,7 +96,10 @@ export function rail(desk: Desk, software: boolean, tones: Tones, listener: Rail
       setClass(who, 'lost', lost);
       setClass(who, 'flying', flying && !lost);
     },
-    close: () => parts.close(),
+    close() {
+      parts.close();
+      light.close();
+    },
   };
 }
 

@@ -1,13 +1,11 @@
-import { type Matrix4, Mesh, type Scene, ShaderMaterial, Vector2, Vector3 } from 'three';
+import { Mesh, type Scene, ShaderMaterial, Vector2, Vector3 } from 'three';
 import type { Body } from './bodies';
-import { TO_SUN } from './lights';
+import type { Daylight } from './daylight';
 
-/** Two directions across the sun's rays: a shadow is flat in their plane. */
-const ACROSS = new Vector3().crossVectors(TO_SUN, new Vector3(0, 1, 0)).normalize();
-const UP = new Vector3().crossVectors(ACROSS, TO_SUN);
 /** Shorter bodies cast no shadow worth its cost [m]. */
 const SHORTEST = 0.8;
 const point = new Vector3();
+const ABEAM = new Vector3(0, 1, 0);
 
 const vertexShader = /* glsl */ `
   uniform vec3 across, up;
@@ -46,6 +44,9 @@ export class Blob {
   private readonly ends: Vector2[];
   private readonly mesh: Mesh;
   private readonly material: ShaderMaterial;
+  /** Two directions across the sun's rays: a shadow is flat in their plane. */
+  private readonly across = new Vector3();
+  private readonly up = new Vector3();
 
   /** Shadows of `casters` on the mesh `ground`, whose geometry stays its owner's. */
   constructor(scene: Scene, ground: Mesh, casters: readonly Body[]) {
@@ -54,8 +55,8 @@ export class Blob {
     this.material = new ShaderMaterial({
       defines: { COUNT: this.rods.length },
       uniforms: {
-        across: { value: ACROSS },
-        up: { value: UP },
+        across: { value: this.across },
+        up: { value: this.up },
         ends: { value: this.ends },
         radii: { value: this.rods.map(({ radius }) => radius) },
       },
@@ -74,11 +75,23 @@ export class Blob {
     scene.add(this.mesh);
   }
 
+  /** Puts the sun; without it there is no shadow. */
+  set({ toSun, sun }: Daylight): void {
+    this.across.crossVectors(toSun, ABEAM).normalize();
+    this.up.crossVectors(this.across, toSun);
+    this.mesh.visible = sun.r > 0;
+    this.update();
+  }
+
   /** Follows the bodies. */
   update(): void {
+    const { across, up } = this;
     this.rods.forEach(({ body, from, to }, i) => {
-      flatten(from, body.group.matrixWorld, this.ends[2 * i]);
-      flatten(to, body.group.matrixWorld, this.ends[2 * i + 1]);
+      const { matrixWorld } = body.group;
+      point.copy(from).applyMatrix4(matrixWorld);
+      this.ends[2 * i]?.set(point.dot(across), point.dot(up));
+      point.copy(to).applyMatrix4(matrixWorld);
+      this.ends[2 * i + 1]?.set(point.dot(across), point.dot(up));
     });
   }
 
@@ -86,11 +99,6 @@ export class Blob {
     this.mesh.removeFromParent();
     this.material.dispose();
   }
-}
-
-function flatten(end: Vector3, world: Matrix4, onto: Vector2 | undefined): void {
-  point.copy(end).applyMatrix4(world);
-  onto?.set(point.dot(ACROSS), point.dot(UP));
 }
 
 /** The rod in a body's box; none for a body shorter than `SHORTEST`. */

@@ -68,7 +68,8 @@ export class Body {
     const batches = new Map<string, Batch>();
     for (const [shape, motion] of placed(info.shapes, new Matrix4())) {
       if (shape.kind === 'light') this.lights.push({ light: shape, place: motion });
-      const look = materials.look(shape.kind === 'light' ? 'glow' : shape.material);
+      const look =
+        shape.kind === 'light' ? materials.look('glow', shape.switch) : materials.look(shape.material);
       const batch = batches.get(look.batch) ?? new Batch();
       batches.set(look.batch, batch);
       batch.add(surfaceOf(shape, quality), motion, look.colour);
@@ -138,6 +139,14 @@ function* placed(
       }
     }
   }
+}
+
+/** How many lamps some bodies have. */
+export function lampCount(bodies: readonly BodyInfo[]): number {
+  let count = 0;
+  for (const { shapes } of bodies)
+    for (const [shape] of placed(shapes, new Matrix4())) if (shape.kind === 'light') count += 1;
+  return count;
 }
 
 /** Roll, pitch, yaw about fixed axes, then the shift. */

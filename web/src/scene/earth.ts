@@ -1,17 +1,18 @@
 import {
   BackSide,
   type BufferGeometry,
+  Color,
   DoubleSide,
+  type IUniform,
   Mesh,
-  Quaternion,
   type Scene,
   ShaderMaterial,
   SphereGeometry,
   type Texture,
   Vector3,
 } from 'three';
+import { type Daylight, FULL_SUN } from './daylight';
 import type { Quality } from './index';
-import { NADIR, TO_SUN } from './lights';
 import { paintedCap, paintedClouds } from './painted';
 
 /** Radius of the Earth and of an orbit 350 km up [km]. */
@@ -19,11 +20,16 @@ const EARTH = 6371;
 const ORBIT = EARTH + 350;
 /** Angle from the nadir to the limb: 71.4 deg. */
 const LIMB = Math.asin(EARTH / ORBIT);
+/** What the night side has of full daylight: moonlight, many times over, so that the limb can just be made out. */
+const NIGHT = '0.004';
+const UP = new Vector3(0, 0, 1);
 
 /** Rays of the sky, whichever place the camera has; drawn last and behind everything. */
 const vertexShader = /* glsl */ `
   varying vec3 ray;
   #ifdef PAINTED
+    uniform vec3 nadir, sun, sunlight;
+    uniform float earth, orbit, exposure;
     attribute vec3 color;
     varying vec3 tint;
     varying vec2 place;
@@ -31,7 +37,11 @@ const vertexShader = /* glsl */ `
   void main() {
     ray = mat3(modelMatrix) * position;
     #ifdef PAINTED
-      tint = color;
+      vec3 view = normalize(ray);
+      float along = orbit * dot(view, nadir);
+      vec3 ground = (view * (along - sqrt(max(along * along - orbit * orbit + earth * earth, 0.0))) - nadir * orbit) / earth;
+      float day = max(1.25 * dot(ground, sun), 0.0);
+      tint = color * sqrt(exposure * (day * sunlight + NIGHT));
       place = uv;
     #endif
     gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * ray, 1.0);
@@ -41,7 +51,7 @@ const vertexShader = /* glsl */ `
 /** Sea, land and cloud by ray and sphere, seen through a thickening of air, and a thin blue limb. */
 const fragmentShader = /* glsl */ `
   varying vec3 ray;
-  uniform vec3 nadir, sun;
+  uniform vec3 nadir, sun, sunlight;
   uniform float earth, orbit, limb;
 
   float hash(vec3 cell) {
@@ -76,7 +86,8 @@ const fragmentShader = /* glsl */ `
       float along = orbit * down;
       float range = along - sqrt(max(along * along - (orbit * orbit - earth * earth), 0.0));
       vec3 ground = (view * range - nadir * orbit) / earth;
-      float day = max(dot(ground, sun), 0.0);
+      float height = dot(ground, sun);
+      vec3 day = max(height, 0.0) * sunlight * mix(vec3(1.0, 0.55, 0.3), vec3(1.0), smoothstep(0.0, 0.25, height)) + NIGHT;
       float weather = cloudy(ground * 9.0 + 3.0);
       vec3 drift = vec3(cloudy(ground * 30.0), cloudy(ground * 30.0 + 40.0), weather);
       float cloud = smoothstep(0.5, 0.66, 0.5 * weather + 0.5 * cloudy(ground * 70.0 + 2.4 * drift));
@@ -85,9 +96,11 @@ const fragmentShader = /* glsl */ `
       surface = mix(surface, vec3(0.62, 0.66, 0.70), 0.8 * cloud);
       float grazing = 1.0 - clamp(-dot(ground, view), 0.0, 1.0);
       vec3 air = vec3(0.14, 0.32, 0.62) * pow(grazing, 2.5);
-      colour = day * (surface * 1.1 + air * 0.8) + air * 0.02;
+      colour = day * (surface * 1.1 + air * 0.8);
     } else {
-      float day = max(smoothstep(-0.25, 0.5, dot(-nadir, sun)), 0.06);
+      vec3 rim = normalize(view - nadir * dot(view, nadir));
+      float height = dot(rim * cos(limb) - nadir * sin(limb), sun);
+      vec3 day = smoothstep(-0.12, 0.4, height) * sunlight + NIGHT;
       colour = day * (vec3(0.20, 0.40, 0.78) * exp(-off * 60.0) + vec3(0.32, 0.40, 0.48) * exp(-off * 260.0));
     }
     gl_FragColor = vec4(colour, 1.0);
@@ -106,29 +119,51 @@ const paintedShader = /* glsl */ `
 /** The Earth below: by its shader, or on the low profile as a painted cap of the sky. */
 export class Earth {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  private readonly texture: Texture | null = null;
+  private readonly texture: Texture | null;
+  private readonly nadir = new Vector3();
+  private readonly sun = new Vector3();
+  private readonly sunlight = new Color();
 
-  constructor(scene: Scene, quality: Quality) {
-    if (quality === 'full') {
-      this.mesh = new Mesh(new SphereGeometry(100, 48, 32), skyMaterial());
-    } else {
-      this.texture = paintedClouds();
-      const material = new ShaderMaterial({
-        defines: { PAINTED: '' },
-        uniforms: { clouds: { value: this.texture } },
-        vertexShader,
-        fragmentShader: paintedShader,
-        side: DoubleSide,
-        depthWrite: false,
-      });
-      this.mesh = new Mesh(paintedCap(LIMB), material);
-      this.mesh.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), NADIR));
-    }
+  /** `exposure`: of the low profile's pictures. */
+  constructor(
+    stage: Scene,
+    private readonly quality: Quality,
+    exposure: IUniform<number>,
+  ) {
+    const full = quality === 'full';
+    const { nadir, sun, sunlight } = this;
+    this.texture = full ? null : paintedClouds();
+    const material = new ShaderMaterial({
+      defines: { NIGHT, ...(full ? {} : { PAINTED: '' }) },
+      uniforms: {
+        nadir: { value: nadir },
+        sun: { value: sun },
+        sunlight: { value: sunlight },
+        earth: { value: EARTH },
+        orbit: { value: ORBIT },
+        limb: { value: LIMB },
+        exposure,
+        clouds: { value: this.texture },
+      },
+      vertexShader,
+      fragmentShader: full ? fragmentShader : paintedShader,
+      side: full ? BackSide : DoubleSide,
+      depthWrite: false,
+    });
+    this.mesh = new Mesh(full ? new SphereGeometry(100, 48, 32) : paintedCap(LIMB), material);
     this.mesh.name = 'earth';
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 1;
+    stage.add(this.mesh);
+  }
+
+  /** Puts Earth and sun. */
+  set(daylight: Daylight): void {
+    this.nadir.copy(daylight.nadir);
+    this.sun.copy(daylight.toSun);
+    this.sunlight.copy(daylight.sun).multiplyScalar(1 / FULL_SUN);
+    if (this.quality === 'low') this.mesh.quaternion.setFromUnitVectors(UP, this.nadir);
     this.mesh.updateMatrixWorld();
-    scene.add(this.mesh);
   }
 
   dispose(): void {
@@ -137,20 +172,4 @@ export class Earth {
     this.mesh.material.dispose();
     this.texture?.dispose();
   }
-}
-
-function skyMaterial(): ShaderMaterial {
-  return new ShaderMaterial({
-    uniforms: {
-      nadir: { value: NADIR },
-      sun: { value: TO_SUN },
-      earth: { value: EARTH },
-      orbit: { value: ORBIT },
-      limb: { value: LIMB },
-    },
-    vertexShader,
-    fragmentShader,
-    side: BackSide,
-    depthWrite: false,
-  });
 }

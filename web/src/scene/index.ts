@@ -13,15 +13,21 @@ import {
   Vector3,
   WebGLRenderer,
 } from 'three';
-import type { Near, Quat, Vec3, Welcome } from '../protocol';
+import type { LightCondition, Lighting, Near, Quat, Vec3, Welcome } from '../protocol';
+import { LIGHT_OF } from './agx';
 import { Blob } from './blob';
-import { Body, type DrawnBody } from './bodies';
+import { Body, type DrawnBody, lampCount } from './bodies';
 import { Cameras, type Place, type Projected } from './cameras';
+import { type Daylight, daylightOf, FULL_SUN } from './daylight';
 import { Earth } from './earth';
+import { Exposure, metered } from './exposure';
 import { Gap } from './gap';
 import { Ghost } from './ghost';
-import { Lights, TO_SUN } from './lights';
+import { LambertLight } from './lambert';
+import { lampsOf } from './lamps';
+import { Lights } from './lights';
 import { Materials } from './materials';
+import { Meter } from './meter';
 import { Sight } from './sight';
 
 /** `full` is for graphics hardware; `low` is quick where the processor draws. */
@@ -49,6 +55,12 @@ const SPACE = new Color('#000000');
 const PLATE = new Color('#161719');
 /** From where the plan is seen [m]. */
 const HIGH = 150;
+/** What light is multiplied by at no stops. */
+const EXPOSED = 1.1;
+/** Each camera's picture is metered this often [ms]; to read it, the page waits for what it has asked to be drawn. */
+const METERED_MS = 900;
+/** A fraction of a stop that nobody sees. */
+const UNSEEN = 50;
 
 /** The orbiter, the arm, the Earth and the light on them, drawn as the cameras see them. */
 export class Scene {
@@ -66,7 +78,13 @@ export class Scene {
   private readonly ghost: Ghost;
   /** Cameras on the arm: the ghost would fill their pictures. */
   private readonly onArm: ReadonlySet<string>;
-  private readonly surroundings: Texture | null;
+  private readonly lambert: LambertLight;
+  private readonly conditions: readonly LightCondition[];
+  private readonly exposures: ReadonlyMap<string, { readonly exposure: Exposure; at: number }>;
+  private readonly meter: Meter;
+  private surroundings: Texture | null = null;
+  private daylight: Daylight | null = null;
+  private lit = '';
   private readonly plan = new OrthographicCamera(-1, 1, 1, -1, 1, 2 * HIGH);
   private width = 0;
   private height = 0;
@@ -74,20 +92,24 @@ export class Scene {
   constructor(
     private readonly canvas: HTMLCanvasElement,
     welcome: Welcome,
-    quality: Quality,
+    private readonly quality: Quality,
   ) {
     this.renderer = rendererFor(canvas, quality);
-    this.materials = new Materials(quality);
+    this.lambert = new LambertLight(lampCount(welcome.bodies));
+    this.materials = new Materials(quality, this.lambert);
     this.bodies = welcome.bodies.map((body) => new Body(body, this.materials, quality));
     for (const { group } of this.bodies) this.stage.add(group);
     this.stage.matrixWorldAutoUpdate = false;
     this.cameras = new Cameras(welcome.cameras, this.bodies);
     this.sight = new Sight(this.cameras, this.bodies);
-    this.lights = quality === 'full' ? new Lights(this.stage, this.bodies) : null;
-    this.earth = new Earth(this.stage, quality);
-    this.surroundings = quality === 'full' ? surroundings(this.renderer, this.earth) : null;
-    this.stage.environment = this.surroundings;
+    const lamps = lampsOf(this.bodies);
+    this.lambert.take(lamps);
+    this.lights = quality === 'full' ? new Lights(this.stage, lamps) : null;
+    this.earth = new Earth(this.stage, quality, this.lambert.exposure);
     this.stage.environmentIntensity = 0.4;
+    this.conditions = welcome.conditions;
+    this.exposures = new Map(welcome.cameras.map(({ name }) => [name, { exposure: new Exposure(), at: 0 }]));
+    this.meter = new Meter(this.renderer, quality === 'full' ? LIGHT_OF : ROOTS);
     const [fixed, ...moving] = this.bodies;
     const ground = quality === 'low' ? fixed?.mesh('liner') : undefined;
     this.blob = ground ? new Blob(this.stage, ground, moving) : null;
@@ -108,6 +130,29 @@ export class Scene {
       body.setPose(poses, POSE * i);
     });
     this.blob?.update();
+    this.lambert.follow();
+  }
+
+  /** Light, lamps and locked exposures, at a time of the flight [s]. */
+  setLighting({ condition, lamps, locked }: Lighting, time: number): void {
+    const lit = [condition, ...lamps].join();
+    if (lit !== this.lit) this.light(condition, new Set(lamps));
+    this.lit = lit;
+    const seen = this.meter.collect();
+    if (seen) this.exposures.get(seen.camera)?.exposure.meter(metered(seen.lights));
+    const base = this.daylight?.exposure ?? 0;
+    for (const [name, { exposure }] of this.exposures)
+      exposure.follow(time, base, locked.find(({ camera }) => camera === name)?.stops ?? null);
+  }
+
+  /** How a camera's picture is exposed: to a fraction of a stop that nobody sees, over that of full sunlight. */
+  stops(camera: string): number {
+    return Math.round((this.exposures.get(camera)?.exposure.stops ?? 0) * UNSEEN) / UNSEEN;
+  }
+
+  /** A picture that was drawn is being metered, or has to be. */
+  metering(camera: string): boolean {
+    return this.exposures.get(camera)?.exposure.settled === false;
   }
 
   /** Pan, tilt, horizontal field of view [rad] of the cameras that have drives, in order. */
@@ -158,8 +203,43 @@ export class Scene {
       if (!this.aim(rect)) continue;
       this.gap.fit(rect.width, rect.height);
       this.ghost.setVisible(!this.onArm.has(camera));
+      const factor = this.expose(this.stops(camera));
       renderer.render(this.stage, this.cameras.at(camera, rect.width / rect.height));
+      this.look(camera, rect, factor);
     }
+  }
+
+  /** Meters a picture just drawn, where it is due. */
+  private look(camera: string, rect: Rect, factor: number): void {
+    const due = this.exposures.get(camera);
+    const now = performance.now();
+    if (!due || !this.meter.free || (due.exposure.settled && now - due.at < METERED_MS)) return;
+    due.at = now;
+    this.meter.ask(camera, rect, this.height, factor);
+  }
+
+  /** Exposes the pictures drawn next so many stops over full sunlight; returns the factor of light. */
+  private expose(stops: number): number {
+    const factor = EXPOSED * 2 ** stops;
+    this.renderer.toneMappingExposure = factor;
+    this.lambert.exposure.value = factor;
+    return factor;
+  }
+
+  private light(condition: string, on: ReadonlySet<string>): void {
+    const { daylight: before } = this;
+    const daylight = before?.name === condition ? before : daylightOf(this.conditions, condition);
+    this.daylight = daylight;
+    this.materials.lightUp(on);
+    this.lambert.set(daylight, on);
+    this.lights?.set(daylight, on);
+    if (daylight === before) return;
+    this.earth.set(daylight);
+    this.blob?.set(daylight);
+    if (this.quality === 'low') return;
+    this.surroundings?.dispose();
+    this.surroundings = surroundings(this.renderer, this.earth, daylight);
+    this.stage.environment = this.surroundings;
   }
 
   /** Draws a part of the place as seen from above: x to the right, y upwards from the extent's corner [m]. */
@@ -180,6 +260,7 @@ export class Scene {
     plan.updateMatrixWorld();
     this.earth.mesh.visible = false;
     this.ghost.setVisible(false);
+    this.expose(this.daylight?.exposure ?? 0);
     renderer.render(this.stage, plan);
     this.earth.mesh.visible = true;
   }
@@ -213,6 +294,7 @@ export class Scene {
     this.blob?.dispose();
     this.gap.dispose();
     this.ghost.dispose();
+    this.meter.dispose();
     this.surroundings?.dispose();
     this.earth.dispose();
     this.lights?.dispose();
@@ -242,20 +324,22 @@ function rendererFor(canvas: HTMLCanvasElement, quality: Quality): WebGLRenderer
   renderer.setPixelRatio(full ? Math.min(window.devicePixelRatio, 2) : 0.75);
   renderer.autoClear = false;
   renderer.toneMapping = full ? AgXToneMapping : NoToneMapping;
-  renderer.toneMappingExposure = 1.1;
   renderer.shadowMap.enabled = full;
   renderer.shadowMap.type = PCFShadowMap;
   renderer.shadowMap.autoUpdate = false;
   return renderer;
 }
 
+/** Light times exposure, by the byte that the low profile shows it with. */
+const ROOTS: readonly number[] = Array.from({ length: 256 }, (_, byte) => (byte / 255) ** 2);
+
 /** What shiny things reflect: the Earth and the sun. */
-function surroundings(renderer: WebGLRenderer, earth: Earth): Texture {
+function surroundings(renderer: WebGLRenderer, earth: Earth, { toSun, sun: light }: Daylight): Texture {
   const stage = new Stage();
   const sphere = new SphereGeometry(3, 16, 12);
-  const glare = new MeshBasicMaterial({ color: new Color().setScalar(30) });
+  const glare = new MeshBasicMaterial({ color: light.clone().multiplyScalar(30 / FULL_SUN) });
   const sun = new Mesh(sphere, glare);
-  sun.position.copy(TO_SUN).multiplyScalar(60);
+  sun.position.copy(toSun).multiplyScalar(60);
   stage.add(sun, new Mesh(earth.mesh.geometry, earth.mesh.material));
   const generator = new PMREMGenerator(renderer);
   const { texture } = generator.fromScene(stage, 0.02, 0.1, 200);

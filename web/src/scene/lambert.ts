@@ -1,7 +1,8 @@
-import { ShaderMaterial, type Texture, Vector2 } from 'three';
-import { EARTHSHINE, NADIR, SKYLIGHT, SUN, TO_SUN } from './lights';
+import { Color, type IUniform, ShaderMaterial, type Texture, Vector2, Vector3, Vector4 } from 'three';
+import type { Daylight } from './daylight';
+import { isSpot, type Lamp, PENUMBRA, standing } from './lamps';
 
-/** Light is summed at the corners, and made a displayable colour there: pixels cost a texture and a product. */
+/** Sun, Earth and sky are summed at the corners. */
 const vertexShader = /* glsl */ `
   uniform vec3 toSun, nadir, sun, earthshine, above, below;
   uniform vec2 repeat;
@@ -9,43 +10,154 @@ const vertexShader = /* glsl */ `
   #ifdef PATTERN
     varying vec2 place;
   #endif
+  #if LAMPS > 0
+    varying vec3 tint, at, n;
+  #else
+    vec3 n;
+  #endif
   void main() {
-    vec3 n = normalize(mat3(modelMatrix) * normal);
+    n = normalize(mat3(modelMatrix) * normal);
     vec3 light = sun * max(dot(n, toSun), 0.0) + earthshine * max(dot(n, nadir), 0.0);
     light += mix(below, above, 0.5 + 0.5 * n.z);
-    lit = pow(color * light, vec3(1.0 / 2.2));
+    lit = color * light;
     #ifdef PATTERN
       place = uv * repeat;
     #endif
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    vec4 world = modelMatrix * vec4(position, 1.0);
+    #if LAMPS > 0
+      tint = color;
+      at = world.xyz;
+    #endif
+    gl_Position = projectionMatrix * viewMatrix * world;
   }`;
 
+/** Lamps are near, and their light falls between the corners of large faces: it is summed in the picture. */
 const fragmentShader = /* glsl */ `
+  uniform float exposure;
   varying vec3 lit;
   #ifdef PATTERN
     uniform sampler2D pattern;
     varying vec2 place;
   #endif
+  #if LAMPS > 0
+    uniform int lit_lamps;
+    uniform vec4 lamps[LAMPS], beams[LAMPS];
+    uniform vec3 glows[LAMPS];
+    varying vec3 tint, at, n;
+  #endif
   void main() {
-    gl_FragColor = vec4(lit, 1.0);
-    #ifdef PATTERN
-      gl_FragColor.rgb *= 0.3 + 0.7 * texture2D(pattern, place).rgb;
+    vec3 light = lit;
+    #if LAMPS > 0
+      vec3 sum = vec3(0.0);
+      for (int i = 0; i < LAMPS; i++) {
+        if (i >= lit_lamps) break;
+        vec3 to = lamps[i].xyz - at;
+        float far = dot(to, to), by = inversesqrt(far);
+        float reach = max(1.0 - far * lamps[i].w, 0.0);
+        float beam = clamp(1.0 + (-dot(to, beams[i].xyz) * by - 1.0) * beams[i].w, 0.0, 1.0);
+        sum += glows[i] * (max(dot(to, n), 0.0) * by * by * by * reach * reach * beam);
+      }
+      light += tint * sum;
     #endif
+    #ifdef PATTERN
+      vec3 shade = 0.3 + 0.7 * texture2D(pattern, place).rgb;
+      light *= shade * shade;
+    #endif
+    gl_FragColor = vec4(sqrt(exposure * light), 1.0);
   }`;
 
+/** The low profile's light, which all its materials share. */
+export class LambertLight {
+  readonly uniforms: Readonly<Record<string, IUniform>>;
+  private readonly toSun = new Vector3();
+  private readonly nadir = new Vector3();
+  private readonly glowing = {
+    sun: new Color(),
+    earthshine: new Color(),
+    above: new Color(),
+    below: new Color(),
+  };
+  /** Of the pictures drawn next: a factor. */
+  readonly exposure = { value: 1 };
+  private readonly count = { value: 0 };
+  /** Place, and one over the square of its reach. */
+  private readonly places: readonly Vector4[];
+  /** Direction of its beam, and how steeply it fades from 1 on its axis with the cosine: not at all round a flood. */
+  private readonly beams: readonly Vector4[];
+  private readonly glows: readonly Color[];
+  private lamps: readonly Lamp[] = [];
+  private lit: readonly Lamp[] = [];
+
+  /** `room`: for so many lamps. */
+  constructor(readonly room: number) {
+    const each = Array.from({ length: room });
+    this.places = each.map(() => new Vector4());
+    this.beams = each.map(() => new Vector4());
+    this.glows = each.map(() => new Color());
+    const { toSun, nadir, glowing, exposure, count, places, beams, glows } = this;
+    this.uniforms = {
+      toSun: { value: toSun },
+      nadir: { value: nadir },
+      ...Object.fromEntries(Object.entries(glowing).map(([name, value]) => [name, { value }])),
+      exposure,
+      lit_lamps: count,
+      lamps: { value: places },
+      beams: { value: beams },
+      glows: { value: glows },
+    };
+  }
+
+  /** These are the lamps. */
+  take(lamps: readonly Lamp[]): void {
+    this.lamps = lamps;
+  }
+
+  /**
+   * Puts sun, Earth and sky, and lights the lamps of these switches. A flood changes nothing that can be seen in
+   * sunlight, and only costs time: it counts while there is none.
+   */
+  set(daylight: Daylight, on: ReadonlySet<string>): void {
+    const { toSun, nadir, sun, earthshine, above, below } = daylight;
+    this.toSun.copy(toSun);
+    this.nadir.copy(nadir);
+    // A matt surface gives off its irradiance over pi.
+    for (const [name, colour] of Object.entries({ sun, earthshine, above, below }))
+      this.glowing[name as keyof typeof this.glowing].copy(colour).multiplyScalar(1 / Math.PI);
+    const dark = sun.r + sun.g + sun.b === 0;
+    this.lit = this.lamps.filter(({ light }) => on.has(light.switch) && (dark || isSpot(light)));
+    this.count.value = this.lit.length;
+    this.follow();
+  }
+
+  /** Follows the bodies that carry lamps. */
+  follow(): void {
+    this.lit.forEach((lamp, i) => {
+      const [place, beam] = [this.places[i], this.beams[i]];
+      if (!place || !beam) return;
+      standing(lamp, at, along);
+      const { cone, reach, intensity } = lamp.light;
+      place.set(at.x, at.y, at.z, 1 / reach ** 2);
+      beam.set(along.x, along.y, along.z, isSpot(lamp.light) ? steepness(cone) : 0);
+      this.glows[i]?.copy(lamp.colour).multiplyScalar(intensity / Math.PI);
+    });
+  }
+}
+
+const [at, along] = [new Vector3(), new Vector3()];
+
+/** Fades to nothing at the cone's rim, as a straight line in the cosine that meets the penumbra's middle. */
+function steepness(cone: number): number {
+  const middle = (Math.cos(cone) + Math.cos(cone * (1 - PENUMBRA))) / 2;
+  return 0.5 / (1 - middle);
+}
+
 /** The low profile's matt material: coloured at the corners, dimmed by a pattern. */
-export function lambertMaterial(pattern: Texture | null): ShaderMaterial {
+export function lambertMaterial(pattern: Texture | null, light: LambertLight): ShaderMaterial {
   return new ShaderMaterial({
     vertexColors: true,
-    defines: pattern ? { PATTERN: '' } : {},
+    defines: { LAMPS: light.room, ...(pattern ? { PATTERN: '' } : {}) },
     uniforms: {
-      toSun: { value: TO_SUN },
-      nadir: { value: NADIR },
-      // A matt surface gives off its irradiance over pi.
-      sun: { value: SUN.clone().multiplyScalar(1 / Math.PI) },
-      earthshine: { value: EARTHSHINE.clone().multiplyScalar(1 / Math.PI) },
-      above: { value: SKYLIGHT.above.clone().multiplyScalar(1 / Math.PI) },
-      below: { value: SKYLIGHT.below.clone().multiplyScalar(1 / Math.PI) },
+      ...light.uniforms,
       pattern: { value: pattern },
       repeat: { value: pattern?.repeat ?? new Vector2(1, 1) },
     },

@@ -1,5 +1,4 @@
 import {
-  Color,
   DirectionalLight,
   HemisphereLight,
   type Light as Lit,
@@ -7,76 +6,79 @@ import {
   PointLight,
   type Scene,
   SpotLight,
-  Vector3,
 } from 'three';
-import type { Body, PlacedLight } from './bodies';
-
-/** Direction to the sun: from aft, starboard and above, so that shadows fall forward into the bay. */
-export const TO_SUN = new Vector3(0.46, 0.42, 0.72).normalize();
-/** Direction to the Earth's centre. */
-export const NADIR = new Vector3(-0.36, -0.62, -0.48).normalize();
-
-/** Colours times intensity; the sun's gives the scale in which a file's lamps count. */
-export const SUN = new Color('#fff6e8').multiplyScalar(4.1);
-export const EARTHSHINE = new Color('#a9c6ee').multiplyScalar(0.55);
-/** From the half sphere above the orbiter and from the one below it. */
-export const SKYLIGHT = {
-  above: new Color('#8fa3bf').multiplyScalar(0.32),
-  below: new Color('#3a3632').multiplyScalar(0.32),
-};
+import type { Daylight } from './daylight';
+import { isSpot, type Lamp, PENUMBRA } from './lamps';
 
 /** Half the side of the square round the bay that casts shadows [m]. */
 const SHADOWED = 15;
 /** How far up the sun's shadow camera stands [m]. */
 const HEIGHT = 40;
+/** Of a lamp's light with distance. */
+const DECAY = 1.8;
 
-/** The full profile's lights: sun, earthshine, skylight, and the lamps that bodies carry. */
+/**
+ * The full profile's lights: sun, earthshine, skylight, and the lamps that bodies carry. What is dark stays there at
+ * no intensity: fewer lights would be other shaders, which take seconds to compile.
+ */
 export class Lights {
-  private readonly lights: Lit[] = [];
-  private readonly targets: Object3D[] = [];
+  private readonly sun = shadowing();
+  private readonly earthshine = new DirectionalLight();
+  private readonly sky = new HemisphereLight();
+  private readonly lamps: readonly { readonly lamp: Lamp; readonly lit: PointLight | SpotLight }[];
+  private readonly added: Object3D[] = [];
 
-  constructor(scene: Scene, bodies: readonly Body[]) {
-    this.add(scene, sun());
-    const earthshine = new DirectionalLight(EARTHSHINE);
-    earthshine.position.copy(NADIR).multiplyScalar(HEIGHT);
-    this.add(scene, earthshine);
-    const sky = new HemisphereLight(SKYLIGHT.above, SKYLIGHT.below);
-    sky.position.set(0, 0, 1);
-    this.add(scene, sky);
-    for (const body of bodies) for (const light of body.lights) this.addLamp(body, light);
+  constructor(stage: Scene, lamps: readonly Lamp[]) {
+    this.sky.position.set(0, 0, 1);
+    for (const light of [this.sun, this.earthshine, this.sky]) this.add(stage, light);
+    this.lamps = lamps.map((lamp) => ({ lamp, lit: this.addLamp(lamp) }));
+  }
+
+  /** Puts sun, Earth and sky, and lights the lamps of these switches. */
+  set(daylight: Daylight, on: ReadonlySet<string>): void {
+    const { sun, earthshine, sky } = this;
+    sun.color.copy(daylight.sun);
+    sun.position.copy(daylight.toSun).multiplyScalar(HEIGHT);
+    earthshine.color.copy(daylight.earthshine);
+    earthshine.position.copy(daylight.nadir).multiplyScalar(HEIGHT);
+    sky.color.copy(daylight.above);
+    sky.groundColor.copy(daylight.below);
+    for (const light of [sun, earthshine, sky]) light.updateMatrixWorld();
+    for (const { lamp, lit } of this.lamps)
+      lit.intensity = on.has(lamp.light.switch) ? lamp.light.intensity : 0;
   }
 
   dispose(): void {
-    for (const light of [...this.lights, ...this.targets]) light.removeFromParent();
-    for (const light of this.lights) light.dispose();
+    for (const each of this.added) each.removeFromParent();
+    for (const light of [this.sun, this.earthshine, this.sky]) light.dispose();
+    for (const { lit } of this.lamps) lit.dispose();
   }
 
-  private add(parent: Object3D, light: Lit): void {
-    parent.add(light);
-    light.updateMatrixWorld();
-    this.lights.push(light);
+  private add(parent: Object3D, each: Lit | Object3D): void {
+    parent.add(each);
+    each.updateMatrixWorld();
+    this.added.push(each);
   }
 
-  private addLamp(body: Body, { light, place }: PlacedLight): void {
+  private addLamp({ light, body, place, colour }: Lamp): PointLight | SpotLight {
     const { cone, reach, intensity } = light;
-    if (cone > Math.PI / 2) {
-      const lamp = new PointLight('#ffe9c9', intensity, reach, 1.8);
+    if (!isSpot(light)) {
+      const lamp = new PointLight(colour, intensity, reach, DECAY);
       lamp.position.setFromMatrixPosition(place);
       this.add(body.group, lamp);
-      return;
+      return lamp;
     }
-    const lamp = new SpotLight('#fff2dc', intensity, reach, cone, 0.7, 1.8);
+    const lamp = new SpotLight(colour, intensity, reach, cone, PENUMBRA, DECAY);
     lamp.position.setFromMatrixPosition(place);
     lamp.target.position.set(1, 0, 0).applyMatrix4(place);
-    body.group.add(lamp.target);
-    this.targets.push(lamp.target);
+    this.add(body.group, lamp.target);
     this.add(body.group, lamp);
+    return lamp;
   }
 }
 
-function sun(): DirectionalLight {
-  const light = new DirectionalLight(SUN);
-  light.position.copy(TO_SUN).multiplyScalar(HEIGHT);
+function shadowing(): DirectionalLight {
+  const light = new DirectionalLight();
   light.castShadow = true;
   const { shadow } = light;
   shadow.mapSize.set(4096, 4096);

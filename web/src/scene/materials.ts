@@ -2,7 +2,7 @@ import { Color, type Material as Drawn, MeshBasicMaterial, MeshStandardMaterial,
 import { present } from '../assert';
 import type { Material } from '../protocol';
 import type { Quality } from './index';
-import { lambertMaterial } from './lambert';
+import { type LambertLight, lambertMaterial } from './lambert';
 import { crumpleTexture, type Pattern, patternTexture } from './textures';
 
 interface Look {
@@ -38,28 +38,45 @@ const LOOKS: Record<Material, Look> = {
 
 /** The part of metal's brightness that is left where it has no surroundings to reflect. */
 const DULL = 0.55;
+/** How batches of what glows by itself begin; the name of a switch follows. */
+const GLOW = 'glow ';
+/** Of a lamp's face that is dark. */
+const UNLIT = 0.08;
 
 /** The materials of one profile, made when first asked for. */
 export class Materials {
   private readonly made = new Map<string, Drawn>();
   private readonly textures = new Map<string, Texture>();
 
-  constructor(private readonly quality: Quality) {}
+  /** `light`: of the low profile. */
+  constructor(
+    private readonly quality: Quality,
+    private readonly light: LambertLight,
+  ) {}
 
   /**
    * A substance's colour, and the name of the batch that it is drawn in: its own in the full profile; in the
-   * low one all substances of a pattern share a batch.
+   * low one all substances of a pattern share a batch. The faces of a switch's lamps are a batch of their own.
    */
-  look(substance: Material): { batch: string; colour: Color } {
+  look(substance: Material, lamps = ''): { batch: string; colour: Color } {
     const { colour, pattern, metalness } = LOOKS[substance];
     const tint = new Color(colour);
-    if (this.quality === 'full' || substance === 'glow') return { batch: substance, colour: tint };
+    if (substance === 'glow') return { batch: GLOW + lamps, colour: tint };
+    if (this.quality === 'full') return { batch: substance, colour: tint };
     return { batch: pattern, colour: tint.multiplyScalar(1 - DULL * metalness * metalness) };
   }
 
   /** Whether a batch casts and takes shadows. */
   solid(batch: string): boolean {
-    return batch !== 'glow';
+    return !batch.startsWith(GLOW);
+  }
+
+  /** Lights the faces of the lamps of these switches. */
+  lightUp(on: ReadonlySet<string>): void {
+    for (const [batch, material] of this.made) {
+      if (material instanceof MeshBasicMaterial && batch.startsWith(GLOW))
+        material.color.setScalar(batch === GLOW || on.has(batch.slice(GLOW.length)) ? 1 : UNLIT);
+    }
   }
 
   /** The material of a batch. */
@@ -77,9 +94,9 @@ export class Materials {
   }
 
   private make(batch: string): Drawn {
-    if (batch === 'glow') return new MeshBasicMaterial({ vertexColors: true });
+    if (batch.startsWith(GLOW)) return new MeshBasicMaterial({ vertexColors: true });
     if (this.quality === 'low') {
-      return lambertMaterial(this.pattern(batch as Pattern));
+      return lambertMaterial(this.pattern(batch as Pattern), this.light);
     }
     const { pattern, roughness, metalness, relief } = present(LOOKS[batch as Material], `material ${batch}`);
     return new MeshStandardMaterial({

@@ -1,0 +1,62 @@
+"""Light in the pictures: conditions, lamps and the lock of an exposure, as an operator sets them."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.browser.flight import Flight
+from tests.browser.looks import assert_readable
+
+pytestmark = pytest.mark.browser
+
+SCENARIO = "srms-berth"
+
+_BRIGHTNESS = """() => {
+    const scene = document.querySelector('canvas.scene');
+    const [over, box] = [scene, document.querySelector('.picture')].map((node) => node.getBoundingClientRect());
+    const scale = scene.width / over.width;
+    const small = new OffscreenCanvas(60, 45).getContext('2d');
+    const [left, top] = [box.left - over.left, box.top - over.top].map((at) => at * scale);
+    small.drawImage(scene, left, top, box.width * scale, box.height * scale, 0, 0, 60, 45);
+    const { data } = small.getImageData(0, 0, 60, 45);
+    return data.reduce((sum, value, i) => sum + (i % 4 === 3 ? 0 : value), 0) / (data.length * 0.75);
+}"""
+"""Mean value of all colours in MON 1's picture, 0 to 255."""
+
+
+def brightness(flight: Flight) -> float:
+    """Of MON 1's picture, some pictures and three time constants of the exposure later."""
+    count, time = flight.script("window.__aftdeck.frames"), flight.frame().time_s
+    flight.until(f"window.__aftdeck.frames > {count + 6} && frame.time_s > {time + 2.4}")
+    return float(flight.script(_BRIGHTNESS))
+
+
+def switch(flight: Flight, *names: str) -> None:
+    """Presses keys of the open list, each once it has acted."""
+    for name in names:
+        key = flight.page.locator(".choices.light").get_by_role("button", name=name, exact=True)
+        before = key.get_attribute("aria-pressed")
+        key.click()
+        flight.page.locator(f".choices.light button:text-is('{name}'):not([aria-pressed={before}])").wait_for()
+
+
+def test_night_darkens_a_locked_picture_floods_light_it_and_exposure_follows_when_it_is_let_go(flight: Flight) -> None:
+    day = brightness(flight)
+    flight.press("End")
+    flight.until("document.querySelector('.monitor .burned.time').textContent.includes('EXP LOCK')")
+    assert len(flight.frame().lighting.locked) == 1
+    flight.press("Home")
+    flight.press("Tab", "Tab", "Enter")
+    flight.until("frame.lighting.condition === 'night'")
+    night = brightness(flight)
+    assert night < 0.5 * day
+    floods = ("fwd floods", "mid floods", "aft floods")
+    switch(flight, *floods)
+    dark = brightness(flight)
+    assert dark < 0.8 * night
+    assert_readable(flight, ".choices.light", least=8)
+    switch(flight, *floods)
+    assert brightness(flight) == pytest.approx(night, rel=0.05)
+    flight.press("Escape", "End")
+    flight.until("!document.querySelector('.monitor .burned.time').textContent.includes('EXP LOCK')")
+    assert brightness(flight) > 1.3 * night

@@ -1,0 +1,91 @@
+"""How the light stands in flight: whoever flies sets it, all pages are told, and a replay has it again."""
+
+from __future__ import annotations
+
+import itertools
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from aftdeck.errors import CommandError
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import LightRecord
+from aftdeck.recording.replay import verify
+from aftdeck.scenario.light import Lighting, LockedExposure
+from aftdeck.station import protocol as wire
+from aftdeck.station.reel import Reel
+from tests.station.flying import comes, flying, goes_on, shown
+from tests.station.pages import scenario, text_of
+
+NIGHT = Lighting("night", ("end effector",), (LockedExposure("B", 1.25),))
+
+_from_page: msgspec.json.Decoder[wire.FromPage] = msgspec.json.Decoder(wire.FromPage)
+
+
+def test_light_is_the_scenarios_until_it_is_set_and_again_after_a_restart() -> None:
+    own = scenario().lighting
+    with flying() as session:
+        assert shown(session).lighting == own
+        session.light(wire.SetLight(0, NIGHT))
+        comes(session, lambda frame: frame.lighting == NIGHT, "night")
+        assert [event.text for event in session.log_since(0) if event.kind == "light"] == [
+            "light: night; lamps lit: end effector"
+        ]
+        session.command(wire.Restart(1))
+        assert comes(session, lambda frame: frame.tick == 1, "the first instant again").lighting == own
+
+
+def test_light_is_set_while_the_script_flies_on() -> None:
+    with flying(demo=True) as session:
+        session.light(wire.SetLight(0, NIGHT))
+        assert comes(session, lambda frame: frame.lighting == NIGHT, "night").by == "script"
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        (Lighting("noon", ()), "no condition of light 'noon': there are high sun"),
+        (Lighting("night", ("bow",)), "no lamp 'bow': there are fwd floods"),
+        (Lighting("night", (), (LockedExposure("Q", 0.0),)), "no camera 'Q': there are A, B"),
+    ],
+)
+def test_what_there_is_not_is_refused_and_changes_nothing(wrong: Lighting, said: str) -> None:
+    with flying() as session:
+        with pytest.raises(CommandError, match=said):
+            session.light(wire.SetLight(0, wrong))
+        assert goes_on(session, 5).lighting == scenario().lighting
+
+
+@pytest.mark.parametrize("stops", ["1e9", "-21", "NaN", '"much"'])
+def test_an_exposure_beyond_all_cameras_is_not_understood(stops: str) -> None:
+    text = text_of(wire.SetLight(0, NIGHT)).replace("1.25", stops)
+    with pytest.raises(msgspec.DecodeError):
+        _from_page.decode(text)
+
+
+def test_a_recording_keeps_the_light_as_it_changes_and_a_replay_has_it_again(tmp_path: Path) -> None:
+    own = scenario().lighting
+    with flying(record=tmp_path) as session:
+        goes_on(session, 20)
+        session.light(wire.SetLight(0, NIGHT))
+        first = comes(session, lambda frame: frame.lighting == NIGHT, "night").tick
+        session.light(wire.SetLight(1, NIGHT))
+        goes_on(session, 300)  # into the recording's next block
+        session.light(wire.SetLight(2, own))
+        last = comes(session, lambda frame: frame.lighting == own, "day").tick
+        goes_on(session, 5)
+    (path,) = tmp_path.glob("*.mcap")
+    records = [message for message in Recording(path).messages() if isinstance(message, LightRecord)]
+    assert [(record.condition, record.lamps) for record in records] == [
+        ("high sun", own.lamps),
+        ("night", ("end effector",)),
+        ("high sun", own.lamps),
+    ]
+    assert [(lock.camera, lock.stops) for lock in records[1].locked] == [("B", 1.25)]
+    assert verify(path).equal, "light is no part of what is flown"
+    with Reel(path) as reel:
+        moments = itertools.chain.from_iterable(reel.block(n) for n in range(reel.blocks))
+        lights = {moment.frame.tick: moment.frame.lighting for moment in moments}
+    assert {tick for tick, light in lights.items() if light == NIGHT} == set(range(first, last))
+    assert all(light == own for tick, light in lights.items() if not first <= tick < last)

@@ -1,0 +1,103 @@
+/** Light on the place: sun and Earth, lamps, and the lock of an exposure, in a list that opens under its key. */
+
+import { nameOf } from '../input/layout';
+import type { Camera, Frame, Lighting } from '../protocol';
+import { button, el, setPressed, setText } from './dom';
+import type { Desk } from './part';
+
+export interface LightControl {
+  readonly element: HTMLElement;
+  values(frame: Frame): void;
+  /** Opens or closes the list; its first key has the focus then. */
+  toggle(): void;
+  /** Locks the exposure of the picture in hand, or lets it follow again. */
+  lock(): void;
+  close(): void;
+}
+
+/** What the lock acts on. */
+export interface Exposed {
+  readonly camera: Camera;
+  /** How a camera's picture is exposed now [stops over full sunlight]. */
+  stops(camera: Camera): number;
+}
+
+export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightControl {
+  let lighting: Lighting = { condition: '', lamps: [], locked: [] };
+  const set = (change: Partial<Lighting>) => {
+    lighting = { ...lighting, ...change };
+    send({ type: 'set_light', lighting });
+  };
+  const conditions = welcome.conditions.map(({ name, source }) =>
+    button({ title: source }, [name], () => set({ condition: name })),
+  );
+  const lamps = welcome.lamps.map((name) =>
+    button({}, [name], () => set({ lamps: toggled(welcome.lamps, lighting.lamps, name) })),
+  );
+  const lockKey = button({ title: `The exposure of the picture in hand: ${nameOf('End')}` }, [], () =>
+    lock(),
+  );
+  const list = el(
+    'div',
+    { class: 'choices light', role: 'group', 'aria-label': 'Light', hidden: '' },
+    el('div', { role: 'group', 'aria-label': 'Sun and Earth' }, el('h3', {}, 'Sun and Earth'), ...conditions),
+    el(
+      'div',
+      { role: 'group', 'aria-label': 'Lamps' },
+      ...(lamps.length > 0 ? [el('h3', {}, 'Lamps'), ...lamps] : []),
+      el('h3', {}, 'Exposure'),
+      lockKey,
+    ),
+  );
+  const key = button(
+    { 'aria-expanded': 'false', title: `Sun, lamps and exposure: ${nameOf('Home')}` },
+    ['Light'],
+    () => open(list.hidden === true),
+  );
+  const open = (on: boolean) => {
+    list.hidden = !on;
+    key.setAttribute('aria-expanded', String(on));
+  };
+  const element = el('div', { class: 'initialise' }, key, list);
+  // It closes as the focus goes elsewhere, or a pointer is put to something else.
+  element.addEventListener('focusout', ({ relatedTarget }) => {
+    if (relatedTarget instanceof Node && !element.contains(relatedTarget)) open(false);
+  });
+  const lock = () => {
+    const { camera } = exposed;
+    const others = lighting.locked.filter((each) => each.camera !== camera.name);
+    const locked = others.length < lighting.locked.length;
+    set({ locked: locked ? others : [...others, { camera: camera.name, stops: exposed.stops(camera) }] });
+  };
+
+  return {
+    element,
+    values(frame) {
+      lighting = frame.lighting;
+      conditions.forEach((each, i) => {
+        setPressed(each, welcome.conditions[i]?.name === lighting.condition);
+      });
+      lamps.forEach((each, i) => {
+        setPressed(each, lighting.lamps.includes(welcome.lamps[i] ?? ''));
+      });
+      const { name } = exposed.camera;
+      setText(lockKey, `lock ${name}`);
+      setPressed(
+        lockKey,
+        lighting.locked.some(({ camera }) => camera === name),
+      );
+    },
+    toggle() {
+      open(list.hidden === true);
+      if (list.hidden) key.blur();
+      else conditions[0]?.focus();
+    },
+    lock,
+    close: () => open(false),
+  };
+}
+
+/** The lamps that are on, in the order of all, after one is switched. */
+export function toggled(all: readonly string[], on: readonly string[], name: string): readonly string[] {
+  return all.filter((each) => (each === name ? !on.includes(each) : on.includes(each)));
+}

@@ -1,0 +1,102 @@
+import type { WebGLRenderer } from 'three';
+import type { Rect } from './index';
+
+/** The middle of a picture, of its width and height. */
+const MIDDLE = 0.6;
+/** Rows looked at, and places in each. */
+const ROWS = 9;
+const PLACES = 16;
+
+interface Look {
+  readonly camera: string;
+  /** Of that picture: what light was multiplied by. */
+  readonly factor: number;
+  readonly width: number;
+  readonly done: WebGLSync;
+}
+
+export interface Seen {
+  readonly camera: string;
+  /** Light of the scene in places of the picture, of its strongest colour, so that none is washed out. */
+  readonly lights: readonly number[];
+}
+
+/**
+ * Looks at a few rows of a picture that was drawn: they are asked for now, and collected at a later picture, when they
+ * are there.
+ */
+export class Meter {
+  private readonly gl: WebGL2RenderingContext;
+  private buffer: WebGLBuffer | null = null;
+  private look: Look | null = null;
+
+  /** `lightOf`: light times exposure, by the byte that shows it. */
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly lightOf: readonly number[],
+  ) {
+    this.gl = renderer.getContext() as WebGL2RenderingContext;
+  }
+
+  /** It can look at a picture. */
+  get free(): boolean {
+    return this.look === null;
+  }
+
+  /** Asks for the picture just drawn in a part of the canvas so high [CSS px]. */
+  ask(camera: string, { left, top, width, height }: Rect, canvas: number, factor: number): void {
+    const { gl } = this;
+    const ratio = this.renderer.getPixelRatio();
+    const [wide, high] = [MIDDLE * width * ratio, MIDDLE * height * ratio].map(Math.floor) as [
+      number,
+      number,
+    ];
+    const x = Math.round((left + ((1 - MIDDLE) / 2) * width) * ratio);
+    const y = Math.round((canvas - top - ((1 + MIDDLE) / 2) * height) * ratio);
+    if (wide < PLACES || high < ROWS || gl.isContextLost()) return;
+    this.buffer ??= gl.createBuffer();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.buffer);
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, 4 * wide * ROWS, gl.STREAM_READ);
+    for (let row = 0; row < ROWS; row++) {
+      const at = y + Math.floor(((row + 0.5) * high) / ROWS);
+      gl.readPixels(x, at, wide, 1, gl.RGBA, gl.UNSIGNED_BYTE, 4 * wide * row);
+    }
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    const done = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!done) return;
+    gl.flush();
+    this.look = { camera, factor, width: wide, done };
+  }
+
+  /** What was asked for, once it is there. */
+  collect(): Seen | null {
+    const { gl, look } = this;
+    if (!look) return null;
+    if (gl.clientWaitSync(look.done, 0, 0) === gl.TIMEOUT_EXPIRED) return null;
+    this.look = null;
+    gl.deleteSync(look.done);
+    const bytes = new Uint8Array(4 * look.width * ROWS);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.buffer);
+    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, bytes);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    return { camera: look.camera, lights: lightsIn(bytes, look, this.lightOf) };
+  }
+
+  dispose(): void {
+    this.gl.deleteBuffer(this.buffer);
+    if (this.look) this.gl.deleteSync(this.look.done);
+    this.look = null;
+  }
+}
+
+function lightsIn(bytes: Uint8Array, { width, factor }: Look, lightOf: readonly number[]): readonly number[] {
+  const found: number[] = [];
+  for (let row = 0; row < ROWS; row++) {
+    for (let place = 0; place < PLACES; place++) {
+      const first = 4 * (row * width + Math.floor(((place + 0.5) * width) / PLACES));
+      const brightest = Math.max(...bytes.subarray(first, first + 3));
+      found.push((lightOf[brightest] ?? 0) / factor);
+    }
+  }
+  return found;
+}
