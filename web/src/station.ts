@@ -10,6 +10,7 @@ import { Latency } from './latency';
 import { Operator } from './operator';
 import { clearanceCause } from './panel/clearance';
 import { concernOf, outline } from './panel/concerns';
+import { ControlPage } from './panel/control-page';
 import { ControllersSheet } from './panel/controllers';
 import { deskGroups, type Groups } from './panel/desk';
 import { el, setClass } from './panel/dom';
@@ -76,6 +77,7 @@ export class Station {
   private readonly events: EventsGroup;
   private readonly keys = new KeyMap(() => this.changeControllers());
   private readonly sheet: ControllersSheet;
+  private readonly controlPage: ControlPage;
   private readonly touch;
   private readonly swap;
   /** What the station was told last of the controllers, and how many were gone. */
@@ -136,8 +138,10 @@ export class Station {
       send: (command) => this.send(command),
       say: (text) => this.say(text),
     };
+    this.controlPage = new ControlPage(desk);
     this.groups = deskGroups(desk, this.events, {
       plane: () => this.showPlane(),
+      controlPage: () => this.controlPage.toggle(),
       flyOrbiter: (on) => this.flyOrbiter(on),
     });
     this.tutorial = new Tutorial(desk, this.operator.controllers);
@@ -162,6 +166,7 @@ export class Station {
       this.touch.element,
       this.swap.element,
       this.keys.element,
+      this.controlPage.element,
       this.sheet.element,
     );
     for (const used of ['keydown', 'pointerdown'] as const)
@@ -260,6 +265,7 @@ export class Station {
     this.pictures.setTime(view, age);
     setClass(document.body, 'stale', age > STALE_S);
     this.groups.values(view);
+    this.controlPage.values(view);
     const test = view.frame.mode === 'TEST';
     this.spine.show([...view.frame.lamps, ...this.ownLamps(view, now, age)], test);
     const latency95 = this.latency.percentile95(now);
@@ -430,12 +436,16 @@ export class Station {
       case 'fly orbiter':
         this.flyOrbiter(!this.operator.sticks.flyingOrbiter);
         break;
+      case 'control page':
+        this.controlPage.toggle();
+        break;
       case 'keys':
         this.keys.toggle();
         break;
       case 'leave':
         this.sheet.close();
         this.keys.close();
+        this.controlPage.close();
         this.rail.close();
         if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
         break;

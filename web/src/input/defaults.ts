@@ -55,6 +55,7 @@ const KEYBOARD = {
   KeyZ: 'split',
   KeyC: 'matrix',
   Semicolon: 'slow camera',
+  Backslash: 'control page',
   Escape: 'leave',
   ...Object.fromEntries(digits),
 };

@@ -25,6 +25,7 @@ export type Action =
         | 'split'
         | 'slow camera'
         | 'fly orbiter'
+        | 'control page'
         | 'keys'
         | 'leave';
     }
@@ -111,6 +112,7 @@ const ACTIONS: readonly Use[] = [
   once('split', 'split', { name: 'split' }),
   once('matrix', 'all cameras', { name: 'matrix' }),
   once('slow camera', 'cameras turn slowly', { name: 'slow camera' }),
+  once('control page', 'PDRS control (SPEC 94)', { name: 'control page' }),
   once('leave', 'close what is open', { name: 'leave' }),
   ...Array.from({ length: CAMERAS }, (_, i) =>
     once(`camera ${i + 1}`, `camera ${i + 1}`, { name: 'camera', number: i + 1 }),

@@ -36,6 +36,7 @@ const FLYING: readonly Row[] = [
   [['mode -', 'mode +', 'enter'], 'turn the mode rotary, enter the mode'],
   [['joint -', 'joint +'], 'joint in SINGLE and DIRECT; then THC X drives it'],
   [['proceed'], 'proceed: to the target, or on from a pause point'],
+  [['control page'], 'PDRS control: target, stored points, payloads'],
   [['acknowledge'], 'acknowledge the master alarm'],
   [['otherMonitor'], 'the other monitor, or half, in hand'],
   [['camera 1', 'camera 10'], 'camera 1 to 10 in hand; twice: 11 to 20'],
