@@ -63,7 +63,16 @@ _TEXTS = """async () => {
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
         const element = node.parentElement;
         if (!node.textContent.trim() || !element.checkVisibility({ visibilityProperty: true })) continue;
-        if (element.closest('.picture, .unseen, svg') || !element.closest('WITHIN')) continue;
+        if (element.closest('.picture, .unseen') || !element.closest('WITHIN')) continue;
+        texts.push(told(element, node.textContent.trim()));
+    }
+    for (const field of document.querySelectorAll('input')) {
+        if (field.value && field.closest('WITHIN') && field.type === 'text' && field.checkVisibility())
+            texts.push(told(field, field.value));
+    }
+    return texts;
+
+    function told(element, text) {
         const chain = [];
         for (let up = element; up; up = up.parentElement) chain.unshift(getComputedStyle(up));
         let under = { r: 12, g: 13, b: 14, a: 1 };
@@ -72,23 +81,71 @@ _TEXTS = """async () => {
             under = over(parse(style.backgroundColor), under);
             opacity *= Number(style.opacity);
         }
-        const own = parse(getComputedStyle(element).color);
+        const drawn = element instanceof SVGElement;
+        const style = getComputedStyle(element);
+        const own = parse(drawn ? style.fill : style.color);
         const ink = light(over({ ...own, a: own.a * opacity }, under));
         const ground = light(under);
-        texts.push({
-            text: node.textContent.trim(),
+        return {
+            text,
             contrast: (Math.max(ink, ground) + 0.05) / (Math.min(ink, ground) + 0.05),
-            size: parseFloat(getComputedStyle(element).fontSize),
-        });
+            size: parseFloat(style.fontSize) * (drawn ? Math.abs(element.getScreenCTM().d) : 1),
+        };
     }
-    return texts;
 }"""
+
+_COLLISIONS = """async () => {
+    await document.fonts.ready;
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const found = [];
+    const texts = [];
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+        const element = node.parentElement;
+        if (!node.textContent.trim() || !element.checkVisibility({ visibilityProperty: true })) continue;
+        if (element.closest('.picture, .unseen, svg') || !element.closest('WITHIN')) continue;
+        const range = document.createRange();
+        range.selectNodeContents(node);
+        const whole = range.getBoundingClientRect();
+        const box = { left: whole.left, top: whole.top, right: whole.right, bottom: whole.bottom };
+        let shortened = false;
+        for (let up = element; up && up !== document.body; up = up.parentElement) {
+            const style = getComputedStyle(up);
+            shortened ||= style.textOverflow === 'ellipsis' || style.webkitLineClamp !== 'none';
+            if (style.overflowX === 'visible') continue;
+            const edge = up.getBoundingClientRect();
+            if (box.right > edge.right + 1 && !shortened) found.push(`“${node.textContent}” is cut off`);
+            box.left = Math.max(box.left, edge.left);
+            box.right = Math.min(box.right, edge.right);
+            box.top = Math.max(box.top, edge.top);
+            box.bottom = Math.min(box.bottom, edge.bottom);
+        }
+        if (box.right - box.left > 1 && box.bottom - box.top > 1)
+            texts.push({ element, text: node.textContent.trim(), box });
+    }
+    const sheet = [...document.querySelectorAll('dialog[open]')].at(-1);
+    for (const [i, a] of texts.entries()) {
+        for (const b of texts.slice(i + 1)) {
+            if (sheet && sheet.contains(a.element) !== sheet.contains(b.element)) continue; // it lies over the page
+            const wide = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
+            const high = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+            if (wide > 1 && high > 3) found.push(`“${a.text}” lies on “${b.text}”`);
+        }
+    }
+    return found;
+}"""
+"""Line boxes are a little higher than what is written in them: lines close together overlap by a pixel or two."""
 
 
 def assert_tidy(flight: Flight) -> None:
     """Nothing scrolls, overlaps, leaves its group or is cut off."""
     clashes = flight.script(_CLASHES)
     assert clashes == [], clashes
+
+
+def assert_no_text_collides(flight: Flight, within: str = "body") -> None:
+    """No text lies on another one, and none is cut off without an ellipsis."""
+    collisions = flight.script(_COLLISIONS.replace("WITHIN", within))
+    assert collisions == [], collisions
 
 
 def assert_readable(flight: Flight, within: str = "body", least: int = 80) -> None:

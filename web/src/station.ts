@@ -1,7 +1,7 @@
 /** The operator's station: monitors, spine and desk, drawn from the last frame alone. */
 
 import { assertUnreachable } from './assert';
-import { CameraHand } from './input/camera-hand';
+import { CameraHand, together } from './input/camera-hand';
 import type { Action } from './input/keymap';
 import { keyOf } from './input/layout';
 import { reread } from './input/store';
@@ -102,6 +102,7 @@ export class Station {
     this.movable = welcome.work.cargo.length > 0;
     this.pictures = new Pictures(welcome, drawing, {
       tearOff,
+      turns: true,
       opened: (matrix) => this.showMatrix(root, matrix),
       changed: () => this.tellWindows(),
     });
@@ -121,7 +122,7 @@ export class Station {
     this.sheet = new ControllersSheet(this.operator.controllers);
     this.touch = touchView(this.operator.controllers.touch);
     this.swap = swapQuestion(this.operator.controllers.pads);
-    this.cameraHand = new CameraHand(() => this.operator.turning, {
+    this.cameraHand = new CameraHand(() => together(this.operator.turning, this.pictures.turning), {
       hand: () => this.pictures,
       barred: () => {
         if (!this.operator.flying) return 'You watch; only the one who flies turns cameras.';
