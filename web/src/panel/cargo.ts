@@ -27,7 +27,9 @@ export function cargoGroup({ welcome }: Desk): Part {
         const cargo = frame.work.cargo.find((each) => each.name === name);
         setText(state, cargo ? whereIs(cargo) : '–');
         setAttribute(state, 'title', cargo?.seat ?? '');
-        setText(speed, cargo ? `${small(cargo.speed, creep)} ${creep.name}` : '');
+        // What is held moves as the arm does, and what is seated does not.
+        const free = cargo && !cargo.held && cargo.seat === '';
+        setText(speed, free ? `${small(cargo.speed, creep)} ${creep.name}` : '');
       }
     },
   };
