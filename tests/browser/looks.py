@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from tests.browser.flight import Flight
+from typing import Any, Protocol
+
+
+class Scripted(Protocol):
+    """A page in any browser."""
+
+    def script(self, text: str) -> Any:  # what a page returns has no type
+        """Evaluates JavaScript in the page."""
+
 
 _CLASHES = """async () => {
     await document.fonts.ready;
@@ -105,28 +113,30 @@ _COLLISIONS = """async () => {
         if (element.closest('.picture, .unseen, svg') || !element.closest('WITHIN')) continue;
         const range = document.createRange();
         range.selectNodeContents(node);
-        const whole = range.getBoundingClientRect();
         // A letter's box has room over and under it that is empty.
         const room = 0.18 * parseFloat(getComputedStyle(element).fontSize);
-        const box = { left: whole.left, top: whole.top + room, right: whole.right, bottom: whole.bottom - room };
-        let shortened = false;
-        for (let up = element; up && up !== document.body; up = up.parentElement) {
-            const style = getComputedStyle(up);
-            shortened ||= style.textOverflow === 'ellipsis' || style.webkitLineClamp !== 'none';
-            if (style.overflowX === 'visible') continue;
-            const edge = up.getBoundingClientRect();
-            if (box.right > edge.right + 1 && !shortened) found.push(`“${node.textContent}” is cut off`);
-            box.left = Math.max(box.left, edge.left);
-            box.right = Math.min(box.right, edge.right);
-            box.top = Math.max(box.top, edge.top);
-            box.bottom = Math.min(box.bottom, edge.bottom);
+        for (const { left, top, right, bottom } of range.getClientRects()) {
+            const box = { left, top: top + room, right, bottom: bottom - room };
+            let shortened = false;
+            for (let up = element; up && up !== document.body; up = up.parentElement) {
+                const style = getComputedStyle(up);
+                shortened ||= style.textOverflow === 'ellipsis' || style.webkitLineClamp !== 'none';
+                if (style.overflowX === 'visible') continue;
+                const edge = up.getBoundingClientRect();
+                if (box.right > edge.right + 1 && !shortened) found.push(`“${node.textContent}” is cut off`);
+                box.left = Math.max(box.left, edge.left);
+                box.right = Math.min(box.right, edge.right);
+                box.top = Math.max(box.top, edge.top);
+                box.bottom = Math.min(box.bottom, edge.bottom);
+            }
+            if (box.right - box.left > 1 && box.bottom - box.top > 1)
+                texts.push({ node, element, text: node.textContent.trim(), box });
         }
-        if (box.right - box.left > 1 && box.bottom - box.top > 1)
-            texts.push({ element, text: node.textContent.trim(), box });
     }
     const sheet = [...document.querySelectorAll('dialog[open]')].at(-1);
     for (const [i, a] of texts.entries()) {
         for (const b of texts.slice(i + 1)) {
+            if (a.node === b.node) continue;
             if (sheet && sheet.contains(a.element) !== sheet.contains(b.element)) continue; // it lies over the page
             const wide = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
             const high = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
@@ -137,23 +147,23 @@ _COLLISIONS = """async () => {
 }"""
 
 
-def assert_tidy(flight: Flight) -> None:
+def assert_tidy(page: Scripted) -> None:
     """Nothing scrolls, overlaps or leaves its group; no text lies on another one or is cut off without an ellipsis."""
-    clashes = flight.script(_CLASHES) + collisions(flight)
+    clashes = page.script(_CLASHES) + collisions(page)
     assert clashes == [], clashes
 
 
-def collisions(flight: Flight, within: str = "body") -> list[str]:
+def collisions(page: Scripted, within: str = "body") -> list[str]:
     """Texts that lie on another one or are cut off without an ellipsis, in sentences."""
-    return list(flight.script(_COLLISIONS.replace("WITHIN", within)))
+    return list(page.script(_COLLISIONS.replace("WITHIN", within)))
 
 
-def assert_readable(flight: Flight, within: str = "body", least: int = 80) -> None:
+def assert_readable(page: Scripted, within: str = "body", least: int = 80) -> None:
     """Every text, of which there are more than `least`, has a contrast of 4.5 to what is behind it, and 10 px or more.
 
     `within`: a selector of what to look at.
     """
-    texts = flight.script(_TEXTS.replace("WITHIN", within))
+    texts = page.script(_TEXTS.replace("WITHIN", within))
     assert len(texts) > least
     assert [text for text in texts if text["contrast"] < 4.5] == []
     assert [text for text in texts if text["size"] < 10] == []

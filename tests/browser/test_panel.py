@@ -1,4 +1,4 @@
-"""The operator's panel with a payload in the grasp: every text readable, none on another, everything in reach of Tab."""
+"""The operator's panel with a payload in the grasp: every text can be read, and Tab goes to everything."""
 
 from __future__ import annotations
 

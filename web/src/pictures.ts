@@ -117,6 +117,11 @@ export class Pictures {
     return this.hand.picture.turning(performance.now());
   }
 
+  /** Lets go of what is dragged. */
+  release(): void {
+    for (const picture of this.monitors.flatMap(({ halves }) => halves)) picture.release();
+  }
+
   /** The drives turn at their low speed. */
   get slow(): boolean {
     return this.slowly;

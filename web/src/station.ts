@@ -172,6 +172,7 @@ export class Station {
     );
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => this.tones.wake(), { signal: this.ended.signal });
+    window.addEventListener('blur', () => this.pictures.release(), { signal: this.ended.signal });
     this.request = requestAnimationFrame(() => this.tick());
   }
 

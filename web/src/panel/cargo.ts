@@ -12,9 +12,9 @@ const ROWS = 3;
 
 export function cargoGroup({ welcome }: Desk): Part {
   const rows = welcome.work.cargo.slice(0, ROWS).map((name) => {
-    const state = el('td', { class: 'state' });
-    const speed = el('td', { class: 'speed' });
-    const row = el('tr', {}, el('th', { scope: 'row', title: name }, name), state, speed);
+    const state = el('span');
+    const speed = el('span', { class: 'speed' });
+    const row = el('tr', {}, el('th', { scope: 'row', title: name }, name), el('td', {}, state, speed));
     return { name, state, speed, row };
   });
   const table = el('table', {}, el('tbody', {}, ...rows.map(({ row }) => row)));

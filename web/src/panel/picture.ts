@@ -98,8 +98,13 @@ export class Picture {
 
   /** How a drag, a pinch or the wheel pushes the switches of this camera now. */
   turning(now: number): Turning {
-    if (!document.hasFocus()) this.drag.release();
     return this.drag.turning(now);
+  }
+
+  /** Lets go of what is dragged. */
+  release(): void {
+    this.drag.release();
+    this.drawBand();
   }
 
   /** The control frame's axes, at picture rate. */
