@@ -217,3 +217,8 @@ test('a SpaceMouse report that is too short or odd is not understood; others are
   const buttons = parsed(CAP_AT_REST, 3, new DataView(Uint8Array.of(2, 1).buffer))?.buttons;
   expect(buttons?.flatMap((down, i) => (down ? [i] : []))).toEqual([1, 8]);
 });
+
+test('the keyboard does everything that can be done', () => {
+  const bound = new Set(Object.values(DEFAULTS.keyboard.bindings));
+  expect([...USES.keys()].filter((use) => !bound.has(use))).toEqual([]);
+});

@@ -99,7 +99,7 @@ export function storedPoints(sequences: readonly StoredSequence[]): StoredPoints
       setText(
         words,
         points.length === 0
-          ? 'No points are stored in this scenario.'
+          ? 'No points are stored for it.'
           : `17 START PT ${next}   LAST PT ${points.length}`,
       );
     },
