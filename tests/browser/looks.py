@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from tests.browser.flight import Flight
+from typing import Any, Protocol
+
+
+class Scripted(Protocol):
+    """A page in any browser."""
+
+    def script(self, text: str) -> Any:  # what a page returns has no type
+        """Evaluates JavaScript in the page."""
+
 
 _CLASHES = """async () => {
     await document.fonts.ready;
@@ -63,7 +71,16 @@ _TEXTS = """async () => {
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
         const element = node.parentElement;
         if (!node.textContent.trim() || !element.checkVisibility({ visibilityProperty: true })) continue;
-        if (element.closest('.picture, .unseen, svg') || !element.closest('WITHIN')) continue;
+        if (element.closest('.picture, .unseen') || !element.closest('WITHIN')) continue;
+        texts.push(told(element, node.textContent.trim()));
+    }
+    for (const field of document.querySelectorAll('input')) {
+        if (field.value && field.closest('WITHIN') && field.type === 'text' && field.checkVisibility())
+            texts.push(told(field, field.value));
+    }
+    return texts;
+
+    function told(element, text) {
         const chain = [];
         for (let up = element; up; up = up.parentElement) chain.unshift(getComputedStyle(up));
         let under = { r: 12, g: 13, b: 14, a: 1 };
@@ -72,31 +89,81 @@ _TEXTS = """async () => {
             under = over(parse(style.backgroundColor), under);
             opacity *= Number(style.opacity);
         }
-        const own = parse(getComputedStyle(element).color);
+        const drawn = element instanceof SVGElement;
+        const style = getComputedStyle(element);
+        const own = parse(drawn ? style.fill : style.color);
         const ink = light(over({ ...own, a: own.a * opacity }, under));
         const ground = light(under);
-        texts.push({
-            text: node.textContent.trim(),
+        return {
+            text,
             contrast: (Math.max(ink, ground) + 0.05) / (Math.min(ink, ground) + 0.05),
-            size: parseFloat(getComputedStyle(element).fontSize),
-        });
+            size: parseFloat(style.fontSize) * (drawn ? Math.abs(element.getScreenCTM().d) : 1),
+        };
     }
-    return texts;
+}"""
+
+_COLLISIONS = """async () => {
+    await document.fonts.ready;
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const found = [];
+    const texts = [];
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+        const element = node.parentElement;
+        if (!node.textContent.trim() || !element.checkVisibility({ visibilityProperty: true })) continue;
+        if (element.closest('.picture, .unseen, svg') || !element.closest('WITHIN')) continue;
+        const range = document.createRange();
+        range.selectNodeContents(node);
+        // A letter's box has room over and under it that is empty.
+        const room = 0.18 * parseFloat(getComputedStyle(element).fontSize);
+        for (const { left, top, right, bottom } of range.getClientRects()) {
+            const box = { left, top: top + room, right, bottom: bottom - room };
+            let shortened = false;
+            for (let up = element; up && up !== document.body; up = up.parentElement) {
+                const style = getComputedStyle(up);
+                shortened ||= style.textOverflow === 'ellipsis' || style.webkitLineClamp !== 'none';
+                if (style.overflowX === 'visible') continue;
+                const edge = up.getBoundingClientRect();
+                if (box.right > edge.right + 1 && !shortened) found.push(`“${node.textContent}” is cut off`);
+                box.left = Math.max(box.left, edge.left);
+                box.right = Math.min(box.right, edge.right);
+                box.top = Math.max(box.top, edge.top);
+                box.bottom = Math.min(box.bottom, edge.bottom);
+            }
+            if (box.right - box.left > 1 && box.bottom - box.top > 1)
+                texts.push({ node, element, text: node.textContent.trim(), box });
+        }
+    }
+    const sheet = [...document.querySelectorAll('dialog[open]')].at(-1);
+    for (const [i, a] of texts.entries()) {
+        for (const b of texts.slice(i + 1)) {
+            if (a.node === b.node) continue;
+            if (sheet && sheet.contains(a.element) !== sheet.contains(b.element)) continue; // it lies over the page
+            const wide = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
+            const high = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+            if (wide > 1 && high > 1) found.push(`“${a.text}” lies on “${b.text}”`);
+        }
+    }
+    return found;
 }"""
 
 
-def assert_tidy(flight: Flight) -> None:
-    """Nothing scrolls, overlaps, leaves its group or is cut off."""
-    clashes = flight.script(_CLASHES)
+def assert_tidy(page: Scripted) -> None:
+    """Nothing scrolls, overlaps or leaves its group; no text lies on another one or is cut off without an ellipsis."""
+    clashes = page.script(_CLASHES) + collisions(page)
     assert clashes == [], clashes
 
 
-def assert_readable(flight: Flight, within: str = "body", least: int = 80) -> None:
+def collisions(page: Scripted, within: str = "body") -> list[str]:
+    """Texts that lie on another one or are cut off without an ellipsis, in sentences."""
+    return list(page.script(_COLLISIONS.replace("WITHIN", within)))
+
+
+def assert_readable(page: Scripted, within: str = "body", least: int = 80) -> None:
     """Every text, of which there are more than `least`, has a contrast of 4.5 to what is behind it, and 10 px or more.
 
     `within`: a selector of what to look at.
     """
-    texts = flight.script(_TEXTS.replace("WITHIN", within))
+    texts = page.script(_TEXTS.replace("WITHIN", within))
     assert len(texts) > least
     assert [text for text in texts if text["contrast"] < 4.5] == []
     assert [text for text in texts if text["size"] < 10] == []

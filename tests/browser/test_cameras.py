@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.conftest import SIZES
+from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.looks import assert_readable, assert_tidy
 
@@ -247,3 +247,50 @@ def test_a_page_says_why_a_fixed_camera_does_not_turn(flight: Flight) -> None:
     flight.hold("ArrowRight")
     flight.until_logged("AFT is fixed.")
     flight.release("ArrowRight")
+
+
+def test_a_drag_pans_and_tilts_the_picture_in_hand_the_wheel_zooms_it_and_letting_go_stops_it(flight: Flight) -> None:
+    flight.press("1", "x", "3")
+    flight.until(shows(1, "C"))
+    flight.press("x")
+    page = flight.page
+    box = page.locator(".picture").nth(1).bounding_box()
+    assert box is not None
+    middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    pan, tilt, angle = flight.frame().views[2]
+    page.mouse.move(*middle)
+    page.locator(".picture").nth(1).get_by_text("drag: pan, tilt").wait_for(state="visible")
+    page.mouse.down()
+    flight.until("document.querySelectorAll('.monitor')[1].matches('.in-hand')")
+    page.mouse.move(middle[0] + 60, middle[1] - 60, steps=3)
+    flight.until(f"frame.views[2][0] > {pan + 0.02} && frame.views[2][1] > {tilt + 0.02}")
+    page.mouse.up()
+    steady(flight)
+    stopped = flight.frame().views[2]
+    assert stopped[2] == angle
+    steady(flight)
+    assert flight.frame().views[2] == stopped
+    page.mouse.wheel(0, -100)
+    flight.until(f"frame.views[2][2] < {angle - 0.002}")
+    steady(flight)
+    narrow = flight.frame().views[2][2]
+    page.mouse.wheel(0, 100)
+    flight.until(f"frame.views[2][2] > {narrow + 0.002}")
+
+
+def test_who_watches_is_told_that_a_drag_turns_no_camera(flight: Flight, open_page: OpenPage) -> None:
+    watcher = open_page()
+    watcher.until("document.querySelector('.who').textContent === 'You watch'")
+    watcher.press("3")
+    picture = watcher.page.locator(".picture").first
+    picture.hover()
+    picture.get_by_text("you watch: whoever flies turns cameras").wait_for(state="visible")
+    before = watcher.frame().views
+    watcher.page.mouse.down()
+    box = picture.bounding_box()
+    assert box is not None
+    watcher.page.mouse.move(box["x"] + 30, box["y"] + 30, steps=3)
+    watcher.until_logged("You watch; only the one who flies turns cameras.")
+    watcher.page.mouse.up()
+    steady(watcher)
+    assert watcher.frame().views == before

@@ -12,6 +12,8 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 HIDDEN = "document.querySelector('{}').checkVisibility() === false"
 SHOWN = "document.querySelector('{}').checkVisibility()"
+TO_THE_STOP_MS = 180_000
+"""The longest that a joint may take to its stops [ms]; it is there in 20 s."""
 CHECK_CRT = "[...document.querySelectorAll('.lamp.caution')].some((lamp) => lamp.textContent.includes('CHECK CRT'))"
 """A refusal's lamp, which goes out after 5 s."""
 
@@ -143,3 +145,21 @@ def test_a_lamp_keeps_the_log_to_its_cause_and_outlines_what_it_speaks_of(flight
     flight.until("!document.querySelector('.concerned')")
     flight.press_key("show all")
     flight.until(f"{lines}.some((line) => line.includes('END EFF entered'))")
+
+
+def test_direct_drives_a_joint_past_its_soft_stop_and_the_panel_says_so(flight: Flight) -> None:
+    wrist_pitch = 3
+    row = f"document.querySelectorAll('.joints tbody tr')[{wrist_pitch}]"
+    flight.enter("DIRECT")
+    flight.page.get_by_role("group", name="Joint").get_by_role("button").nth(wrist_pitch).click()
+    flight.until(f"frame.joint === {wrist_pitch} && {row}.matches('.selected')")
+    flight.hold("s")
+    flight.until(f"frame.zones[{wrist_pitch}] === 2", TO_THE_STOP_MS)
+    flight.until_lit("SOFT STOP")
+    amber = "'rgb(255, 181, 52)'"
+    name, angle, pointer = (f"{row}.querySelector('{part}')" for part in ("th", ".angle", ".pointer"))
+    flight.until(f"[{name}, {angle}].every((each) => getComputedStyle(each).color === {amber})")
+    flight.until(f"getComputedStyle({pointer}).fill === {amber}")
+    flight.until(f"frame.zones[{wrist_pitch}] === 3", TO_THE_STOP_MS)
+    flight.release("s")
+    flight.until("document.querySelector('.acting')?.textContent.includes('hard stop')")

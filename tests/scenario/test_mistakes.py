@@ -113,6 +113,10 @@ TABLES = [
     ("[payload]\nmass = 1\nmatrix = [[1e300, 0, 0], [0, 1, 0], [0, 0, 1]]", "a.toml:6: payload.matrix: is not a r"),
     ("[payload]\nmass = 1\nmatrix = [[nan, 0, 0], [0, 1, 0], [0, 0, 1]]", "a.toml:6: payload.matrix: expected fin"),
     ("[phase]\nmode = 4", "a.toml:4: phase: Expected `array`, got `object`"),
+    ("[clearance]\nwarning = 0", "a.toml:5: clearance.warning: is above 0, got 0 m"),
+    ("[clearance]\ncaution = '60 cm'\nwarning = 0.6", "a.toml:5: clearance.caution: is above the warning at 0.6 m"),
+    ("[clearance]\ncaution = '10 cm'", "a.toml:5: clearance.caution: is above the warning at 0.15 m, got 0.1 m"),
+    ("[clearance]\nwarning = '3 kg'", "a.toml:5: clearance.warning: '3 kg' is no length"),
 ]
 PHASES = [
     ("", "a.toml:4: phase[0]: the field 'mode' is missing"),

@@ -13,6 +13,7 @@ import './style/tables.css';
 import './style/clearance.css';
 import './style/effector.css';
 import './style/key-map.css';
+import './style/control-page.css';
 import './style/controllers.css';
 import './style/touch.css';
 import './style/tutorial.css';

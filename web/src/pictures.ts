@@ -1,6 +1,7 @@
 /** The two monitors, all cameras at once, and the one canvas behind them. */
 
 import { small } from './format';
+import type { Turning } from './input/camera-hand';
 import { el } from './panel/dom';
 import { type GapLine, middleOf, type Touch } from './panel/gap-overlay';
 import { FARTHEST } from './panel/gap-scale';
@@ -41,6 +42,8 @@ export interface PicturesListener {
   tearOff?: (what: 0 | 1 | 'matrix') => void;
   /** All cameras are shown, or no longer. */
   opened?: (matrix: boolean) => void;
+  /** Dragging a picture turns its camera. */
+  turns?: boolean;
   /** A monitor shows another camera, or is split. */
   changed?: () => void;
 }
@@ -86,6 +89,7 @@ export class Pictures {
         split: () => this.toggleSplit(),
         slow: () => this.toggleSlow(),
         orbited: (camera, ...by) => this.orbit(camera, ...by),
+        turns: listener.turns ?? false,
         ...(tearOff ? { tearOff: () => tearOff(index) } : {}),
       });
     this.monitors = [monitor(0), monitor(1)];
@@ -106,6 +110,16 @@ export class Pictures {
   /** The camera that camera keys act on. */
   get camera(): Camera {
     return this.hand.picture.camera;
+  }
+
+  /** How a drag or the wheel pushes the switches of the camera in hand. */
+  get turning(): Turning {
+    return this.hand.picture.turning(performance.now());
+  }
+
+  /** Lets go of what is dragged. */
+  release(): void {
+    for (const picture of this.monitors.flatMap(({ halves }) => halves)) picture.release();
   }
 
   /** The drives turn at their low speed. */

@@ -453,6 +453,11 @@ export interface Welcome {
   readonly conditions: readonly LightCondition[];
   /** Switches of the lamps that are there. */
   readonly lamps: readonly string[];
+  /** By PL ID, from 0. */
+  readonly payloads: readonly PayloadInfo[];
+  readonly sequences: readonly StoredSequence[];
+  /** Normalised distance under which a singularity is cautioned of. */
+  readonly singular: number;
   /** Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none. */
   readonly phases: readonly string[];
 }
@@ -610,6 +615,39 @@ export interface SkyGlow {
   readonly strength: number;
 }
 
+/** A row of the payload table (SPEC 94 item 3): what the steering keeps to with this payload in the grasp. */
+export interface PayloadInfo {
+  /** PL ID; 0: nothing is held. */
+  readonly id: number;
+  readonly name: string;
+  /** [kg] */
+  readonly mass: number;
+  /** Greatest speed of the point of resolution, coarse and vernier [m/s]. */
+  readonly translation: Vec2;
+  /** The same of its rotation [rad/s]. */
+  readonly rotation: Vec2;
+  /** Joint rates of SINGLE, DIRECT and MASTER [rad/s]. */
+  readonly coarse: Six;
+  readonly vernier: Six;
+}
+
+/** What one of AUTO 1-4 flies through (SPEC 94 items 13-16). */
+export interface StoredSequence {
+  /** As `ModeInfo.position`. */
+  readonly position: string;
+  readonly points: readonly StoredPoint[];
+}
+
+/** A prestored point of AUTO 1-4, panel components. */
+export interface StoredPoint {
+  /** X, Y, Z [m]. */
+  readonly position: Vec3;
+  /** Pitch, yaw, roll [rad], each in [0, 2 pi). */
+  readonly attitude: Vec3;
+  /** It is waited at for PROCEED; else only come near. */
+  readonly pause: boolean;
+}
+
 /** Who flies: sent on connection and whenever it changes. */
 export interface Role {
   readonly type: 'role';
@@ -665,6 +703,10 @@ export interface Frame {
   readonly commanded: Resolution;
   /** POR translation [m/s] and rotation [rad/s] limits in force. */
   readonly por_limits: Vec2;
+  /** PL ID of what is in the grasp, as in `Welcome.payloads`. */
+  readonly payload: number;
+  /** From the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]. */
+  readonly por_offset: Vec3;
   /** Limits acting in this step. */
   readonly limits: readonly Limit[];
   /** Shoulder, elbow, wrist: signed normalised distances, 0 at the singularity. */

@@ -1,7 +1,7 @@
 /** The operator's station: monitors, spine and desk, drawn from the last frame alone. */
 
 import { assertUnreachable } from './assert';
-import { CameraHand } from './input/camera-hand';
+import { CameraHand, together } from './input/camera-hand';
 import type { Action } from './input/keymap';
 import { keyOf } from './input/layout';
 import { reread } from './input/store';
@@ -10,6 +10,7 @@ import { Latency } from './latency';
 import { Operator } from './operator';
 import { clearanceCause } from './panel/clearance';
 import { concernOf, outline } from './panel/concerns';
+import { ControlPage } from './panel/control-page';
 import { ControllersSheet } from './panel/controllers';
 import { deskGroups, type Groups } from './panel/desk';
 import { el, setClass } from './panel/dom';
@@ -80,6 +81,7 @@ export class Station {
   private readonly events: EventsGroup;
   private readonly keys = new KeyMap(() => this.changeControllers());
   private readonly sheet: ControllersSheet;
+  private readonly controlPage: ControlPage;
   private readonly touch;
   private readonly swap;
   /** What the station was told last of the controllers, and how many were gone. */
@@ -106,6 +108,7 @@ export class Station {
     this.movable = welcome.work.cargo.length > 0;
     this.pictures = new Pictures(welcome, drawing, {
       tearOff,
+      turns: true,
       opened: (matrix) => this.showMatrix(root, matrix),
       changed: () => this.tellWindows(),
     });
@@ -125,7 +128,7 @@ export class Station {
     this.sheet = new ControllersSheet(this.operator.controllers);
     this.touch = touchView(this.operator.controllers.touch);
     this.swap = swapQuestion(this.operator.controllers.pads);
-    this.cameraHand = new CameraHand(() => this.operator.turning, {
+    this.cameraHand = new CameraHand(() => together(this.operator.turning, this.pictures.turning), {
       hand: () => this.pictures,
       barred: () => {
         if (!this.operator.flying) return 'You watch; only the one who flies turns cameras.';
@@ -142,8 +145,10 @@ export class Station {
       send: (command) => this.send(command),
       say: (text) => this.say(text),
     };
+    this.controlPage = new ControlPage(desk);
     this.groups = deskGroups(desk, this.events, {
       plane: () => this.showPlane(),
+      controlPage: () => this.controlPage.toggle(),
       flyOrbiter: (on) => this.flyOrbiter(on),
     });
     this.tutorial = new Tutorial(desk, this.operator.controllers);
@@ -169,10 +174,12 @@ export class Station {
       this.touch.element,
       this.swap.element,
       this.keys.element,
+      this.controlPage.element,
       this.sheet.element,
     );
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => this.tones.wake(), { signal: this.ended.signal });
+    window.addEventListener('blur', () => this.pictures.release(), { signal: this.ended.signal });
     this.request = requestAnimationFrame(() => this.tick());
   }
 
@@ -268,6 +275,7 @@ export class Station {
     this.pictures.setTime(view, age);
     setClass(document.body, 'stale', age > STALE_S);
     this.groups.values(view);
+    this.controlPage.values(view);
     const test = view.frame.mode === 'TEST';
     this.spine.show([...view.frame.lamps, ...this.ownLamps(view, now, age)], test);
     const latency95 = this.latency.percentile95(now);
@@ -444,12 +452,16 @@ export class Station {
       case 'lock exposure':
         this.light.lock();
         break;
+      case 'control page':
+        this.controlPage.toggle();
+        break;
       case 'keys':
         this.keys.toggle();
         break;
       case 'leave':
         this.sheet.close();
         this.keys.close();
+        this.controlPage.close();
         this.rail.close();
         if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
         break;

@@ -1,4 +1,4 @@
-/** The operator's units: how lengths [m] and speeds [m/s] are shown and keyed in. */
+/** The operator's units: how lengths [m], speeds [m/s] and masses [kg] are shown and keyed in. */
 
 import type { Welcome } from './protocol';
 
@@ -6,7 +6,7 @@ export type UnitName = Welcome['units'];
 
 export interface Unit {
   readonly name: string;
-  /** Shown value of one metre, or of one metre per second. */
+  /** Shown value of one metre, one metre per second, or one kilogram. */
   readonly perSi: number;
   readonly decimals: number;
 }
@@ -18,6 +18,8 @@ export interface Units {
   /** Of gaps and small errors, and of how fast they close. */
   readonly gap: Unit;
   readonly creep: Unit;
+  /** Shown value of one kilogram. */
+  readonly mass: Unit;
 }
 
 const FEET_INCHES: Units = {
@@ -26,6 +28,7 @@ const FEET_INCHES: Units = {
   speed: { name: 'ft/s', perSi: 1 / 0.3048, decimals: 2 },
   gap: { name: 'in', perSi: 1 / 0.0254, decimals: 1 },
   creep: { name: 'in/s', perSi: 1 / 0.0254, decimals: 1 },
+  mass: { name: 'lb', perSi: 1 / 0.45359237, decimals: 0 },
 };
 
 const SI: Units = {
@@ -34,6 +37,7 @@ const SI: Units = {
   speed: { name: 'm/s', perSi: 1, decimals: 3 },
   gap: { name: 'cm', perSi: 100, decimals: 1 },
   creep: { name: 'cm/s', perSi: 100, decimals: 1 },
+  mass: { name: 'kg', perSi: 1, decimals: 0 },
 };
 
 export function unitsOf(name: UnitName): Units {

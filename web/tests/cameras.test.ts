@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { bestPair, between, type Sighting, type Target } from '../src/advice';
-import { CameraHand, turningOf } from '../src/input/camera-hand';
+import { CameraDrag } from '../src/input/camera-drag';
+import { CameraHand, together, turningOf } from '../src/input/camera-hand';
 import { DEFAULTS } from '../src/input/defaults';
 import { lensWords, zoomed } from '../src/panel/lens';
 import type { BodyInfo, Camera, Shape, Vec3 } from '../src/protocol';
@@ -284,6 +285,56 @@ test('a camera is told to turn, again while the key is held, and to stop as soon
   tick(15);
   expect(told).toHaveLength(3);
   expect(said).toEqual(['X is fixed.']);
+});
+
+test('a drag pushes the switches as far as it went from where it began, until it is let go', () => {
+  const drag = new CameraDrag();
+  expect(drag.turning(0)).toEqual(still);
+  drag.press(1, { x: 200, y: 150 }, 300);
+  drag.move(1, { x: 202, y: 149 });
+  expect(drag.turning(0)).toEqual(still);
+  drag.move(1, { x: 230, y: 90 });
+  const { pan, tilt, zoom } = drag.turning(0);
+  expect(tilt / pan).toBeCloseTo(2);
+  expect(zoom).toBe(0);
+  expect(drag.line).toEqual({ from: { x: 200, y: 150 }, to: { x: 230, y: 90 } });
+  drag.move(1, { x: -900, y: 900 });
+  expect(drag.turning(0)).toEqual({ pan: -1, tilt: -1, zoom: 0 });
+  drag.lift(1);
+  expect(drag.turning(0)).toEqual(still);
+  expect(drag.line).toBeNull();
+});
+
+test('a notch of the wheel zooms for a moment, and one the other way ends it', () => {
+  const drag = new CameraDrag();
+  drag.turnWheel(1, 1000);
+  expect(drag.turning(1050).zoom).toBe(1);
+  drag.turnWheel(-1, 1060);
+  expect(drag.turning(1070).zoom).toBe(-1);
+  expect(drag.turning(1500)).toEqual(still);
+  for (let i = 0; i < 50; i += 1) drag.turnWheel(1, 2000);
+  expect(drag.turning(2600)).toEqual(still);
+});
+
+test('two fingers pinch: apart zooms in, together out, and neither pans', () => {
+  const drag = new CameraDrag();
+  drag.press(1, { x: 100, y: 100 }, 300);
+  drag.press(2, { x: 200, y: 100 }, 300);
+  expect(drag.turning(0)).toEqual(still);
+  drag.move(2, { x: 400, y: 100 });
+  expect(drag.turning(0)).toEqual({ pan: 0, tilt: 0, zoom: 1 });
+  drag.move(2, { x: 170, y: 100 });
+  expect(drag.turning(0).zoom).toBeCloseTo(Math.log(0.7) / Math.log(2));
+  drag.release();
+  expect(drag.turning(0)).toEqual(still);
+});
+
+test('keys and a drag push the same switches, no farther than they go', () => {
+  expect(together({ pan: 1, tilt: -0.5, zoom: 0 }, { pan: 0.7, tilt: 0.5, zoom: -1 })).toEqual({
+    pan: 1,
+    tilt: 0,
+    zoom: -1,
+  });
 });
 
 test('a page is asked by its address to show one thing alone', () => {

@@ -113,10 +113,10 @@ test('the browser keeps its keys, Space stops always', () => {
     expect(keyRefusal({ code, ...alone })).toContain('belongs to the browser');
   }
   for (const part of ['ctrlKey', 'altKey', 'metaKey']) {
-    expect(keyRefusal({ code: 'Backslash', ...alone, [part]: true })).toContain('belong to the browser');
+    expect(keyRefusal({ code: 'Insert', ...alone, [part]: true })).toContain('belong to the browser');
   }
   expect(keyRefusal({ code: 'Space', ...alone })).toContain('stops, always');
-  for (const code of ['Digit1', 'Numpad0', 'Backslash', 'ArrowUp']) {
+  for (const code of ['Digit1', 'Numpad0', 'Insert', 'ArrowUp']) {
     expect(keyRefusal({ code, ...alone })).toBeNull();
   }
 });
@@ -156,7 +156,7 @@ test('what was saved is there when the page is opened again; what is broken is n
     removeItem: (key: string) => kept.delete(key),
   };
   Object.defineProperty(globalThis, 'localStorage', { value: storage, configurable: true });
-  const mine = bind('keyboard', DEFAULTS.keyboard, '+X', { source: 'Backslash', sign: 1 });
+  const mine = bind('keyboard', DEFAULTS.keyboard, '+X', { source: 'Insert', sign: 1 });
   save('keyboard', mine);
   reread();
   expect(mappingOf('keyboard')).toEqual(mine);
@@ -216,4 +216,9 @@ test('a SpaceMouse report that is too short or odd is not understood; others are
   expect(parsed(CAP_AT_REST, 0x17, new DataView(new ArrayBuffer(1)))).toBe(CAP_AT_REST);
   const buttons = parsed(CAP_AT_REST, 3, new DataView(Uint8Array.of(2, 1).buffer))?.buttons;
   expect(buttons?.flatMap((down, i) => (down ? [i] : []))).toEqual([1, 8]);
+});
+
+test('the keyboard does everything that can be done', () => {
+  const bound = new Set(Object.values(DEFAULTS.keyboard.bindings));
+  expect([...USES.keys()].filter((use) => !bound.has(use))).toEqual([]);
 });

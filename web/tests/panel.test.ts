@@ -7,6 +7,7 @@ import { segments } from '../src/panel/lamp-test';
 import { leadsAway } from '../src/panel/limits';
 import { limitTags, pointWords } from '../src/panel/resolution';
 import { whatNext } from '../src/panel/route';
+import { firstShown, startPoint } from '../src/panel/stored-points';
 import { opposite } from '../src/panel/thc';
 import type { Frame, JointInfo } from '../src/protocol';
 import { isSoftware } from '../src/quality';
@@ -161,4 +162,19 @@ test('names that begin alike are told together', () => {
   expect(together(['Menu + Cross ↓', 'Menu + Cross ↑'])).toBe('Menu + Cross ↓ ↑');
   expect(together(['Menu + North', 'Menu + Cross ↑'])).toBe('Menu + North Cross ↑');
   expect(together(['North', 'Menu + North'])).toBe('North, Menu + North');
+});
+
+test('of many stored points the next one is in sight, with the one before it', () => {
+  expect(firstShown(1, 4)).toBe(0);
+  expect(firstShown(1, 12)).toBe(0);
+  expect(firstShown(6, 12)).toBe(4);
+  expect(firstShown(12, 12)).toBe(7);
+  expect(firstShown(0, 0)).toBe(0);
+});
+
+test('a sequence starts at its next point, and from the first where it is complete or not entered', () => {
+  expect(startPoint('AUTO 1', { mode: 'AUTO 1', point: 3 }, 4)).toBe(3);
+  expect(startPoint('AUTO 1', { mode: 'AUTO 1', point: 5 }, 4)).toBe(1);
+  expect(startPoint('AUTO 2', { mode: 'AUTO 1', point: 3 }, 2)).toBe(1);
+  expect(startPoint('AUTO 3', { mode: 'AUTO 1', point: 3 }, 0)).toBe(0);
 });

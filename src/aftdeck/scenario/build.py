@@ -148,8 +148,10 @@ def _check_times(problems: Problems, spec: ScenarioFile) -> None:
 def _check_clearance(problems: Problems, spec: ScenarioFile) -> None:
     """The clearances that caution and warn."""
     caution, warning = spec.clearance.caution, spec.clearance.warning
-    if not 0.0 < warning <= caution:
-        problems.wrong(("clearance",), f"expected 0 < warning <= caution, got {warning:g} and {caution:g} m")
+    if warning <= 0.0:
+        problems.wrong(("clearance", "warning"), f"is above 0, got {warning:g} m")
+    if not warning < caution:
+        problems.wrong(("clearance", "caution"), f"is above the warning at {warning:g} m, got {caution:g} m")
 
 
 def _check_arrival(problems: Problems, spec: ScenarioFile) -> None:

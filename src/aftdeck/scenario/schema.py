@@ -90,7 +90,11 @@ class InitialiseSpec(_Part, frozen=True):
 
 
 class ClearanceSpec(_Part, frozen=True):
-    """Clearances under which the page cautions and warns."""
+    """Clearances under which the page cautions and warns.
+
+    By default a little less than the Shuttle's upper boom has over the sill's fittings while the arm is not stretched
+    out: a caution that is always lit tells nothing.
+    """
 
     caution: Length = Length(0.5)
     warning: Length = Length(0.15)

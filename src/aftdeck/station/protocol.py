@@ -375,6 +375,42 @@ class WorkInfo(msgspec.Struct, frozen=True):
     """Clearance under which the page warns [m]."""
 
 
+class PayloadInfo(msgspec.Struct, frozen=True):
+    """A row of the payload table (SPEC 94 item 3): what the steering keeps to with this payload in the grasp."""
+
+    id: int
+    """PL ID; 0: nothing is held."""
+    name: str
+    mass: float
+    """[kg]"""
+    translation: tuple[float, float]
+    """Greatest speed of the point of resolution, coarse and vernier [m/s]."""
+    rotation: tuple[float, float]
+    """The same of its rotation [rad/s]."""
+    coarse: Six
+    """Joint rates of SINGLE, DIRECT and MASTER [rad/s]."""
+    vernier: Six
+
+
+class StoredPoint(msgspec.Struct, frozen=True):
+    """A prestored point of AUTO 1-4, panel components."""
+
+    position: Vec3
+    """X, Y, Z [m]."""
+    attitude: Vec3
+    """Pitch, yaw, roll [rad], each in [0, 2 pi)."""
+    pause: bool
+    """It is waited at for PROCEED; else only come near."""
+
+
+class StoredSequence(msgspec.Struct, frozen=True):
+    """What one of AUTO 1-4 flies through (SPEC 94 items 13-16)."""
+
+    position: str
+    """As `ModeInfo.position`."""
+    points: tuple[StoredPoint, ...]
+
+
 class Welcome(_Message, frozen=True, tag="welcome"):
     """Answer to `Hello`: all that a page needs to know once."""
 
@@ -401,6 +437,11 @@ class Welcome(_Message, frozen=True, tag="welcome"):
     """Where sun and Earth can stand."""
     lamps: tuple[str, ...]
     """Switches of the lamps that are there."""
+    payloads: tuple[PayloadInfo, ...]
+    """By PL ID, from 0."""
+    sequences: tuple[StoredSequence, ...]
+    singular: float
+    """Normalised distance under which a singularity is cautioned of."""
     phases: tuple[str, ...] = ()
     """Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none."""
 
@@ -648,6 +689,10 @@ class Frame(_Message, frozen=True, tag="frame"):
     commanded: Resolution
     por_limits: tuple[float, float]
     """POR translation [m/s] and rotation [rad/s] limits in force."""
+    payload: int
+    """PL ID of what is in the grasp, as in `Welcome.payloads`."""
+    por_offset: Vec3
+    """From the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]."""
     limits: tuple[Limit, ...]
     """Limits acting in this step."""
     singularity: Vec3

@@ -19,6 +19,7 @@ from aftdeck.simulation import frame as sim
 from aftdeck.simulation.log import spoken
 from aftdeck.simulation.look_ahead import Ahead
 from aftdeck.station import protocol as wire
+from aftdeck.station.wire_spec94 import payload_table, stored_sequences
 from aftdeck.station.wire_work import WorkTranslator, work_info
 from aftdeck.steering.mode import MODES, Mode
 from aftdeck.version import __version__
@@ -85,6 +86,9 @@ class Translator:
             bodies=bodies,
             ghost=self._ghost(len(bodies)),
             cameras=cameras,
+            payloads=payload_table(scenario),
+            sequences=stored_sequences(scenario),
+            singular=model.singular,
             phases=phases,
         )
 
@@ -160,6 +164,8 @@ class Translator:
             actual=self._resolution(Pose(resolution, axes), frame.twist),
             commanded=self._resolution(self._commanded(frame, tip, Pose(resolution, axes)), frame.twist_demanded),
             por_limits=frame.por_limits,
+            payload=self._payload(frame),
+            por_offset=self._por_offset(frame, tip),
             limits=tuple(wire.Limit(limit.kind, limit.joint, limit.text) for limit in frame.limits),
             singularity=frame.singularity,
             ways_out=tuple(wire.WayOut(w.cause, w.text, w.stick, w.axis, w.sign) for w in frame.ways_out),
@@ -172,6 +178,21 @@ class Translator:
             views=self._shortened(frame.views),
             lighting=lighting or self._scenario.lighting,
         )
+
+    def _payload(self, frame: sim.Frame) -> int:
+        """PL ID of what is in the grasp."""
+        if frame.payload is None:
+            return 0
+        return next((i for i, cargo in enumerate(frame.work.cargo, 1) if cargo.held), 1)
+
+    def _por_offset(self, frame: sim.Frame, tip: Pose) -> wire.Vec3:
+        """From the tip to the point that ORB LD and PL move, in the end effector's axes."""
+        if frame.payload is None or self._scenario.strict:  # the source moves the tip in every mode
+            return (0.0, 0.0, 0.0)
+        centre, axes = np.array(frame.payload[0]), np.array(frame.payload[1])
+        held = self._scenario.payload
+        point = centre if held is None else centre + axes @ held.por
+        return _vec3(((point - tip.position) @ tip.rotation @ self._hand).tolist())
 
     def target(self, message: wire.SetTarget) -> Pose:
         """A keyed-in target, panel components, as frame 7 in L."""

@@ -18,7 +18,7 @@ const REPEAT_MS = 100;
 const ROUND = 0.8;
 const NEARER = 2.5;
 const LONGEST_S = 0.1;
-const STILL: Turning = { pan: 0, tilt: 0, zoom: 0 };
+export const STILL: Turning = { pan: 0, tilt: 0, zoom: 0 };
 
 export interface CameraHandListener {
   /** The camera in hand, and whether its drives turn slowly. */
@@ -104,6 +104,15 @@ export function turningOf(held: ReadonlySet<string>, { bindings }: Pick<Mapping,
     if (axis === 'pan' || axis === 'tilt' || axis === 'zoom') turning[axis] += use.startsWith('-') ? -1 : 1;
   }
   return turning;
+}
+
+/** Two hands on the same switches. */
+export function together(a: Turning, b: Turning): Turning {
+  return { pan: clamp(a.pan + b.pan), tilt: clamp(a.tilt + b.tilt), zoom: clamp(a.zoom + b.zoom) };
+}
+
+export function clamp(push: number): number {
+  return Math.max(-1, Math.min(1, push));
 }
 
 function isTurning({ pan, tilt, zoom }: Turning): boolean {

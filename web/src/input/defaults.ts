@@ -57,6 +57,7 @@ const KEYBOARD = {
   Semicolon: 'slow camera',
   Home: 'light',
   End: 'lock exposure',
+  Backslash: 'control page',
   Escape: 'leave',
   ...Object.fromEntries(digits),
 };

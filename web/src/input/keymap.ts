@@ -27,6 +27,7 @@ export type Action =
         | 'fly orbiter'
         | 'light'
         | 'lock exposure'
+        | 'control page'
         | 'keys'
         | 'leave';
     }
@@ -115,6 +116,7 @@ const ACTIONS: readonly Use[] = [
   once('slow camera', 'cameras turn slowly', { name: 'slow camera' }),
   once('light', 'light and lamps', { name: 'light' }),
   once('lock exposure', 'lock the exposure', { name: 'lock exposure' }),
+  once('control page', 'PDRS control (SPEC 94)', { name: 'control page' }),
   once('leave', 'close what is open', { name: 'leave' }),
   ...Array.from({ length: CAMERAS }, (_, i) =>
     once(`camera ${i + 1}`, `camera ${i + 1}`, { name: 'camera', number: i + 1 }),

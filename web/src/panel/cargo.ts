@@ -12,9 +12,9 @@ const ROWS = 3;
 
 export function cargoGroup({ welcome }: Desk): Part {
   const rows = welcome.work.cargo.slice(0, ROWS).map((name) => {
-    const state = el('td', { class: 'state' });
-    const speed = el('td', { class: 'speed' });
-    const row = el('tr', {}, el('th', { scope: 'row', title: name }, name), state, speed);
+    const state = el('span');
+    const speed = el('span', { class: 'speed' });
+    const row = el('tr', {}, el('th', { scope: 'row', title: name }, name), el('td', {}, state, speed));
     return { name, state, speed, row };
   });
   const table = el('table', {}, el('tbody', {}, ...rows.map(({ row }) => row)));
@@ -27,7 +27,9 @@ export function cargoGroup({ welcome }: Desk): Part {
         const cargo = frame.work.cargo.find((each) => each.name === name);
         setText(state, cargo ? whereIs(cargo) : '–');
         setAttribute(state, 'title', cargo?.seat ?? '');
-        setText(speed, cargo ? `${small(cargo.speed, creep)} ${creep.name}` : '');
+        // What is held moves as the arm does, and what is seated does not.
+        const free = cargo && !cargo.held && cargo.seat === '';
+        setText(speed, free ? `${small(cargo.speed, creep)} ${creep.name}` : '');
       }
     },
   };

@@ -5,7 +5,7 @@ import type { Level } from '../protocol';
 import { cargoGroup } from './cargo';
 import { clearanceGroup } from './clearance';
 import { conditionsGroup } from './conditions';
-import { el, setClass } from './dom';
+import { button, el, setClass } from './dom';
 import { effectorGroup } from './effector';
 import type { EventsGroup } from './events';
 import { joints } from './joints';
@@ -24,6 +24,8 @@ import { thc } from './thc';
 export interface DeskListener {
   /** Shows or hides the separating plane. */
   plane(): void;
+  /** Opens or closes the page PDRS control. */
+  controlPage(): void;
   /** Hands the THC to the orbiter, or back to the arm. */
   flyOrbiter(on: boolean): void;
 }
@@ -49,6 +51,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   const mode = modeGroup(desk, () => target.proceed());
   const clearance = clearanceGroup(desk, () => listener.plane());
   const effector = effectorGroup(desk);
+  effector.element.querySelector('h2')?.append(pageKey(() => listener.controlPage()));
   const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
   const ahead = lookAhead(desk);
   const resting = el('div', { class: 'resting' }, acting.element, cargo.element, ahead.element);
@@ -56,7 +59,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc(desk, still)];
   const own = joints(desk);
   const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
-  const last = singularity();
+  const last = singularity(desk);
   const parts = [...upper, effector, acting, cargo, ahead, conditions, last];
   const row = el(
     'div',
@@ -102,4 +105,12 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
       give(view);
     },
   };
+}
+
+function pageKey(pressed: () => void): HTMLElement {
+  return button(
+    { class: 'more', title: 'PDRS control: target, stored points, payloads' },
+    ['SPEC 94'],
+    pressed,
+  );
 }

@@ -18,7 +18,8 @@ export interface Entry {
   set(frame: Frame, units: Units): void;
 }
 
-export function entry(desk: Desk): Entry {
+/** `label`: what people call the pose; `first`: number of the first field's item, where the fields have numbers. */
+export function entry(desk: Desk, label = 'Target', first: number | null = null): Entry {
   let edited = false;
   let units: Units | null = null;
   let aimed = '';
@@ -33,7 +34,7 @@ export function entry(desk: Desk): Entry {
       autocomplete: 'off',
       spellcheck: 'false',
     });
-    field.setAttribute('aria-label', `Target ${i < 3 ? name : name.toLowerCase()}`);
+    field.setAttribute('aria-label', `${label} ${i < 3 ? name : name.toLowerCase()}`);
     field.addEventListener('input', () => {
       edited = true;
       field.removeAttribute('aria-invalid');
@@ -45,7 +46,7 @@ export function entry(desk: Desk): Entry {
     return field;
   });
   const cells = NAMES.map((name, i) =>
-    el('label', {}, el('span', {}, name, ' ', heads[i] ?? ''), fields[i] ?? ''),
+    el('label', {}, el('span', {}, ...item(i), name, ' ', heads[i] ?? ''), fields[i] ?? ''),
   );
   const element = el(
     'div',
@@ -58,6 +59,10 @@ export function entry(desk: Desk): Entry {
       button({ title: 'Takes the fields as the target' }, ['Key in'], () => keyIn()),
     ),
   );
+
+  function item(i: number): readonly HTMLElement[] {
+    return first === null ? [] : [el('i', { class: 'item' }, String(first + i))];
+  }
 
   function write(position: Vec3, angles: Vec3, shown: Units): void {
     position.forEach((value, i) => {

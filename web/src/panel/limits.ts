@@ -54,7 +54,7 @@ export function limits({ welcome }: Desk): Part {
           el('span', { title: line.text }, line.text),
         ),
       );
-      if (items.length === 0) items.push(el('li', { class: 'none' }, 'None holds the arm back'));
+      if (items.length === 0) items.push(el('li', { class: 'none' }, 'None acts'));
       list.replaceChildren(...items);
     },
   };

@@ -14,6 +14,8 @@ export interface MonitorListener {
   /** It shall be shown in a window of its own; absent: it is. */
   tearOff?: () => void;
   orbited(camera: Camera, right: number, upwards: number, nearer: number): void;
+  /** Cameras can be turned from this page. */
+  readonly turns: boolean;
 }
 
 export class Monitor {
@@ -37,6 +39,7 @@ export class Monitor {
     const picture = (half: number): Picture =>
       new Picture(first, {
         taken: () => listener.taken(half),
+        turns: listener.turns,
         orbited: (right, upwards, nearer) => {
           const { camera } = half === 0 ? this.halves[0] : this.halves[1];
           listener.orbited(camera, right, upwards, nearer);

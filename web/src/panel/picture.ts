@@ -1,6 +1,8 @@
 /** One picture: a hole over the scene's canvas, and what is burned into it. */
 
 import { timeCode } from '../format';
+import { CameraDrag, type Place } from '../input/camera-drag';
+import type { Turning } from '../input/camera-hand';
 import type { Camera, Frame, Vec3 } from '../protocol';
 import { axesOverlay } from './axes';
 import { el, setAttribute, setClass, setText, svg } from './dom';
@@ -13,16 +15,28 @@ export const STALE_S = 0.5;
 /** Dragging across a whole picture goes round by this much [rad]; a turn of the wheel comes nearer by this much. */
 const DRAGGED = Math.PI;
 const WHEEL = 1.15;
+/** What a mouse or a finger does in a picture. */
+const HINTS = {
+  turns: 'drag: pan, tilt · wheel or pinch: zoom',
+  zooms: 'wheel or pinch: zoom',
+  none: '',
+} as const;
+const WATCHED = 'you watch: whoever flies turns cameras';
 
 export interface PictureListener {
   /** The operator took this picture in hand. */
   taken(): void;
   /** The engineering view was dragged to the right and upwards [rad], or brought nearer by a factor. */
   orbited(right: number, upwards: number, nearer: number): void;
+  /** Cameras can be turned from this page, by whoever flies. */
+  readonly turns: boolean;
 }
 
 export class Picture {
   readonly element = el('div', { class: 'picture' });
+  private readonly drag = new CameraDrag();
+  private readonly band = svg('path', { class: 'band' });
+  private readonly hint = el('span');
   private readonly name = el('b');
   private readonly title = el('span');
   private readonly time = el('span', { class: 'code' });
@@ -47,6 +61,13 @@ export class Picture {
       el('p', { class: 'burned lens' }, this.lens),
       reticle(),
       this.axes.element,
+      svg('svg', { class: 'dragged', 'aria-hidden': 'true' }, this.band),
+      el(
+        'p',
+        { class: 'burned hint', 'aria-hidden': 'true' },
+        this.hint,
+        el('span', { class: 'barred' }, WATCHED),
+      ),
       ...this.gap.elements,
       this.stale,
     );
@@ -64,6 +85,8 @@ export class Picture {
     setText(this.name, camera.name);
     setText(this.title, camera.title);
     setClass(this.element, 'free', camera.kind === 'engineering');
+    setClass(this.element, 'driven', this.drivable);
+    setText(this.hint, HINTS[drives(camera)]);
     setClass(this.element, 'window', camera.kind === 'window');
   }
 
@@ -71,6 +94,17 @@ export class Picture {
   setLens(setting: Vec3 | null, { width }: Size): void {
     setText(this.lens, lensWords(this.shown, setting));
     fitPane(this.pane, this.shown, width);
+  }
+
+  /** How a drag, a pinch or the wheel pushes the switches of this camera now. */
+  turning(now: number): Turning {
+    return this.drag.turning(now);
+  }
+
+  /** Lets go of what is dragged. */
+  release(): void {
+    this.drag.release();
+    this.drawBand();
   }
 
   /** The control frame's axes, at picture rate. */
@@ -107,25 +141,66 @@ export class Picture {
   }
 
   private followMouse(): void {
-    const { element } = this;
+    const { element, drag } = this;
     element.addEventListener('pointerdown', (event) => {
-      if (this.shown.kind === 'engineering') element.setPointerCapture(event.pointerId);
+      if (this.shown.kind !== 'engineering' && !this.drivable) return;
+      element.setPointerCapture(event.pointerId);
+      if (this.shown.kind === 'engineering') return;
+      this.listener.taken();
+      drag.press(event.pointerId, this.placeOf(event), element.clientHeight);
     });
     element.addEventListener('pointermove', (event) => {
       if (!element.hasPointerCapture(event.pointerId)) return;
+      drag.move(event.pointerId, this.placeOf(event));
+      this.drawBand();
+      if (this.shown.kind !== 'engineering') return;
       const per = DRAGGED / element.clientWidth;
       this.listener.orbited(-event.movementX * per, event.movementY * per, 1);
     });
+    for (const ends of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
+      element.addEventListener(ends, ({ pointerId }) => {
+        drag.lift(pointerId);
+        this.drawBand();
+      });
+    }
     element.addEventListener(
       'wheel',
       (event) => {
-        if (this.shown.kind !== 'engineering') return;
+        const free = this.shown.kind === 'engineering';
+        if ((!free && !this.drivable) || event.deltaY === 0) return;
         event.preventDefault();
-        this.listener.orbited(0, 0, event.deltaY < 0 ? WHEEL : 1 / WHEEL);
+        const nearer = event.deltaY < 0;
+        if (free) this.listener.orbited(0, 0, nearer ? WHEEL : 1 / WHEEL);
+        else {
+          this.listener.taken();
+          drag.turnWheel(nearer ? 1 : -1, performance.now());
+        }
       },
       { passive: false },
     );
   }
+
+  private get drivable(): boolean {
+    return this.listener.turns && this.shown.drive !== null;
+  }
+
+  private placeOf({ clientX, clientY }: MouseEvent): Place {
+    const { left, top } = this.element.getBoundingClientRect();
+    return { x: clientX - left, y: clientY - top };
+  }
+
+  /** The way from where a drag began: as long as it is, so fast the camera turns. */
+  private drawBand(): void {
+    const { line } = this.drag;
+    const at = ({ x, y }: Place) => `${x.toFixed(1)} ${y.toFixed(1)}`;
+    setAttribute(this.band, 'd', line ? `M${at(line.from)} L${at(line.to)}` : '');
+  }
+}
+
+/** What of a camera a drag or the wheel turns. */
+function drives({ drive }: Camera): keyof typeof HINTS {
+  if (!drive) return 'none';
+  return drive.pan || drive.tilt ? 'turns' : 'zooms';
 }
 
 /** Opens a window's pane in a picture so many pixels wide. */

@@ -1,13 +1,12 @@
-/** How far each singularity is: 0 at it, 1 farthest; caution below 0.20, with the way out. */
+/** How far each singularity is: 0 at it, 1 farthest; caution below the arm's threshold, with the way out. */
 
 import { fixed } from '../format';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
-import type { Part } from './part';
+import type { Desk, Part } from './part';
 
-const CAUTION = 0.2;
 const LENGTH = 200;
 
-export function singularity(): Part {
+export function singularity({ welcome: { singular } }: Desk): Part {
   const rows = ['Shoulder', 'Elbow', 'Wrist'].map((name) => {
     const pointer = svg('rect', { class: 'pointer', y: '3', x: '-3', width: '6', height: '12' });
     const label = el('span', { class: 'label' }, name);
@@ -16,14 +15,14 @@ export function singularity(): Part {
       'svg',
       { viewBox: `-4 0 ${LENGTH + 8} 18`, preserveAspectRatio: 'none', 'aria-hidden': 'true' },
       svg('rect', { class: 'track', x: '0', y: '7', width: String(LENGTH), height: '4' }),
-      svg('rect', { class: 'reach', x: '0', y: '7', width: String(CAUTION * LENGTH), height: '4' }),
+      svg('rect', { class: 'reach', x: '0', y: '7', width: String(singular * LENGTH), height: '4' }),
       pointer,
     );
     return { name, pointer, label, value, row: el('div', { class: 'distance' }, label, bar, value) };
   });
   const gauges = el('div', { class: 'gauges' }, ...rows.map(({ row }) => row));
   const element = group('singularity', 'Singularity', gauges);
-  setAbout(element, 'caution below 0.20');
+  setAbout(element, `caution below ${fixed(singular, 2, false)}`);
   return {
     element,
     bars({ frame }) {
@@ -35,7 +34,7 @@ export function singularity(): Part {
     values({ frame }) {
       rows.forEach(({ name, label, value, row }, i) => {
         const distance = Math.abs(frame.singularity[i] ?? 0);
-        const near = distance < CAUTION;
+        const near = distance < singular;
         const out = frame.ways_out.find(({ cause }) => cause === name.toLowerCase());
         setText(label, near && out ? `${name}: ${out.text}` : name);
         setText(value, fixed(distance, 2, false));

@@ -45,7 +45,7 @@ export function targetGroup(desk: Desk): TargetGroup {
   };
 }
 
-function remaining({ aim, sequence, mode }: Frame, { length }: Units): string {
+export function remaining({ aim, sequence, mode }: Frame, { length }: Units): string {
   if (!aim) return 'OPR CMD flies the point there.';
   const left = `${fixed(aim.distance * length.perSi, length.decimals, false)} ${length.name}, ${degrees(aim.angle, 1, false)}°`;
   if (sequence === 'in progress') return `${left} to go, ${Math.ceil(aim.remaining_s)} s`;

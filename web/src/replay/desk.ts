@@ -17,7 +17,7 @@ export class FlownDesk {
 
   constructor(private readonly index: PlaybackIndex) {
     const desk: Desk = { welcome: index.welcome, send() {}, say() {} };
-    this.groups = deskGroups(desk, this.events, { plane() {}, flyOrbiter() {} });
+    this.groups = deskGroups(desk, this.events, { plane() {}, controlPage() {}, flyOrbiter() {} });
     this.element = el(
       'section',
       { class: 'desk', 'aria-label': 'Desk as flown', inert: '' },

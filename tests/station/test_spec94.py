@@ -1,0 +1,74 @@
+"""The page of targets and payloads: its numbers are those that the steering and the sequences have."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from aftdeck.frames import Pose
+from aftdeck.scenario.load import built_in
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.station import protocol as wire
+from aftdeck.station.wire import Translator
+from tests.station.pages import scenario
+
+RATES = ("coarse", "vernier")
+LOADED = "srms-berth"
+
+
+@pytest.mark.parametrize("rate", RATES)
+@pytest.mark.parametrize("name", [LOADED, "loaded", "first-flight", "concept-1972"])
+def test_the_tables_limits_are_those_in_force(name: str, rate: str) -> None:
+    sim = Simulation(scenario(name))
+    translator = Translator(sim.scenario, demo=False)
+    setting = RATES.index(rate)
+    for mode in ("ORB UNL", "SINGLE"):
+        frame = sim.step(Inputs(mode=mode, rate=rate))  # type: ignore[arg-type]
+        shown = translator.frame(frame, 0)
+        row = translator.welcome.payloads[shown.payload]
+        assert shown.por_limits == (row.translation[setting], row.rotation[setting])
+        if mode == "SINGLE":
+            assert shown.rate_limits == (row.coarse, row.vernier)[setting]
+
+
+@pytest.mark.parametrize(("name", "held"), [(LOADED, 1), ("loaded", 1), ("first-flight", 0), ("srms-deploy", 0)])
+def test_the_payload_id_is_that_of_what_is_in_the_grasp(name: str, held: int) -> None:
+    sim = Simulation(scenario(name))
+    translator = Translator(sim.scenario, demo=False)
+    assert translator.frame(sim.step(Inputs()), 0).payload == held
+    table = translator.welcome.payloads
+    assert [row.id for row in table] == list(range(len(table)))
+    assert table[0].mass == 0.0 and all(row.mass > 0.0 for row in table[1:])
+
+
+@pytest.mark.parametrize("name", [LOADED, "loaded"])
+def test_the_offset_leads_from_the_tip_to_the_point_that_orb_ld_moves(name: str) -> None:
+    sim = Simulation(scenario(name))
+    arm = sim.scenario.arm
+    for _ in range(20):
+        frame = sim.step(Inputs(mode="ORB LD", rotation=(0.5, -0.3, 1.0)))
+    shown = Translator(sim.scenario, demo=False).frame(frame, 0)
+    tip = Pose(np.array(frame.position), np.array(frame.orientation))
+    hand = arm.model.mount.to("panel", Pose(tip.position, arm.end_effector(tip.rotation)))
+    point = hand.position + hand.rotation @ np.array(shown.por_offset)
+    assert point == pytest.approx(shown.actual.position, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", built_in())
+def test_a_stored_point_keyed_in_is_the_pose_that_the_sequence_flies_to(name: str) -> None:
+    loaded = scenario(name)
+    translator = Translator(loaded, demo=False)
+    told = {sequence.position: sequence.points for sequence in translator.welcome.sequences}
+    assert set(told) == set(loaded.sequences)
+    for position, points in loaded.sequences.items():
+        for shown, point in zip(told[position], points, strict=True):
+            pose = translator.target(wire.SetTarget(0, shown.position, shown.attitude))
+            assert pose.position == pytest.approx(point.target.pose.position, abs=1e-9)
+            assert pose.rotation == pytest.approx(point.target.pose.rotation, abs=1e-9)
+            assert shown.pause == point.pause
+
+
+def test_the_singularity_is_cautioned_of_where_the_arm_says_so() -> None:
+    loaded = scenario("first-flight")
+    assert Translator(loaded, demo=False).welcome.singular == loaded.arm.model.singular

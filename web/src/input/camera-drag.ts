@@ -1,0 +1,77 @@
+/** Turning a camera by its picture: a drag is a switch pushed as far as it went from where it began. */
+
+import { clamp, STILL, type Turning } from './camera-hand';
+
+/** A drag this long turns at full rate, in picture heights; one shorter than the slack not at all [px]. */
+const TRAVEL = 0.35;
+const SLACK = 4;
+/** A notch of the wheel zooms for this long [ms]; notches add up to no more than the greatest. */
+const NOTCH_MS = 120;
+const MOST_MS = 480;
+/** Fingers twice as far apart as they began, or half, zoom at full rate. */
+const PINCH = Math.log(2);
+
+interface Finger {
+  readonly begun: Place;
+  at: Place;
+}
+
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+export class CameraDrag {
+  private readonly fingers = new Map<number, Finger>();
+  private height = 1;
+  private wheel = { zoom: 0, until: 0 };
+
+  /** A finger, or a mouse's button, went down on a picture of that height [px]. */
+  press(id: number, at: Place, height: number): void {
+    this.height = height;
+    this.fingers.set(id, { begun: at, at });
+  }
+
+  move(id: number, at: Place): void {
+    const finger = this.fingers.get(id);
+    if (finger) finger.at = at;
+  }
+
+  lift(id: number): void {
+    this.fingers.delete(id);
+  }
+
+  /** All let go: the page is not looked at. */
+  release(): void {
+    this.fingers.clear();
+    this.wheel = { zoom: 0, until: 0 };
+  }
+
+  /** The wheel went a notch, at `now` [ms]; `zoom`: 1 in, -1 out. */
+  turnWheel(zoom: 1 | -1, now: number): void {
+    const left = this.wheel.zoom === zoom ? Math.max(0, this.wheel.until - now) : 0;
+    this.wheel = { zoom, until: now + Math.min(MOST_MS, left + NOTCH_MS) };
+  }
+
+  /** From where to where one finger drags now; null: none does, or two pinch. */
+  get line(): { readonly from: Place; readonly to: Place } | null {
+    const [finger, other] = this.fingers.values();
+    return finger && !other ? { from: finger.begun, to: finger.at } : null;
+  }
+
+  /** How far the switches are pushed at `now` [ms]. */
+  turning(now: number): Turning {
+    const zoom = now < this.wheel.until ? this.wheel.zoom : 0;
+    const [finger, other] = this.fingers.values();
+    if (finger && other) return { ...STILL, zoom: clamp(pinched(finger, other) / PINCH) };
+    if (!finger) return { ...STILL, zoom };
+    const push = (by: number) => clamp(Math.abs(by) < SLACK ? 0 : by / (TRAVEL * this.height));
+    return { pan: push(finger.at.x - finger.begun.x), tilt: push(finger.begun.y - finger.at.y), zoom };
+  }
+}
+
+/** Logarithm of how much farther apart two fingers are than they began. */
+function pinched(a: Finger, b: Finger): number {
+  const apart = (one: Place, two: Place) => Math.max(1, Math.hypot(one.x - two.x, one.y - two.y));
+  return Math.log(apart(a.at, b.at) / apart(a.begun, b.begun));
+}
