@@ -57,8 +57,11 @@ const PLATE = new Color('#161719');
 const HIGH = 150;
 /** What light is multiplied by at no stops. */
 const EXPOSED = 1.1;
-/** Each camera's picture is metered this often [ms]; to read it, the page waits for what it has asked to be drawn. */
-const METERED_MS = 900;
+/**
+ * Between two meterings of any picture, and twice that between two of one camera's [ms]. To read a picture, the page
+ * waits for all that it has asked to be drawn, which takes long where the processor draws.
+ */
+const METERED_MS = { full: 300, low: 1500 } as const;
 /** A fraction of a stop that nobody sees. */
 const UNSEEN = 50;
 
@@ -82,6 +85,7 @@ export class Scene {
   private readonly conditions: readonly LightCondition[];
   private readonly exposures: ReadonlyMap<string, { readonly exposure: Exposure; at: number }>;
   private readonly meter: Meter;
+  private meteredAt = 0;
   private surroundings: Texture | null = null;
   private daylight: Daylight | null = null;
   private lit = '';
@@ -212,9 +216,10 @@ export class Scene {
   /** Meters a picture just drawn, where it is due. */
   private look(camera: string, rect: Rect, factor: number): void {
     const due = this.exposures.get(camera);
-    const now = performance.now();
-    if (!due || !this.meter.free || (due.exposure.settled && now - due.at < METERED_MS)) return;
-    due.at = now;
+    if (!due || !this.meter.free) return;
+    const [now, every] = [performance.now(), METERED_MS[this.quality]];
+    if (due.exposure.settled && (now - this.meteredAt < every || now - due.at < 2 * every)) return;
+    this.meteredAt = due.at = now;
     this.meter.ask(camera, rect, this.height, factor);
   }
 

@@ -2,10 +2,14 @@ import { Color, type IUniform, ShaderMaterial, type Texture, Vector2, Vector3, V
 import type { Daylight } from './daylight';
 import { isSpot, type Lamp, PENUMBRA, standing } from './lamps';
 
-/** Sun, Earth and sky are summed at the corners. */
+/**
+ * Sun, Earth and sky are summed at the corners; where no lamp counts, that is made what is shown there, too, and pixels
+ * cost a texture and a product.
+ */
 const vertexShader = /* glsl */ `
   uniform vec3 toSun, nadir, sun, earthshine, above, below;
   uniform vec2 repeat;
+  uniform float exposure;
   varying vec3 lit;
   #ifdef PATTERN
     varying vec2 place;
@@ -19,34 +23,36 @@ const vertexShader = /* glsl */ `
     n = normalize(mat3(modelMatrix) * normal);
     vec3 light = sun * max(dot(n, toSun), 0.0) + earthshine * max(dot(n, nadir), 0.0);
     light += mix(below, above, 0.5 + 0.5 * n.z);
-    lit = color * light;
     #ifdef PATTERN
       place = uv * repeat;
     #endif
     vec4 world = modelMatrix * vec4(position, 1.0);
     #if LAMPS > 0
+      lit = color * light;
       tint = color;
       at = world.xyz;
+    #else
+      lit = sqrt(exposure * color * light);
     #endif
     gl_Position = projectionMatrix * viewMatrix * world;
   }`;
 
 /** Lamps are near, and their light falls between the corners of large faces: it is summed in the picture. */
 const fragmentShader = /* glsl */ `
-  uniform float exposure;
   varying vec3 lit;
   #ifdef PATTERN
     uniform sampler2D pattern;
     varying vec2 place;
   #endif
   #if LAMPS > 0
+    uniform float exposure;
     uniform int lit_lamps;
     uniform vec4 lamps[LAMPS], beams[LAMPS];
     uniform vec3 glows[LAMPS];
     varying vec3 tint, at, n;
   #endif
   void main() {
-    vec3 light = lit;
+    vec3 shown = lit;
     #if LAMPS > 0
       vec3 sum = vec3(0.0);
       for (int i = 0; i < LAMPS; i++) {
@@ -57,13 +63,12 @@ const fragmentShader = /* glsl */ `
         float beam = clamp(1.0 + (-dot(to, beams[i].xyz) * by - 1.0) * beams[i].w, 0.0, 1.0);
         sum += glows[i] * (max(dot(to, n), 0.0) * by * by * by * reach * reach * beam);
       }
-      light += tint * sum;
+      shown = sqrt(exposure * (lit + tint * sum));
     #endif
     #ifdef PATTERN
-      vec3 shade = 0.3 + 0.7 * texture2D(pattern, place).rgb;
-      light *= shade * shade;
+      shown *= 0.3 + 0.7 * texture2D(pattern, place).rgb;
     #endif
-    gl_FragColor = vec4(sqrt(exposure * light), 1.0);
+    gl_FragColor = vec4(shown, 1.0);
   }`;
 
 /** The low profile's light, which all its materials share. */
@@ -87,6 +92,8 @@ export class LambertLight {
   private readonly glows: readonly Color[];
   private lamps: readonly Lamp[] = [];
   private lit: readonly Lamp[] = [];
+  private readonly materials: ShaderMaterial[] = [];
+  private shaded = 0;
 
   /** `room`: for so many lamps. */
   constructor(readonly room: number) {
@@ -107,14 +114,31 @@ export class LambertLight {
     };
   }
 
+  /** A material in this light: coloured at its corners, dimmed by a pattern. */
+  material(pattern: Texture | null): ShaderMaterial {
+    const made = new ShaderMaterial({
+      vertexColors: true,
+      defines: { LAMPS: this.shaded, ...(pattern ? { PATTERN: '' } : {}) },
+      uniforms: {
+        ...this.uniforms,
+        pattern: { value: pattern },
+        repeat: { value: pattern?.repeat ?? new Vector2(1, 1) },
+      },
+      vertexShader,
+      fragmentShader,
+    });
+    this.materials.push(made);
+    return made;
+  }
+
   /** These are the lamps. */
   take(lamps: readonly Lamp[]): void {
     this.lamps = lamps;
   }
 
   /**
-   * Puts sun, Earth and sky, and lights the lamps of these switches. A flood changes nothing that can be seen in
-   * sunlight, and only costs time: it counts while there is none.
+   * Puts sun, Earth and sky, and lights the lamps of these switches. In sunlight a lamp changes little that can be seen,
+   * and doubles what a pixel costs: it counts while there is none.
    */
   set(daylight: Daylight, on: ReadonlySet<string>): void {
     const { toSun, nadir, sun, earthshine, above, below } = daylight;
@@ -124,9 +148,20 @@ export class LambertLight {
     for (const [name, colour] of Object.entries({ sun, earthshine, above, below }))
       this.glowing[name as keyof typeof this.glowing].copy(colour).multiplyScalar(1 / Math.PI);
     const dark = sun.r + sun.g + sun.b === 0;
-    this.lit = this.lamps.filter(({ light }) => on.has(light.switch) && (dark || isSpot(light)));
+    this.lit = dark ? this.lamps.filter(({ light }) => on.has(light.switch)) : [];
     this.count.value = this.lit.length;
+    this.shade(this.lit.length > 0 ? this.room : 0);
     this.follow();
+  }
+
+  /** Makes the pixels count with so many lamps. */
+  private shade(lamps: number): void {
+    if (lamps === this.shaded) return;
+    this.shaded = lamps;
+    for (const material of this.materials) {
+      material.defines = { ...material.defines, LAMPS: lamps };
+      material.needsUpdate = true;
+    }
   }
 
   /** Follows the bodies that carry lamps. */
@@ -149,19 +184,4 @@ const [at, along] = [new Vector3(), new Vector3()];
 function steepness(cone: number): number {
   const middle = (Math.cos(cone) + Math.cos(cone * (1 - PENUMBRA))) / 2;
   return 0.5 / (1 - middle);
-}
-
-/** The low profile's matt material: coloured at the corners, dimmed by a pattern. */
-export function lambertMaterial(pattern: Texture | null, light: LambertLight): ShaderMaterial {
-  return new ShaderMaterial({
-    vertexColors: true,
-    defines: { LAMPS: light.room, ...(pattern ? { PATTERN: '' } : {}) },
-    uniforms: {
-      ...light.uniforms,
-      pattern: { value: pattern },
-      repeat: { value: pattern?.repeat ?? new Vector2(1, 1) },
-    },
-    vertexShader,
-    fragmentShader,
-  });
 }

@@ -2,7 +2,7 @@ import { Color, type Material as Drawn, MeshBasicMaterial, MeshStandardMaterial,
 import { present } from '../assert';
 import type { Material } from '../protocol';
 import type { Quality } from './index';
-import { type LambertLight, lambertMaterial } from './lambert';
+import type { LambertLight } from './lambert';
 import { crumpleTexture, type Pattern, patternTexture } from './textures';
 
 interface Look {
@@ -95,9 +95,7 @@ export class Materials {
 
   private make(batch: string): Drawn {
     if (batch.startsWith(GLOW)) return new MeshBasicMaterial({ vertexColors: true });
-    if (this.quality === 'low') {
-      return lambertMaterial(this.pattern(batch as Pattern), this.light);
-    }
+    if (this.quality === 'low') return this.light.material(this.pattern(batch as Pattern));
     const { pattern, roughness, metalness, relief } = present(LOOKS[batch as Material], `material ${batch}`);
     return new MeshStandardMaterial({
       vertexColors: true,
