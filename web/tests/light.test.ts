@@ -148,6 +148,17 @@ test('after a jump in time the next picture sets the exposure anew', () => {
   expect(exposure.stops).toBe(1);
 });
 
+test('in another light the next picture sets the exposure anew', () => {
+  const exposure = new Exposure();
+  exposure.follow(0, 0, null);
+  exposure.meter(-1);
+  exposure.renew();
+  exposure.follow(0.02, 1.5, null);
+  expect(exposure.settled).toBe(false);
+  exposure.meter(2);
+  expect(exposure.stops).toBe(2);
+});
+
 test('a picture that can see nothing stands where the light begins', () => {
   const exposure = new Exposure();
   exposure.follow(0, 2, null);

@@ -41,6 +41,11 @@ export class Exposure {
     return !this.anew;
   }
 
+  /** The light is another: it stands at once where the next picture calls for it. */
+  renew(): void {
+    this.anew = true;
+  }
+
   /** Goes on to a time [s] in a light whose exposure begins at `base`; `locked` holds it. */
   follow(time: number, base: number, locked: number | null): void {
     const step = time - this.at;

@@ -239,6 +239,8 @@ export class Scene {
     this.lambert.set(daylight, on);
     this.lights?.set(daylight, on);
     if (daylight === before) return;
+    this.meter.forget();
+    for (const { exposure } of this.exposures.values()) exposure.renew();
     this.earth.set(daylight);
     this.blob?.set(daylight);
     if (this.quality === 'low') return;

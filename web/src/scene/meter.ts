@@ -82,10 +82,15 @@ export class Meter {
     return { camera: look.camera, lights: lightsIn(bytes, look, this.lightOf) };
   }
 
-  dispose(): void {
-    this.gl.deleteBuffer(this.buffer);
+  /** What was asked for is of no use: the light is another. */
+  forget(): void {
     if (this.look) this.gl.deleteSync(this.look.done);
     this.look = null;
+  }
+
+  dispose(): void {
+    this.forget();
+    this.gl.deleteBuffer(this.buffer);
   }
 }
 
