@@ -47,7 +47,17 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
   });
   const label = el('p', { class: 'gap-label' });
   const element = svg('svg', { class: 'gaps', 'aria-hidden': 'true' }, gap, ...marks);
-  let [width, height] = [0, 0];
+  /** The label's sizes by the number of its letters: its figures are all as wide. To measure one, the page is laid out. */
+  const sizes = new Map<number, Size>();
+  let room = 0;
+  const sizeOf = (): Size => {
+    const letters = label.textContent.length;
+    const known = sizes.get(letters);
+    if (known) return known;
+    const measured = { width: label.offsetWidth, height: label.offsetHeight };
+    if (measured.width > 0) sizes.set(letters, measured);
+    return measured;
+  };
   return {
     elements: [element, label],
     show(line, touches, picture) {
@@ -62,6 +72,8 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
         setAttribute(mark, 'transform', `translate(${touch.at.x.toFixed(1)} ${touch.at.y.toFixed(1)})`);
         setClass(mark, 'essential', touch.essential);
       });
+      if (picture.width !== room) sizes.clear();
+      room = picture.width;
       if (!line || !seen) return;
       setClass(gap, 'caution', line.caution);
       setClass(label, 'caution', line.caution);
@@ -81,15 +93,10 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
         setAttribute(end, 'cy', y.toFixed(1));
       });
       const marked = touches.map(({ at }) => around(at));
-      const place = labelPlace(seen, { width, height }, picture, [...taken(picture), ...marked]);
+      const place = labelPlace(seen, sizeOf(), picture, [...taken(picture), ...marked]);
       setAttribute(label, 'style', `translate: ${place.x.toFixed(0)}px ${place.y.toFixed(0)}px`);
     },
-    setText(text) {
-      if (label.textContent !== text || width === 0) {
-        setText(label, text);
-        ({ offsetWidth: width, offsetHeight: height } = label);
-      }
-    },
+    setText: (text) => setText(label, text),
   };
 }
 
