@@ -255,7 +255,9 @@ export class Station {
     this.operator.sticks.driving = this.modes.get(this.frame.mode) === 'single';
     // The pictures first: they read the page's places, which the desk's bars unsettle.
     this.pictures.draw(this.frame, this.groups.clearance());
-    if (this.drawn % this.barPace === 0) this.groups.bars(view);
+    // Where bars wait for a picture, it is not one with MON 2 in it.
+    const barsMove = (this.drawn + 1) % this.barPace === 0;
+    if (barsMove) this.groups.bars(view);
     this.keys.light(this.operator.controllers.keyboard.held);
     this.sheet.tick();
     this.touch.draw();
@@ -264,7 +266,7 @@ export class Station {
     this.drawn += 1;
     if (this.fresh) this.latency.drawn(this.frame.stick_seq, performance.now());
     this.fresh = false;
-    if (now - this.valuesAt >= VALUES_MS) {
+    if (barsMove && now - this.valuesAt >= VALUES_MS) {
       this.valuesAt = now;
       this.values(view, now);
     }
