@@ -13,7 +13,7 @@ from tests.browser.conftest import SIZES, OpenPage, flown
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.looks import assert_readable
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 expect.set_options(timeout=WAIT_MS)
 
 STICKS_AT_ZERO = "[...frame.translation, ...frame.rotation, frame.drive].every((value) => value === 0)"
@@ -147,7 +147,7 @@ def test_a_stick_is_put_elsewhere_by_moving_it(padded: Flight) -> None:
 def test_deadband_and_expo_are_set_by_keys_and_act(padded: Flight) -> None:
     open_sheet(padded, "Pad")
     padded.page.get_by_label("Deadband").press("End")
-    padded.page.get_by_label("Expo").press("Home")
+    padded.page.get_by_label("Expo", exact=True).press("Home")
     padded.pad_axes(0, -0.75, 0, 0)
     row = padded.page.locator(".axes-live tr", has_text="THC X")
     expect(row.locator(".number").first).to_have_text("+0.75")

@@ -7,7 +7,7 @@ import pytest
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "srms-berth"
 

@@ -8,7 +8,7 @@ from tests.browser.conftest import SIZES
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy, collisions
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "srms-berth"
 

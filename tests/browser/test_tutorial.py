@@ -9,7 +9,7 @@ from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "tutorial"
 STEP = "document.querySelector('.tutorial .steps span')?.textContent"

@@ -65,15 +65,19 @@ export function rail(
     el('span', { class: 'met' }, 'MET ', met),
     who,
     heard.element,
-    units,
-    button({ title: 'Puts the scenario back to its first instant' }, ['Restart'], () => listener.restart()),
-    parts.element,
-    light.element,
-    button({ title: 'A first capture, in six steps' }, ['Tutorial'], () => listener.tutorial()),
-    button({ title: 'The devices that fly, their keys and axes' }, ['Controllers'], () =>
-      listener.controllers(),
+    el(
+      'div',
+      { class: 'rail-keys' },
+      units,
+      button({ title: 'Puts the scenario back to its first instant' }, ['Restart'], () => listener.restart()),
+      parts.element,
+      light.element,
+      button({ title: 'A first capture, in six steps' }, ['Tutorial'], () => listener.tutorial()),
+      button({ title: 'The devices that fly, their keys and axes' }, ['Controllers'], () =>
+        listener.controllers(),
+      ),
+      button({ class: 'keys' }, ['Keys ?'], () => listener.keys()),
     ),
-    button({ class: 'keys' }, ['Keys ?'], () => listener.keys()),
   );
   return {
     element,
