@@ -55,7 +55,7 @@ class Picture(NamedTuple):
 PICTURES = {
     "station": Picture("first-flight", ((("KeyD", "KeyQ"), 5.0), (("KeyS", "KeyI"), 6.0)), (("KeyW", "KeyL"), 12.0)),
     "concept": Picture("concept-1972", ((("KeyE",), 1.9),), ((), 12.0)),
-    "capture": Picture("srms-deploy", ((("KeyE",), 4.2),), ((), 12.0)),
+    "capture": Picture("srms-deploy", ((("KeyE",), 3.9),), ((), 12.0)),
 }
 
 
