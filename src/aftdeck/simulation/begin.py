@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.bodies.pose import HERE, POSE, compose
-from aftdeck.kinematics.frames import place_frames
 from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.scenario.model import Part, Start
+from aftdeck.simulation.ahead import frames_at, frames_with
 from aftdeck.simulation.carried import carrying
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import floating
@@ -17,7 +17,6 @@ from aftdeck.simulation.panel import make_ready
 from aftdeck.simulation.restrain import slider
 from aftdeck.simulation.state import State
 from aftdeck.simulation.tasks import change_task
-from aftdeck.simulation.work import placed
 from aftdeck.steering.layout import MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.latches import Latches
@@ -91,22 +90,16 @@ def _put(flight: Flight, state: State, start: Start) -> None:
             rates, angles = (one.start.rates, None) if control is None else (control.rate, control.start)
             things.cargo[k].floating = floating(pose, velocity, rates, control, angles)
     things.settle(site)
-    frames[:] = placed(flight, state, things.prong.position)
+    frames[:] = frames_with(flight, state, things.prong.position)
     if start.grasped is not None:
         k = start.grasped.cargo
         things.prong.position = things.prong.high
         if not site.prong:
             things.snare = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
-        place_frames(
-            site.arm.joints,
-            start.grasped.angles,
-            start.grasped.stand,
-            things.prong.position,
-            frames[site.arm_rows],
-        )
+        frames[:] = frames_at(flight, state, start.grasped.angles, start.grasped.stand, things.prong.position)
         things.cargo[k].seat = ""
         take_hold(flight, state, k)
-        frames[:] = placed(flight, state, things.prong.position)
+        frames[:] = frames_with(flight, state, things.prong.position)
     things.before[:] = frames
     things.watch.look(frames, frames, scenario.control_period)
     things.contacts.look(things.watch.found, things.task)

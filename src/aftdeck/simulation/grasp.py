@@ -20,7 +20,7 @@ from aftdeck.worksite.motion import motion
 Array = NDArray[np.float64]
 
 NEAR = 3.0
-"""A fixture farther from the hand than this [m] is not yet being captured."""
+"""A bar or a fixture farther from the hand than this [m] is not yet being captured."""
 
 
 def take_hold(flight: Flight, state: State, k: int) -> None:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.errors import InputError
+from aftdeck.simulation.ahead import frames_at
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Six
 from aftdeck.simulation.look_work import near_of
@@ -21,8 +22,8 @@ from aftdeck.simulation.panel import standing
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import ANGLES, DRIVE, GO, LAW, REPORT, RISE, STICKS, TWIST
 from aftdeck.steering.mode import MODES
+from aftdeck.steering.msteer import measured
 from aftdeck.steering.rehearsal import rehearse
-from aftdeck.worksite.around import place_everything
 from aftdeck.worksite.found import CLEARANCE
 from aftdeck.worksite.report import Near, Rows, Vec3
 
@@ -94,14 +95,13 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
     rules, report = state.carried.rules[state.panel.mode, state.panel.rate], np.zeros(REPORT)
     site, things, stand = flight.site, state.site, state.plant.stand
     driven = stand.velocity / stand.rate if stand.rate else 0.0
-    watch, frames = things.watch.copy(), things.frames.copy()
-    height, contact, period = stand.position, None, seconds / SAMPLES
+    watch, height, contact, period = things.watch.copy(), stand.position, None, seconds / SAMPLES
     for sample in range(1, SAMPLES + 1):
         rehearse(rules, command, steering, report, period)
         height = stand.after(driven, sample * period)
         steering[RISE] += height - stand.after(driven, (sample - 1) * period)
         angles = steering[ANGLES : ANGLES + 6]
-        place_everything(*things.places(site), angles, height, things.prong.position, frames)
+        frames = frames_at(flight, state, angles, height, things.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
         group = watch.nearest(site.detrimental)
         if contact is None and group >= 0 and watch.found[group, CLEARANCE] <= CONTACT:
@@ -128,10 +128,16 @@ def _placed(row: list[float]) -> tuple[Vec3, Rows]:
     return (x, y, z), ((a, b, c), (d, e, f), (g, h, i))
 
 
+def _copies(state: State) -> tuple[Array, Array]:
+    """What the steering is told, and how the arm moves, as measured now: to be flown on."""
+    steering = state.steering.copy()
+    measured(state.plant.angles, state.rise, steering)
+    return state.command.copy(), steering
+
+
 def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
     """Command and steering to fly on, and whether it is the sticks as they stand."""
-    command, steering = state.command.copy(), state.steering.copy()
-    steering[ANGLES : ANGLES + 6] = state.plant.angles
+    command, steering = _copies(state)
     held = bool(command[STICKS : STICKS + 6].any() or command[DRIVE])
     if standing(state.panel):
         command[STICKS : STICKS + 6] = command[DRIVE] = 0.0
@@ -147,8 +153,7 @@ def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
 
 def _stopping(state: State) -> float:
     """How far the tip goes from here until the arm rests, with nothing asked [m]."""
-    command, steering, report = state.command.copy(), state.steering.copy(), np.zeros(REPORT)
-    steering[ANGLES : ANGLES + 6] = state.plant.angles
+    (command, steering), report = _copies(state), np.zeros(REPORT)
     command[STICKS : STICKS + 6] = 0.0
     command[DRIVE] = command[GO] = 0.0
     if MODES[state.panel.mode].kind != "single":

@@ -6,16 +6,13 @@ import numpy as np
 
 from aftdeck.bodies.pose import pose_of
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.grasp import nearest_fixture
+from aftdeck.simulation.grasp import NEAR, nearest_fixture
 from aftdeck.simulation.hand import Bar
 from aftdeck.simulation.seating import conditions_at, nearest_berth
 from aftdeck.simulation.state import State
 from aftdeck.worksite.acquisition import AWAY, FOUND, acquire, acquisition
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.grapple import in_envelope
-
-NEAR = 3.0
-"""A bar farther from the hand than this [m] is not yet being acquired."""
 
 Pursuit = tuple[str, tuple[Condition, ...]]
 
@@ -25,11 +22,9 @@ def pursuit(flight: Flight, state: State) -> Pursuit:
     site, things, units = flight.site, state.site, flight.scenario.arm.model.units
     if (k := things.held) is not None:
         berth = None if things.fast else nearest_berth(flight, state, k)
-        return (
-            ("", ())
-            if berth is None
-            else (f"{berth.verb} in the {berth.seat.title}", conditions_at(flight, state, k, berth))
-        )
+        if berth is None:
+            return "", ()
+        return f"{berth.verb} in the {berth.seat.title}", conditions_at(flight, state, k, berth)
     if site.bar is not None:
         return _acquisition(flight, state, site.bar)
     if site.snares is not None and (near := nearest_fixture(flight, state)) is not None:

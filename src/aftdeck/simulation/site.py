@@ -92,11 +92,6 @@ class Site:
     bay: Array | None
 
     @property
-    def arm_rows(self) -> slice:
-        """Rows of the arm's frames."""
-        return slice(1, 1 + len(self.arm.names))
-
-    @property
     def space_row(self) -> int:
         """Row of the frame ``space``."""
         return 1 + len(self.arm.names)

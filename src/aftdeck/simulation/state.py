@@ -163,7 +163,12 @@ class State:
 
     def measure(self) -> None:
         """Take up where the arm is: what steering, plans and checks start from."""
-        measured(self.plant.angles, self.plant.stand.position - self._height, self.steering)
+        measured(self.plant.angles, self.rise, self.steering)
+
+    @property
+    def rise(self) -> float:
+        """How much higher the shoulder stands than the steering's rules have it [m]."""
+        return self.plant.stand.position - self._height
 
     @property
     def arm(self) -> Arm:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.simulation.ahead import frames_with
 from aftdeck.simulation.capture import capture
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import grasp_again
@@ -14,7 +15,7 @@ from aftdeck.simulation.seating import seat
 from aftdeck.simulation.state import State
 from aftdeck.simulation.tasks import change_task
 from aftdeck.simulation.ways_out import way_out_of_contact
-from aftdeck.worksite.around import look_around, place_everything
+from aftdeck.worksite.around import look_around
 from aftdeck.worksite.contacts import FRAMES, Inhibit
 from aftdeck.worksite.drift import translate
 from aftdeck.worksite.restrain import deepened
@@ -44,14 +45,6 @@ def work(flight: Flight, state: State, inputs: Inputs) -> None:
     capture(flight, state, pressed=inputs.effector is not None)
     seat(flight, state, inputs.latch)
     change_task(flight, state)
-
-
-def placed(flight: Flight, state: State, prong: float) -> Array:
-    """(F, 12) where every frame is now, with the prong there [m], in L."""
-    things, plant = state.site, state.plant
-    frames = np.empty_like(things.frames)
-    place_everything(*things.places(flight.site), plant.angles, plant.stand.position, prong, frames)
-    return frames
 
 
 def _look_around(flight: Flight, state: State) -> None:
@@ -104,9 +97,9 @@ def _translated(flight: Flight, state: State, command: Array) -> str:
     if not np.any(detrimental & (things.contacts.count == FRAMES)):
         translate(things.orbiter, velocity, command, rule.speed, rule.reached_in, period)
         return ""
-    without, here = placed(flight, state, things.prong.position), things.orbiter.copy()
+    without, here = frames_with(flight, state, things.prong.position), things.orbiter.copy()
     translate(things.orbiter, velocity, command, rule.speed, rule.reached_in, period)
-    group = deepened(things.watch, detrimental, without, placed(flight, state, things.prong.position))
+    group = deepened(things.watch, detrimental, without, frames_with(flight, state, things.prong.position))
     if group < 0:
         return ""
     things.orbiter[:], velocity[:] = here, 0.0
@@ -120,7 +113,7 @@ def _move_prong(flight: Flight, state: State) -> None:
     drive = _DRIVES[things.switch] if site.prong else 0.0
     prong, period = things.prong, flight.scenario.control_period
     if drive != 0.0 and things.contacts.inhibit.finger:
-        before, after = (placed(flight, state, at) for at in (prong.position, prong.after(drive, period)))
+        before, after = (frames_with(flight, state, at) for at in (prong.position, prong.after(drive, period)))
         if deepened(things.watch, site.detrimental & site.by_prong, before, after) >= 0:
             drive = 0.0
     prong.move(drive, period)
