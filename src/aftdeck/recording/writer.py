@@ -24,7 +24,16 @@ from aftdeck.recording.channels import Channels
 from aftdeck.recording.convert import frame_record, input_record, light_record
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
-from aftdeck.recording.records import PROFILE, Closing, ControllerRecord, ControllersRecord, LightRecord, Note, Shown
+from aftdeck.recording.records import (
+    CHANNELS,
+    PROFILE,
+    Closing,
+    ControllerRecord,
+    ControllersRecord,
+    LightRecord,
+    Note,
+    Shown,
+)
 from aftdeck.recording.sink import Sink
 from aftdeck.recording.viewing import Viewing
 from aftdeck.scenario.light import Lighting
@@ -59,8 +68,10 @@ class _End(NamedTuple):
     summary: Summary | None
 
 
-_AS_THEY_ARE: dict[type, str] = {ControllersRecord: "/controllers", Shown: "/shown", LightRecord: "/light"}
-"""Channels of what is handed over as the message that is written."""
+_CHANNEL = {kind: topic for topic, (kind, _) in CHANNELS.items()}
+"""Of each type of message."""
+_Told = ControllersRecord | Shown | LightRecord
+"""What is handed over as the message that is written, and shown to no viewer."""
 
 
 class Recorder:
@@ -107,7 +118,7 @@ class Recorder:
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
         self._opening = opening(scenario, seed, self._began_ns, changes)
-        self._waiting: deque[_Step | Note | ControllersRecord | Shown | LightRecord | _End] = deque()
+        self._waiting: deque[_Step | Note | _Told | _End] = deque()
         self._over = threading.Event()
         self._live = live
         self._scenario = scenario
@@ -231,7 +242,7 @@ class Recorder:
         view.open()
         frames = hashlib.sha256()
         ticks, time_s, now = 0, 0.0, self._began_ns
-        item: _Step | Note | ControllersRecord | Shown | LightRecord | _End | None = None
+        item: _Step | Note | _Told | _End | None = None
         while not isinstance(item, _End):
             if not self._waiting:
                 self._over.wait(LOOK_S)
@@ -247,8 +258,8 @@ class Recorder:
             elif isinstance(item, Note):
                 channels.log("/notes", item, now)
                 view.line(item, now)
-            elif isinstance(item, ControllersRecord | Shown | LightRecord):
-                channels.log(_AS_THEY_ARE[type(item)], item, now)
+            elif isinstance(item, _Told):
+                channels.log(_CHANNEL[type(item)], item, now)
             if time.monotonic() >= due:
                 if file is not None:
                     file.flush()
