@@ -1,24 +1,26 @@
-/** What the browser keeps between visits; where it keeps nothing, it is kept for this visit alone. */
+/** What the browser keeps between visits; with one that keeps nothing (private, blocked, full) all goes as if new. */
+
+/** Whether the browser did it. */
+function done(act: () => void): boolean {
+  try {
+    act();
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+export const keeper = {
+  getItem(key: string): string | null {
+    let text: string | null = null;
+    done(() => {
+      text = localStorage.getItem(key);
+    });
+    return text;
+  },
+  /** Returns whether it is kept. */
+  setItem: (key: string, value: string) => done(() => localStorage.setItem(key, value)),
+  removeItem: (key: string) => done(() => localStorage.removeItem(key)),
+};
 
 export type Keeper = Pick<Storage, 'getItem' | 'setItem'>;
-
-export function keeper(): Keeper {
-  const here = new Map<string, string>();
-  return {
-    getItem(key) {
-      try {
-        return localStorage.getItem(key) ?? here.get(key) ?? null;
-      } catch {
-        return here.get(key) ?? null;
-      }
-    },
-    setItem(key, value) {
-      here.set(key, value);
-      try {
-        localStorage.setItem(key, value);
-      } catch {
-        // a browser that keeps nothing forgets it with the page
-      }
-    },
-  };
-}

@@ -1,6 +1,6 @@
 /** The operator's hands: devices into sticks and actions, and everything that takes the sticks to zero. */
 
-import { type Turning, turningOf } from './input/camera-hand';
+import { STILL, type Turning, turningOf } from './input/camera-hand';
 import { Controllers } from './input/controllers';
 import { isTyping } from './input/keyboard';
 import type { Action } from './input/keymap';
@@ -62,7 +62,7 @@ export class Operator {
 
   /** How the switches of the camera in hand are pushed; who only watches has the keyboard's, for views of its own. */
   get turning(): Turning {
-    if (this.controllers.paused) return { pan: 0, tilt: 0, zoom: 0 };
+    if (this.controllers.paused) return STILL;
     const watched = turningOf(this.controllers.keyboard.held, mappingOf('keyboard'));
     return this.flying ? this.sticks.camera : watched;
   }

@@ -53,7 +53,7 @@ export class Station {
   drawn = 0;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
   readonly latency = new Latency();
-  private readonly tones = new Tones(keeper(), () => new AudioContext());
+  private readonly tones = new Tones(keeper, () => new AudioContext());
   /** What the last frame showed, for the clicks. */
   private heard = { mode: '', held: 0 };
   private frame: Frame | null = null;

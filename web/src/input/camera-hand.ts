@@ -1,5 +1,6 @@
 /** The switches that turn the camera in hand: held keys, or whatever else says how far they are pushed. */
 
+import { clamp } from '../clamp';
 import type { Camera } from '../protocol';
 import type { Command } from '../socket';
 import type { Mapping } from './mapping';
@@ -109,10 +110,6 @@ export function turningOf(held: ReadonlySet<string>, { bindings }: Pick<Mapping,
 /** Two hands on the same switches. */
 export function together(a: Turning, b: Turning): Turning {
   return { pan: clamp(a.pan + b.pan), tilt: clamp(a.tilt + b.tilt), zoom: clamp(a.zoom + b.zoom) };
-}
-
-export function clamp(push: number): number {
-  return Math.max(-1, Math.min(1, push));
 }
 
 function isTurning({ pan, tilt, zoom }: Turning): boolean {

@@ -1,9 +1,9 @@
 /** Axes of the hand controllers and of the camera in hand, each in [-1, 1]. */
 
+import { clamp } from '../clamp';
+
 /** THC X, Y, Z; RHC roll, pitch, yaw; the telescope (positive: longer); the camera in hand. */
 export const AXES = ['X', 'Y', 'Z', 'roll', 'pitch', 'yaw', 'telescope', 'pan', 'tilt', 'zoom'] as const;
-
-export type AxisName = (typeof AXES)[number];
 
 export const [X, Y, Z, ROLL, PITCH, YAW, TELESCOPE, PAN, TILT, ZOOM] = [
   0, 1, 2, 3, 4, 5, 6, 7, 8, 9,
@@ -20,10 +20,7 @@ export type Hand = keyof typeof HANDS;
 
 /** All devices together, no axis past full deflection. */
 export function sum(...parts: readonly Deflection[]): Deflection {
-  return ZERO.map((_, axis) => {
-    const all = parts.reduce((total, part) => total + (part[axis] ?? 0), 0);
-    return Math.max(-1, Math.min(1, all));
-  });
+  return ZERO.map((_, axis) => clamp(parts.reduce((total, part) => total + (part[axis] ?? 0), 0)));
 }
 
 export function isZero(deflection: Deflection): boolean {

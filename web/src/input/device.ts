@@ -1,5 +1,6 @@
 /** One device with axes and buttons: from its raw reading to axes and actions, and whether it may fly. */
 
+import { clamp } from '../clamp';
 import { AXES, type Deflection, HANDS, type Hand, isZero, ZERO } from './deflection';
 import { type Action, type Grip, USES } from './keymap';
 import { centred, indexOf, type Kind, type Mapping, shape } from './mapping';
@@ -47,7 +48,7 @@ export function deflection(reading: Reading, mapping: Mapping, shaped = true): D
     const value = raw(reading, source, mapping);
     values[does.axis] = (values[does.axis] ?? 0) + does.sign * (shaped ? shape(value, mapping) : value);
   }
-  return values.map((value) => Math.max(-1, Math.min(1, value)) + 0);
+  return values.map((value) => clamp(value) + 0);
 }
 
 export class Device {

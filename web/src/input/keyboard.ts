@@ -1,5 +1,6 @@
 /** The keyboard as two hand controllers and a row of switches, by the keyboard's mapping. */
 
+import { clamp } from '../clamp';
 import { type Deflection, ZERO } from './deflection';
 import { type Action, USES, type Use } from './keymap';
 import { mappingOf } from './store';
@@ -44,7 +45,7 @@ export class Keyboard {
       const does = useOf(code)?.does;
       if (does?.kind === 'axis') target[does.axis] = (target[does.axis] ?? 0) + does.sign;
     }
-    return target.map((value) => Math.max(-1, Math.min(1, value)));
+    return target.map((value) => clamp(value));
   }
 
   /** Deflection `dt` [s] after the last call. */

@@ -21,8 +21,6 @@ export type Action =
         | 'matrix'
         | 'acknowledge'
         | 'plane'
-        | 'matrix'
-        | 'split'
         | 'slow camera'
         | 'fly orbiter'
         | 'light'

@@ -4,6 +4,7 @@
  * (`b9+b12`).
  */
 
+import { clamp } from '../clamp';
 import { USES } from './keymap';
 
 export const KINDS = [
@@ -44,7 +45,7 @@ export function indexOf(source: string, letter: 'a' | 'b'): number | null {
 
 /** An axis' travel from where it rests, full deflection staying full on either side. */
 export function centred(raw: number, centre: number): number {
-  const from = Math.max(-1, Math.min(1, raw)) - centre;
+  const from = clamp(raw) - centre;
   return from === 0 ? 0 : from / (from > 0 ? 1 - centre : 1 + centre);
 }
 

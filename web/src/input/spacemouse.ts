@@ -4,6 +4,7 @@
  * devices and spacenavd; what is not understood is said, and moves nothing.
  */
 
+import { clamp } from '../clamp';
 import type { Reading } from './device';
 
 /** Logitech, who made the early ones, and 3Dconnexion. */
@@ -37,7 +38,7 @@ export function parsed(cap: Cap, report: number, data: DataView): Cap | null {
   if (data.byteLength < 2 * count || (count === 3 && data.byteLength > 8)) return null;
   const axes = [...cap.axes];
   for (let i = 0; i < count; i += 1) {
-    axes[first + i] = Math.max(-1, Math.min(1, data.getInt16(2 * i, true) / FULL));
+    axes[first + i] = clamp(data.getInt16(2 * i, true) / FULL);
   }
   return { ...cap, axes };
 }

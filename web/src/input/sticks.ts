@@ -3,6 +3,7 @@
 import type { Latency } from '../latency';
 import type { Vec3 } from '../protocol';
 import type { Command } from '../socket';
+import { STILL, type Turning } from './camera-hand';
 import type { Controllers } from './controllers';
 import {
   type Deflection,
@@ -24,10 +25,6 @@ import {
 /** Deflected sticks are sent at least this often [ms]; the station zeroes silent ones after 0.5 s. */
 const REPEAT_MS = 100;
 
-/** How fast the camera in hand pans, tilts and zooms, each in [-1, 1]. */
-export type CameraMotion = Readonly<Record<'pan' | 'tilt' | 'zoom', number>>;
-
-const STILL: CameraMotion = { pan: 0, tilt: 0, zoom: 0 };
 /** The sticks at rest, without the camera. */
 const REST: Deflection = ZERO.slice(0, PAN);
 
@@ -35,7 +32,7 @@ export class Sticks {
   /** X drives the selected joint (SINGLE, DIRECT). */
   driving = false;
   /** What the camera in hand is asked for now. */
-  camera: CameraMotion = STILL;
+  camera: Turning = STILL;
   private orbiter = false;
   private last = 0;
   private sentAt = 0;

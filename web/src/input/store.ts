@@ -1,5 +1,6 @@
 /** The mappings in use, kept in the browser, a kind of device at a time; and how often they have changed. */
 
+import { keeper } from '../kept';
 import { DEFAULTS } from './defaults';
 import { KINDS, type Kind, type Mapping, parseMapping } from './mapping';
 
@@ -27,14 +28,14 @@ export function mappingOf(kind: Kind): Mapping {
 export function save(kind: Kind, mapping: Mapping): boolean {
   present.set(kind, mapping);
   changes += 1;
-  return keep((storage) => storage.setItem(KEY + kind, JSON.stringify(mapping)));
+  return keeper.setItem(KEY + kind, JSON.stringify(mapping));
 }
 
 /** Goes back to what the station comes with. */
 export function restore(kind: Kind): void {
   present.set(kind, DEFAULTS[kind]);
   changes += 1;
-  keep((storage) => storage.removeItem(KEY + kind));
+  keeper.removeItem(KEY + kind);
 }
 
 /** Whether a mapping is what the station comes with. */
@@ -51,10 +52,7 @@ export function reread(): readonly string[] {
 }
 
 function saved(kind: Kind): Mapping | null {
-  let text: string | null = null;
-  keep((storage) => {
-    text = storage.getItem(KEY + kind);
-  });
+  const text = keeper.getItem(KEY + kind);
   if (text === null) return null;
   try {
     return parseMapping(JSON.parse(text));
@@ -62,15 +60,5 @@ function saved(kind: Kind): Mapping | null {
     const why = error instanceof Error ? error.message : error;
     troubles.push(`The saved mapping of the ${kind} is not used, it is as it came: ${why}.`);
     return null;
-  }
-}
-
-/** Whether the browser did it: one that keeps nothing (private, blocked, full) flies all the same. */
-function keep(act: (storage: Storage) => void): boolean {
-  try {
-    act(localStorage);
-    return true;
-  } catch {
-    return false;
   }
 }

@@ -1,5 +1,6 @@
 /** Two sticks and two sliders on the screen: where fingers, or a mouse, have put them. */
 
+import { clamp } from '../clamp';
 import type { Reading } from './device';
 
 /** Left stick right, down; left slider down; right stick right, down; right slider right. */
@@ -29,7 +30,7 @@ export class TouchSticks {
 
   /** Puts an axis to a value in [-1, 1]. */
   put(axis: number, value: number): void {
-    this.axes[axis] = Math.max(-1, Math.min(1, value));
+    this.axes[axis] = clamp(value);
   }
 
   value(axis: number): number {

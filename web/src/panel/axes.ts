@@ -1,5 +1,6 @@
 /** Frame axes over a picture: +X +Y +Z of the control frame as that camera sees them. */
 
+import { clamp } from '../clamp';
 import type { Vec3 } from '../protocol';
 import { setAttribute, setClass, setText, svg } from './dom';
 
@@ -64,5 +65,5 @@ export function axesOverlay(): AxesOverlay {
  */
 export function stickToPicture([x, y, z]: readonly [Vec3, Vec3, Vec3]): number {
   const trace = -x[2] + y[0] - z[1];
-  return Math.acos(Math.max(-1, Math.min(1, (trace - 1) / 2)));
+  return Math.acos(clamp((trace - 1) / 2));
 }

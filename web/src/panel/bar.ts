@@ -1,5 +1,6 @@
 /** A rate as a part of its limit, −1 to 1: commanded hollow above, actual filled from the middle below. */
 
+import { clamp } from '../clamp';
 import { setAttribute, svg } from './dom';
 
 const HALF = 46;
@@ -29,8 +30,4 @@ export function rateBar(): RateBar {
       setAttribute(mark, 'transform', `translate(${(50 + HALF * clamp(commanded)).toFixed(1)} 0)`);
     },
   };
-}
-
-function clamp(value: number): number {
-  return Math.max(-1, Math.min(1, value));
 }

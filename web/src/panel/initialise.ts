@@ -2,6 +2,7 @@
 
 import type { ProblemPart } from '../protocol';
 import { button, el } from './dom';
+import { dropDown } from './drop-down';
 import type { Desk } from './part';
 
 const ABOUT: Readonly<Record<ProblemPart, string>> = {
@@ -20,28 +21,11 @@ export function initialise({ welcome, send }: Desk): Initialise {
   const parts = welcome.work.parts.map((part) =>
     button({ title: ABOUT[part] }, [part], () => {
       send({ type: 'initialise', part });
-      open(false);
+      drop.open(false);
     }),
   );
-  const list = el(
-    'div',
-    { class: 'choices', role: 'group', 'aria-label': 'Part of the problem', hidden: '' },
-    ...parts,
-  );
-  const key = button(
-    { 'aria-expanded': 'false', title: 'Begins a part of the problem anew' },
-    ['Initialise'],
-    () => open(list.hidden === true),
-  );
-  const open = (on: boolean) => {
-    list.hidden = !on;
-    key.setAttribute('aria-expanded', String(on));
-  };
-  const element = el('div', { class: 'initialise' }, key, list);
-  element.hidden = parts.length === 0;
-  // It closes as the focus or a pointer goes elsewhere.
-  element.addEventListener('focusout', ({ relatedTarget }) => {
-    if (relatedTarget instanceof Node && !element.contains(relatedTarget)) open(false);
-  });
-  return { element, close: () => open(false) };
+  const list = el('div', { class: 'choices', role: 'group', 'aria-label': 'Part of the problem' }, ...parts);
+  const drop = dropDown('Initialise', 'Begins a part of the problem anew', list);
+  drop.element.hidden = parts.length === 0;
+  return { element: drop.element, close: () => drop.open(false) };
 }

@@ -1,8 +1,9 @@
 /** Light on the place: sun and Earth, lamps, and the lock of an exposure, in a list that opens under its key. */
 
-import { nameOf } from '../input/layout';
+import { keyOf } from '../input/layout';
 import type { Camera, Frame, Lighting } from '../protocol';
-import { button, el, setPressed, setText } from './dom';
+import { button, el, setAttribute, setPressed, setText } from './dom';
+import { dropDown } from './drop-down';
 import type { Desk } from './part';
 
 export interface LightControl {
@@ -34,12 +35,10 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
   const lamps = welcome.lamps.map((name) =>
     button({}, [name], () => set({ lamps: toggled(welcome.lamps, lighting.lamps, name) })),
   );
-  const lockKey = button({ title: `The exposure of the picture in hand: ${nameOf('End')}` }, [], () =>
-    lock(),
-  );
+  const lockKey = button({}, [], () => lock());
   const list = el(
     'div',
-    { class: 'choices light', role: 'group', 'aria-label': 'Light', hidden: '' },
+    { class: 'choices light', role: 'group', 'aria-label': 'Light' },
     el('div', { role: 'group', 'aria-label': 'Sun and Earth' }, el('h3', {}, 'Sun and Earth'), ...conditions),
     el(
       'div',
@@ -49,20 +48,7 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
       lockKey,
     ),
   );
-  const key = button(
-    { 'aria-expanded': 'false', title: `Sun, lamps and exposure: ${nameOf('Home')}` },
-    ['Light'],
-    () => open(list.hidden === true),
-  );
-  const open = (on: boolean) => {
-    list.hidden = !on;
-    key.setAttribute('aria-expanded', String(on));
-  };
-  const element = el('div', { class: 'initialise' }, key, list);
-  // It closes as the focus goes elsewhere, or a pointer is put to something else.
-  element.addEventListener('focusout', ({ relatedTarget }) => {
-    if (relatedTarget instanceof Node && !element.contains(relatedTarget)) open(false);
-  });
+  const drop = dropDown('Light', '', list);
   const lock = () => {
     const { camera } = exposed;
     const others = lighting.locked.filter((each) => each.camera !== camera.name);
@@ -71,9 +57,11 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
   };
 
   return {
-    element,
+    element: drop.element,
     values(frame) {
       lighting = frame.lighting;
+      setAttribute(drop.key, 'title', `Sun, lamps and exposure: ${keyOf('light')}`);
+      setAttribute(lockKey, 'title', `The exposure of the picture in hand: ${keyOf('lock exposure')}`);
       conditions.forEach((each, i) => {
         setPressed(each, welcome.conditions[i]?.name === lighting.condition);
       });
@@ -88,12 +76,12 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
       );
     },
     toggle() {
-      open(list.hidden === true);
-      if (list.hidden) key.blur();
-      else conditions[0]?.focus();
+      drop.open(!drop.isOpen);
+      if (drop.isOpen) conditions[0]?.focus();
+      else drop.key.blur();
     },
     lock,
-    close: () => open(false),
+    close: () => drop.open(false),
   };
 }
 

@@ -1,6 +1,7 @@
 /** The engineering view: an eye that goes round a point, moved freely by mouse and keys. */
 
 import { Vector3 } from 'three';
+import { clamp } from '../clamp';
 import type { Camera, Vec3 } from '../protocol';
 import type { View } from './view';
 
@@ -50,8 +51,4 @@ export class Orbit {
       angle: this.camera.field_of_view,
     };
   }
-}
-
-function clamp(value: number, least: number, greatest: number): number {
-  return Math.min(greatest, Math.max(least, value));
 }

@@ -3,6 +3,7 @@
 import type { Controllers } from '../input/controllers';
 import type { Action } from '../input/keymap';
 import { revision } from '../input/store';
+import { keeper } from '../kept';
 import { setAttribute, setClass } from '../panel/dom';
 import type { Desk, View } from '../panel/part';
 import type { Frame } from '../protocol';
@@ -14,7 +15,7 @@ import { held, STEPS } from './steps';
 /** The built-in scenario that it is flown in, and the mode. */
 export const SCENARIO = 'tutorial';
 const MODE = 'END EFF';
-/** Kept in the browser once it has opened by itself. */
+/** Kept in the browser once it has opened; one that keeps nothing is shown it each time. */
 const KEY = 'aftdeck.tutorial';
 const LOOKS: ReadonlySet<Action['name']> = new Set([
   'camera',
@@ -40,7 +41,7 @@ export class Tutorial {
     controllers: Controllers,
   ) {
     const { welcome } = desk;
-    this.unasked = this.offered && !hasOpened();
+    this.unasked = this.offered && keeper.getItem(KEY) === null;
     this.payload = welcome.bodies.findIndex(({ name }) => name === welcome.work.cargo[0]);
     this.inHand = new InHand(controllers);
     this.card = new Card(this.inHand, {
@@ -101,7 +102,7 @@ export class Tutorial {
     if (open) {
       this.progress = BEGIN;
       this.unasked = false;
-      rememberOpened();
+      keeper.setItem(KEY, 'opened');
     }
     this.open = open;
     this.card.element.hidden = !open;
@@ -141,21 +142,4 @@ export function farewell(now: Frame): readonly [title: string, words: string] {
     `The payload is captured and out of its latches, ${took} after the start. Close the guide and fly on: turn it, put it back, ` +
       'let it go. *Keys ?* shows all keys; *Restart* puts everything back.',
   ];
-}
-
-/** A browser that keeps nothing is shown it each time. */
-function hasOpened(): boolean {
-  try {
-    return localStorage.getItem(KEY) !== null;
-  } catch {
-    return false;
-  }
-}
-
-function rememberOpened(): void {
-  try {
-    localStorage.setItem(KEY, 'opened');
-  } catch {
-    // Nothing is kept there; it opens the next time too.
-  }
 }
