@@ -15,6 +15,7 @@ import pytest
 from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
 
 from tests.browser.flight import WAIT_MS, Flight
+from tests.browser.programs import running
 
 START_S = 120.0
 """The longest that a station may take to say its address, and the browser to start [s]."""
@@ -57,18 +58,11 @@ def station(request: pytest.FixtureRequest) -> Iterator[str]:
 def flown(*options: str) -> Iterator[str]:
     """Address of an `aftdeck fly` with these options, which runs until this is left."""
     command = [sys.executable, "-m", "aftdeck.cli", "fly", *options, "--no-browser", "--port", "0"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-        try:
-            address = _address(process)
-            with urlopen(f"{address}health", timeout=COMPILED_S) as answer:  # the socket listens before the server runs
-                assert answer.status == 200
-            yield address
-        finally:
-            process.terminate()
-            try:
-                process.wait(START_S)
-            except subprocess.TimeoutExpired:
-                process.kill()
+    with running(command, stdout=subprocess.PIPE, text=True) as process:
+        address = _address(process)
+        with urlopen(f"{address}health", timeout=COMPILED_S) as answer:  # the socket listens before the server runs
+            assert answer.status == 200
+        yield address
 
 
 def _address(process: subprocess.Popen[str]) -> str:

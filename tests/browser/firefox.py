@@ -19,6 +19,8 @@ from typing import Any, NamedTuple
 
 from websockets.sync.client import ClientConnection, connect
 
+from tests.browser.programs import running
+
 NAMES = ("firefox-esr", "firefox")
 WAIT_S = 120.0
 """The longest wait for anything that Firefox, or a page in it, shall do [s]."""
@@ -126,7 +128,7 @@ def started(programs: Programs, folder: Path) -> Iterator[Firefox]:
     with _screen(programs.screen) as display:
         command = [programs.firefox, "--remote-debugging-port", "0", "--profile", str(folder), "--no-remote"]
         environment = {**os.environ, "HOME": str(folder), "DISPLAY": display}
-        with _running(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment) as process:
+        with running(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment) as process:
             ends = time.monotonic() + WAIT_S
             while not (listens.exists() and (told := listens.read_text(encoding="utf-8"))):
                 assert process.poll() is None and time.monotonic() < ends, "Firefox did not start"
@@ -140,20 +142,6 @@ def started(programs: Programs, folder: Path) -> Iterator[Firefox]:
 def _screen(program: str) -> Iterator[str]:
     """A screen that nobody sees, by the name of its display."""
     command = [program, "-displayfd", "1", "-screen", "0", "1920x1200x24", "-nolisten", "tcp"]
-    with _running(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+    with running(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
         assert process.stdout is not None
         yield f":{process.stdout.readline().decode().strip()}"
-
-
-@contextmanager
-def _running(command: list[str], **options: Any) -> Iterator[subprocess.Popen[bytes]]:
-    """A program that is ended when this is left."""
-    with subprocess.Popen(command, **options) as process:
-        try:
-            yield process
-        finally:
-            process.terminate()
-            try:
-                process.wait(WAIT_S)
-            except subprocess.TimeoutExpired:
-                process.kill()

@@ -23,6 +23,15 @@ FLOWN = [pytest.param(name, marks=pytest.mark.slow) if name in MISSIONS else nam
 """They, for a test of each: the missions among the slow ones."""
 TURNING_POINTS = {"acquired", "released", "docked", "unseated", "latch", "latched", "unlatched"}
 """Kinds of the log's lines that tell how a mission goes on."""
+HOLD, LET_GO, DOCK, UNDOCK = "acquired", "released", "docked", "unseated"
+TOLD = {
+    "concept-1972-script": [HOLD, DOCK, LET_GO, HOLD, UNDOCK, LET_GO],
+    "free-flyer": [HOLD, DOCK, LET_GO, HOLD, UNDOCK, LET_GO],
+    "srms-berth": ["latch", "latched", LET_GO, LET_GO],  # the pin, then the payload
+    "srms-deploy": [HOLD, "unlatched", UNDOCK, LET_GO, LET_GO],
+    "tutorial": [HOLD, "unlatched", UNDOCK],
+}
+"""A mission's turning points, in their order."""
 _SAVED = 1.0 / 1500.0
 """How likely a state is saved before a step; it is as well after every turning point."""
 

@@ -18,21 +18,12 @@ from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Work
-from tests.scenario.missions import MISSIONS, flown
+from tests.scenario.missions import MISSIONS, TOLD, flown
 from tests.steering.flying import fly, log_of
 
 FOOT, INCH = 0.3048, 0.0254
 GOES_ON = 150
 """Steps that are compared after a state is restored."""
-
-HOLD, LET_GO, DOCK, UNDOCK = "acquired", "released", "docked", "unseated"
-TOLD = {
-    "concept-1972-script": [HOLD, DOCK, LET_GO, HOLD, UNDOCK, LET_GO],
-    "free-flyer": [HOLD, DOCK, LET_GO, HOLD, UNDOCK, LET_GO],
-    "srms-berth": ["latch", "latched", LET_GO, LET_GO],  # the pin, then the payload
-    "srms-deploy": [HOLD, "unlatched", UNDOCK, LET_GO, LET_GO],
-    "tutorial": [HOLD, "unlatched", UNDOCK],
-}
 
 
 @pytest.mark.slow
