@@ -16,9 +16,10 @@ import aftdeck
 from aftdeck.bodies.cameras import Camera, Drive, Setting, Travel, setting
 from aftdeck.errors import InputError
 from aftdeck.scenario.cameras import cameras_of
-from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.simulation.cameras import CameraDrive, Cameras, moved
 from aftdeck.simulation.run import SavedSimulation
+from aftdeck.station.wire import Translator
 
 PERIOD = 0.02
 DEPLOY = load_scenario("srms-deploy")
@@ -159,3 +160,15 @@ def test_cameras_are_listed_before_windows_and_these_before_the_engineers_view()
         kinds = [camera.kind for camera in cameras_of(load_scenario(name))]
         assert kinds == sorted(kinds, key=["camera", "window", "engineering"].index)
         assert set(kinds) == {"camera", "window", "engineering"}
+
+
+@pytest.mark.parametrize("name", built_in())
+def test_every_camera_stands_on_something_that_is_there(name: str) -> None:
+    shown = Translator(load_scenario(name), demo=False).welcome
+    assert {camera.body for camera in shown.cameras} <= {body.name for body in shown.bodies}
+
+
+def test_cameras_of_a_payload_are_there_where_it_is() -> None:
+    on_payload = {"P1", "P2"}
+    for name, expected in (("concept-1972", on_payload), ("free-flyer", set())):
+        assert on_payload & {camera.name for camera in cameras_of(load_scenario(name))} == expected

@@ -11,9 +11,14 @@ from aftdeck.scenario.model import Scenario
 
 
 def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
-    """Television cameras first, then windows, then what only an engineer sees."""
+    """Television cameras first, then windows, then what only an engineer sees.
+
+    Those of a cargo are there where the cargo is.
+    """
+    absent = {cargo.name for cargo in scenario.worksite.cargoes} - {cargo.name for cargo in scenario.cargo}
     cameras = scenario.worksite.cameras + _on_the_arm(scenario.arm.model)
-    return tuple(sorted(cameras, key=lambda camera: KINDS.index(camera.kind)))
+    there = [camera for camera in cameras if camera.body not in absent]
+    return tuple(sorted(there, key=lambda camera: KINDS.index(camera.kind)))
 
 
 @lru_cache(maxsize=8)

@@ -21,6 +21,9 @@ const MIRROR = new Matrix4().makeScale(1, -1, 1);
 const place = new Vector3();
 const turn = new Quaternion();
 
+/** Before the sky, which is behind everything. */
+const LAST = 0.5;
+
 /** A lamp and where it stands in its body's frame. */
 export interface PlacedLight {
   readonly light: Light;
@@ -81,6 +84,11 @@ export class Body {
       mesh.matrixAutoUpdate = false;
       this.group.add(mesh);
     }
+  }
+
+  /** Draws this body after all others: what stands before it spares its pixels. */
+  drawLast(): void {
+    for (const mesh of this.group.children) mesh.renderOrder = LAST;
   }
 
   /** Pose in the scene: x, y, z, then the quaternion w, x, y, z, found in `poses` from `first` on. */

@@ -13,6 +13,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from 'three';
+import { present } from '../assert';
 import type { LightCondition, Lighting, Near, Quat, Vec3, Welcome } from '../protocol';
 import { LIGHT_OF } from './agx';
 import { Blob } from './blob';
@@ -103,6 +104,7 @@ export class Scene {
     this.materials = new Materials(quality, this.lambert);
     this.bodies = welcome.bodies.map((body) => new Body(body, this.materials, quality));
     for (const { group } of this.bodies) this.stage.add(group);
+    this.bodies[0]?.drawLast(); // the place that all others stand in
     this.stage.matrixWorldAutoUpdate = false;
     this.cameras = new Cameras(welcome.cameras, this.bodies);
     this.sight = new Sight(this.cameras, this.bodies);
@@ -322,12 +324,13 @@ export class Scene {
 
 function rendererFor(canvas: HTMLCanvasElement, quality: Quality): WebGLRenderer {
   const full = quality === 'full';
-  const renderer = new WebGLRenderer({
-    canvas,
+  const context = canvas.getContext('webgl2', {
+    alpha: false, // nothing behind shows through: the browser need not mix the two
     antialias: full,
     powerPreference: 'high-performance',
     preserveDrawingBuffer: true, // not every picture is drawn every time
   });
+  const renderer = new WebGLRenderer({ canvas, context: present(context, 'WebGL 2 for the pictures') });
   renderer.setPixelRatio(full ? Math.min(window.devicePixelRatio, 2) : 0.75);
   renderer.autoClear = false;
   renderer.toneMapping = full ? AgXToneMapping : NoToneMapping;

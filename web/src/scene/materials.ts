@@ -109,8 +109,7 @@ export class Materials {
 
   private pattern(pattern: Pattern): Texture | null {
     if (pattern === 'plain') return null;
-    const [size, anisotropy] = this.quality === 'full' ? [512, 8] : [128, 1];
-    return this.texture(pattern, () => patternTexture(pattern, size, anisotropy));
+    return this.texture(pattern, () => patternTexture(pattern, this.quality));
   }
 
   private texture(name: string, make: () => Texture): Texture {

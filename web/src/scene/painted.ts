@@ -2,6 +2,7 @@ import {
   BufferGeometry,
   CanvasTexture,
   Float32BufferAttribute,
+  LinearMipmapNearestFilter,
   MirroredRepeatWrapping,
   NoColorSpace,
   type Texture,
@@ -69,6 +70,7 @@ export function paintedClouds(): Texture {
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = NoColorSpace;
   texture.wrapS = texture.wrapT = MirroredRepeatWrapping;
+  texture.minFilter = LinearMipmapNearestFilter;
   return texture;
 }
 

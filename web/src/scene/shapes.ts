@@ -7,8 +7,13 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/** From this radius on the low profile shows round bodies with 32 sides instead of 16 [m]. */
-const LARGE = 1;
+/** Sides of a full turn in the low profile, up to a radius [m]. */
+const SIDES = [
+  [0.06, 6],
+  [0.15, 10],
+  [1, 16],
+  [Number.POSITIVE_INFINITY, 32],
+] as const;
 const TURN = 2 * Math.PI;
 
 /** Geometry of a shape that is no group, about its own origin. */
@@ -27,7 +32,7 @@ export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surfa
     case 'plate':
       return plate(shape);
     case 'loft':
-      return loft(shape, quality === 'full' ? 64 : 32);
+      return loft(shape, quality === 'full' ? 64 : 24);
     case 'hexahedron':
       return hexahedron(shape);
     case 'light':
@@ -39,7 +44,7 @@ export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surfa
 
 /** How many sides a full turn of this radius [m] is drawn with. */
 function sides(radius: number, quality: Quality): number {
-  if (quality === 'low') return radius < LARGE ? 16 : 32;
+  if (quality === 'low') return SIDES.find(([most]) => radius < most)?.[1] ?? 32;
   return Math.round(Math.min(96, 24 + 60 * radius));
 }
 
@@ -132,7 +137,7 @@ function shell(shape: Shell, quality: Quality): Surface {
 }
 
 function ring(shape: Ring, quality: Quality): Surface {
-  const points = quality === 'full' ? 12 : 6;
+  const points = quality === 'full' ? 12 : 4;
   const profile = steps(points, (t): Vec2 => {
     const angle = TURN * t;
     return [shape.bar * Math.sin(angle), shape.radius + shape.bar * Math.cos(angle)];

@@ -1,5 +1,6 @@
-import { CanvasTexture, NoColorSpace, RepeatWrapping, type Texture } from 'three';
+import { CanvasTexture, LinearMipmapNearestFilter, NoColorSpace, RepeatWrapping, type Texture } from 'three';
 import { present } from '../assert';
+import type { Quality } from './index';
 
 /** What is drawn on a surface, as a grey that dims its colour; `plain` has none. */
 export type Pattern = 'plain' | 'quilt' | 'liner' | 'seams' | 'tiles' | 'panel';
@@ -15,15 +16,13 @@ const PATTERNS: Record<Exclude<Pattern, 'plain'>, { repeat: [number, number]; pa
   panel: { repeat: [2.24, 1], paint: panelled },
 };
 
-/** The texture of a pattern, the same on every run; `size` pixels square, `anisotropy` for slanting views. */
-export function patternTexture(
-  pattern: Exclude<Pattern, 'plain'>,
-  size: number,
-  anisotropy: number,
-): Texture {
+/** The texture of a pattern, the same on every run. The low profile looks at one of its sizes a pixel, not at two. */
+export function patternTexture(pattern: Exclude<Pattern, 'plain'>, quality: Quality): Texture {
   const { repeat, paint } = PATTERNS[pattern];
-  const texture = repeated(size, paint, repeat);
-  texture.anisotropy = anisotropy;
+  const full = quality === 'full';
+  const texture = repeated(full ? 512 : 128, paint, repeat);
+  if (full) texture.anisotropy = 8;
+  else texture.minFilter = LinearMipmapNearestFilter;
   return texture;
 }
 
