@@ -14,7 +14,7 @@ from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.solid import Solid
 from aftdeck.worksite.found import CLEARANCE
 from aftdeck.worksite.layout import layout_of
-from aftdeck.worksite.restrain import allowed, ways_out
+from aftdeck.worksite.restrain import allowed, ways_out, worsened
 from aftdeck.worksite.watch import Watch
 from tests.bodies.shapes import boxes, skewed
 from tests.worksite.scenes import CHAIN, clearances, moved, poses, scene
@@ -50,9 +50,12 @@ def test_just_the_motions_that_deepen_a_contact_or_make_one_are_held(seed: int, 
     here = clearances(made, layout, now)
     for _ in range(3):
         then = arm_moved(rng, now, pace)
-        worst = spoils(here, clearances(made, layout, then))[counts == 1].max()
-        if abs(worst - 1e-12) > 5e-13:
-            assert allowed(watch, counts, then) == (worst < 1e-12)
+        spoilt = np.where(counts == 1, spoils(here, clearances(made, layout, then)), -np.inf)
+        if abs(spoilt.max() - 1e-12) > 5e-13:
+            which = worsened(watch, counts, then)
+            assert allowed(watch, counts, then) == (which < 0) == (spoilt.max() < 1e-12)
+            if which >= 0:
+                assert spoilt[which] == pytest.approx(spoilt.max(), abs=2e-12)
     assert allowed(watch, counts, now)
     assert watch.save() == remembered
 

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from math import radians
+from math import pi, radians
 
 import msgspec
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from aftdeck.bodies.pose import row_of
 from aftdeck.frames import Pose, endori
 from aftdeck.units import INCH
 from aftdeck.worksite.conditions import Condition, all_hold, failing
-from aftdeck.worksite.draw_in import placed, relative, remaining, turned_by
+from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.grapple import CaptureEnvelope, in_envelope
 from aftdeck.worksite.said import Said
 from aftdeck.worksite.snare import Flags, Snare, SnareCommand, SnareTimes, advance, flags
@@ -251,29 +252,24 @@ def test_no_order_of_switches_takes_or_loses_a_pin_otherwise_than_by_the_snares(
 
 # --- drawing in
 
-VECTORS = st.tuples(*[st.floats(-1.0, 1.0)] * 3).map(np.array)
+OFFSETS = st.tuples(*[st.floats(-1.0, 1.0)] * 3).map(np.array)
+TURNS = st.tuples(*[st.floats(-1.8, 1.8)] * 3).map(np.array)
+"""Rotation vectors of less than half a turn [rad]."""
 
 
 @settings(deadline=None)
-@given(VECTORS, VECTORS, st.floats(0.0, 1.0))
+@given(OFFSETS, TURNS, st.floats(0.0, 1.0))
+@example(np.ones(3), np.array([pi, 0.0, 0.0]), 0.5)
+@example(np.ones(3), np.array([0.0, pi, 0.0]), 0.5)
+@example(np.ones(3), np.array([0.0, 0.0, pi]), 0.5)
+@example(np.ones(3), np.zeros(3), 0.5)
 def test_a_misalignment_shrinks_along_its_offset_and_about_its_own_axis(
     offset: NDArray[np.float64], vector: NDArray[np.float64], fraction: float
 ) -> None:
-    found = remaining(Pose(offset, Rotation.from_rotvec(vector).as_matrix()), fraction)
-    assert found.position == pytest.approx(offset * fraction)
-    assert found.rotation == pytest.approx(Rotation.from_rotvec(vector * fraction).as_matrix(), abs=1e-12)
-    assert turned_by(found) == pytest.approx(fraction * np.linalg.norm(vector), abs=1e-9)
-
-
-@settings(deadline=None)
-@given(VECTORS, VECTORS, VECTORS, VECTORS)
-def test_a_body_is_placed_in_its_seat_as_it_was_found_there(
-    a: NDArray[np.float64], b: NDArray[np.float64], c: NDArray[np.float64], d: NDArray[np.float64]
-) -> None:
-    body, seat = Pose(a, Rotation.from_rotvec(b).as_matrix()), Pose(c, Rotation.from_rotvec(d).as_matrix())
-    again = placed(seat, relative(body, seat))
-    assert again.position == pytest.approx(body.position, abs=1e-12)
-    assert again.rotation == pytest.approx(body.rotation, abs=1e-12)
+    found = np.empty(12)
+    remaining(row_of(Pose(offset, Rotation.from_rotvec(vector).as_matrix())), fraction, found)
+    assert found[:3] == pytest.approx(offset * fraction)
+    assert found[3:].reshape(3, 3) == pytest.approx(Rotation.from_rotvec(vector * fraction).as_matrix(), abs=1e-12)
 
 
 def test_the_pin_is_drawn_in_once_and_does_not_go_out_again() -> None:

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.bodies.pose import POSE, compose, inverse, pose_of, row_of
+from aftdeck.bodies.pose import POSE, compose, inverse, pose_of
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import let_go, nearest_fixture, steer_with, take_hold
 from aftdeck.simulation.hand import Bar, Snares
@@ -94,8 +94,8 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
     thing = things.cargo[k]
     if thing.seat or thing.first is None:
         return True
-    left = row_of(remaining(pose_of(np.array(thing.first)), 1.0 - (snare.drawn - thing.since)))
-    pin, grasp, drawn = np.empty(POSE), np.empty(POSE), np.empty(POSE)
+    left, pin, grasp, drawn = np.empty(POSE), np.empty(POSE), np.empty(POSE), np.empty(POSE)
+    remaining(np.array(thing.first), 1.0 - (snare.drawn - thing.since), left)
     compose(site.effector, left, pin)
     compose(pin, inverse(snares.fixture(k)), grasp)
     compose(things.frames[site.last_joint], grasp, drawn)

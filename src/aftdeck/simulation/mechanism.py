@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.log import log
 from aftdeck.simulation.state import State
-from aftdeck.worksite.restrain import deepened
+from aftdeck.worksite.restrain import worsened
 
 Array = NDArray[np.float64]
 
@@ -28,7 +28,7 @@ def waits(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
     site, things = flight.site, state.site
     after = things.frames.copy()
     after[site.cargo_row(k)] = pose
-    group = deepened(things.watch, things.contacts.arm & site.detrimental, things.frames, after)
+    group = worsened(things.watch, things.contacts.arm & site.detrimental, after)
     if group >= 0 and not things.waiting:
         a, b = site.layout.named(group)
         log(flight, state, "waits", "caution", f"the {what} waits: it would bring {a} deeper into {b}")

@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.bodies.pose import POSE, compose, pose_of, relative, row_of
+from aftdeck.bodies.pose import POSE, compose, pose_of, relative
 from aftdeck.simulation.berths import Berth
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import regrasp, set_free
@@ -124,8 +124,10 @@ def _fixed(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str
     after, said = advance(before, berth.seat.time, pressed or "", flight.scenario.control_period, ())
     seated, halted = thing.seated, False
     if after.drawn != before.drawn:
-        seated = row_of(remaining(pose_of(np.array(thing.off)), after.misaligned)).tolist()
-        halted = thing.held and waits(flight, state, k, _in_seat(flight, state, berth, seated), "latches")
+        left = np.empty(POSE)
+        remaining(np.array(thing.off), after.misaligned, left)
+        seated = left.tolist()
+        halted = thing.held and waits(flight, state, k, _in_seat(state, berth, left), "latches")
     for line in said:
         if line.kind == "refused" or not halted:
             log(flight, state, line.kind, line.level, line.text)
@@ -165,11 +167,11 @@ def _unfix(flight: Flight, state: State, k: int, berth: Berth) -> None:
     log(flight, state, "unseated", "info", f"{site.cargo[k].title} {what} the {berth.seat.title}")
 
 
-def _in_seat(flight: Flight, state: State, berth: Berth, seated: list[float]) -> Array:
-    """(12,) where a cargo is, in L, that stands so against its place in a seat."""
+def _in_seat(state: State, berth: Berth, seated: Array) -> Array:
+    """(12,) where a cargo is, in L, that stands so (12,) against its place in a seat."""
     place, out = np.empty(POSE), np.empty(POSE)
     compose(state.site.frames[berth.row], berth.place, place)
-    compose(place, np.array(seated), out)
+    compose(place, seated, out)
     return out
 
 

@@ -20,9 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.errors import InputError
-from aftdeck.frames import Pose
+from aftdeck.frames import Pose, angle_between
 from aftdeck.worksite.conditions import Condition, Units, within
-from aftdeck.worksite.draw_in import turned_by
 
 Array = NDArray[np.float64]
 Vec3 = tuple[float, float, float]
@@ -207,8 +206,10 @@ def retained(payload: Pose, tolerances: SeatTolerances, units: Units) -> tuple[C
 
 
 def _turn(payload: Pose, tolerances: SeatTolerances, units: Units) -> Condition:
-    return within("payload's attitude", turned_by(payload), -inf, tolerances.angle, "rad", units, _TURN_SAYS)
+    angle = angle_between(payload.rotation.tolist(), _STOWED)
+    return within("payload's attitude", angle, -inf, tolerances.angle, "rad", units, _TURN_SAYS)
 
 
+_STOWED = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 _PLACE_SAYS = ("payload {} from its stowed place", "")
 _TURN_SAYS = ("payload turned {} from its stowed attitude", "")

@@ -16,7 +16,7 @@ from aftdeck.bodies.pair import CONTACT
 from aftdeck.law import law
 from aftdeck.worksite.found import CLEARANCE, WHICH
 from aftdeck.worksite.layout import Indices, Mask
-from aftdeck.worksite.watch import Watch, nearest_pair, place_moved
+from aftdeck.worksite.watch import Watch, nearest_pair, place_moved, travelled
 
 Array = NDArray[np.float64]
 
@@ -36,11 +36,13 @@ class Trial(NamedTuple):
     Attributes:
         worst: the greatest fall of the clearance of a contact, present or new, negative; without a fall the least rise,
             inf where there is no contact [m].
+        which: the group of that contact; -1 where there is none.
         gained: by how much the clearances of the present contacts rise, taken together [m].
         deeper: how much deeper in each other two parts are then than now, at most; negative or 0 where none are [m].
     """
 
     worst: float
+    which: int
     gained: float
     deeper: float
 
@@ -51,43 +53,55 @@ def tried(
     frame: Indices,
     pairs: Indices,
     begins: Indices,
+    between: Indices,
+    reach: Array,
     counts: Mask,
     after: Array,
     at: Array,
     placed: Array,
+    bound: Array,
     memory: Array,
     found: Array,
 ) -> Trial:
     """What a motion would do to the contacts of the groups that count.
 
     Args:
-        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,): of the layout.
+        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,), between (g, 2), reach (F,): of the layout.
         frame: see solids.
         pairs: see solids.
         begins: see solids.
+        between: see solids.
+        reach: see solids.
         counts: (g,) 1 for groups to keep from each other; they have to be active.
         after: (F, 12) the frames after the motion, in L.
         at: (F, 12), placed (n, 52) and memory (m, 17): copies of the watch's; used up.
         placed: see at.
+        bound: (g,) the watch's.
         memory: see at.
         found: (g, 15) what the watch found before the motion.
     """
+    ways = np.empty(len(after))
+    travelled(after, at, reach, ways)
     place_moved(solids, frame, after, at, placed)
-    worst, gained, deeper = np.inf, 0.0, -np.inf
+    worst, which, gained, deeper = np.inf, -1, 0.0, -np.inf
     for g in range(len(counts)):
         if counts[g] == 0:
             continue
-        before = found[g, CLEARANCE]
-        limit = np.inf if before <= CONTACT else 2.0 * CONTACT
+        before, limit = found[g, CLEARANCE], np.inf
+        if before > CONTACT:
+            limit = 2.0 * CONTACT
+            if bound[g] - ways[between[g, 0]] - ways[between[g, 1]] >= limit:
+                continue
         k = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], int(found[g, WHICH]), limit)
+        if k < 0:
+            continue
+        rise = memory[k, packed.CLEARANCE] - before
         if before <= CONTACT:
-            rise = memory[k, packed.CLEARANCE] - before
-            worst, gained = min(worst, rise), gained + rise
-        elif k >= 0 and memory[k, packed.CLEARANCE] <= CONTACT:
-            worst = min(worst, memory[k, packed.CLEARANCE] - before)
-        if k >= 0:
-            deeper = max(deeper, min(before, 0.0) - memory[k, packed.CLEARANCE])
-    return Trial(worst, gained, deeper)
+            gained += rise
+        if rise < worst and (before <= CONTACT or memory[k, packed.CLEARANCE] <= CONTACT):
+            worst, which = rise, g
+        deeper = max(deeper, min(before, 0.0) - memory[k, packed.CLEARANCE])
+    return Trial(worst, which, gained, deeper)
 
 
 @law
@@ -96,18 +110,24 @@ def tried_many(
     frame: Indices,
     pairs: Indices,
     begins: Indices,
+    between: Indices,
+    reach: Array,
     counts: Mask,
     afters: Array,
     at: Array,
     placed: Array,
+    bound: Array,
     memory: Array,
     found: Array,
     trials: Array,
 ) -> None:
-    """`tried` for each of several motions, afters (k, F, 12), into trials (k, 3); what the watch holds is copied."""
+    """`tried` for each of several motions, afters (k, F, 12), into trials (k, 4); what the watch holds is copied."""
     for k in range(len(afters)):
-        t = tried(solids, frame, pairs, begins, counts, afters[k], at.copy(), placed.copy(), memory.copy(), found)
-        trials[k, 0], trials[k, 1], trials[k, 2] = t.worst, t.gained, t.deeper
+        t = tried(
+            solids, frame, pairs, begins, between, reach, counts, afters[k],
+            at.copy(), placed.copy(), bound, memory.copy(), found,
+        )  # fmt: skip
+        trials[k, 0], trials[k, 1], trials[k, 2], trials[k, 3] = t.worst, t.which, t.gained, t.deeper
 
 
 def allowed(watch: Watch, counts: Mask, after: Array) -> bool:
@@ -118,16 +138,22 @@ def allowed(watch: Watch, counts: Mask, after: Array) -> bool:
         counts: (g,) 1 for the detrimental groups that move with the arm.
         after: (F, 12) the frames after the motion, in L; what does not move with the arm stands where it is.
     """
-    return bool(_trials(watch, counts, after[None])[0, 0] >= -DEEPER)
+    return worsened(watch, counts, after) < 0
+
+
+def worsened(watch: Watch, counts: Mask, after: Array) -> int:
+    """The contact that a step deepens most, or makes; -1 where it does neither. As `allowed`."""
+    worst, which, _, _ = _trials(watch, counts, after[None])[0].tolist()
+    return int(which) if worst < -DEEPER else -1
 
 
 def deeper(watch: Watch, counts: Mask, after: Array) -> float:
     """How much deeper in each other a step takes two parts [m]; as `allowed`, for contacts that may be there."""
-    return float(_trials(watch, counts, after[None])[0, 2])
+    return float(_trials(watch, counts, after[None])[0, 3])
 
 
 def deepened(watch: Watch, counts: Mask, before: Array, after: Array) -> int:
-    """The contact that a motion deepens most, or makes; -1 where it does neither.
+    """As `worsened`, where other things have moved since the watch looked.
 
     Args:
         watch: of which a copy looks.
@@ -160,19 +186,16 @@ def ways_out(watch: Watch, counts: Mask, afters: Array) -> Array:
         worst one falls, negative [m].
     """
     trials = _trials(watch, counts, afters)
-    return np.where(trials[:, 0] >= -DEEPER, trials[:, 1], trials[:, 0])
+    return np.where(trials[:, 0] >= -DEEPER, trials[:, 2], trials[:, 0])
 
 
 def _trials(watch: Watch, counts: Mask, afters: Array) -> Array:
-    own, trials = watch.layout, np.empty((len(afters), 3))
+    own, trials = watch.layout, np.empty((len(afters), 4))
     tried_many(
-        *own.packed[:4],
+        *own.packed,
         counts & watch.active,
         afters,
-        watch.at,
-        watch.placed,
-        watch.memory,
-        watch.found,
+        *watch.packed,
         trials,
     )
     return trials
