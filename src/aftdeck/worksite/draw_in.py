@@ -24,32 +24,19 @@ def remaining(whole: Array, fraction: float, out: Array) -> None:
         fraction: 1 all of it, 0 nothing.
         out: (12,) what is left.
     """
-    a, b, c, d, e, f, g, h, i = (
-        whole[3],
-        whole[4],
-        whole[5],
-        whole[6],
-        whole[7],
-        whole[8],
-        whole[9],
-        whole[10],
-        whole[11],
-    )
-    # a quaternion but for its length, by its largest part
-    w, x, y, z = 1.0 + a + e + i, h - f, c - g, d - b
-    if 1.0 + a - e - i > w and a >= e and a >= i:
-        w, x, y, z = h - f, 1.0 + a - e - i, d + b, c + g
-    elif 1.0 - a + e - i > w and e >= i:
-        w, x, y, z = c - g, d + b, 1.0 - a + e - i, f + h
-    elif 1.0 - a - e + i > w:
-        w, x, y, z = d - b, c + g, f + h, 1.0 - a - e + i
-    size, turn = sqrt(x * x + y * y + z * z), 0.0
-    if size > 0.0:
-        half = fraction * (atan2(size, w) if w >= 0.0 else -atan2(size, -w))
-        w, turn = cos(half), sin(half) / size
-    else:
-        w = 1.0
-    x, y, z = x * turn, y * turn, z * turn
+    r = whole[3:]
+    # (w, x, y, z), but for its length, by its largest part
+    w, x, y, z = 1.0 + r[0] + r[4] + r[8], r[7] - r[5], r[2] - r[6], r[3] - r[1]
+    if 1.0 + r[0] - r[4] - r[8] > w and r[0] >= r[4] and r[0] >= r[8]:
+        w, x, y, z = r[7] - r[5], 1.0 + r[0] - r[4] - r[8], r[3] + r[1], r[2] + r[6]
+    elif 1.0 - r[0] + r[4] - r[8] > w and r[4] >= r[8]:
+        w, x, y, z = r[2] - r[6], r[3] + r[1], 1.0 - r[0] + r[4] - r[8], r[5] + r[7]
+    elif 1.0 - r[0] - r[4] + r[8] > w:
+        w, x, y, z = r[3] - r[1], r[2] + r[6], r[5] + r[7], 1.0 - r[0] - r[4] + r[8]
+    size = sqrt(x * x + y * y + z * z)
+    half = fraction * (atan2(size, w) if w >= 0.0 else -atan2(size, -w))
+    per = sin(half) / size if size > 0.0 else 0.0
+    w, x, y, z = cos(half), per * x, per * y, per * z
     for k in range(3):
         out[k] = fraction * whole[k]
     out[3], out[4], out[5] = 1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)

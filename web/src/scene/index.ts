@@ -104,7 +104,6 @@ export class Scene {
     this.materials = new Materials(quality, this.lambert);
     this.bodies = welcome.bodies.map((body) => new Body(body, this.materials, quality));
     for (const { group } of this.bodies) this.stage.add(group);
-    this.bodies[0]?.drawLast(); // the place that all others stand in
     this.stage.matrixWorldAutoUpdate = false;
     this.cameras = new Cameras(welcome.cameras, this.bodies);
     this.sight = new Sight(this.cameras, this.bodies);
@@ -116,7 +115,8 @@ export class Scene {
     this.conditions = welcome.conditions;
     this.exposures = new Map(welcome.cameras.map(({ name }) => [name, { exposure: new Exposure(), at: 0 }]));
     this.meter = new Meter(this.renderer, quality === 'full' ? LIGHT_OF : ROOTS);
-    const [fixed, ...moving] = this.bodies;
+    const [fixed, ...moving] = this.bodies; // the place that all others stand in, and they
+    fixed?.drawLast();
     const ground = quality === 'low' ? fixed?.mesh('liner') : undefined;
     this.blob = ground ? new Blob(this.stage, ground, moving) : null;
     this.gap = new Gap(this.stage, this.bodies);

@@ -7,13 +7,13 @@ import { plate } from './plate';
 import { revolve, type Strip } from './revolve';
 import { Surface } from './surface';
 
-/** Sides of a full turn in the low profile, up to a radius [m]. */
+/** Sides of a full turn in the low profile, below a radius [m]; what is larger has the most. */
 const SIDES = [
   [0.06, 6],
   [0.15, 10],
   [1, 16],
-  [Number.POSITIVE_INFINITY, 32],
 ] as const;
+const MOST = 32;
 const TURN = 2 * Math.PI;
 
 /** Geometry of a shape that is no group, about its own origin. */
@@ -44,7 +44,7 @@ export function surfaceOf(shape: Exclude<Shape, Group>, quality: Quality): Surfa
 
 /** How many sides a full turn of this radius [m] is drawn with. */
 function sides(radius: number, quality: Quality): number {
-  if (quality === 'low') return SIDES.find(([most]) => radius < most)?.[1] ?? 32;
+  if (quality === 'low') return SIDES.find(([below]) => radius < below)?.[1] ?? MOST;
   return Math.round(Math.min(96, 24 + 60 * radius));
 }
 
