@@ -88,7 +88,7 @@ def _put(flight: Flight, state: State, start: Start) -> None:
             velocity = site.scene[3:].reshape(3, 3) @ one.start.velocity
             control = one.limit_cycle
             rates, angles = (one.start.rates, None) if control is None else (control.rate, control.start)
-            things.cargo[k].floating = floating(pose, velocity, rates, control, angles)
+            things.floating[k] = floating(pose, velocity, rates, control, angles)
     things.settle(site)
     frames[:] = frames_with(flight, state, things.prong.position)
     if start.grasped is not None:

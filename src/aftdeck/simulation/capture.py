@@ -104,9 +104,8 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
     thing.grasp = grasp.tolist()
     things.ride(site, k)
     if snare.drawn == 1.0:
-        shown, thing.steered = state.carried.payload, thing.grasp
+        thing.steered = thing.grasp
         steer_with(flight, state, k)
-        state.carried = state.carried._replace(payload=shown)
     return True
 
 

@@ -19,7 +19,7 @@ class Carried(NamedTuple):
     """What the arm carries, and how it is steered with it.
 
     Attributes:
-        payload: in the grasp; None: nothing.
+        payload: in the grasp, as the steering takes it; None: nothing.
         rules: the steering's rules by panel position and rate setting.
     """
 

@@ -14,33 +14,51 @@ from aftdeck.worksite.drift import LimitCycle, coast, limit_cycle
 Array = NDArray[np.float64]
 
 
-class Floating(msgspec.Struct):
+class SavedFloating(msgspec.Struct, frozen=True):
+    """What `Floating.save` gives."""
+
+    pose: list[float]
+    motion: list[float]
+    cycle: LimitCycle | None
+    reference: list[float]
+    time: float
+
+
+class Floating:
     """Free flight.
 
     Attributes:
         pose: (12,) now, in L as it stood at the start.
-        velocity: of the centre, in those axes [m/s].
-        rates: angular velocity in the body's axes [rad/s].
+        motion: (6,) angular velocity in the body's axes [rad/s], then velocity of the centre, in L's [m/s].
         cycle: attitude control; None: it turns freely.
-        reference: rotation about which it cycles, row by row.
+        reference: (3, 3) rotation about which it cycles.
         time: since the cycle began [s].
     """
 
-    pose: list[float]
-    velocity: list[float]
-    rates: list[float]
-    cycle: LimitCycle | None = None
-    reference: list[float] = msgspec.field(default_factory=list)
-    time: float = 0.0
+    def __init__(self, pose: Array, motion: Array, cycle: LimitCycle | None) -> None:
+        self.pose, self.motion = pose.copy(), motion.copy()
+        self.cycle, self.reference, self.time = cycle, pose[3:].reshape(3, 3).copy(), 0.0
+        self._packed = None if cycle is None else cycle.packed()
 
     def move(self, period: float) -> None:
         """Go on for one control period [s]."""
-        pose, motion = np.array(self.pose), np.array([*self.rates, *self.velocity])
-        coast(pose, motion, period)
-        if self.cycle is not None:
+        coast(self.pose, self.motion, period)
+        if self._packed is not None:
             self.time += period
-            limit_cycle(self.cycle.packed(), np.array(self.reference).reshape(3, 3), self.time, pose, motion)
-        self.pose, self.rates = pose.tolist(), motion[:3].tolist()
+            limit_cycle(self._packed, self.reference, self.time, self.pose, self.motion)
+
+    def save(self) -> SavedFloating:
+        """Everything that its future depends on."""
+        return SavedFloating(
+            self.pose.tolist(), self.motion.tolist(), self.cycle, self.reference.ravel().tolist(), self.time
+        )
+
+
+def floating_so(saved: SavedFloating) -> Floating:
+    """What `Floating.save` gave, to go on from."""
+    flight = Floating(np.array(saved.pose), np.array(saved.motion), saved.cycle)
+    flight.reference.ravel()[:], flight.time = saved.reference, saved.time
+    return flight
 
 
 def floating(
@@ -56,9 +74,8 @@ def floating(
         angles: (3,) where in its deadband it is then [rad]; None: in the middle.
     """
     if control is None:
-        return Floating(pose.tolist(), velocity.tolist(), rates.tolist())
+        return Floating(pose, np.concatenate((rates, velocity)), None)
     x, y, z = (copysign(float(rate), float(turn)) for rate, turn in zip(control.rate, rates, strict=True))
     a, b, c = (float(band) for band in control.deadband)
     u, v, w = (0.0, 0.0, 0.0) if angles is None else (float(angle) for angle in angles)
-    cycle = LimitCycle((a, b, c), (x, y, z), (u, v, w))
-    return Floating(pose.tolist(), velocity.tolist(), [x, y, z], cycle, pose[3:].tolist())
+    return Floating(pose, np.array([x, y, z, *velocity]), LimitCycle((a, b, c), (x, y, z), (u, v, w)))

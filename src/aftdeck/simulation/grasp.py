@@ -26,7 +26,7 @@ NEAR = 3.0
 def take_hold(flight: Flight, state: State, k: int) -> None:
     """From now on a cargo rides in the frame of the last joint, as it stands now (MO2SET)."""
     things = state.site
-    things.cargo[k].held, things.cargo[k].floating = True, None
+    things.cargo[k].held, things.floating[k] = True, None
     regrasp(flight, state, k)
     things.settle(flight.site)
 
@@ -34,24 +34,22 @@ def take_hold(flight: Flight, state: State, k: int) -> None:
 def regrasp(flight: Flight, state: State, k: int) -> None:
     """What is held is held as it stands now, and steered so; the carriage draws in what is left from here on."""
     thing = state.site.cargo[k]
-    hold_so(flight, state, k, _relative_to_hand(flight, state, k))
-    thing.steered = thing.grasp
+    thing.grasp = thing.steered = in_hand(flight, state, k).tolist()
     if (fixture := fixture_in_hand(flight, state, k)) is not None:
         thing.first, thing.since = fixture.tolist(), state.site.snare.drawn
     steer_with(flight, state, k)
-
-
-def hold_so(flight: Flight, state: State, k: int, grasp: Array) -> None:
-    """A cargo is held at a pose (12,) in the frame of the last joint; the steering keeps to what it was told last."""
-    state.site.cargo[k].grasp = grasp.tolist()
-    state.carried = state.carried._replace(payload=_payload(flight, k, grasp))
 
 
 def steer_with(flight: Flight, state: State, k: int) -> None:
     """The steering takes the mass, the axes and, as point of resolution, the centre of what is held."""
     thing = state.site.cargo[k]
     state.carried = carrying(flight.scenario, _payload(flight, k, np.array(thing.steered)))
-    state.carried = state.carried._replace(payload=_payload(flight, k, np.array(thing.grasp)))
+
+
+def in_grasp(flight: Flight, state: State) -> Payload | None:
+    """What the arm holds as it stands now against the hand, to which carriage and latches turn it; None: nothing."""
+    k = state.site.held
+    return state.carried.payload if k is None else _payload(flight, k, in_hand(flight, state, k))
 
 
 def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
@@ -62,7 +60,7 @@ def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
     return Payload(flight.site.cargo[k].mass, rotation, rotation.T @ inside[:3], np.zeros(3))
 
 
-def _relative_to_hand(flight: Flight, state: State, k: int) -> Array:
+def in_hand(flight: Flight, state: State, k: int) -> Array:
     """(12,) a cargo's pose in the frame of the last joint."""
     site, frames, grasp = flight.site, state.site.frames, np.empty(POSE)
     relative(frames[site.last_joint], frames[site.cargo_row(k)], grasp)
@@ -92,19 +90,6 @@ def nearest_fixture(flight: Flight, state: State) -> tuple[int, Array] | None:
     return best
 
 
-def grasp_again(flight: Flight, state: State) -> None:
-    """Where the payload in the grasp is against the hand, while the carriage draws it in, or latches turn it there."""
-    things = state.site
-    k = things.held
-    if k is None:
-        return
-    if not things.fast:
-        if things.snare.captured and things.snare.tension < 1.0:
-            state.carried = state.carried._replace(payload=_payload(flight, k, things.rides[k]))
-    elif (grasp := _relative_to_hand(flight, state, k)).tolist() != things.cargo[k].grasp:
-        hold_so(flight, state, k, grasp)
-
-
 def let_go(flight: Flight, state: State, k: int) -> None:
     """Nothing is in the grasp any more; modes that move a payload are left."""
     things, panel = state.site, state.panel
@@ -131,5 +116,5 @@ def set_free(flight: Flight, state: State, k: int, from_space: bool) -> None:
     velocity = np.array([now.vx, now.vy, now.vz]) + site.axes @ things.orbiter_velocity
     if from_space:
         velocity[:] = 0.0
-    things.cargo[k].floating = floating(pose, velocity, turn, site.cargo[k].limit_cycle)
+    things.floating[k] = floating(pose, velocity, turn, site.cargo[k].limit_cycle)
     things.settle(site)

@@ -12,6 +12,7 @@ from aftdeck.kinematics.observe import CARRIED, observe_payload
 from aftdeck.simulation.acting import acting_limits
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Frame, Goal, Six, Vec3
+from aftdeck.simulation.grasp import in_grasp
 from aftdeck.simulation.look_work import look_work
 from aftdeck.simulation.panel import law_of
 from aftdeck.simulation.seal import seal
@@ -95,7 +96,7 @@ def _carried(
     flight: Flight, state: State, position: Vec3, seen: list[float]
 ) -> tuple[Vec3, Six, tuple[Vec3, Rows] | None]:
     """The point of resolution, its twist, and the payload in the grasp, if any."""
-    held = state.carried.payload
+    held = in_grasp(flight, state)
     if held is None:
         return position, _six(seen, 12), None
     carried_array = np.empty(CARRIED)

@@ -10,6 +10,7 @@ from aftdeck.bodies.pose import POSE, compose, inverse, pose_of, row_of
 from aftdeck.frames import Pose, rotation_x
 from aftdeck.scenario.target import Place, Target, target_at
 from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.grasp import in_hand
 from aftdeck.simulation.state import State
 from aftdeck.worksite.model import Cargo
 
@@ -51,8 +52,7 @@ def _at_seat(flight: Flight, state: State, place: Place) -> Target | str:
     if k is None:
         return "nothing is held that could be brought to a seat"
     berth = site.berth(k, place.seat)
-    grasp = things.cargo[k].grasp
-    if berth is None or grasp is None:
+    if berth is None:
         return f"{site.cargo[k].title} has no place in the {site.seat(place.seat).title}"
     body = things.frames[berth.row]
     seated, joint, tip = (np.empty(POSE) for _ in range(3))
@@ -60,6 +60,6 @@ def _at_seat(flight: Flight, state: State, place: Place) -> Target | str:
     turn = body[3:].reshape(3, 3)
     out = turn[:, 2] if berth.port is None else turn @ berth.port[3:].reshape(3, 3)[:, 0]
     seated[:3] += place.above * out
-    compose(seated, inverse(np.array(grasp)), joint)
+    compose(seated, inverse(in_hand(flight, state, k)), joint)
     compose(joint, site.hand, tip)
     return target_at(pose_of(tip))

@@ -6,6 +6,8 @@ modes, on arrival (ETA) in the automatic ones, and at its angle or time in SINGL
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from aftdeck.scenario.model import PhasePlan
 from aftdeck.scenario.target import Place, Target
 from aftdeck.simulation.flight import Flight
@@ -91,18 +93,24 @@ def _continuing(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
         return Inputs(proceed=True)
     telescope = _telescope(flight, state, phase)
     if phase.joint_at is None:
-        return Inputs(
-            translation=phase.translation,
-            rotation=phase.rotation,
-            drive=phase.drive,
-            telescope=telescope,
-            orbiter=phase.orbiter,
-        )
+        return _sticks(phase, telescope)
     rules = state.carried.rules[phase.mode, phase.rate]
     gap = phase.joint_at - float(state.plant.angles[phase.joint])
     rate = braked(abs(gap), float(rules[RATE_UP + phase.joint]), float(rules[DT]))
     drive = min(1.0, rate / float(rules[RATE + phase.joint]))
     return Inputs(drive=drive if gap > 0.0 else -drive, telescope=telescope, orbiter=phase.orbiter)
+
+
+@lru_cache(maxsize=64)
+def _sticks(phase: PhasePlan, telescope: float) -> Inputs:
+    """The sticks of a phase in its manual modes: the same, step after step."""
+    return Inputs(
+        translation=phase.translation,
+        rotation=phase.rotation,
+        drive=phase.drive,
+        telescope=telescope,
+        orbiter=phase.orbiter,
+    )
 
 
 def _telescope(flight: Flight, state: State, phase: PhasePlan) -> float:

@@ -44,4 +44,7 @@ def seal(state: State) -> bytes:
         things.orbiter_velocity,
         things.watch.found[things.nearest : things.nearest + 1],
     )
-    return sha256(b"".join((_encode(words), *[array.tobytes() for array in numbers]))).digest()
+    digest = sha256(_encode(words))
+    for array in numbers:
+        digest.update(array.data)
+    return digest.digest()

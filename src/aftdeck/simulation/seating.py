@@ -147,7 +147,8 @@ def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -
     things = state.site
     thing = things.cargo[k]
     off = _off(flight, state, k, berth).tolist()
-    thing.seat, thing.latches, thing.off, thing.seated, thing.floating = berth.seat.name, latches, off, off, None
+    thing.seat, thing.latches, thing.off, thing.seated = berth.seat.name, latches, off, off
+    things.floating[k] = None
     things.settle(flight.site)
     if berth.at_once:
         log(flight, state, "docked", "info", f"{flight.site.cargo[k].title} docked at the {berth.seat.title}")

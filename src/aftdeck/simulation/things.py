@@ -14,7 +14,7 @@ from aftdeck.plant.effector import prong_of
 from aftdeck.plant.slide import Slide
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.schema import Until
-from aftdeck.simulation.floating import Floating
+from aftdeck.simulation.floating import Floating, SavedFloating, floating_so
 from aftdeck.simulation.site import Site
 from aftdeck.worksite.contacts import Contacts
 from aftdeck.worksite.latches import Latches
@@ -27,11 +27,11 @@ Switch = Literal["stop", "close", "open"]
 
 
 class Thing(msgspec.Struct):
-    """How a payload of the worksite is: held, fixed to a seat, both, or floating. Poses are rows of twelve."""
+    """How a payload of the worksite is: held, fixed to a seat, or both; else it floats. Poses are rows of twelve."""
 
     held: bool = False
     grasp: list[float] | None = None
-    """While held: its pose in the frame of the last joint."""
+    """While held: its pose in the frame of the last joint, with which it goes where no seat has it."""
     steered: list[float] | None = None
     """While held: the same as the steering takes it, which goes by how it was when it was taken or last set."""
     first: list[float] | None = None
@@ -47,8 +47,6 @@ class Thing(msgspec.Struct):
     """The same now, drawn in by the latches."""
     parted: str = ""
     """The port that it was just undocked from, which takes it again only when it has left it."""
-    floating: Floating | None = None
-    """While nothing holds it."""
 
 
 class Things:
@@ -61,6 +59,7 @@ class Things:
         contacts: what touches, and what it inhibits.
         told: groups whose contact the log has told.
         cargo: the payloads.
+        floating: the free flight of each; None while something holds it.
         held: the payload in the grasp; None: none is.
         fast: whether what the arm holds is fixed to something, so that the arm cannot move.
         carrier: (c,) for each payload, the row of the frame that carries it; -1: it floats.
@@ -86,6 +85,7 @@ class Things:
         self.contacts = Contacts(site.layout, site.essential, site.by_arm.copy(), site.by_prong)
         self.told: frozenset[int] = frozenset()
         self.cargo = [Thing() for _ in site.cargo]
+        self.floating: list[Floating | None] = [None] * len(site.cargo)
         self.held: int | None = None
         self.fast = False
         self.carrier, self.rides = np.full(len(site.cargo), -1), np.zeros((len(site.cargo), POSE))
@@ -144,8 +144,8 @@ class Things:
             compose(berth.place, np.array(thing.seated), self.rides[k])
         elif thing.grasp is not None:
             self.carrier[k], self.rides[k] = site.last_joint, thing.grasp
-        elif thing.floating is not None:
-            self.carrier[k], self.rides[k] = -1, thing.floating.pose
+        elif (flight := self.floating[k]) is not None:
+            self.carrier[k], self.rides[k] = -1, flight.pose
 
     def places(self, site: Site) -> tuple[Array, Array, Array, Array, Indices, Array]:
         """What places everything besides the arm's joints: the first arguments of `place_everything`."""
@@ -159,7 +159,8 @@ class Things:
             self.watch.save(),
             self.contacts.save(),
             tuple(sorted(self.told)),
-            tuple(_copied(thing) for thing in self.cargo),
+            tuple(msgspec.structs.replace(thing) for thing in self.cargo),
+            tuple(None if flight is None else flight.save() for flight in self.floating),
             self.orbiter.tolist(),
             self.orbiter_velocity.tolist(),
             self.prong.save(),
@@ -178,7 +179,8 @@ class Things:
         self.frames[:], self.before[:] = saved.frames, saved.before
         self.watch.restore(saved.watch)
         self.contacts.restore(saved.contacts)
-        self.told, self.cargo = frozenset(saved.told), [_copied(thing) for thing in saved.cargo]
+        self.told, self.cargo = frozenset(saved.told), [msgspec.structs.replace(thing) for thing in saved.cargo]
+        self.floating = [None if flight is None else floating_so(flight) for flight in saved.floating]
         self.orbiter[:], self.orbiter_velocity[:] = saved.orbiter, saved.orbiter_velocity
         self.snare = saved.snare
         self.prong.restore(saved.prong)
@@ -186,12 +188,6 @@ class Things:
         self.task = saved.task
         self.advice = saved.advice
         self.refused_orbiter, self.waiting = saved.refused_orbiter, saved.waiting
-
-
-def _copied(thing: Thing) -> Thing:
-    """A copy whose flight goes on by itself."""
-    flight = thing.floating
-    return msgspec.structs.replace(thing, floating=None if flight is None else msgspec.structs.replace(flight))
 
 
 class SavedThings(msgspec.Struct, frozen=True):
@@ -203,6 +199,7 @@ class SavedThings(msgspec.Struct, frozen=True):
     contacts: tuple[list[int], list[bool]]
     told: tuple[int, ...]
     cargo: tuple[Thing, ...]
+    floating: tuple[SavedFloating | None, ...]
     orbiter: list[float]
     orbiter_velocity: list[float]
     prong: list[float]

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from aftdeck.simulation.ahead import frames_with
 from aftdeck.simulation.capture import capture
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.grasp import grasp_again
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.seating import seat
@@ -34,13 +33,12 @@ def work(flight: Flight, state: State, inputs: Inputs) -> None:
     things, period = state.site, flight.scenario.control_period
     _move_orbiter(flight, state, inputs)
     _move_prong(flight, state)
-    for k, thing in enumerate(things.cargo):
-        if thing.floating is not None:
-            thing.floating.move(period)
-            things.rides[k] = thing.floating.pose
+    for k, floating in enumerate(things.floating):
+        if floating is not None:
+            floating.move(period)
+            things.rides[k] = floating.pose
     before = things.contacts.inhibit
     _look_around(flight, state)
-    grasp_again(flight, state)
     _tell_contacts(flight, state, before)
     capture(flight, state, pressed=inputs.effector is not None)
     seat(flight, state, inputs.latch)
@@ -93,8 +91,8 @@ def _translated(flight: Flight, state: State, command: Array) -> str:
     if held is not None and things.cargo[held].seat and site.in_space(things.cargo[held].seat):
         velocity[:] = 0.0
         return "the orbiter does not translate while the arm holds a docked payload: RELEASE or UNLATCH"
-    detrimental, period = 1 - things.contacts.essential, flight.scenario.control_period
-    if not np.any(detrimental & (things.contacts.count == FRAMES)):
+    period, detrimental = flight.scenario.control_period, 1 - things.contacts.essential
+    if not things.told or not np.any(detrimental & (things.contacts.count == FRAMES)):
         translate(things.orbiter, velocity, command, rule.speed, rule.reached_in, period)
         return ""
     without, here = frames_with(flight, state, things.prong.position), things.orbiter.copy()

@@ -74,13 +74,13 @@ def tried(
         reach: see solids.
         counts: (g,) 1 for groups to keep from each other; they have to be active.
         after: (F, 12) the frames after the motion, in L.
-        at: (F, 12), placed (n, 52) and memory (m, 17): copies of the watch's; used up.
+        at: (F, 12) and placed (n, 52): copies of the watch's; used up.
         placed: see at.
         bound: (g,) the watch's.
-        memory: see at.
+        memory: (m, 17) the watch's; nothing changes it.
         found: (g, 15) what the watch found before the motion.
     """
-    ways = np.empty(len(after))
+    ways, own = np.empty(len(after)), np.empty_like(memory)
     travelled(after, at, reach, ways)
     place_moved(solids, frame, after, at, placed)
     worst, which, gained, deeper = np.inf, -1, 0.0, -np.inf
@@ -92,15 +92,16 @@ def tried(
             limit = 2.0 * CONTACT
             if bound[g] - ways[between[g, 0]] - ways[between[g, 1]] >= limit:
                 continue
-        k = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], int(found[g, WHICH]), limit)
+        own[begins[g] : begins[g + 1]] = memory[begins[g] : begins[g + 1]]
+        k = nearest_pair(placed, pairs, own, begins[g], begins[g + 1], int(found[g, WHICH]), limit)
         if k < 0:
             continue
-        rise = memory[k, packed.CLEARANCE] - before
+        clearance = own[k, packed.CLEARANCE]
         if before <= CONTACT:
-            gained += rise
-        if rise < worst and (before <= CONTACT or memory[k, packed.CLEARANCE] <= CONTACT):
-            worst, which = rise, g
-        deeper = max(deeper, min(before, 0.0) - memory[k, packed.CLEARANCE])
+            gained += clearance - before
+        if clearance - before < worst and (before <= CONTACT or clearance <= CONTACT):
+            worst, which = clearance - before, g
+        deeper = max(deeper, min(before, 0.0) - clearance)
     return Trial(worst, which, gained, deeper)
 
 
@@ -125,7 +126,7 @@ def tried_many(
     for k in range(len(afters)):
         t = tried(
             solids, frame, pairs, begins, between, reach, counts, afters[k],
-            at.copy(), placed.copy(), bound, memory.copy(), found,
+            at.copy(), placed.copy(), bound, memory, found,
         )  # fmt: skip
         trials[k, 0], trials[k, 1], trials[k, 2], trials[k, 3] = t.worst, t.which, t.gained, t.deeper
 

@@ -184,7 +184,7 @@ def watch(
             near = bound[g] + _SLACK < within
         if near:
             _tell(placed, frame, pairs, now, motions, memory, found[g])
-        else:
+        elif found[g, CLEARANCE] < np.inf:
             found[g, CLEARANCE], found[g, SPEED:WHICH] = np.inf, 0.0
         if active[g] != 0 and counts[g] != 0:
             least = min(least, found[g, CLEARANCE])
