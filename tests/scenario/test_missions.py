@@ -184,7 +184,7 @@ roll = "{roll} deg"
 GRASPED = """
 [initial.grasped]
 cargo = "payload"
-joints = ["-31.09 deg", "80.88 deg", "-120.02 deg", "-61.22 deg", "16.59 deg", "-127.91 deg"]
+joints = ["-31.097 deg", "80.888 deg", "-120.011 deg", "-61.23 deg", "16.592 deg", "-127.91 deg"]
 """
 FIXTURE = 400.0 + 2.26 / INCH
 """Zo of the payload's grapple fixture in the bay [in]."""
@@ -232,7 +232,9 @@ def test_latch_is_refused_with_every_trunnion_that_is_not_on_its_seat_and_by_how
     frames = fly(srms(above=5.0, grasped=GRASPED), 0.1, aftdeck.Inputs(latch="latch"))
     (refused,) = [text for text in log_of(frames) if text.startswith("LATCH refused: ")]
     for trunnion in ("forward port", "forward starboard", "aft port", "aft starboard", "keel"):
-        assert re.search(f"{trunnion} trunnion 5(.0.)? in from its seat, at most 1.97 in allowed", refused)
+        assert re.search(
+            f"{trunnion} trunnion (5|4.9[5-9]|5.0[0-5]?) in from its seat, at most 1.97 in allowed", refused
+        )
     work = frames[-1].work
     assert work.cargo[0].held and not work.cargo[0].seat
     ready = [condition for condition in work.conditions if condition.name.endswith("latch ready")]
@@ -241,7 +243,10 @@ def test_latch_is_refused_with_every_trunnion_that_is_not_on_its_seat_and_by_how
 
 def test_latch_far_from_every_seat_and_unlatch_of_nothing_are_refused() -> None:
     sim = srms(above=150.0, grasped=GRASPED)
-    assert "LATCH refused: no payload is at a seat" in log_of(fly(sim, 0.1, aftdeck.Inputs(latch="latch")))
+    assert any(
+        line.startswith("LATCH refused: no payload is at a seat: Deployable payload is 12.5 ft from the ")
+        for line in log_of(fly(sim, 0.1, aftdeck.Inputs(latch="latch")))
+    )
     assert "UNLATCH refused: no payload is at a seat" in log_of(fly(sim, 0.1, aftdeck.Inputs(latch="unlatch")))
 
 

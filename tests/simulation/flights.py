@@ -42,7 +42,7 @@ roll = "{roll} deg"
 """
 GRASPED = """[initial.grasped]
 cargo = "payload"
-joints = ["-31.09 deg", "80.88 deg", "-120.02 deg", "-61.22 deg", "16.59 deg", "-127.91 deg"]
+joints = ["-31.097 deg", "80.888 deg", "-120.011 deg", "-61.23 deg", "16.592 deg", "-127.91 deg"]
 """
 FIXTURE = 400.0 + 2.26 / 0.0254
 """Zo of the payload's grapple fixture in the bay [in]."""

@@ -12,6 +12,7 @@ import pytest
 
 import aftdeck
 from aftdeck import Inputs
+from aftdeck.errors import ScenarioError
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
@@ -115,3 +116,15 @@ def test_a_part_that_the_scenario_does_not_have_is_refused_and_changes_nothing()
     assert log_of([refused]) == ["extraction cannot be begun anew: this scenario has none of them"]
     assert msgspec.structs.replace(refused, events=(), sha256="") == msgspec.structs.replace(expected, sha256="")
     assert len(frames) == 20
+
+
+def test_the_arm_holds_from_the_start_only_what_its_hand_could_have_taken_so() -> None:
+    text = load_scenario("concept-1972").text
+    over = text.replace("-101.52 deg", "-95 deg")  # the elbow less bent: the palm over the bar, not on it
+    assert over != text
+    with pytest.raises(ScenarioError) as raised:
+        aftdeck.Simulation(parse_scenario(over, "test", "test.toml", Path(".")))
+    first, second = raised.value.problems
+    assert first.startswith("test: initialise.extraction.grasped: Payload cannot be held so: ")
+    assert second.startswith("test: initialise.manoeuvring.grasped: ")
+    assert "allowed" in first

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.bodies.pose import HERE, POSE, compose
+from aftdeck.errors import InputError, ScenarioError
 from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.scenario.model import Part, Start
 from aftdeck.simulation.ahead import frames_at, frames_with
@@ -14,18 +15,34 @@ from aftdeck.simulation.floating import floating
 from aftdeck.simulation.grasp import steer_with, take_hold
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
+from aftdeck.simulation.pursuit import holding
 from aftdeck.simulation.restrain import slider
 from aftdeck.simulation.state import State
 from aftdeck.simulation.tasks import change_task
 from aftdeck.steering.layout import MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
+from aftdeck.worksite.conditions import reasons
 from aftdeck.worksite.latches import Latches
 from aftdeck.worksite.snare import Snare
 
 
 def first_state(flight: Flight) -> State:
-    """The state at the scenario's first instant."""
-    return _state_at(flight, flight.scenario.start)
+    """The state at the scenario's first instant.
+
+    Raises:
+        ScenarioError: here, or in a part of the problem, the arm holds what its hand could not have taken so.
+    """
+    scenario, problems = flight.scenario, []
+    starts = {"initial": scenario.start, **{f"initialise.{part}": start for part, start in scenario.parts.items()}}
+    for name, start in starts.items():
+        if start.grasped is not None:
+            try:
+                _state_at(flight, start)
+            except InputError as error:
+                problems.append(f"{scenario.name}: {name}.grasped: {error}")
+    if problems:
+        raise ScenarioError(problems)
+    return _state_at(flight, scenario.start)
 
 
 def _state_at(flight: Flight, start: Start) -> State:
@@ -97,6 +114,10 @@ def _put(flight: Flight, state: State, start: Start) -> None:
         if not site.prong:
             things.snare = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
         frames[:] = frames_at(flight, state, start.grasped.angles, start.grasped.stand, things.prong.position)
+        watch = things.watch.copy()
+        watch.look(frames, frames, scenario.control_period)
+        if why := reasons(holding(flight, state, watch, k)):
+            raise InputError(f"{site.cargo[k].title} cannot be held so: {why}")
         things.cargo[k].seat = ""
         take_hold(flight, state, k)
         frames[:] = frames_with(flight, state, things.prong.position)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from numbers import Integral
 from typing import Literal
 
 import msgspec
@@ -81,32 +82,69 @@ class Inputs(msgspec.Struct, frozen=True):
         """Refuse what no hand controller can give.
 
         Raises:
-            InputError: a stick outside [-1, 1] or not finite, a joint that does not exist, a target that is
-                no pose, or whose joint angles put the tip of `arm` elsewhere.
+            InputError: a stick outside [-1, 1] or not finite, a switch that stands where it cannot, a joint that does
+                not exist, a target that is no pose, or whose joint angles put the tip of `arm` elsewhere.
         """
-        sticks = (*self.translation, *self.rotation, self.drive, self.telescope, *self.orbiter)
-        if (len(self.translation), len(self.rotation), len(self.orbiter)) != (3, 3, 3) or not all(
-            math.isfinite(s) and -1.0 <= s <= 1.0 for s in sticks
-        ):
-            raise InputError(
-                f"sticks lie in [-1, 1], got translation {self.translation}, rotation {self.rotation}, "
-                f"drive {self.drive}, telescope {self.telescope}, orbiter {self.orbiter}"
-            )
-        _check_master(self.master)
-        if self.joint is not None and self.joint not in range(6):
+        hands = (self.translation, self.rotation, self.orbiter, (self.drive, self.telescope))
+        for values, count in zip(hands, (3, 3, 3, 2), strict=True):
+            numbers = _numbers(values, count)
+            if not numbers or not all(-1.0 <= s <= 1.0 for s in numbers):
+                raise InputError(
+                    f"sticks lie in [-1, 1], got translation {self.translation}, rotation {self.rotation}, "
+                    f"drive {self.drive}, telescope {self.telescope}, orbiter {self.orbiter}"
+                )
+        if self.master is not None and not _numbers(self.master, JOINTS):
+            raise InputError(f"a master arm has six finite joint angles, got {self.master}")
+        if self.joint is not None and not _numbered(self.joint):
             raise InputError(f"joints are numbered 0 to 5, got {self.joint}")
-        if self.rate not in (None, "coarse", "vernier"):
-            raise InputError(f"the rate switch stands at coarse or vernier, got {self.rate!r}")
-        if self.law is not None and self.law not in AUTOMATIC_LAWS:
-            raise InputError(f"the law is one of {', '.join(AUTOMATIC_LAWS)}, got {self.law!r}")
+        for name, positions in _POSITIONS.items():
+            if (value := getattr(self, name)) is not None and value not in positions:
+                raise InputError(f"the {name.replace('_', ' ')} switch stands at {_either(positions)}, got {value!r}")
+        if not isinstance(self.mode, str | None):
+            raise InputError(f"the mode switch stands at a panel position, a text, got {self.mode!r}")
+        if not isinstance(self.camera, CameraDrive | None):
+            raise InputError(f"a camera is turned by a CameraDrive, got {self.camera!r}")
         if self.target is not None:
             _check_target(arm, self.target)
 
 
-def _check_master(master: Sequence[float] | None) -> None:
-    """Refuse a master arm that is none."""
-    if master is not None and (len(master) != JOINTS or not all(map(math.isfinite, master))):
-        raise InputError(f"a master arm has six finite joint angles, got {master}")
+_ON_OR_OFF = (True, False)
+_POSITIONS: dict[str, tuple[object, ...]] = {
+    "rate": ("coarse", "vernier"),
+    "law": tuple(AUTOMATIC_LAWS),
+    "payload_axes": _ON_OR_OFF,
+    "position_hold": _ON_OR_OFF,
+    "brakes": _ON_OR_OFF,
+    "safing": _ON_OR_OFF,
+    "effector": ("stop", "close", "open"),
+    "effector_mode": ("auto", "manual"),
+    "rigid": ("off", "rigid", "derigid"),
+    "latch": ("latch", "unlatch"),
+    "initialise": ("full problem", "acquisition", "extraction", "manoeuvring"),
+}
+"""Where each switch can stand; None leaves it as it is."""
+
+
+def _either(positions: Sequence[object]) -> str:
+    """Positions of a switch in a sentence."""
+    *others, last = map(str, positions)
+    return f"{', '.join(others)} or {last}"
+
+
+def _numbered(joint: object) -> bool:
+    """Whether a joint has that number."""
+    return isinstance(joint, Integral) and 0 <= int(joint) < JOINTS
+
+
+def _numbers(values: object, count: int) -> list[float]:
+    """So many finite numbers; empty where it is anything else, whatever the types say."""
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        return []
+    try:
+        numbers = [float(value) for value in values]
+    except (TypeError, ValueError):
+        return []
+    return numbers if len(numbers) == count and all(map(math.isfinite, numbers)) else []
 
 
 def _check_target(arm: Arm, target: Target) -> None:

@@ -6,13 +6,14 @@ import numpy as np
 
 from aftdeck.bodies.pose import pose_of
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.grasp import NEAR, nearest_fixture
+from aftdeck.simulation.grasp import NEAR, fixture_in_hand, nearest_fixture
 from aftdeck.simulation.hand import Bar
 from aftdeck.simulation.seating import conditions_at, nearest_berth
 from aftdeck.simulation.state import State
 from aftdeck.worksite.acquisition import AWAY, FOUND, acquire, acquisition
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.grapple import in_envelope
+from aftdeck.worksite.watch import Watch
 
 Pursuit = tuple[str, tuple[Condition, ...]]
 
@@ -31,6 +32,25 @@ def pursuit(flight: Flight, state: State) -> Pursuit:
         k, fixture = near
         return f"capture {site.cargo[k].title}", in_envelope(pose_of(fixture), site.snares.envelope, units)
     return "", ()
+
+
+def holding(flight: Flight, state: State, watch: Watch, k: int) -> tuple[Condition, ...]:
+    """By what conditions the hand, as it stands, could have taken cargo k; none where this place has no rule for it.
+
+    Args:
+        flight: what never changes.
+        state: with its frames.
+        watch: that has looked at them.
+        k: which cargo.
+    """
+    site, units = flight.site, flight.scenario.arm.model.units
+    if site.bar is not None and (which := site.bar.which[k]) is not None:
+        found = np.empty(FOUND)
+        acquire(watch.placed, which, site.bar.packed, found)
+        return acquisition(found, site.bar.tolerances, units)
+    if site.snares is not None and (fixture := fixture_in_hand(flight, state, k)) is not None:
+        return in_envelope(pose_of(fixture), site.snares.envelope, units)
+    return ()
 
 
 def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursuit:

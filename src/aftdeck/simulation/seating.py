@@ -6,6 +6,7 @@ there. What is fixed to a seat and held as well holds the arm, until one of the 
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 import numpy as np
@@ -20,7 +21,7 @@ from aftdeck.simulation.mechanism import waits
 from aftdeck.simulation.state import State
 from aftdeck.worksite.around import nearest_place
 from aftdeck.worksite.berthing import in_guides, places, ready_to_latch, retained
-from aftdeck.worksite.conditions import Condition, all_hold, reasons
+from aftdeck.worksite.conditions import Condition, all_hold, reasons, shown
 from aftdeck.worksite.docking import DISTANCE, FOUND, approach, docking
 from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.latches import Latches, advance
@@ -45,7 +46,24 @@ def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:
         answers.insert(0 if k == held else len(answers), answer)
     if pressed and "" not in answers:
         why = next((answer for answer in answers if answer), "no payload is at a seat")
+        if pressed == "latch" and not any(answers):
+            why = _far(flight, state)
         refuse(flight, state, f"{pressed.upper()} refused: {why}")
+
+
+def _far(flight: Flight, state: State) -> str:
+    """How far the payload that is nearest to its place in a seat is from it."""
+    site, units = flight.site, flight.scenario.arm.model.units
+    ways = [
+        (math.hypot(*_off(flight, state, k, berth)[:3].tolist()), k, berth.seat.title)
+        for k, own in enumerate(site.berths)
+        for berth in own
+    ]
+    if not ways:
+        return "no payload has a place in a seat here"
+    way, k, title = min(ways)
+    near, allowed = shown(way, "m", units), shown(NEAR, "m", units)
+    return f"no payload is at a seat: {site.cargo[k].title} is {near} from the {title}, at most {allowed} allowed"
 
 
 def stay_or_leave(flight: Flight, state: State, k: int) -> None:
@@ -96,7 +114,7 @@ def _brought(flight: Flight, state: State, k: int, pressed: Pressed | None) -> s
     if pressed != "latch":
         return None
     if berth.lies:
-        return f"the {berth.seat.title} keeps what the hand lets go there: RELEASE"
+        return reasons(conditions) or f"the {berth.seat.title} keeps what the hand lets go there: RELEASE"
     latches, said = advance(Latches(), berth.seat.time, "latch", flight.scenario.control_period, conditions)
     for line in said:
         log(flight, state, line.kind, line.level, line.text)
