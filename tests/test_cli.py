@@ -12,7 +12,7 @@ import pytest
 
 import aftdeck
 from aftdeck import cli
-from aftdeck.scenario.load import built_in
+from aftdeck.scenario.load import built_in, load_scenario
 
 WAIT_S = 300.0
 """The longest that a program may take [s]."""
@@ -195,6 +195,15 @@ def test_check_lists_every_error_with_its_line(run: Run, tmp_path: Path) -> None
     code, out, err = run("check", str(path), "--json")
     assert (code, err) == (2, "")
     assert len(json.loads(out)["problems"]) == 3
+
+
+def test_check_tells_what_the_hand_could_not_have_taken_so(run: Run, tmp_path: Path) -> None:
+    text = load_scenario("concept-1972").text
+    file = tmp_path / "over.toml"
+    file.write_text(text.replace("-101.52 deg", "-95 deg"))
+    code, out, err = run("check", str(file))
+    assert (code, out) == (2, "")
+    assert "over: initialise.extraction.grasped: Payload cannot be held so: " in err
 
 
 def test_check_tells_of_a_missing_arm_as_of_any_other_error(run: Run, tmp_path: Path) -> None:

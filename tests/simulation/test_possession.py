@@ -143,7 +143,7 @@ def test_a_payload_let_go_in_flight_keeps_its_velocity_and_its_turning_against_s
 
 
 def test_a_free_flyer_let_go_wanders_in_its_deadband_about_the_attitude_that_it_had() -> None:
-    made = scenario(ON_BAR, held=True, cargo=FREE_FLYER + '\nstart = { seat = "bay" }')
+    made = scenario(ON_BAR, held=True, cargo=FREE_FLYER + '\nstart = { position = ["28 ft", "0 ft", "-5.82 ft"] }')
     sim = aftdeck.Simulation(made)
     frames = flown(sim, held_for(100, Inputs((0.0, 0.0, -1.0), (0.1, 0.0, 0.0))))
     frames += flown(sim, [Inputs(effector="open")] * 3000)

@@ -84,3 +84,5 @@ def test_other_channels_are_refused() -> None:
         decode_inputs([0.0] * 12)
     with pytest.raises(InputError, match="channel 2 is nan V; it has to be finite"):
         decode_inputs([0.0, math.nan, *[0.0] * 11])
+    with pytest.raises(InputError, match=r"channel 3 is 100 V; it has to be -1 to 1 V, to within 0\.125 V"):
+        decode_inputs([0.0, 0.0, 100.0, *[0.0] * 10])

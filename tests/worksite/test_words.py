@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
@@ -98,6 +99,9 @@ def test_a_word_is_refused_or_is_that_of_what_it_says(word: int) -> None:
     [
         (1 << 24, "the control word is 16777216; it has to be an integer of 24 bits"),
         (-1, "the control word is -1"),
+        (1.5, "the control word is 1.5; it has to be an integer of 24 bits"),
+        ("a", "the control word is 'a'; it has to be an integer of 24 bits"),
+        (None, "the control word is None; it has to be an integer of 24 bits"),
         (0x000201, "has one of its spare bits set, 14 to 17"),
         (0x00D001, "has station code 1101, which is that of none"),
         (0x000C01, "opens and closes the prong at once"),
@@ -105,7 +109,7 @@ def test_a_word_is_refused_or_is_that_of_what_it_says(word: int) -> None:
         (0x000003, "has 2 modes set"),
     ],
 )
-def test_a_word_that_says_nothing_is_refused(word: int, message: str) -> None:
+def test_a_word_that_says_nothing_is_refused(word: Any, message: str) -> None:
     with pytest.raises(InputError, match=message):
         decode_control(word)
 
@@ -114,8 +118,16 @@ def test_a_word_that_says_nothing_is_refused(word: int, message: str) -> None:
     ("wrong", "message"),
     [
         ({"mode": 5}, "mode is 5; it has to be 1, 2, 3 or 4"),
+        ({"mode": 1.0}, "mode is 1.0; it has to be 1, 2, 3 or 4, an integer"),
+        ({"mode": "1"}, "mode is '1'; it has to be 1, 2, 3 or 4, an integer"),
         ({"station": "Z"}, "no code for station 'Z'; only for A, B"),
+        ({"station": []}, r"no code for station \[\]; only for A, B"),
         ({"zoom": 2}, "zoom is 2; it has to be -1, 0 or 1"),
+        ({"prong": None}, "prong is None; it has to be -1, 0 or 1"),
+        ({"initialise": 2}, "initialise is 2; it has to be True or False"),
+        ({"initialise": "x"}, "initialise is 'x'; it has to be True or False"),
+        ({"finger_inhibited": None}, "finger_inhibited is None; it has to be True or False"),
+        ({"arm_inhibited": []}, r"arm_inhibited is \[\]; it has to be True or False"),
         ({"pan": 1, "tilt": -1}, "one sign for pan and tilt"),
     ],
 )
@@ -214,3 +226,32 @@ def test_a_block_that_says_nothing_is_refused() -> None:
         decode_block([*words[:4], 1 << 24, *words[5:]])
     with pytest.raises(InputError, match="the normal of plane 1: the sum of squares is 4"):
         encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (WordPlane((2.0, 0.0, 0.0), 0.0), LEVEL, LEVEL)))
+
+
+def odd(normal: Any = LEVEL.normal, distance: Any = 0.0) -> WordPlane:
+    return WordPlane(normal, distance)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ({"angles": (*AT_REST[:5], math.inf)}, "angle R2 is inf rad; it has to be finite"),
+        ({"angles": (math.nan, *AT_REST[:5])}, "angle HO is nan rad; it has to be finite"),
+        ({"angles": ("a", *AT_REST[:5])}, "angle HO is 'a'; it has to be a number"),
+        ({"angles": AT_REST[:5]}, "a frame block has 6 angles, HO, PO, P1, H2, P2, R2; 5 are given"),
+        ({"planes": (LEVEL,) * 5}, "a frame block has 3 separating planes; 5 are given"),
+        ({"planes": (LEVEL, None)}, "a frame block has 3 separating planes; 2 are given"),
+        ({"planes": (LEVEL, odd((1.0, 0.0)), None)}, "the normal of plane 2 has 3 parts, x, y, z; 2 are given"),
+        ({"planes": (LEVEL, odd((0.0, None, -1.0)), None)}, "normal y of plane 2 is None; it has to be a number"),
+        ({"planes": (LEVEL, None, odd(distance="far"))}, "distance of plane 3 is 'far'; it has to be a number"),
+    ],
+)
+def test_a_block_with_other_angles_or_planes_is_refused(wrong: dict[str, Any], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (LEVEL, LEVEL, LEVEL))._replace(**wrong))
+
+
+@pytest.mark.parametrize("kind", [np.int32, np.uint32, np.int64])
+def test_words_of_an_array_say_the_same(kind: type[np.integer[Any]]) -> None:
+    words = encode_block(FrameBlock(ControlWord(1, "A"), (-1.0, 1.0, *AT_REST[:4]), (LEVEL, None, LEVEL)))
+    assert decode_block(list(np.array(words, kind))) == decode_block(words)

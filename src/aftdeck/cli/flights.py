@@ -10,7 +10,7 @@ import typer
 
 from aftdeck.cli.app import Host, Json, NoBrowser, Port, ScenarioName, Seed, app
 from aftdeck.cli.printing import Progress, print_complaint, print_json, print_summary, print_table
-from aftdeck.errors import AftdeckError
+from aftdeck.errors import AftdeckError, InputError
 
 
 @app.command(epilog="Examples: aftdeck fly first-flight --port 8340; aftdeck fly loaded --record flights")
@@ -60,6 +60,12 @@ def run(
     from aftdeck.simulation.run import run as fly_script
 
     loaded = load_scenario(scenario)
+    if words is not None:
+        from aftdeck.simulation.report_words import check_words, write_words
+
+        if out is not None and out.resolve() == words.resolve():
+            raise InputError(f"--out and --words both name {words}; each needs a file of its own")
+        check_words(loaded, words)
     lost: AftdeckError | None = None
     with Progress(loaded.title) as progress:
         if out is None:
@@ -73,8 +79,6 @@ def run(
             except UnrecordedRunError as error:
                 summary, lost = error.run.summary, error
     if words is not None:
-        from aftdeck.simulation.report_words import write_words
-
         write_words(loaded, words, seed)
     if as_json:
         print_json(summary, indent=2)
@@ -91,10 +95,13 @@ def check(scenario: ScenarioName, as_json: Json = False) -> None:
     """Check a scenario file: every error at once, each with its place."""
     from aftdeck.errors import ScenarioError
     from aftdeck.scenario.load import load_scenario
+    from aftdeck.simulation.run import Simulation
 
     problems: tuple[str, ...] = ()
     try:
         loaded = load_scenario(scenario)
+        if any(start.grasped for start in (loaded.start, *loaded.parts.values())):
+            Simulation(loaded)  # whether the hand could have taken it so shows only where everything stands
     except AftdeckError as error:
         problems = error.problems if isinstance(error, ScenarioError) else (str(error),)
     if as_json:

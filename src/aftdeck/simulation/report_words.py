@@ -7,9 +7,10 @@ frame block of 32 words.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Final, Literal, cast
+from typing import Final, Literal, TextIO, cast
 
 from aftdeck.arms.model import HeadingArmFile
 from aftdeck.errors import InputError
@@ -56,6 +57,16 @@ def channels_of(before: Frame | None, frame: Frame) -> tuple[float, ...]:
     )
 
 
+def check_words(scenario: Scenario, path: Path) -> None:
+    """Refuse what `write_words` would refuse, before anything is flown; the file is tried and taken away again.
+
+    Raises:
+        InputError: another arm, or a file that is there already or cannot be written.
+    """
+    with _words_file(scenario, path):
+        path.unlink()
+
+
 def write_words(
     scenario: Scenario, path: Path, seed: int | None = None, *, progress: Callable[[float], None] | None = None
 ) -> int:
@@ -73,6 +84,20 @@ def write_words(
     Raises:
         InputError: another arm, or a file that is there already or cannot be written.
     """
+    with _words_file(scenario, path) as file:
+        sim, before = Simulation(scenario, seed), cast("Frame | None", None)
+        while not sim.ended:
+            frame = sim.step()
+            file.write(_line(before, frame, _fingers(sim)) + "\n")
+            before = frame
+            if progress is not None and frame.tick % 256 == 0:
+                progress(frame.tick / scenario.ticks)
+    return frame.tick
+
+
+@contextmanager
+def _words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
+    """A new file for the words of a scenario."""
     if not isinstance(scenario.arm.model.source, HeadingArmFile):
         raise InputError(
             "the report's words speak of its own arm, a heading-pitch-pitch-heading-pitch-roll one with a telescope; "
@@ -81,16 +106,9 @@ def write_words(
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("x", encoding="ascii") as file:
-            sim, before = Simulation(scenario, seed), cast("Frame | None", None)
-            while not sim.ended:
-                frame = sim.step()
-                file.write(_line(before, frame, _fingers(sim)) + "\n")
-                before = frame
-                if progress is not None and frame.tick % 256 == 0:
-                    progress(frame.tick / scenario.ticks)
+            yield file
     except OSError as error:
         raise InputError(f"{path}: cannot be written: {error.strerror or error}") from None
-    return frame.tick
 
 
 def _line(before: Frame | None, frame: Frame, planes: tuple[Near | None, ...]) -> str:

@@ -24,6 +24,8 @@ CHANNELS = 13
 JOINTS = ("HO", "PO", "P1", "H2", "P2", "R2")
 TURN: Final = tau
 """Joint angle at 1 V [rad] (assumed)."""
+NOISE: Final = 0.125
+"""How far beyond -1 to 1 V a channel may be read [V]: half the least step between levels (assumed)."""
 
 RUN: Mapping[bool, float] = {False: 0.0, True: 1.0}
 START: Mapping[Start, float] = {"full problem": 0.0, "mode 1": 1.0, "mode 2 or 3": -1.0}
@@ -93,13 +95,15 @@ def decode_inputs(volts: Sequence[float]) -> OperatorInputs:
     """What thirteen channels say [V]; each switch takes the level that is nearest, the upper one of two as near.
 
     Raises:
-        InputError: another number of channels, or one that is not finite.
+        InputError: another number of channels, or one that is not finite or lies beyond the scale.
     """
     if len(volts) != CHANNELS:
         raise InputError(f"the operator has {CHANNELS} channels; {len(volts)} are given")
     for channel, value in enumerate(volts, 1):
         if not isfinite(value):
             raise InputError(f"channel {channel} is {value:g} V; it has to be finite")
+        if abs(value) > 1.0 + NOISE:
+            raise InputError(f"channel {channel} is {value:g} V; it has to be -1 to 1 V, to within {NOISE:g} V")
     ho, po, p1, h2, p2, r2 = (value * TURN for value in volts[2:8])
     return OperatorInputs(
         initialise=_nearest(RUN, volts[0]),

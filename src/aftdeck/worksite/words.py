@@ -8,9 +8,11 @@ at B1, distances in feet, the order of sines and cosines and the codes of the st
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Sized
 from math import atan2, cos, hypot, isfinite, sin
-from typing import Literal, NamedTuple
+from numbers import Real
+from operator import index
+from typing import Any, Literal, NamedTuple
 
 from aftdeck.errors import InputError
 from aftdeck.units import FOOT
@@ -103,17 +105,23 @@ def encode_control(control: ControlWord) -> int:
     """The 24-bit word.
 
     Raises:
-        InputError: a mode or a station without a code, a motion other than -1, 0, 1, or pan and tilt of two signs.
+        InputError: a mode or a station without a code, a motion other than -1, 0, 1, a flag other than True and
+            False, or pan and tilt of two signs.
     """
-    if control.mode not in (1, 2, 3, 4):
-        raise InputError(f"the control word's mode is {control.mode!r}; it has to be 1, 2, 3 or 4")
-    if control.station not in STATIONS:
+    if _integer(control.mode) not in (1, 2, 3, 4):
+        raise InputError(f"the control word's mode is {control.mode!r}; it has to be 1, 2, 3 or 4, an integer")
+    if control.station not in tuple(STATIONS):
         raise InputError(
             f"the control word has no code for station {control.station!r}; only for {', '.join(STATIONS)}"
         )
     for name in ("telescope", "pan", "tilt", "zoom", "prong"):
-        if getattr(control, name) not in (-1, 0, 1):
-            raise InputError(f"the control word's {name} is {getattr(control, name)!r}; it has to be -1, 0 or 1")
+        way = getattr(control, name)
+        if _integer(way) not in (-1, 0, 1):
+            raise InputError(f"the control word's {name} is {way!r}; it has to be -1, 0 or 1, an integer")
+    for name in ("initialise", "finger_inhibited", "arm_inhibited"):
+        flag = getattr(control, name)
+        if flag not in (False, True):
+            raise InputError(f"the control word's {name} is {flag!r}; it has to be True or False")
     if control.pan * control.tilt < 0:
         raise InputError("the control word has one sign for pan and tilt; they cannot go opposite ways at once")
     bits = {
@@ -142,7 +150,7 @@ def decode_control(word: int) -> ControlWord:
         InputError: no word of 24 bits, spare bits set, a code of no station, a prong that both opens and closes, or
             not just one mode.
     """
-    _is_word(word, "the control word")
+    word = _word(word, "the control word")
     on = [bool(word & _bit(bit)) for bit in range(BITS)]
     if any(on[bit] for bit in SPARE):
         raise InputError(f"the control word {word:#08x} has one of its spare bits set, 14 to 17")
@@ -174,18 +182,27 @@ def encode_block(block: FrameBlock) -> tuple[int, ...]:
     """The 32 words: control; sine and cosine of each angle; normal and distance of each plane; 7 blank.
 
     Raises:
-        InputError: a control word that has no code, a number that its scale cannot hold (names the word), or a normal
-            that is no unit vector.
+        InputError: a control word that has no code, too many or too few angles or planes, an angle that is not finite,
+            a number that its scale cannot hold (names the word), or a normal that is no unit vector.
     """
+    _has(block.angles, len(ANGLES), f"a frame block has {len(ANGLES)} angles, {', '.join(ANGLES)}")
+    _has(block.planes, PLANES, f"a frame block has {PLANES} separating planes")
     words = [encode_control(block.control)]
     for name, angle in zip(ANGLES, block.angles, strict=True):
+        _is_number(angle, f"angle {name}")
+        if not isfinite(angle):
+            raise InputError(f"angle {name} is {angle:g} rad; it has to be finite")
         words += [fixed(sin(angle), 1, f"sin {name}"), fixed(cos(angle), 1, f"cos {name}")]
     for k, plane in enumerate(block.planes, 1):
         if plane is None:
             words += [0, 0, 0, 0]
             continue
+        _has(plane.normal, 3, f"the normal of plane {k} has 3 parts, x, y, z")
+        parts = {f"normal {axis} of plane {k}": part for axis, part in zip("xyz", plane.normal, strict=True)}
+        for name, part in (*parts.items(), (f"distance of plane {k}", plane.distance)):
+            _is_number(part, name)
         _unit(plane.normal, f"the normal of plane {k}")
-        words += [fixed(part, 0, f"normal {axis} of plane {k}") for axis, part in zip("xyz", plane.normal, strict=True)]
+        words += [fixed(part, 0, name) for name, part in parts.items()]
         words.append(fixed(plane.distance / FOOT, 11, f"distance of plane {k} [ft]"))
     return (*words, *[0] * (WORDS - len(words)))
 
@@ -197,10 +214,8 @@ def decode_block(words: Sequence[int]) -> FrameBlock:
         InputError: not 32 words of 24 bits, a control word that says nothing, or words that are no sine and cosine, or
             no unit normal.
     """
-    if len(words) != WORDS:
-        raise InputError(f"a frame block has {WORDS} words; {len(words)} are given")
-    for k, word in enumerate(words, 1):
-        _is_word(word, f"word {k} of the frame block")
+    _has(words, WORDS, f"a frame block has {WORDS} words")
+    words = [_word(word, f"word {k} of the frame block") for k, word in enumerate(words, 1)]
     turns = [number(word, 1) for word in words[1 : 1 + 2 * len(ANGLES)]]
     angles = []
     for name, s, c in zip(ANGLES, turns[::2], turns[1::2], strict=True):
@@ -254,9 +269,29 @@ def _way(moves: bool, forwards: bool) -> Way:
     return 1 if forwards else -1
 
 
-def _is_word(word: int, name: str) -> None:
-    if not 0 <= word < 1 << BITS:
-        raise InputError(f"{name} is {word}; it has to be an integer of {BITS} bits, 0 to {(1 << BITS) - 1}")
+def _integer(given: Any) -> int | None:
+    """What was given as an integer, NumPy's as well; None where it is none."""
+    try:
+        return index(given)
+    except TypeError:
+        return None
+
+
+def _word(given: object, name: str) -> int:
+    word = _integer(given)
+    if word is None or not 0 <= word < 1 << BITS:
+        raise InputError(f"{name} is {given!r}; it has to be an integer of {BITS} bits, 0 to {(1 << BITS) - 1}")
+    return word
+
+
+def _is_number(given: object, name: str) -> None:
+    if not isinstance(given, Real):
+        raise InputError(f"{name} is {given!r}; it has to be a number")
+
+
+def _has(given: Sized, count: int, rule: str) -> None:
+    if len(given) != count:
+        raise InputError(f"{rule}; {len(given)} are given")
 
 
 def _unit(parts: Sequence[float], name: str) -> None:
