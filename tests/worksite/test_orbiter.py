@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,14 +12,17 @@ from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck import separation
+from aftdeck.arms.solids import solids_of
 from aftdeck.bodies.cameras import setting
 from aftdeck.bodies.hexahedron import NX, D, pack
+from aftdeck.bodies.solid import Solid
+from aftdeck.errors import ScenarioError
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, SCENE_ORIGIN, Pose, rotation_x
 from aftdeck.scene.mesh import moved
-from aftdeck.scene.placed import placed
+from aftdeck.scene.placed import Leaf, placed
 from aftdeck.scene.solids import solid
 from aftdeck.shapes import Light, Ring
-from aftdeck.worksite import Worksite, load_worksite
+from aftdeck.worksite import Worksite, load_worksite, worksites
 from aftdeck.worksite.check import distance
 
 Array = NDArray[np.float64]
@@ -25,6 +30,10 @@ Array = NDArray[np.float64]
 INCH = 0.0254
 ENVELOPE = 90.0 * INCH
 """Radius that a payload may take up in the bay [m]."""
+PIN = 0.03
+"""Radius about the fixture's axis that the pin and the ball on its end lie in [m]."""
+TIP = 56.0 * INCH
+"""From the wrist's yaw joint to the end effector's rim [m]."""
 
 
 @pytest.fixture(scope="module")
@@ -32,24 +41,71 @@ def orbiter() -> Worksite:
     return load_worksite("orbiter")
 
 
-def heights(worksite: Worksite, points: Array) -> Array:
+def heights(solids: Sequence[Solid], points: Array) -> Array:
     """(n, s) how far each point stands over the nearest face of each solid; below zero inside [m]."""
-    packed = np.array([pack(solid.vertices) for solid in worksite.solids])
+    packed = np.array([pack(solid.vertices) for solid in solids])
     normals = packed[:, NX:D].reshape(-1, 3, 6).transpose(0, 2, 1)
     return np.asarray((np.einsum("sfk,vk->vsf", normals, points) - packed[:, D:]).max(axis=2))
+
+
+def outside(shape: Leaf, pose: Pose, solids: Sequence[Solid], allowed: float) -> Array:
+    """(n, 3) the corners of a drawn shape that are not nearer than allowed to any solid [m]."""
+    points = np.unique(moved(solid(shape, 24), pose).vertices, axis=0)
+    order = heights(solids, points).argsort(axis=1)
+    out = [
+        point
+        for point, nearest in zip(points, order, strict=True)
+        if not any(distance(point, solids[k].vertices) < allowed for k in nearest)
+    ]
+    return np.array(out).reshape(-1, 3)
 
 
 def test_all_that_is_drawn_lies_in_the_solids(orbiter: Worksite) -> None:
     """The bay's frames stand 2 cm into the tube, which is otherwise covered as it is drawn; lamps are not solid."""
     for shape, pose in placed(orbiter.bodies[0].shapes):
-        if isinstance(shape, Light):
-            continue
-        points = np.unique(moved(solid(shape, 24), pose).vertices, axis=0)
-        over = heights(orbiter, points)
-        allowed = 0.02 if isinstance(shape, Ring) else 0.001
-        for point, order in zip(points, over.argsort(axis=1), strict=True):
-            nearest = (distance(point, orbiter.solids[k].vertices) for k in order)
-            assert any(room < allowed for room in nearest), (shape, point)
+        if not isinstance(shape, Light):
+            assert not len(outside(shape, pose, orbiter.solids, 0.02 if isinstance(shape, Ring) else 0.001)), shape
+
+
+@pytest.mark.parametrize("name", worksites())
+def test_all_that_is_drawn_of_a_cargo_but_the_pin_lies_in_its_solids(name: str) -> None:
+    """The pin goes into the end effector; the ramps round it stand 2 cm up, and the foil on the ends 7 mm out."""
+    for cargo in load_worksite(name).cargoes:
+        for shape, pose in placed(cargo.shapes):
+            if isinstance(shape, Light):
+                continue
+            allowed = {("Box", "bright"): 0.0201, ("Cylinder", "foil"): 0.0071}
+            out = outside(shape, pose, cargo.solids, allowed.get((type(shape).__name__, shape.material), 0.001))
+            if cargo.grapple is not None:
+                off_axis = ((out - cargo.grapple.position) @ cargo.grapple.rotation)[:, 1:]
+                out = out[np.linalg.norm(off_axis, axis=1) > PIN]
+            assert not len(out), (cargo.name, shape)
+
+
+def test_a_perfect_grasp_leaves_room_to_the_targets_rod(orbiter: Worksite) -> None:
+    """Beside the end effector 0.286 m less its 0.2 m and the rod's 0.013 m; its camera and its light are far behind."""
+    (cargo,) = orbiter.cargoes
+    assert cargo.grapple is not None
+    model = aftdeck.load_arm("srms").model
+    *_, target = (body.vertices for body in cargo.solids if body.part == "payload grapple fixture")
+    rod = (target - cargo.grapple.position) @ cargo.grapple.rotation
+    assert rod[:, 0].min() == pytest.approx(-0.123), "the ball on its end"
+    rooms: dict[str, float] = {}
+    for part, frame, vertices in solids_of(model):
+        if frame == "arm.wrist_roll":
+            own = (vertices - [TIP, 0.0, 0.0]) @ rotation_x(model.end_effector_roll)
+            rooms[part] = min(rooms.get(part, math.inf), separation(own, rod).clearance)
+    assert rooms["end effector"] == pytest.approx(0.073, abs=0.001)
+    assert min(rooms["wrist camera"], rooms["wrist light"]) > 0.4
+
+
+def test_a_target_drawn_of_what_has_no_cover_is_refused(orbiter: Worksite, tmp_path: Path) -> None:
+    ring = 'kind = "ring", material = "padding"'
+    assert orbiter.text.count(ring) == 1
+    file = tmp_path / "turned.toml"
+    file.write_text(orbiter.text.replace(ring, f'{ring}, axis = "y"'), encoding="utf-8")
+    with pytest.raises(ScenarioError, match="cargo payload: grapple: a ring like this is no part of a target"):
+        load_worksite(file)
 
 
 def test_a_payload_of_90_inches_radius_lies_clear_in_the_bay(orbiter: Worksite) -> None:
@@ -58,7 +114,7 @@ def test_a_payload_of_90_inches_radius_lies_clear_in_the_bay(orbiter: Worksite) 
     x = np.linspace(orbiter.bay.low[0] + 0.6, orbiter.bay.high[0] - 0.6, 40)
     t = np.linspace(0.0, math.tau, 361)
     points = np.array([(a, ENVELOPE * math.cos(b), ENVELOPE * math.sin(b)) for a in x for b in t])
-    assert heights(orbiter, points).min() > 0.0
+    assert heights(orbiter.solids, points).min() > 0.0
 
 
 def test_the_payload_in_the_latches_touches_nothing_but_them(orbiter: Worksite) -> None:

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from aftdeck.arms.geometry import frozen
 from aftdeck.bodies.cover import prism
+from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
-from aftdeck.shapes import Cylinder, Group, Material, Shape, Vec3
+from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Sphere, Vec3
 from aftdeck.worksite.cargo_file import CargoFile, GrappleFile, PrismBody, ReceptacleFile, StartFile, TrunnionsFile
 from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start
 from aftdeck.worksite.solids import CORNERS, as_solids, checked, drawn, moved
@@ -111,11 +112,50 @@ def _bar(bar: ReceptacleFile, top: float) -> Array:
 
 
 def _fixture(grapple: GrappleFile) -> _Piece:
-    pose = _pose(grapple)
+    """Its base and its target. The pin, and the ramps round it, go into the end effector: they are not solid."""
     base = prism(grapple.radius, grapple.depth) + np.array([grapple.depth / 2.0, 0.0, 0.0])
     place, turn = _plain(grapple.position), _plain(grapple.rotation)
     look = (Group(position=place, rotation=turn, shapes=grapple.shapes),) if grapple.shapes else ()
-    return _Piece("grapple fixture", moved(base, pose), look)
+    bodies = np.concatenate([base, *_target(grapple.shapes)])
+    return _Piece("grapple fixture", moved(bodies, _pose(grapple)), look)
+
+
+def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
+    """A box (1, 8, 3) round what is drawn flat beside the fixture's axis, plate and ring, and one round the rod there.
+
+    One box round both would stand in the end effector's way as far out as the rod.
+    """
+    halves = [(shape.position, half) for shape in shapes if any(shape.position[1:]) and (half := _half(shape))]
+    boxes = np.array(halves, dtype=np.float64).reshape(-1, 2, 3)
+    flat = boxes[:, 1, 0] < boxes[:, 1, 1]
+    for middle, half in (boxes[some].transpose(1, 0, 2) for some in (flat, ~flat) if some.any()):
+        low, high = (middle - half).min(axis=0), (middle + half).max(axis=0)
+        yield (low + CORNERS * (high - low))[None]
+
+
+def _half(shape: Shape) -> Vec3 | None:
+    """Half the size of the box round a shape along x; None for a group, whose marks lie on the others.
+
+    Raises:
+        InputError: another kind of shape, or one that stands otherwise.
+    """
+    match shape:
+        case Group():
+            return None
+        case Box(rotation=(0.0, 0.0, 0.0), size=(x, y, z)):
+            return x / 2.0, y / 2.0, z / 2.0
+        case Cylinder(rotation=(0.0, 0.0, 0.0), axis="x", length=length, radius=radius, radius_end=None):
+            return length / 2.0, radius, radius
+        case Ring(rotation=(0.0, 0.0, 0.0), axis="x", radius=radius, bar=bar):
+            return bar, radius + bar, radius + bar
+        case Sphere(radius=radius):
+            return radius, radius, radius
+        case _:
+            kind = type(shape).__name__.lower()
+            raise InputError(
+                f"grapple: a {kind} like this is no part of a target; beside the fixture's axis may stand groups, "
+                "spheres, and unturned boxes, cylinders and rings, along x"
+            )
 
 
 def _pins(trunnions: TrunnionsFile) -> _Piece:

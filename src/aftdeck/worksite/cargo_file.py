@@ -71,7 +71,8 @@ class GrappleFile(Placed, frozen=True, kw_only=True):
     depth: Length
     """Of its base."""
     shapes: tuple[Shape, ...] = ()
-    """What it looks like, in the fixture's axes."""
+    """What it looks like, in the fixture's axes. Boxes, cylinders, rings and spheres listed beside its axis are its
+    target and collide, groups of marks on them do not."""
 
     def __post_init__(self) -> None:
         """Refuse sizes that are not above zero (ValueError)."""
