@@ -468,6 +468,8 @@ export interface JointInfo {
   readonly name: string;
   /** As on the page: `Sho yaw`. */
   readonly label: string;
+  /** The axis of the hand controllers that turns the master arm's: `THC Y`. */
+  readonly stick: string;
   readonly hard: Vec2;
   readonly soft: Vec2;
   readonly reach: Vec2;

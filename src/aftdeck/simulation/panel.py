@@ -11,6 +11,7 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.holds import held_sticks, hold_position
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.master import turn_master
 from aftdeck.simulation.sequence import begin, finish, next_target
 from aftdeck.simulation.state import Panel, State
 from aftdeck.steering.course import may_start, set_off
@@ -40,6 +41,8 @@ def operate(flight: Flight, state: State, inputs: Inputs) -> None:
     command[LAW] = law_of(panel)
     command[STICKS : STICKS + 6] = sticks
     command[JOINT], command[DRIVE] = panel.joint, inputs.drive
+    if MODES[panel.mode].kind == "master" and any(sticks):
+        turn_master(flight, state)
     if panel.sequence != "in progress":
         command[GO] = 0.0
     elif command[GO] == 0.0:

@@ -311,6 +311,8 @@ class JointInfo(msgspec.Struct, frozen=True):
     """As in the arm file: ``shoulder_yaw``."""
     label: str
     """As on the page: ``Sho yaw``."""
+    stick: str
+    """The axis of the hand controllers that turns the master arm's: ``THC Y``."""
     hard: tuple[float, float]
     soft: tuple[float, float]
     reach: tuple[float, float]

@@ -18,6 +18,7 @@ from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation import frame as sim
 from aftdeck.simulation.log import spoken
 from aftdeck.simulation.look_ahead import Ahead
+from aftdeck.simulation.master import AXES, axes_of
 from aftdeck.station import protocol as wire
 from aftdeck.station.wire_spec94 import payload_table, stored_sequences
 from aftdeck.station.wire_work import WorkTranslator, work_info
@@ -55,6 +56,7 @@ class Translator:
             wire.JointInfo(
                 name,
                 label,
+                stick=AXES[axis],
                 hard=_pair(model.limits.hard[i]),
                 soft=_pair(model.limits.soft[i]),
                 reach=_pair(model.limits.reach[i]),
@@ -62,7 +64,7 @@ class Translator:
                 vernier=float(model.rates.vernier[i]),
                 servo=float(model.rates.servo[i]),
             )
-            for i, (name, label) in enumerate(zip(model.joints, model.labels, strict=True))
+            for i, (name, label, axis) in enumerate(zip(model.joints, model.labels, axes_of(model), strict=True))
         )
         modes = tuple(
             wire.ModeInfo(m.position, m.laws, m.title, m.kind, m.point, self._can_enter(m), m.axes, m.axis_names)

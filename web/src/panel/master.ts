@@ -1,4 +1,4 @@
-/** The master arm: six sliders in the joints' place, which the arm follows while MASTER is entered. */
+/** The master arm: six sliders in the joints' place, turned by the sticks as well; the arm follows it in MASTER. */
 
 import { degrees } from '../format';
 import type { Frame, Six } from '../protocol';
@@ -41,7 +41,7 @@ export function masterGroup(desk: Desk): MasterGroup {
     const row = el(
       'tr',
       {},
-      el('th', { scope: 'row' }, joint.label),
+      el('th', { scope: 'row', title: `${joint.stick} turns it as well` }, joint.label),
       el('td', { class: 'scale' }, bar.element),
       actual,
       commanded,
@@ -60,7 +60,8 @@ export function masterGroup(desk: Desk): MasterGroup {
       el('tbody', {}, ...rows.map(({ row }) => row), ...(stand ? [stand.element] : [])),
     ),
   );
-  setAbout(element, 'degrees; the arm follows the sliders');
+  const thc = desk.welcome.joints.flatMap(({ stick }) => (stick.startsWith('THC') ? [stick.slice(4)] : []));
+  setAbout(element, `degrees; sliders, or THC ${thc.join(' ')} and RHC`);
   return {
     element,
     meet() {

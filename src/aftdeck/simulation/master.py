@@ -1,0 +1,34 @@
+"""The master arm turned by the sticks, where no device gives its six angles: each axis turns one of its joints."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arms.load import ArmModel
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import HIGH, LOW, MASTER, RATE, STICKS
+
+AXES = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z")
+"""In the order of `steering.layout.STICKS`."""
+_SHOULDER = (4, 3, 5)
+"""The THC's axes for a shoulder that turns aside, then up, and for the elbow: sideways, fore and aft, up and down."""
+
+
+def axes_of(model: ArmModel) -> tuple[int, ...]:
+    """For each joint, which of `AXES` turns the master's: the RHC's turn those of the wrist that move as they do."""
+    return (*_SHOULDER, *((2, 1, 0) if isinstance(model.source, HeadingArmFile) else (1, 2, 0)))
+
+
+def turn_master(flight: Flight, state: State) -> None:
+    """Turn the master by the sticks in `state.command`: at full deflection at the limit of its joint's rate.
+
+    It stays within the stops in force, or comes back to them from where a device has put it.
+    """
+    command, panel = state.command, state.panel
+    rules = state.carried.rules[panel.mode, panel.rate]
+    axes, master = axes_of(flight.scenario.arm.model), command[MASTER : MASTER + 6]
+    sticks = command[[STICKS + axis for axis in axes]]
+    low, high = np.minimum(rules[LOW : LOW + 6], master), np.maximum(rules[HIGH : HIGH + 6], master)
+    master[:] = np.clip(master + sticks * rules[RATE : RATE + 6] * flight.scenario.control_period, low, high)

@@ -1,0 +1,93 @@
+"""The master arm turned by the sticks: each axis one joint, at its limit of rate, within the stops."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.master import AXES, axes_of
+from tests.steering.flying import BAY, scenario
+
+Array = NDArray[np.float64]
+START = {"srms": BAY, "concept-1972": (20.0, 60.0, -100.0, 5.0, -30.0, 10.0)}
+ARMS = pytest.mark.parametrize("name", START)
+
+
+def an_arm(name: str) -> Scenario:
+    return scenario(START[name], f'arm = "{name}"\nmode = "MASTER"')
+
+
+def pushed(axis: int, by: float) -> Inputs:
+    """One axis of the sticks deflected."""
+    sticks = [0.0] * 6
+    sticks[axis] = by
+    roll, pitch, yaw, x, y, z = sticks
+    return Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw))
+
+
+@ARMS
+def test_each_axis_turns_one_joint_of_the_master_and_the_wrists_are_the_rhcs(name: str) -> None:
+    made = an_arm(name)
+    axes = axes_of(made.arm.model)
+    assert sorted(axes) == list(range(6))
+    for joint, axis in zip(made.arm.joints[3:], axes[3:], strict=True):
+        assert AXES[axis] == "RHC " + joint.removeprefix("wrist_").replace("heading", "yaw")
+
+
+@ARMS
+@pytest.mark.parametrize("joint", range(6))
+@pytest.mark.parametrize("rate", ["coarse", "vernier"])
+def test_a_stick_turns_its_joint_at_the_limit_of_its_rate_and_the_arm_follows(name: str, joint: int, rate: str) -> None:
+    made = an_arm(name)
+    axis, rates = axes_of(made.arm.model)[joint], made.arm.model.rates
+    most = float((rates.coarse if rate == "coarse" else rates.vernier)[joint])
+    sim = aftdeck.Simulation(made)
+    begun: Array = np.array(sim.step(Inputs(rate="coarse" if rate == "coarse" else "vernier")).angles)
+    for by, steps in ((0.5, 50), (-1.0, 10)):
+        for _ in range(steps):
+            frame = sim.step(pushed(axis, by))
+    for _ in range(500):
+        frame = sim.step(Inputs())
+    assert frame.work.master is not None
+    turned = np.zeros(6)
+    turned[joint] = most * (0.5 * 50 - 10) * made.control_period
+    assert np.array(frame.work.master) - begun == pytest.approx(turned, abs=1e-12)
+    assert frame.angles == pytest.approx(frame.work.master, abs=1e-9)
+
+
+@ARMS
+@pytest.mark.parametrize("by", [1.0, -1.0])
+def test_the_master_is_turned_no_farther_than_the_soft_stops(name: str, by: float) -> None:
+    made = an_arm(name)
+    low, high = made.arm.model.limits.soft.T
+    for joint, axis in enumerate(axes_of(made.arm.model)):
+        sim, end = aftdeck.Simulation(made), (high if by > 0.0 else low)[joint]
+        way = abs(end - np.radians(START[name])[joint]) / made.arm.model.rates.coarse[joint]
+        for _ in range(int(way / made.control_period) + 10):
+            sim.advance(pushed(axis, by))
+        frame = sim.look()
+        assert frame.work.master is not None
+        assert frame.work.master[joint] == pytest.approx(end, abs=1e-12)
+
+
+def test_a_master_that_a_device_has_put_beyond_a_stop_is_only_let_back() -> None:
+    sim = aftdeck.Simulation(an_arm("srms"))
+    beyond = (np.radians(200.0), *np.radians(BAY)[1:].tolist())
+    sim.step(Inputs(master=beyond))
+    assert sim.step(pushed(4, 1.0)).work.master == pytest.approx(beyond)
+    back = sim.step(pushed(4, -1.0)).work.master
+    assert back is not None and back[0] < beyond[0]
+
+
+def test_in_other_modes_the_sticks_leave_the_master_alone() -> None:
+    sim = aftdeck.Simulation(scenario(BAY, 'mode = "ORB UNL"'))
+    for _ in range(100):
+        sim.advance(pushed(4, 1.0))
+    angles = sim.look().angles
+    for _ in range(200):
+        angles = sim.step(Inputs()).angles
+    assert sim.step(Inputs(mode="MASTER")).work.master == pytest.approx(angles)
