@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from aftdeck.arms.bodies import body_problems
-from aftdeck.arms.covers import body_problem
+from aftdeck.arms.covers import cover_problem
 from aftdeck.arms.geometry import linkage_of
 from aftdeck.arms.limits import JointRates, Limits, limit_problems
 from aftdeck.arms.model import ArmFile, HeadingArmFile, HeadingGeometry, PorRow, YawArmFile, YawGeometry
@@ -54,7 +54,7 @@ def _cover_problems(file: YawArmFile) -> list[str]:
     for i, body in enumerate(file.bodies):
         if body.frame not in frames:
             found.append(f"bodies[{i}].frame: {body.frame!r} is no frame of the arm; there are: {', '.join(frames)}")
-        if problem := body_problem(body):
+        if problem := cover_problem(body, body.part):
             found.append(f"bodies[{i}]: {problem}")
     return found
 

@@ -1,11 +1,11 @@
-"""The hexahedra that an arm file's bodies stand for, in the frames that carry them."""
+"""The hexahedra that a file's covers stand for, in the frames of what they cover."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.arms.model import BoxBody, PrismBody
+from aftdeck.arms.model import BoxCover, Cover
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.cover import prism
 from aftdeck.errors import InputError
@@ -14,25 +14,25 @@ from aftdeck.frames import endori
 Array = NDArray[np.float64]
 
 
-def hexahedra(body: BoxBody | PrismBody) -> Array:
-    """(n, 8, 3) vertices [m] of a body, turned and put in its place.
+def hexahedra(cover: Cover, part: str) -> Array:
+    """(n, 8, 3) vertices [m] of what covers a part, turned and put in its place.
 
     Raises:
         InputError: sizes that make no solid.
     """
-    if isinstance(body, BoxBody):
-        found = corners((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5))[None] * body.size
+    if isinstance(cover, BoxCover):
+        found = corners((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5))[None] * cover.size
     else:
-        found = prism(body.radius, body.length, axis=body.axis, sides=body.sides)
+        found = prism(cover.radius, cover.length, axis=cover.axis, sides=cover.sides)
     for vertices in found:
-        hexahedron(vertices, body.part)
-    return np.asarray(found @ endori(*body.rotation).T + body.position)
+        hexahedron(vertices, part)
+    return np.asarray(found @ endori(*cover.rotation).T + cover.position)
 
 
-def body_problem(body: BoxBody | PrismBody) -> str:
-    """What is wrong with a body's sizes; empty where nothing is."""
+def cover_problem(cover: Cover, part: str) -> str:
+    """What is wrong with a cover's sizes; empty where nothing is."""
     try:
-        hexahedra(body)
+        hexahedra(cover, part)
     except InputError as error:
         return str(error)
     return ""

@@ -180,28 +180,22 @@ class EffectorFile(_Part, frozen=True):
     prong_rate: Constant[Speed]
 
 
-class _Body(_Part, frozen=True, tag_field="kind", kw_only=True):
-    """A body that covers a part of the arm from outside, so that no clearance is overstated."""
+class _Cover(_Part, frozen=True, tag_field="kind", kw_only=True):
+    """A convex body round something, so that no clearance from it is overstated."""
 
-    part: Text
-    """What people call it; several bodies may share a part."""
-    frame: Text
-    """The moving frame that carries it."""
     position: tuple[Length, Length, Length] = (Length(0.0), Length(0.0), Length(0.0))
-    """Of its centre in that frame."""
+    """Of its centre in the frame of what it covers."""
     rotation: tuple[Angle, Angle, Angle] = (Angle(0.0), Angle(0.0), Angle(0.0))
     """Roll, pitch, yaw about fixed x, y, z, applied in that order."""
-    source: Text
-    confidence: Confidence
 
 
-class BoxBody(_Body, frozen=True, kw_only=True, tag="box"):
+class BoxCover(_Cover, frozen=True, kw_only=True, tag="box"):
     """A box about its centre."""
 
     size: tuple[Length, Length, Length]
 
 
-class PrismBody(_Body, frozen=True, kw_only=True, tag="prism"):
+class PrismCover(_Cover, frozen=True, kw_only=True, tag="prism"):
     """A regular prism round a cylinder."""
 
     axis: Axis = "x"
@@ -209,6 +203,29 @@ class PrismBody(_Body, frozen=True, kw_only=True, tag="prism"):
     """Of the cylinder; the prism's edges stand farther out."""
     length: Length
     sides: int
+
+
+Cover = BoxCover | PrismCover
+
+
+class BoxBody(BoxCover, frozen=True, kw_only=True, tag="box"):
+    """A box that covers a part of the arm."""
+
+    part: Text
+    """What people call it; several bodies may share a part."""
+    frame: Text
+    """The moving frame that carries it."""
+    source: Text
+    confidence: Confidence
+
+
+class PrismBody(PrismCover, frozen=True, kw_only=True, tag="prism"):
+    """A prism that covers a part of the arm; as `BoxBody`."""
+
+    part: Text
+    frame: Text
+    source: Text
+    confidence: Confidence
 
 
 class _AnyArm(_Part, frozen=True, tag_field="family", kw_only=True):

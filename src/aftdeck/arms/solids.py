@@ -22,4 +22,4 @@ def solids_of(model: ArmModel) -> tuple[Solid, ...]:
             Solid(block.part, block.frame, frozen(corners(block.low, block.high, block.axes)))
             for block in blocks_of(file, model.linkage.frames)
         )
-    return tuple(Solid(body.part, body.frame, frozen(v)) for body in file.bodies for v in hexahedra(body))
+    return tuple(Solid(body.part, body.frame, frozen(v)) for body in file.bodies for v in hexahedra(body, body.part))

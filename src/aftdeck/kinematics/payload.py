@@ -27,6 +27,7 @@ class Payload:
         centre: (3,) r_87: from the tip to the payload's centre, in payload axes [m].
         por: (3,) from the payload's centre to its point of resolution, in payload axes [m].
         shapes: how it looks, about its centre in its axes.
+        solids: each (8, 3) vertices of what of it collides, likewise [m].
     """
 
     mass: float
@@ -34,6 +35,7 @@ class Payload:
     centre: Array
     por: Array
     shapes: tuple[Shape, ...] = ()
+    solids: tuple[Array, ...] = ()
 
     @cached_property
     def packed(self) -> Array:

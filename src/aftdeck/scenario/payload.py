@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from aftdeck.arms.covers import cover_problem, hexahedra
 from aftdeck.arms.geometry import frozen
 from aftdeck.frames import endori
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.poses import rotation_matrix
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import PayloadSpec
+
+PART = "payload"
+"""What people call it."""
 
 
 def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None:
@@ -24,4 +28,9 @@ def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None
         if given is None:
             return None
         turned = given
-    return Payload(float(spec.mass), frozen(turned), frozen(spec.position), frozen(spec.por), spec.shape)
+    for k, cover in enumerate(spec.body):
+        if problem := cover_problem(cover, PART):
+            problems.wrong(("payload", "body", k), problem)
+            return None
+    solids = tuple(frozen(vertices) for cover in spec.body for vertices in hexahedra(cover, PART))
+    return Payload(float(spec.mass), frozen(turned), frozen(spec.position), frozen(spec.por), spec.shape, solids)

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from aftdeck.arms.model import SixRanges, SixRates, Text
+from aftdeck.arms.model import Cover, SixRanges, SixRates, Text
 from aftdeck.frames import FrameName
 from aftdeck.shapes import Shape
 from aftdeck.units import Angle, AngularRate, Length, Mass, Speed, Time
@@ -139,7 +139,8 @@ class PayloadSpec(_Part, frozen=True):
 
     `position` is r_87, the payload's centre in its own axes as seen from the tip; `roll`, `pitch`, `yaw`
     (azimuth first, as ENDORI) or `matrix` turn frame 7 into the payload's axes (T_78). `por` is the payload's
-    point of resolution in its axes, from its centre. Its `shape` entries are how it looks, about its centre.
+    point of resolution in its axes, from its centre. Its `shape` entries are how it looks, about its centre, and its
+    `body` entries what of it collides, which covers that from outside.
     """
 
     mass: Mass
@@ -150,6 +151,7 @@ class PayloadSpec(_Part, frozen=True):
     matrix: tuple[Row, Row, Row] | None = None
     por: Point = (Length(0.0), Length(0.0), Length(0.0))
     shape: tuple[Shape, ...] = ()
+    body: tuple[Cover, ...] = ()
 
 
 class Phase(_Part, frozen=True):

@@ -16,6 +16,7 @@ from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, rotation_x
 from aftdeck.kinematics.frames import Frames, frames_of
 from aftdeck.kinematics.linkage import L5
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.payload import PART
 from aftdeck.simulation.berths import Berth, berth_of
 from aftdeck.simulation.hand import Bar, Snares, bar_of, snares_of
 from aftdeck.worksite.layout import Indices, Layout, Mask, PartPair, layout_of
@@ -132,13 +133,15 @@ def site_of(scenario: Scenario) -> Site:
     arm = frames_of(model)
     frames = ("orbiter", *arm.names, "space", *(one.name for one in cargo))
     own = solids_of(model)
-    solids = (*own, *worksite.solids, *(solid for one in cargo for solid in one.solids))
+    held = _held_for_good(scenario)
+    solids = (*own, *held, *worksite.solids, *(solid for one in cargo for solid in one.solids))
     foot, *joints = model.linkage.frames
     chain = [name for name in (foot, "arm.stand", *joints, "arm.prong") if name in arm.names]
     still = _still(model, own)
     mounted = {(a, b.part) for a in still for b in worksite.solids if b.frame == "orbiter"}
-    layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | _folded(model, own)))
     hand = {solid.part for solid in own if solid.frame in ("arm.prong", model.linkage.frames[-1], *_ball(model))}
+    gripped = {(part, solid.part) for part in hand for solid in held}
+    layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | gripped | _folded(model, own)))
     mine = {solid.part for solid in own}
     parts = [{solid.part for solid in one.solids} for one in cargo]
     by_arm = np.zeros(len(layout.groups), np.uint8)
@@ -187,6 +190,18 @@ def site_of(scenario: Scenario) -> Site:
         slides=tuple(layout.between(own_parts, walls) & (1 - essential) for own_parts in parts),
         bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)) for one in cargo),
         bay=None if worksite.bay is None else np.array([(*worksite.bay.low[:2], -np.inf), worksite.bay.high]),
+    )
+
+
+def _held_for_good(scenario: Scenario) -> tuple[Solid, ...]:
+    """The solids of a payload that stays in the grasp, which moves with the last joint as the hand does."""
+    payload, model = scenario.payload, scenario.arm.model
+    if payload is None:
+        return ()
+    tip = np.array([model.links[L5], 0.0, 0.0])
+    return tuple(
+        Solid(PART, model.linkage.frames[-1], (vertices + payload.centre) @ payload.rotation.T + tip)
+        for vertices in payload.solids
     )
 
 
