@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -172,3 +173,17 @@ def test_cameras_of_a_payload_are_there_where_it_is() -> None:
     on_payload = {"P1", "P2"}
     for name, expected in (("concept-1972", on_payload), ("free-flyer", set())):
         assert on_payload & {camera.name for camera in cameras_of(load_scenario(name))} == expected
+
+
+def test_cameras_on_a_frame_of_the_arms_are_there_where_the_arm_has_it(tmp_path: Path) -> None:
+    """The Shuttle's arm at the concept's bay has no telescoping stand to carry a camera."""
+    file = tmp_path / "mixed.toml"
+    joints = [f"{angle} deg" for angle in (-31, 79, -103, -77, 17, -128)]
+    file.write_text(f'title = "t"\narm = "srms"\nworksite = "concept-1972"\n[initial]\njoints = {joints}\n')
+    mixed = load_scenario(file)
+    there = {camera.name for camera in cameras_of(mixed)}
+    listed = {camera.name: camera.body for camera in mixed.worksite.cameras if camera.body.startswith("arm.")}
+    assert "arm.stand" in listed.values()
+    frames = mixed.arm.model.frames
+    assert {name for name, body in listed.items() if body not in frames} & there == set()
+    assert {name for name, body in listed.items() if body in frames} <= there

@@ -8,16 +8,22 @@ from aftdeck.arms.load import ArmModel
 from aftdeck.arms.shapes import shapes_of
 from aftdeck.bodies.cameras import KINDS, Camera
 from aftdeck.scenario.model import Scenario
+from aftdeck.worksite.check import ARM
 
 
 def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
     """Television cameras first, then windows, then what only an engineer sees.
 
-    Those of a cargo are there where the cargo is.
+    A worksite's cameras on a cargo are there where the cargo is, and those on a frame of the arm's where the arm has it.
     """
+    model = scenario.arm.model
     absent = {cargo.name for cargo in scenario.worksite.cargoes} - {cargo.name for cargo in scenario.cargo}
-    cameras = scenario.worksite.cameras + _on_the_arm(scenario.arm.model)
-    there = [camera for camera in cameras if camera.body not in absent]
+    cameras = scenario.worksite.cameras + _on_the_arm(model)
+    there = [
+        camera
+        for camera in cameras
+        if camera.body not in absent and (not camera.body.startswith(ARM) or camera.body in model.frames)
+    ]
     return tuple(sorted(there, key=lambda camera: KINDS.index(camera.kind)))
 
 
