@@ -16,6 +16,7 @@ from aftdeck.errors import ScenarioError
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
+from aftdeck.worksite import load_worksite
 from tests.simulation.concept import held_for, joints, scenario
 from tests.simulation.flights import anything, flown, log_of
 
@@ -128,3 +129,13 @@ def test_the_arm_holds_from_the_start_only_what_its_hand_could_have_taken_so() -
     assert first.startswith("test: initialise.extraction.grasped: Payload cannot be held so: ")
     assert second.startswith("test: initialise.manoeuvring.grasped: ")
     assert "allowed" in first
+
+
+def test_a_worksite_that_is_wrong_is_told_and_not_that_its_cargo_is_missing(tmp_path: Path) -> None:
+    place = load_worksite("concept-1972").text
+    (tmp_path / "place.toml").write_text(place.replace('sides = 6, across = "13 ft"', 'sides = 7, across = "13 ft"'))
+    text = load_scenario("concept-1972").text.replace('worksite = "concept-1972"', 'worksite = "place.toml"')
+    with pytest.raises(ScenarioError) as raised:
+        parse_scenario(text, "test", "test.toml", tmp_path)
+    (problem,) = raised.value.problems
+    assert "place.toml" in problem and "the prism has 7 sides" in problem

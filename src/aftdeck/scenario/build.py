@@ -53,7 +53,7 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
     payload = held_payload(problems, spec.payload)
     check_por(problems, por_with(arm.model, payload.mass if payload else 0.0, spec.limits.por))
     cargo = present_cargo(problems, worksite, spec.cargo)
-    names = [one.name for one in cargo]
+    names = [one.name for one in (cargo if worksite else spec.cargo)]  # what is wrong with a place is told once
     begin = start(problems, arm, spec.initial, names, ("initial",))
     begun = parts(problems, arm, spec.initialise, begin, names)
     sequences = stored_points(problems, arm, spec.sequence)

@@ -14,7 +14,7 @@ from aftdeck.worksite.check import ARM
 def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
     """Television cameras first, then windows, then what only an engineer sees.
 
-    A worksite's cameras on a cargo are there where the cargo is, and those on a frame of the arm's where the arm has it.
+    A worksite's cameras on a cargo are there where the cargo is, those on a frame of the arm's where the arm has it.
     """
     model = scenario.arm.model
     absent = {cargo.name for cargo in scenario.worksite.cargoes} - {cargo.name for cargo in scenario.cargo}
