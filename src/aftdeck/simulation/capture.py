@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 import numpy as np
@@ -62,7 +63,7 @@ def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None
     if not pressed and not things.snare.motion and things.rigid == "off":
         return
     conditions: tuple[Condition, ...] = ()
-    if held is None and (near := nearest_fixture(flight, state)) is not None:
+    if held is None and (near := nearest_fixture(flight, state, math.inf)) is not None:
         k, fixture = near
         conditions = in_envelope(pose_of(fixture), snares.envelope, scenario.arm.model.units)
     command = SnareCommand(

@@ -80,9 +80,9 @@ def fixture_in_hand(flight: Flight, state: State, k: int) -> Array | None:
     return found
 
 
-def nearest_fixture(flight: Flight, state: State) -> tuple[int, Array] | None:
-    """The cargo whose fixture is nearest to the end effector, and that (12,) in its axes, if one is near."""
-    best, least = None, NEAR
+def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple[int, Array] | None:
+    """The cargo whose fixture is nearest to the end effector, and that (12,) in its axes, if one is so near [m]."""
+    best, least = None, within
     for k in range(len(flight.site.cargo)):
         fixture = fixture_in_hand(flight, state, k)
         if fixture is not None and (away := math.hypot(*fixture[:3].tolist())) < least:
