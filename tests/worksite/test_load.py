@@ -136,7 +136,7 @@ def test_bay_cameras_stand_at_their_surveyed_places(orbiter: Worksite, name: str
     (body,) = (
         shape
         for shape in orbiter.bodies[0].shapes
-        if isinstance(shape, Group) and shape.position == pytest.approx(surveyed, abs=0.002)
+        if isinstance(shape, Group) and any(shape.rotation) and shape.position == pytest.approx(surveyed, abs=0.002)
     )
     ahead = turned(np.array([[1.0, 0.0, 0.0]]), body.rotation, (0.0, 0.0, 0.0))[0]
     assert ahead == pytest.approx(np.array(camera.boresight) / length, abs=0.002)

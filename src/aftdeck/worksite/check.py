@@ -12,7 +12,7 @@ from aftdeck.bodies.hexahedron import CORNERS, NX, D, pack
 from aftdeck.bodies.solid import Solid
 from aftdeck.files import Problem, Where
 from aftdeck.frames import Pose
-from aftdeck.worksite.model import Body, Cargo
+from aftdeck.worksite.model import Bay, Body, Cargo
 from aftdeck.worksite.schema import WorksiteFile
 
 Array = NDArray[np.float64]
@@ -20,6 +20,8 @@ Array = NDArray[np.float64]
 ARM = "arm."
 """What the names of an arm's frames begin with; whether a camera's frame is one of the arm's, a scenario has to say."""
 FRAMES = ("orbiter", "space")
+_WALL = 0.05
+"""How far from where the bay's inside ends its walls may begin [m]: those of a tube cover it from outside."""
 
 
 def misnamed(file: WorksiteFile) -> Iterator[Problem]:
@@ -92,6 +94,34 @@ def blind_cameras(
                     f"camera {camera.name} stands {where} {solid.part}; it has to be more than {clearance:.3g} m away"
                 )
                 yield Problem(("camera", i, "position"), what)
+
+
+def bay_without_walls(bay: Bay, solids: Sequence[Solid]) -> Iterator[Problem]:
+    """Sides of the bay's inside, but for its top, that do not end where solids of the orbiter's begin."""
+    bodies = [pack(solid.vertices) for solid in solids if solid.frame == "orbiter"]
+    low, high = np.array(bay.low), np.array(bay.high)
+    across = np.linspace(low + (high - low) / 10.0, high - (high - low) / 10.0, 5)
+    for axis, name in enumerate("xyz"):
+        for end, out in ((low, -_WALL), (high, _WALL)):
+            if name == "z" and out > 0.0:
+                continue
+            places = [across[:, k] for k in range(3)]
+            places[axis] = end[axis : axis + 1]
+            points = np.stack(np.meshgrid(*places), axis=-1).reshape(-1, 3)
+            aside = out * np.eye(3)[axis]
+            beyond, within = _in_any(points + aside, bodies), _in_any(points - aside, bodies)
+            if (beyond & ~within).any():
+                continue
+            what = f"the inside ends at {end[axis]:.4g} m, where no wall of the orbiter's begins"
+            yield Problem(("bay", name), what)
+
+
+def _in_any(points: Array, bodies: Sequence[Array]) -> NDArray[np.bool_]:
+    """(n,) whether points (n, 3) are in one of the bodies."""
+    found = np.zeros(len(points), bool)
+    for body in bodies:
+        found |= (points @ body[NX:D].reshape(3, 6) <= body[D:]).all(axis=1)
+    return found
 
 
 def _in_scene(pose: Pose, position: Sequence[float]) -> Array:

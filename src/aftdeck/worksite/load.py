@@ -13,9 +13,10 @@ from aftdeck.errors import InputError, ScenarioError
 from aftdeck.files import Problem, Text, parse, read, sentences
 from aftdeck.shapes import Shape
 from aftdeck.worksite.cargo import FITTINGS, cargo_of
-from aftdeck.worksite.check import blind_cameras, misnamed, parts_in_two_frames
+from aftdeck.worksite.check import bay_without_walls, blind_cameras, misnamed, parts_in_two_frames
+from aftdeck.worksite.housing import Housed, homeless, housed
 from aftdeck.worksite.model import BarAcquisition, Bay, Body, Cargo, Seat, SnareCapture, Translation, Worksite
-from aftdeck.worksite.schema import BarFile, BodyFile, PortFile, SnareFile, WorksiteFile
+from aftdeck.worksite.schema import BarFile, BayFile, BodyFile, PortFile, SnareFile, WorksiteFile
 from aftdeck.worksite.seats import disc, seat_of
 from aftdeck.worksite.solids import as_solids, drawn, moved, solids_of
 
@@ -51,7 +52,7 @@ def load_worksite(name_or_path: str | Path) -> Worksite:
 def _of_text(text: str, name: str) -> Worksite:
     """The worksite of a file's text, made and checked once: nothing changes it."""
     file = parse(WorksiteFile, Text(name, text))
-    problems = list(misnamed(file))
+    problems = [*misnamed(file), *homeless(file)]
     worksite = None if problems else _made(file, text, problems)
     if worksite is None or problems:
         raise ScenarioError(sentences(problems, name, text))
@@ -60,12 +61,15 @@ def _of_text(text: str, name: str) -> Worksite:
 
 def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
     """The worksite without what is wrong in it, which is noted."""
-    made = [_body(body, i, _discs(file, body.name), problems) for i, body in enumerate(file.body)]
+    cameras = _cameras(file, problems)
+    made = [
+        _body(body, i, _discs(file, body.name), housed(cameras, file, body.name), problems)
+        for i, body in enumerate(file.body)
+    ]
     bodies = tuple(body for body, _ in made)
     solids = tuple(solid for _, own in made for solid in own)
     seats = _seats(file, made, problems)
     cargoes = _cargoes(file, seats, problems)
-    cameras = _cameras(file, problems)
     problems += parts_in_two_frames(
         [
             *((("body", i), own) for i, (_, own) in enumerate(made)),
@@ -73,6 +77,9 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         ]
     )
     parts = dict.fromkeys(solid.part for own in (solids, *(cargo.solids for cargo in cargoes)) for solid in own)
+    bay = None if file.bay is None else _bay(file.bay)
+    if bay is not None and not problems:
+        problems += bay_without_walls(bay, solids)
     problems += blind_cameras(cameras, bodies, solids, cargoes, file.camera_clearance)
     return Worksite(
         name=file.name,
@@ -88,11 +95,7 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
             (a, b) for pair in file.essential for a in _named(pair[0], parts) for b in _named(pair[1], parts)
         ),
         acquisition=_acquisition(file.acquisition),
-        bay=None
-        if file.bay is None
-        else Bay(
-            _plain((file.bay.x[0], file.bay.y[0], file.bay.z[0])), _plain((file.bay.x[1], file.bay.y[1], file.bay.z[1]))
-        ),
+        bay=bay,
         translation=None
         if file.translation is None
         else Translation(float(file.translation.speed), float(file.translation.reached_in)),
@@ -104,11 +107,15 @@ def _discs(file: WorksiteFile, body: str) -> list[Shape]:
     return [disc(seat) for seat in file.seat if isinstance(seat, PortFile) and seat.body == body]
 
 
-def _body(file: BodyFile, i: int, ports: list[Shape], problems: list[Problem]) -> tuple[Body, tuple[Solid, ...]]:
+def _body(
+    file: BodyFile, i: int, ports: list[Shape], cameras: Housed, problems: list[Problem]
+) -> tuple[Body, tuple[Solid, ...]]:
     """A body, and its solids in its frame of motion."""
-    shapes = [*file.shapes, *ports]
-    solids: list[Solid] = []
+    shapes = [*file.shapes, *ports, *cameras.shapes]
     body = Body(file.name, (), file.fixed_to, _plain(file.position), _plain(file.rotation))
+    solids: list[Solid] = []
+    for part, own in cameras.solids.items():
+        solids += as_solids(part, file.fixed_to, frozen(moved(own, body.pose)))
     for k, solid in enumerate(file.solids):
         try:
             parts = solids_of(solid)
@@ -173,6 +180,11 @@ def _acquisition(file: BarFile | SnareFile | None) -> BarAcquisition | SnareCapt
             return SnareCapture(*map(float, (*envelope, file.ring, file.carriage, file.tension)))
         case None:
             return None
+
+
+def _bay(file: BayFile) -> Bay:
+    (a, b), (c, d), (e, f) = file.x, file.y, file.z
+    return Bay(_plain((a, c, e)), _plain((b, d, f)))
 
 
 def _plain(values: tuple[float, float, float]) -> Vec3:

@@ -160,6 +160,25 @@ class TranslationFile(Table, frozen=True, kw_only=True):
         positive(speed=self.speed, reached_in=self.reached_in)
 
 
+class HousingFile(Table, frozen=True, kw_only=True):
+    """What every camera of a drive is made of, about the point where the axes of pan and tilt meet, z up."""
+
+    drive: Text
+    turned: tuple[Shape, ...] = ()
+    """How it looks that is turned as the camera is at the start, x ahead."""
+    upright: tuple[Shape, ...] = ()
+    """How what carries it looks."""
+    x: Range
+    """The block that collides: round all of it, however it turns."""
+    y: Range
+    z: Range
+    source: Text
+
+    def __post_init__(self) -> None:
+        """Refuse ranges without an inside (ValueError)."""
+        ordered(x=self.x, y=self.y, z=self.z)
+
+
 class WorksiteFile(Table, frozen=True, kw_only=True):
     """A worksite's file, decoded."""
 
@@ -172,6 +191,7 @@ class WorksiteFile(Table, frozen=True, kw_only=True):
     cargo: tuple[CargoFile, ...] = ()
     camera: tuple[CameraFile, ...] = ()
     drive: tuple[DriveFile, ...] = ()
+    housing: tuple[HousingFile, ...] = ()
     camera_clearance: Length = Length(0.0)
     """Least distance of a camera from every solid."""
     essential: tuple[tuple[Text, Text], ...] = ()

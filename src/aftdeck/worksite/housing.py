@@ -1,0 +1,70 @@
+"""What cameras are made of: drawn and solid where the camera stands, which its own table alone says."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.cameras import Camera
+from aftdeck.files import Problem
+from aftdeck.shapes import Group, Shape
+from aftdeck.worksite.schema import HousingFile, WorksiteFile
+from aftdeck.worksite.solids import CORNERS
+
+Array = NDArray[np.float64]
+
+
+class Housed(NamedTuple):
+    """The housings on a body, in its axes.
+
+    Attributes:
+        shapes: how they look.
+        solids: by part (``camera A``), (1, 8, 3) vertices [m].
+    """
+
+    shapes: list[Shape]
+    solids: dict[str, Array]
+
+
+def housed(cameras: Sequence[Camera], file: WorksiteFile, body: str) -> Housed:
+    """The housings of the cameras that stand on a body and whose drive has one."""
+    housings = {housing.drive: housing for housing in file.housing}
+    drives = {camera.name: camera.drive for camera in file.camera}
+    found = Housed([], {})
+    for camera in cameras:
+        housing = housings.get(drives[camera.name] or "")
+        if housing is not None and camera.body == body:
+            _add(found, camera, housing)
+    return found
+
+
+def _add(found: Housed, camera: Camera, housing: HousingFile) -> None:
+    """A camera's housing about the point where the axes of its pan and tilt meet, the lens' way behind the lens."""
+    lens = camera.drive.lens if camera.drive is not None else 0.0
+    ahead = np.array(camera.boresight) / math.hypot(*camera.boresight)
+    x, y, z = (np.array(camera.position) - lens * ahead).tolist()
+    turn = (0.0, -math.asin(float(ahead[2])), math.atan2(float(ahead[1]), float(ahead[0])))
+    found.shapes.append(Group(position=(x, y, z), rotation=turn, shapes=housing.turned))
+    found.shapes.append(Group(position=(x, y, z), shapes=housing.upright))
+    low, high = (np.array([span[k] for span in (housing.x, housing.y, housing.z)], dtype=np.float64) for k in (0, 1))
+    found.solids[f"camera {camera.name}"] = (low + CORNERS * (high - low) + [x, y, z])[None]
+
+
+def homeless(file: WorksiteFile) -> Iterator[Problem]:
+    """Housings of drives that are not listed, and cameras that would have one where no body carries it."""
+    drives, bodies = [drive.name for drive in file.drive], [body.name for body in file.body]
+    housings = {housing.drive for housing in file.housing}
+    for i, housing in enumerate(file.housing):
+        if housing.drive not in drives:
+            there = ", ".join(drives) or "none"
+            yield Problem(("housing", i, "drive"), f"{housing.drive!r} is no drive; there are: {there}")
+        if housing.drive in [one.drive for one in file.housing[:i]]:
+            yield Problem(("housing", i, "drive"), f"the drive {housing.drive!r} has a housing already")
+    for i, camera in enumerate(file.camera):
+        if camera.drive in housings and camera.body not in bodies:
+            what = f"its drive {camera.drive!r} has a housing, which stands on a body; {camera.body!r} is none"
+            yield Problem(("camera", i, "drive"), what)

@@ -1,0 +1,81 @@
+"""What a camera is made of stands where the camera does; the bay's inside ends at its walls."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from aftdeck.errors import ScenarioError
+from aftdeck.scene.placed import placed
+from aftdeck.worksite import Worksite, load_worksite
+
+Array = NDArray[np.float64]
+A = 'name = "A"\ntitle = "Forward bulkhead port"\nbody = "orbiter"\nposition = [-8.798, -1.779, 1.194]'
+
+
+def changed(tmp_path: Path, name: str, old: str, new: str) -> Worksite:
+    """A built-in worksite with a line of it changed."""
+    text = load_worksite(name).text
+    assert text.count(old) == 1
+    file = tmp_path / "changed.toml"
+    file.write_text(text.replace(old, new))
+    return load_worksite(file)
+
+
+def block(site: Worksite, camera: str) -> Array:
+    (found,) = [solid.vertices for solid in site.solids if solid.part == f"camera {camera}"]
+    return found
+
+
+def middles(site: Worksite) -> set[tuple[float, float, float]]:
+    """Where everything is drawn on the first body."""
+    return {tuple(pose.position.round(9).tolist()) for _, pose in placed(site.bodies[0].shapes)}
+
+
+def test_a_camera_that_is_moved_takes_its_drawing_and_its_solid_along(tmp_path: Path) -> None:
+    here = load_worksite("orbiter")
+    there = changed(tmp_path, "orbiter", A, A.replace("-8.798, -1.779", "-7.798, -1.479"))
+    way = np.array([1.0, 0.3, 0.0])
+    assert block(there, "A") - block(here, "A") == pytest.approx(np.tile(way, (8, 1)))
+    assert (block(there, "B") == block(here, "B")).all()
+    before, after = middles(here), middles(there)
+    gone, come = np.array(sorted(before - after)), np.array(sorted(after - before))
+    assert gone + way == pytest.approx(come) and len(gone) == 3, "its box, its lens, its post"
+
+
+def test_a_housing_holds_its_camera_whichever_way_that_is_turned() -> None:
+    """The pan axis is surveyed (SSV): Xo 588.76, Yo -71.5, Zo 446.06 in; the lens is seven inches ahead of it."""
+    site = load_worksite("orbiter")
+    middle = (block(site, "A").max(axis=0) + block(site, "A").min(axis=0))[:2] / 2.0
+    assert middle == pytest.approx([-8.972, -1.816], abs=1e-3)
+    for camera in site.cameras:
+        if camera.drive is not None and camera.drive.lens:
+            body = block(site, camera.name)
+            assert (body.min(axis=0) < camera.position).all() and (camera.position < body.max(axis=0)).all()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "problem"),
+    [
+        ('[[housing]]\ndrive = "bay', '[[housing]]\ndrive = "', "housing[0].drive: ' unit' is no drive; there are: "),
+        (A, A.replace('"orbiter"', '"payload"'), "has a housing, which stands on a body; 'payload' is none"),
+        ("x = [-0.21, 0.21]", "x = [0.21, -0.21]", "housing[0]"),
+        ("y = [-2.31, 2.31]", "y = [-2.0, 2.31]", "bay.y: the inside ends at -2 m, where no wall of"),
+        ("y = [-2.31, 2.31]", "y = [-2.31, 2.6]", "bay.y: the inside ends at 2.6 m, where no wall"),
+    ],
+)  # fmt: skip
+def test_what_does_not_fit_together_is_told(tmp_path: Path, old: str, new: str, problem: str) -> None:
+    with pytest.raises(ScenarioError) as raised:
+        changed(tmp_path, "orbiter", old, new)
+    assert any(problem in line for line in raised.value.problems), raised.value.problems
+
+
+def test_the_concepts_bay_is_as_wide_as_its_walls_leave_it(tmp_path: Path) -> None:
+    bay = load_worksite("concept-1972").bay
+    assert bay is not None and bay.high[1] == pytest.approx(7.5 * 0.3048)
+    wall = 'y = ["7.5 ft", "9 ft"], z = ["-13.5 ft", "0 ft"]'
+    with pytest.raises(ScenarioError, match=r"bay\.y: the inside ends at -2\.286 m"):
+        changed(tmp_path, "concept-1972", wall, wall.replace("7.5 ft", "8.5 ft"))
