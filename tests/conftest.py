@@ -13,6 +13,8 @@ import platformdirs
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests.commands import Run
+
 CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 CHROMIUM_PLACES = (
     Path("/Applications/Chromium.app/Contents/MacOS/Chromium"),
@@ -78,3 +80,9 @@ def chromium() -> Path:
     found = find_chromium()
     assert found is not None, "tests that use this fixture carry the marker `browser`"
     return found
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Run:
+    """The command line, in this process."""
+    return Run(capsys, monkeypatch)

@@ -6,48 +6,15 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 import aftdeck
-from aftdeck import cli
 from aftdeck.scenario.load import built_in, load_scenario
+from tests.commands import Run
 
 WAIT_S = 300.0
 """The longest that a program may take [s]."""
-
-Output = tuple[int, str, str]
-"""Exit code, standard output, standard error."""
-
-
-class Run:
-    """Calls the command line in this process, as if on a terminal of 80 columns."""
-
-    def __init__(self, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-        self.capsys, self.monkeypatch = capsys, monkeypatch
-        monkeypatch.setenv("COLUMNS", "80")
-
-    def __call__(self, *arguments: str) -> Output:
-        self.monkeypatch.setattr(sys, "argv", ["aftdeck", *arguments])
-        with pytest.raises(SystemExit) as ended:
-            cli.main()
-            raise SystemExit(0)
-        out, err = self.capsys.readouterr()
-        code = ended.value.code
-        return (code if isinstance(code, int) else 0), out, err
-
-    def json(self, *arguments: str) -> dict[str, Any]:
-        code, out, err = self(*arguments, "--json")
-        assert (code, err) == (0, "")
-        found = json.loads(out)
-        assert isinstance(found, dict)
-        return found
-
-
-@pytest.fixture
-def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Run:
-    return Run(capsys, monkeypatch)
 
 
 def in_a_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[bytes]:

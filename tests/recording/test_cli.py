@@ -14,8 +14,8 @@ from aftdeck.recording import index as listing
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.run import record
+from tests.commands import Run
 from tests.recording.flown import chunks, messages, rewritten
-from tests.test_cli import Run
 
 SCENARIO = """title = "short"
 duration = "30 s"

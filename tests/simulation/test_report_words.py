@@ -10,7 +10,7 @@ import pytest
 from aftdeck.simulation.run import Simulation
 from aftdeck.worksite.channels import decode_inputs
 from aftdeck.worksite.words import decode_block
-from tests.test_cli import Run
+from tests.commands import Run
 
 SCENARIO = """title = "short"
 arm = "concept-1972"
@@ -25,11 +25,6 @@ mode = "ORB UNL"
 translation = [0.2, 0, 0]
 duration = "0.2 s"
 """
-
-
-@pytest.fixture
-def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Run:
-    return Run(capsys, monkeypatch)
 
 
 @pytest.fixture

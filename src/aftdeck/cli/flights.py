@@ -95,12 +95,13 @@ def check(scenario: ScenarioName, as_json: Json = False) -> None:
     """Check a scenario file: every error at once, each with its place."""
     from aftdeck.errors import ScenarioError
     from aftdeck.scenario.load import load_scenario
-    from aftdeck.simulation.run import Simulation
 
     problems: tuple[str, ...] = ()
     try:
         loaded = load_scenario(scenario)
         if any(start.grasped for start in (loaded.start, *loaded.parts.values())):
+            from aftdeck.simulation.run import Simulation
+
             Simulation(loaded)  # whether the hand could have taken it so shows only where everything stands
     except AftdeckError as error:
         problems = error.problems if isinstance(error, ScenarioError) else (str(error),)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.bodies.pose import HERE, POSE, compose
-from aftdeck.errors import InputError, ScenarioError
+from aftdeck.errors import ScenarioError
 from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.scenario.model import Part, Start
 from aftdeck.simulation.ahead import frames_at, frames_with
@@ -33,16 +33,15 @@ def first_state(flight: Flight) -> State:
         ScenarioError: here, or in a part of the problem, the arm holds what its hand could not have taken so.
     """
     scenario, problems = flight.scenario, []
-    starts = {"initial": scenario.start, **{f"initialise.{part}": start for part, start in scenario.parts.items()}}
-    for name, start in starts.items():
-        if start.grasped is not None:
-            try:
-                _state_at(flight, start)
-            except InputError as error:
-                problems.append(f"{scenario.name}: {name}.grasped: {error}")
+    state = _state_at(flight, scenario.start)
+    begun = {f"initialise.{part}": _state_at(flight, start) for part, start in scenario.parts.items() if start.grasped}
+    for name, at in {"initial": state, **begun}.items():
+        k = at.site.held
+        if k is not None and (why := reasons(holding(flight, at, k))):
+            problems.append(f"{scenario.name}: {name}.grasped: {flight.site.cargo[k].title} cannot be held so: {why}")
     if problems:
         raise ScenarioError(problems)
-    return _state_at(flight, scenario.start)
+    return state
 
 
 def _state_at(flight: Flight, start: Start) -> State:
@@ -114,10 +113,6 @@ def _put(flight: Flight, state: State, start: Start) -> None:
         if not site.prong:
             things.snare = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
         frames[:] = frames_at(flight, state, start.grasped.angles, start.grasped.stand, things.prong.position)
-        watch = things.watch.copy()
-        watch.look(frames, frames, scenario.control_period)
-        if why := reasons(holding(flight, state, watch, k)):
-            raise InputError(f"{site.cargo[k].title} cannot be held so: {why}")
         things.cargo[k].seat = ""
         take_hold(flight, state, k)
         frames[:] = frames_with(flight, state, things.prong.position)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from numbers import Integral
-from typing import Literal
+from typing import Literal, get_args, get_origin, get_type_hints
 
 import msgspec
 
@@ -13,7 +13,7 @@ from aftdeck.errors import InputError
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.cameras import CameraDrive
-from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
+from aftdeck.steering.mode import LawChoice
 
 Vec3 = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]
@@ -108,21 +108,17 @@ class Inputs(msgspec.Struct, frozen=True):
             _check_target(arm, self.target)
 
 
-_ON_OR_OFF = (True, False)
-_POSITIONS: dict[str, tuple[object, ...]] = {
-    "rate": ("coarse", "vernier"),
-    "law": tuple(AUTOMATIC_LAWS),
-    "payload_axes": _ON_OR_OFF,
-    "position_hold": _ON_OR_OFF,
-    "brakes": _ON_OR_OFF,
-    "safing": _ON_OR_OFF,
-    "effector": ("stop", "close", "open"),
-    "effector_mode": ("auto", "manual"),
-    "rigid": ("off", "rigid", "derigid"),
-    "latch": ("latch", "unlatch"),
-    "initialise": ("full problem", "acquisition", "extraction", "manoeuvring"),
-}
-"""Where each switch can stand; None leaves it as it is."""
+def _positions() -> dict[str, tuple[object, ...]]:
+    """Where each switch can stand, as its field's type says; None leaves it as it is."""
+    found = {}
+    for name, hint in get_type_hints(Inputs).items():
+        kind, *none = get_args(hint) or (hint,)
+        if none == [type(None)] and (kind is bool or get_origin(kind) is Literal):
+            found[name] = (True, False) if kind is bool else get_args(kind)
+    return found
+
+
+_POSITIONS = _positions()
 
 
 def _either(positions: Sequence[object]) -> str:

@@ -13,7 +13,6 @@ from aftdeck.simulation.state import State
 from aftdeck.worksite.acquisition import AWAY, FOUND, acquire, acquisition
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.grapple import in_envelope
-from aftdeck.worksite.watch import Watch
 
 Pursuit = tuple[str, tuple[Condition, ...]]
 
@@ -34,19 +33,12 @@ def pursuit(flight: Flight, state: State) -> Pursuit:
     return "", ()
 
 
-def holding(flight: Flight, state: State, watch: Watch, k: int) -> tuple[Condition, ...]:
-    """By what conditions the hand, as it stands, could have taken cargo k; none where this place has no rule for it.
-
-    Args:
-        flight: what never changes.
-        state: with its frames.
-        watch: that has looked at them.
-        k: which cargo.
-    """
+def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
+    """By what conditions the hand could have taken cargo k as it holds it; none where this place has no rule for it."""
     site, units = flight.site, flight.scenario.arm.model.units
     if site.bar is not None and (which := site.bar.which[k]) is not None:
         found = np.empty(FOUND)
-        acquire(watch.placed, which, site.bar.packed, found)
+        acquire(state.site.watch.placed, which, site.bar.packed, found)
         return acquisition(found, site.bar.tolerances, units)
     if site.snares is not None and (fixture := fixture_in_hand(flight, state, k)) is not None:
         return in_envelope(pose_of(fixture), site.snares.envelope, units)

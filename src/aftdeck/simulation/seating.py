@@ -45,9 +45,9 @@ def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:
             answer = _brought(flight, state, k, pressed)
         answers.insert(0 if k == held else len(answers), answer)
     if pressed and "" not in answers:
-        why = next((answer for answer in answers if answer), "no payload is at a seat")
-        if pressed == "latch" and not any(answers):
-            why = _far(flight, state)
+        why = next((answer for answer in answers if answer), None)
+        if why is None:
+            why = _far(flight, state) if pressed == "latch" else "no payload is at a seat"
         refuse(flight, state, f"{pressed.upper()} refused: {why}")
 
 

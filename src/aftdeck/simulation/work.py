@@ -92,7 +92,7 @@ def _translated(flight: Flight, state: State, command: Array) -> str:
         velocity[:] = 0.0
         return "the orbiter does not translate while the arm holds a docked payload: RELEASE or UNLATCH"
     period, detrimental = flight.scenario.control_period, 1 - things.contacts.essential
-    if not things.told or not np.any(detrimental & (things.contacts.count == FRAMES)):
+    if not (things.told and np.any(detrimental & (things.contacts.count == FRAMES))):
         translate(things.orbiter, velocity, command, rule.speed, rule.reached_in, period)
         return ""
     without, here = frames_with(flight, state, things.prong.position), things.orbiter.copy()

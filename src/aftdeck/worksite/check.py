@@ -47,6 +47,22 @@ def misnamed(file: WorksiteFile) -> Iterator[Problem]:
         if camera.body not in (*bodies, *cargoes) and not camera.body.startswith(ARM):
             there = ", ".join((*bodies, *cargoes))
             yield Problem(("camera", i, "body"), f"{camera.body!r} is no body; there are: {there}")
+    yield from _homeless(file, bodies)
+
+
+def _homeless(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Problem]:
+    """Housings of drives that are not listed, and cameras that would have one where no body carries it."""
+    drives, housed = [drive.name for drive in file.drive], [housing.drive for housing in file.housing]
+    for i, drive in enumerate(housed):
+        if drive not in drives:
+            there = ", ".join(drives) or "none"
+            yield Problem(("housing", i, "drive"), f"{drive!r} is no drive; there are: {there}")
+        if drive in housed[:i]:
+            yield Problem(("housing", i, "drive"), f"the drive {drive!r} has a housing already")
+    for i, camera in enumerate(file.camera):
+        if camera.drive in housed and camera.body not in bodies:
+            what = f"its drive {camera.drive!r} has a housing, which stands on a body; {camera.body!r} is none"
+            yield Problem(("camera", i, "drive"), what)
 
 
 def _repeated(kind: str, names: Sequence[str], taken: Sequence[str]) -> Iterator[Problem]:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.bodies.cameras import Camera
-from aftdeck.files import Problem
 from aftdeck.shapes import Group, Shape
 from aftdeck.worksite.schema import HousingFile, WorksiteFile
 from aftdeck.worksite.solids import CORNERS
@@ -52,19 +51,3 @@ def _add(found: Housed, camera: Camera, housing: HousingFile) -> None:
     found.shapes.append(Group(position=(x, y, z), shapes=housing.upright))
     low, high = (np.array([span[k] for span in (housing.x, housing.y, housing.z)], dtype=np.float64) for k in (0, 1))
     found.solids[f"camera {camera.name}"] = (low + CORNERS * (high - low) + [x, y, z])[None]
-
-
-def homeless(file: WorksiteFile) -> Iterator[Problem]:
-    """Housings of drives that are not listed, and cameras that would have one where no body carries it."""
-    drives, bodies = [drive.name for drive in file.drive], [body.name for body in file.body]
-    housings = {housing.drive for housing in file.housing}
-    for i, housing in enumerate(file.housing):
-        if housing.drive not in drives:
-            there = ", ".join(drives) or "none"
-            yield Problem(("housing", i, "drive"), f"{housing.drive!r} is no drive; there are: {there}")
-        if housing.drive in [one.drive for one in file.housing[:i]]:
-            yield Problem(("housing", i, "drive"), f"the drive {housing.drive!r} has a housing already")
-    for i, camera in enumerate(file.camera):
-        if camera.drive in housings and camera.body not in bodies:
-            what = f"its drive {camera.drive!r} has a housing, which stands on a body; {camera.body!r} is none"
-            yield Problem(("camera", i, "drive"), what)

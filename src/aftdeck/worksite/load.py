@@ -14,7 +14,7 @@ from aftdeck.files import Problem, Text, parse, read, sentences
 from aftdeck.shapes import Shape
 from aftdeck.worksite.cargo import FITTINGS, cargo_of
 from aftdeck.worksite.check import bay_without_walls, blind_cameras, misnamed, parts_in_two_frames
-from aftdeck.worksite.housing import Housed, homeless, housed
+from aftdeck.worksite.housing import Housed, housed
 from aftdeck.worksite.model import BarAcquisition, Bay, Body, Cargo, Seat, SnareCapture, Translation, Worksite
 from aftdeck.worksite.schema import BarFile, BayFile, BodyFile, PortFile, SnareFile, WorksiteFile
 from aftdeck.worksite.seats import disc, seat_of
@@ -52,7 +52,7 @@ def load_worksite(name_or_path: str | Path) -> Worksite:
 def _of_text(text: str, name: str) -> Worksite:
     """The worksite of a file's text, made and checked once: nothing changes it."""
     file = parse(WorksiteFile, Text(name, text))
-    problems = [*misnamed(file), *homeless(file)]
+    problems = list(misnamed(file))
     worksite = None if problems else _made(file, text, problems)
     if worksite is None or problems:
         raise ScenarioError(sentences(problems, name, text))

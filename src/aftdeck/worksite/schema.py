@@ -135,8 +135,8 @@ class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare")
             raise ValueError(f"nearest is {self.nearest:g} m and farthest {self.farthest:g} m; nearest has to be less")
 
 
-class BayFile(Table, frozen=True, kw_only=True):
-    """The inside of the cargo bay: a cargo that is all above it has been extracted."""
+class _Inside(Table, frozen=True, kw_only=True):
+    """A box along the axes, by where it begins and ends."""
 
     x: Range
     y: Range
@@ -146,6 +146,10 @@ class BayFile(Table, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         """Refuse ranges without an inside (ValueError)."""
         ordered(x=self.x, y=self.y, z=self.z)
+
+
+class BayFile(_Inside, frozen=True, kw_only=True):
+    """The inside of the cargo bay: a cargo that is all above it has been extracted."""
 
 
 class TranslationFile(Table, frozen=True, kw_only=True):
@@ -160,23 +164,17 @@ class TranslationFile(Table, frozen=True, kw_only=True):
         positive(speed=self.speed, reached_in=self.reached_in)
 
 
-class HousingFile(Table, frozen=True, kw_only=True):
-    """What every camera of a drive is made of, about the point where the axes of pan and tilt meet, z up."""
+class HousingFile(_Inside, frozen=True, kw_only=True):
+    """What every camera of a drive is made of, about the point where the axes of pan and tilt meet, z up.
+
+    The box is what collides: round all of it, however it turns.
+    """
 
     drive: Text
     turned: tuple[Shape, ...] = ()
     """How it looks that is turned as the camera is at the start, x ahead."""
     upright: tuple[Shape, ...] = ()
     """How what carries it looks."""
-    x: Range
-    """The block that collides: round all of it, however it turns."""
-    y: Range
-    z: Range
-    source: Text
-
-    def __post_init__(self) -> None:
-        """Refuse ranges without an inside (ValueError)."""
-        ordered(x=self.x, y=self.y, z=self.z)
 
 
 class WorksiteFile(Table, frozen=True, kw_only=True):
