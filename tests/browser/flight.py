@@ -54,7 +54,9 @@ class Flight:
 
         What comes and goes by itself may pass unseen on a slow machine: see `shows`.
         """
-        expression = f"() => {{ const frame = window.__aftdeck?.lastFrame; return ({condition}) && {{ frame }}; }}"
+        expression = (
+            f"() => {{ const frame = window.__aftdeck?.lastFrame; return frame && ({condition}) && {{ frame }}; }}"
+        )
         return msgspec.convert(self.page.wait_for_function(expression, timeout=timeout_ms).json_value()["frame"], Frame)
 
     @contextmanager

@@ -36,6 +36,8 @@ def test_every_body_of_the_orbiters_worksite_is_drawn(flight: Flight) -> None:
 
 def test_snares_that_close_beside_the_pin_say_what_was_not_met(flight: Flight) -> None:
     flight.until(f"{DEPTH} > {6 * INCH} && /pin .* in out from its seat, 0 to 4 in allowed/.test({TITLE})")
+    flight.until("[...document.querySelectorAll('.look-ahead dd')].every((each) => each.checkVisibility())")
+    assert_tidy(flight)
     flight.hold("g")
     flight.until("frame.work.hand.switch === 'close'")
     flight.release("g")
@@ -64,7 +66,7 @@ def test_the_payload_is_captured_by_keys_alone(flight: Flight) -> None:
     flight.hold("g")
     flight.until("frame.work.cargo[0].held")
     flight.release("g")
-    flight.until(f"{LIT} === 'CAPTURE,CLOSE,RIGID' && {ABOUT} === 'payload in the grasp'")
+    flight.until(f"{LIT} === 'CAPTURE,CLOSE,RIGID' && {ABOUT}.startsWith('payload, ')")
     flight.until_logged("Deployable payload acquired, fixed in the Payload bay latches")
     flight.until(f"{LOADED.format('ORB LD')} && {LOADED.format('PL')}")
     flight.until("document.querySelector('.seat .where').textContent === 'Payload bay latches'")

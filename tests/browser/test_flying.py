@@ -28,6 +28,19 @@ def test_w_flies_the_tip_forward_and_letting_go_stops_it(flight: Flight) -> None
     assert math.dist(start[1:], end[1:]) < 0.01
 
 
+def test_a_slider_in_focus_has_its_arrows_and_leaves_the_letters_to_fly(flight: Flight) -> None:
+    flight.enter("ORB UNL")
+    before = flight.frame().views
+    flight.script("(() => { const v = document.querySelector('.volume'); v.focus(); window.volume = v.value; })()")
+    flight.press("ArrowLeft")
+    assert flight.script("document.querySelector('.volume').value < window.volume")
+    flight.hold("w")
+    flight.until("frame.translation[0] === 1 && !document.body.matches('.typing')")
+    flight.release("w")
+    flight.until(STICKS_AT_ZERO)
+    assert flight.frame().views == before
+
+
 def test_i_pitches_the_end_effector_up_in_place(flight: Flight) -> None:
     flight.enter("END EFF")
     start = flight.frame().actual

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
+
 import pytest
 
 from tests.browser.flight import Flight
@@ -60,3 +62,58 @@ def test_night_darkens_a_locked_picture_floods_light_it_and_exposure_follows_whe
     flight.press("Escape", "End")
     flight.until("!document.querySelector('.monitor .burned.time').textContent.includes('EXP LOCK')")
     assert brightness(flight) > 1.3 * night
+
+
+_COLOURED = """() => {
+    const scene = document.querySelector('canvas.scene').getContext('2d');
+    const over = scene.canvas.getBoundingClientRect();
+    const scale = scene.canvas.width / over.width;
+    return [...document.querySelectorAll('.picture')].map((node) => {
+        const box = node.getBoundingClientRect();
+        const sides = [box.left - over.left, box.top - over.top, box.width, box.height];
+        const { data } = scene.getImageData(...sides.map((side) => Math.round(side * scale)));
+        let most = 0;
+        for (let i = 0; i < data.length; i += 4)
+            most = Math.max(most, Math.abs(data[i] - data[i + 1]), Math.abs(data[i] - data[i + 2]));
+        return most;
+    });
+}"""
+"""The most that two colours of one pixel differ, in each picture."""
+
+
+def test_television_of_early_flights_is_black_and_white_and_windows_are_not(flight: Flight) -> None:
+    assert min(flight.script(_COLOURED)) > 10
+    flight.page.locator(".monitor").first.get_by_role("button", name="AFT P", exact=True).click()
+    flight.press("Home")
+    switch(flight, "early flights")
+    count = flight.script("window.__aftdeck.frames")
+    flight.until(f"window.__aftdeck.frames > {count + 4}")
+    window, television = flight.script(_COLOURED)
+    assert window > 10
+    assert television < 4  # at its edge the page's own background shows
+
+
+_BRIGHTEST = """async (png) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
+    const pen = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    pen.drawImage(image, 0, 0);
+    const { data } = pen.getImageData(0, 0, image.width, image.height);
+    return data.reduce((most, value, i) => (i % 4 === 3 ? most : Math.max(most, value)), 0);
+}"""
+
+
+def brightest(flight: Flight, selector: str) -> int:
+    """The brightest colour of a part of the page as it is seen, 0 to 255."""
+    png = flight.page.locator(selector).first.screenshot()
+    return int(flight.page.evaluate(_BRIGHTEST, b64encode(png).decode()))
+
+
+def test_dim_takes_the_page_to_55_percent_and_pictures_to_75_and_is_kept(flight: Flight) -> None:
+    parts = (".rail h1", ".group.mode", ".spine", ".selector", ".burned.name")
+    lit = [brightest(flight, part) for part in parts]
+    flight.page.get_by_role("button", name="Dim", exact=True).click()
+    flight.page.reload()
+    flight.until("window.__aftdeck?.lastFrame && document.documentElement.matches('.night')")
+    dimmed = [brightest(flight, part) / was for part, was in zip(parts, lit, strict=True)]
+    assert dimmed == pytest.approx([0.55, 0.55, 0.55, 0.55, 0.75], abs=0.02)
+    assert_readable(flight)

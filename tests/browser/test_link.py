@@ -57,6 +57,8 @@ def test_a_lost_connection_shows_and_comes_back_with_the_sticks_at_zero(page: Pa
     flight = Flight(page).from_the_start()
     flight.hold("w")
     flight.until("frame.translation[0] === 1")
+    flight.press("h")
+    flight.until("frame.rate_hold")
     cut = True
     connections[-1].close()
     page.get_by_text("No connection").wait_for()
@@ -64,7 +66,7 @@ def test_a_lost_connection_shows_and_comes_back_with_the_sticks_at_zero(page: Pa
     cut = False
     flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
     flight.until("!document.body.classList.contains('stale')")
-    flight.until("frame.translation[0] === 0")
+    flight.until("frame.translation[0] === 0 && frame.position_hold && !frame.rate_hold")
 
 
 def answer(page: Page, message: dict[str, object]) -> None:

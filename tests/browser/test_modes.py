@@ -121,6 +121,21 @@ def test_position_hold_is_a_switch(flight: Flight) -> None:
     flight.until("!frame.position_hold")
 
 
+def test_brakes_safing_and_position_hold_are_in_reach_in_an_automatic_mode(flight: Flight) -> None:
+    flight.turn_to("AUTO 1")
+    flight.page.get_by_label("Brakes", exact=False).wait_for(state="visible")
+    flight.enter("OPR CMD")
+    for name in ("Safing", "Position hold"):
+        flight.page.get_by_role("button", name=name, exact=True).wait_for(state="visible")
+    assert_tidy(flight)
+    flight.press("Delete")
+    flight.until("frame.safing")
+    flight.press("Delete", "Insert")
+    flight.until("!frame.safing && frame.position_hold")
+    flight.press("b")
+    flight.until("frame.brakes && document.querySelector('.standing .caution')")
+
+
 def test_test_lights_every_lamp_and_segment_while_entered(flight: Flight) -> None:
     dark = "[...document.querySelectorAll('.lamp')].filter((lamp) => !lamp.matches('.caution')).length"
     angle = "document.querySelector('.joints .angle').textContent"

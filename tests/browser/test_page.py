@@ -51,20 +51,20 @@ def test_the_focus_goes_from_the_monitors_over_the_spine_to_the_desk(flight: Fli
     visited: list[str] = []
     place = (
         "document.activeElement.closest('.monitor, .spine, .group, .rail')?.classList[1] ?? "
-        "document.activeElement.closest('.monitor, .spine, .rail')?.classList[0] ?? ''"
+        "document.activeElement.closest('.monitor, .spine, .standing, .rail')?.classList[0] ?? ''"
     )
     for _ in range(80):
         flight.press("Tab")
         where = flight.script(place)
         if where and where not in visited:
             visited.append(where)
-    order = ("spine", "thc", "mode", "clearance", "rhc", "effector")
+    order = ("spine", "thc", "mode", "clearance", "standing", "effector")
     assert [where for where in visited if where in order] == list(order)
 
 
 def test_a_second_page_watches(flight: Flight, open_page: OpenPage) -> None:
     watcher = open_page()
-    watcher.until("document.querySelector('.who').textContent === 'You watch'")
+    watcher.until("document.querySelector('.who').textContent.startsWith('You watch')")
     watcher.hold("w")
     tick = watcher.frame().tick
     watcher.until(f"frame.tick > {tick + 25}")
@@ -88,3 +88,54 @@ def test_the_hook_measures_stick_to_picture(flight: Flight) -> None:
     flight.until(f"{measured} > 0 && {measured} < performance.now() - {before}")  # no longer than the key is known
     assert "llvmpipe" in flight.script("window.__aftdeck.renderer") or flight.script("window.__aftdeck.renderer")
     flight.until("window.__aftdeck.fps > 0")
+
+
+_MASKED = """
+    const { getParameter } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.getParameter = function (name) {
+        return name === 0x9246 ? 'A card of its own' : getParameter.call(this, name);
+    };
+"""
+"""What draws, by another name (UNMASKED_RENDERER_WEBGL): the page believes in a graphics card."""
+
+_LOOK = """() => {
+    const scene = document.querySelector('canvas.scene');
+    const small = new OffscreenCanvas(48, 16).getContext('2d');
+    small.drawImage(scene, 0, 0, 48, 16);
+    return [...small.getImageData(0, 0, 48, 16).data];
+}"""
+"""All pictures, made small."""
+
+
+def test_pictures_are_the_same_whether_a_card_shows_them_or_they_are_read_back(open_page: OpenPage) -> None:
+    looks = []
+    for mask in (False, True):
+        page = open_page(prepare=(lambda page: page.add_init_script(_MASKED)) if mask else None)
+        page.until("window.__aftdeck.frames > 12")
+        by_card = "document.querySelector('canvas.scene').getContext('webgl2') !== null"
+        assert page.script(by_card) is mask
+        looks.append(page.script(_LOOK))
+        page.page.close()
+    read, shown = looks
+    reds = read[::4]
+    assert max(reds) - min(reds) > 100  # there is something in it
+    apart = [abs(a - b) for a, b in zip(read, shown, strict=True)]
+    assert sum(apart) / len(apart) < 2.0
+
+
+def test_who_watches_asks_for_the_sticks_and_flies_once_they_are_given(flight: Flight, open_page: OpenPage) -> None:
+    watcher = open_page()
+    said = "document.querySelector('.who').textContent"
+    watcher.until(f"{said}.startsWith('You watch')")
+    watcher.page.get_by_role("button", name="Ask for the sticks").click()
+    flight.page.get_by_text("asks for the sticks").wait_for()
+    flight.page.get_by_role("button", name="Keep").click()
+    watcher.until_logged("keeps the sticks")
+    watcher.page.get_by_role("button", name="Ask for the sticks").click()
+    flight.page.get_by_role("button", name="Give").click()
+    watcher.until(f"{said}.startsWith('You fly')")
+    flight.until(f"{said}.startsWith('You watch')")
+    watcher.hold("w")
+    watcher.until("frame.translation[0] === 1")
+    watcher.release("w")
+    watcher.until_logged("gives the sticks to page")

@@ -9,6 +9,7 @@ import msgspec
 from playwright.sync_api import Page, WebSocketRoute
 
 from aftdeck.station import protocol as wire
+from aftdeck.worksite.alarm import CLEAR, level_of
 from tests.browser.flight import WAIT_MS, Flight
 
 Message = dict[str, Any]
@@ -53,6 +54,7 @@ def work(**changes: Any) -> wire.WorkFrame:
     still = wire.WorkFrame(
         task=1,
         nearest=None,
+        clearance_level=CLEAR,
         contacts=(),
         arm_inhibit=False,
         finger_inhibit=False,
@@ -65,6 +67,7 @@ def work(**changes: Any) -> wire.WorkFrame:
         orbiter_velocity=(0.0, 0.0, 0.0),
         cargo=cargo,
         master=None,
+        fixture=None,
     )
     return msgspec.structs.replace(still, **changes)
 
@@ -116,6 +119,15 @@ class Worksite:
         if message["type"] == "welcome":
             message["work"] = msgspec.to_builtins(self.info)
         if message["type"] == "frame":
-            message["work"] = msgspec.to_builtins(self.work)
+            self._put_work(message)
             message["mode"] = self.mode or message["mode"]
         return json.dumps(message)
+
+    def _put_work(self, frame: Message) -> None:
+        """The worksite, and the lamp of its clearance as the station lights it."""
+        near = self.work.nearest
+        level = level_of(near.clearance, self.info.caution, self.info.warning) if near else CLEAR
+        frame["work"] = msgspec.to_builtins(msgspec.structs.replace(self.work, clearance_level=level))
+        frame["lamps"] = [lamp for lamp in frame["lamps"] if lamp["name"] != "CLEARANCE"]
+        if near and level != CLEAR:
+            frame["lamps"].append({"name": "CLEARANCE", "level": level, "text": f"{near.a} to {near.b}"})

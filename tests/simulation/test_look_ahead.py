@@ -56,6 +56,9 @@ def test_with_sticks_at_rest_the_last_axis_is_shown_at_full_deflection(axis: int
     sticks[axis] = float(sign)
     full = Inputs(rotation=tuple(sticks[:3]), translation=tuple(sticks[3:6]), drive=sticks[6])  # type: ignore[arg-type]
     assert not ahead.held and ahead.moves
+    sim.step(Inputs(position_hold=True))
+    kept = sim.ahead(5.0, last)  # POSITION HOLD gives way to a stick
+    assert kept.angles == pytest.approx(ahead.angles, abs=1e-9)
     assert fly(sim, 5.0, full)[-1].angles == pytest.approx(ahead.angles, abs=1e-9)
 
 

@@ -7,6 +7,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from threading import Thread
 
+import msgspec
+
 from aftdeck.recording.records import ControllerRecord
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Event, Frame
@@ -15,6 +17,7 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.station.reel import Reel
 from aftdeck.station.replay import replay_app
 from aftdeck.station.serve import listen, make_server
+from tests.simulation.flights import srms
 from tests.station.pages import WAIT_S, scenario, until
 
 CONTROLLERS = (
@@ -45,6 +48,32 @@ def recorded(path: Path, steps: int = 600, *, script: bool = True) -> list[Frame
         if i == steps // 2:
             recorder.note(NOTE)
             recorder.shown(frames[-1].time_s, (("A", "B"), ("ELB",)))
+    recorder.close("stopped")
+    assert not recorder.failure
+    return frames
+
+
+def grappled(path: Path) -> list[Frame]:
+    """Record a capture by hand, an inch aside and 3 deg off, brakes, another camera, and release; its frames."""
+    simulation = Simulation(srms(4.0, 1.0, turned=(0.0, 3.0, 0.0)))
+    recorder = Recorder(path, simulation.scenario, 0)
+    recorder.controllers(0.0, CONTROLLERS)
+    frames: list[Frame] = []
+
+    def fly(steps: int, inputs: Inputs, first: Inputs | None = None) -> None:
+        for k in range(steps):
+            given = first if first is not None and k == 0 else inputs
+            frames.append(simulation.step(given))
+            recorder.step(given, frames[-1], latency_ms=None)
+
+    creep = Inputs(translation=(0.0, 0.05, 0.2))
+    fly(1, Inputs(), Inputs(rate="vernier"))
+    recorder.shown(frames[-1].time_s, (("C",), ("WR",)))
+    fly(250, creep, msgspec.structs.replace(creep, effector="close"))
+    recorder.shown(frames[-1].time_s, (("A",), ("WR",)))
+    fly(20, Inputs(), Inputs(brakes=True))
+    fly(360, Inputs(), Inputs(brakes=False, effector="open"))
+    fly(100, Inputs(translation=(0.0, 0.0, -0.5)), Inputs(rate="coarse"))
     recorder.close("stopped")
     assert not recorder.failure
     return frames

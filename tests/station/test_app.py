@@ -103,6 +103,17 @@ def test_a_page_too_many_is_refused(shared: Station) -> None:
     shared.is_unhurt()
 
 
+def test_a_second_window_never_flies_and_is_no_watcher(station: Station) -> None:
+    with station.stranger() as window:
+        window.say(wire.Hello(wire.PROTOCOL, shows=True))
+        assert not window.wait_for(wire.Role).flying
+        with station.page() as page:
+            assert page.wait_for(wire.Role) == wire.Role(True, 0, number=1, flier=1, asking=0)
+            assert page.flown(page.push((1.0, 0.0, 0.0))).translation == (1.0, 0.0, 0.0)
+        window.push((1.0, 0.0, 0.0))
+        assert window.refusal() == "you watch; another page flies"
+
+
 # --- messages that are none -------------------------------------------------------------------------------
 
 
@@ -323,6 +334,40 @@ def test_sticks_go_to_zero_when_their_page_is_cut_off_and_the_next_page_gets_the
         assert frame.stick_seq == -1, "not because they were silent"
         seq = flier.push(rotation=(0.0, 0.0, 0.5))
         assert flier.wait_for(wire.Frame, lambda frame: frame.stick_seq == seq).rotation == (0.0, 0.0, 0.5)
+
+
+def test_the_sticks_are_handed_over_at_rest_to_the_page_that_asks(station: Station) -> None:
+    with station.page() as flier, station.page() as other:
+        flier.wait_for(wire.Role, lambda role: role.flying and role.watchers == 1)
+        assert other.wait_for(wire.Role).flier == 1
+        other.say(wire.AskSticks(other.next_seq()))
+        flier.wait_for(wire.Role, lambda role: role.asking == 2)
+        flier.push(translation=(1.0, 0.0, 0.0))
+        flier.wait_for(wire.Frame, lambda frame: frame.translation[0] == 1.0)
+        flier.say(wire.GiveSticks(flier.next_seq()))
+        assert flier.refusal() == "let go of the sticks first: they are given at rest"
+        flier.flown(flier.push())
+        flier.say(wire.GiveSticks(flier.next_seq()))
+        assert other.wait_for(wire.Role, lambda role: role.flying).flier == 2
+        assert not flier.wait_for(wire.Role, lambda role: role.flier == 2).flying
+        flier.push(translation=(1.0, 0.0, 0.0))
+        assert flier.refusal() == "you watch; another page flies"
+        assert other.flown(other.push(rotation=(0.0, 0.0, 0.5))).rotation == (0.0, 0.0, 0.5)
+    texts = [event.text for event in station.session.log_since(0)]
+    assert "page 1 gives the sticks to page 2" in texts
+
+
+def test_sticks_that_are_kept_stay_where_they_are(station: Station) -> None:
+    with station.page() as flier, station.page() as other:
+        flier.say(wire.AskSticks(flier.next_seq()))
+        assert flier.refusal() == "you fly: there is nobody to ask for the sticks"
+        flier.say(wire.GiveSticks(flier.next_seq()))
+        assert flier.refusal() == "nobody asks for the sticks, or no longer"
+        other.say(wire.AskSticks(other.next_seq()))
+        flier.wait_for(wire.Role, lambda role: role.asking == 2)
+        flier.say(wire.KeepSticks(flier.next_seq()))
+        assert other.refusal() == "page 1 keeps the sticks"
+        assert flier.wait_for(wire.Role, lambda role: role.asking == 0).flying
 
 
 def test_silent_sticks_go_to_zero(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:

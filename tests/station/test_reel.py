@@ -104,7 +104,7 @@ def test_strips_tell_of_the_same_frames_as_the_read_outs(flown: Flown, index: Pl
         moment = reel.block(1)[100]
     frame = frames[BLOCK + 100]
     names = [strip.name for strip in index.strips for _ in strip.curves]
-    speed = moment.values[names.index("POR speed") + 1]
+    speed = moment.values[names.index("POR rate") + 1]
     assert speed == pytest.approx(math.hypot(*moment.frame.actual.velocity), abs=1e-8)
     parts = [abs(rate) / limit for rate, limit in zip(frame.rates, frame.rate_limits, strict=True)]
     assert moment.values[names.index("Joint rate") + 1] == pytest.approx(max(parts), abs=1e-7)

@@ -4,6 +4,7 @@ import math
 import threading
 import time
 from types import SimpleNamespace
+from typing import Literal
 
 import pytest
 
@@ -62,6 +63,68 @@ def test_sticks_move_the_tip_and_letting_go_stops_it() -> None:
         held = comes(session, lambda frame: max(abs(rate) for rate in frame.rates) == 0.0, "it stops")
         assert held.stick_seq == -1
     assert held.actual.position[0] > before[0]
+
+
+def test_whoever_leaves_leaves_the_arm_holding_its_position() -> None:
+    with flying() as session:
+        session.steer(sticks(1, forward=0.5))
+        session.command(wire.RateHold(2))
+        comes(session, lambda frame: frame.rate_hold, "RATE HOLD")
+        session.steer(sticks(3))
+        assert goes_on(session, 5).translation[0] == 0.5
+        session.let_go()
+        frame = comes(session, lambda frame: not frame.rate_hold, "RATE HOLD let go")
+        assert frame.position_hold and frame.translation == STILL
+        comes(session, lambda frame: max(abs(rate) for rate in frame.rates) < 1e-6, "it rests")
+        text = [event.text for event in session.log_since(0) if event.kind == "hands off"]
+        assert text == ["the page that flew is gone: RATE HOLD let go, POSITION HOLD on"]
+        session.let_go()
+        goes_on(session, 3)
+        assert len([event for event in session.log_since(0) if event.kind == "hands off"]) == 1
+
+
+@pytest.mark.parametrize("cause", ["page hidden", "device lost"])
+def test_a_page_that_says_so_is_left_alone_and_its_sequence_goes_on(
+    cause: Literal["page hidden", "device lost"],
+) -> None:
+    with flying() as session:
+        x, y, z = shown(session).actual.position
+        session.command(wire.EnterMode(0, "OPR CMD"))
+        session.command(wire.SetTarget(1, (x + 0.1, y, z), shown(session).actual.attitude))
+        session.command(wire.Proceed(2))
+        comes(session, lambda frame: frame.sequence == "in progress", "under way")
+        session.command(wire.HandsOff(3, cause))
+        frame = comes(session, lambda frame: frame.position_hold, "POSITION HOLD")
+        assert frame.sequence == "in progress"
+        session.let_go()  # now nobody could stop it
+        comes(session, lambda frame: frame.sequence != "in progress", "STOP")
+        assert "the page that flew is gone: STOP" in [event.text for event in session.log_since(0)]
+
+
+def test_a_demonstration_goes_on_when_nobody_looks() -> None:
+    with flying(demo=True) as session:
+        comes(session, lambda frame: frame.phase == "up", "the script's first phase")
+        session.command(wire.HandsOff(0, "page hidden"))
+        session.let_go()
+        frame = goes_on(session, 10)
+        assert frame.by == "script" and not frame.position_hold
+
+
+def test_a_held_rate_needs_a_page_that_is_heard_of(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [100.0]
+    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
+    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
+    monkeypatch.setattr(station_session, "time", fake)
+    with flying() as session:
+        session.steer(sticks(1, forward=1.0))
+        session.command(wire.RateHold(2))
+        comes(session, lambda frame: frame.rate_hold, "RATE HOLD")
+        for seq in range(3, 6):
+            clock[0] += 0.9 * SILENCE
+            session.steer(sticks(seq))
+            assert goes_on(session, 3).rate_hold
+        clock[0] += 1.1 * SILENCE
+        assert comes(session, lambda frame: not frame.rate_hold, "it is let go").position_hold
 
 
 def test_letting_go_forgets_the_commands_that_wait() -> None:

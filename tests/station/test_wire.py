@@ -1,6 +1,8 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -8,12 +10,14 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from aftdeck.frames import Pose
+from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station import protocol as wire
 from aftdeck.station.wire import Translator
 from tests.station.pages import scenario
 
+OVER_THE_PIN = Path(__file__).parents[1] / "browser" / "over-the-pin.toml"
 SCENE = np.diag([-1.0, 1.0, -1.0])
 
 
@@ -31,6 +35,8 @@ def test_the_frames_panel_numbers_are_those_of_the_arm() -> None:
     position, attitude = arm.panel(arm.forward(shown.joints))
     assert np.array(shown.actual.position) / 0.0254 == pytest.approx(position, abs=1e-9)
     assert np.degrees(shown.actual.attitude) == pytest.approx(attitude, abs=1e-9)
+    commanded = arm.forward(shown.joints_commanded)
+    assert np.array(shown.commanded.position) / 0.0254 == pytest.approx(arm.panel(commanded)[0], abs=1e-9)
 
 
 def test_first_flight_starts_over_the_bays_middle_looking_down() -> None:
@@ -121,6 +127,43 @@ def test_a_lamp_burns_with_its_cause() -> None:
     assert all(lamps.values())
     _, free = flown(Inputs(), steps=1)
     assert free.lamps == ()
+
+
+def lit(sim: Simulation, until: str, **inputs: Any) -> dict[str, str]:
+    """Levels of the end effector's lamps once a flag of it is lit that was not."""
+    translator = Translator(sim.scenario, demo=False)
+    frame = sim.step(Inputs(**inputs))
+    while until not in frame.work.hand.flags:
+        frame = sim.step(Inputs())
+        assert frame.time_s < 60.0
+    names = ("DERIGIDIZE", "RELEASE")
+    return {lamp.name: lamp.level for lamp in translator.lamps(frame) if lamp.name in names}
+
+
+def test_derigidize_and_release_burn_while_a_payload_is_let_go() -> None:
+    sim = Simulation(scenario("srms-berth"))
+    assert lit(sim, "RIGID") == {}
+    assert lit(sim, "DERIGID", effector="open") == {"DERIGIDIZE": "info", "RELEASE": "info"}
+    assert lit(sim, "OPEN") == {}
+
+
+def test_derigidize_is_a_caution_where_a_payload_was_left_so() -> None:
+    sim = Simulation(scenario("srms-berth"))
+    sim.step(Inputs(effector_mode="manual"))
+    assert lit(sim, "DERIGID", rigid="derigid") == {"DERIGIDIZE": "info"}
+    assert lit(sim, "DERIGID", rigid="off") == {"DERIGIDIZE": "caution"}
+
+
+def test_an_empty_end_effector_is_told_how_far_the_next_fixture_is() -> None:
+    _, held = flown(Inputs(), steps=1, name="srms-berth")
+    assert held.work.fixture is None
+    _, shown = flown(Inputs(), steps=1, name="srms-deploy")
+    assert shown.work.fixture is not None
+    assert 0.0 < shown.work.fixture < 40.0
+    over = Simulation(load_scenario(OVER_THE_PIN))
+    frame = Translator(over.scenario, demo=False).frame(over.step(Inputs()), 0)
+    (depth,) = (condition for condition in frame.work.conditions if condition.name == "pin depth")
+    assert frame.work.fixture == pytest.approx(depth.value, abs=1e-3)
 
 
 def test_a_frame_and_the_welcome_come_back_from_json_as_they_went() -> None:

@@ -1,6 +1,13 @@
-/** Stick to picture: from an input event to the end of drawing the first frame that has flown it. */
+/**
+ * Stick to picture: from an input event until the first frame that has flown it is drawn on the page; and what of it is
+ * the link's: until that frame is here.
+ */
 
 const WINDOW_MS = 10_000;
+/** A station that is well answers within this time, a control period and the way there and back [ms]. */
+const ANSWERED_MS = 40;
+/** Pictures wait for an input so seldom [ms]. */
+const HELD_MS = 150;
 
 interface Sample {
   readonly drawn: number;
@@ -10,10 +17,15 @@ interface Sample {
 export class Latency {
   private waiting: { seq: number; at: number }[] = [];
   private samples: Sample[] = [];
+  private unanswered: { seq: number; at: number }[] = [];
+  private answers: Sample[] = [];
+  /** The input that pictures waited for last. */
+  private heldFor = Number.NEGATIVE_INFINITY;
 
   /** A sticks message went out, caused by an input event at `at` [ms, as performance.now()]. */
   sent(seq: number, at: number): void {
     this.waiting.push({ seq, at });
+    this.unanswered.push({ seq, at });
   }
 
   /** A frame that has flown `stickSeq` is drawn at `now` [ms]. */
@@ -24,15 +36,47 @@ export class Latency {
     this.waiting = this.waiting.filter(({ seq }) => seq > stickSeq);
   }
 
+  /** A frame that has flown `stickSeq` has come at `now` [ms]. */
+  answered(stickSeq: number, now: number): void {
+    for (const { seq, at } of this.unanswered) {
+      if (seq <= stickSeq) this.answers.push({ drawn: now, ms: now - at });
+    }
+    this.unanswered = this.unanswered.filter(({ seq }) => seq > stickSeq);
+  }
+
+  /** What the inputs of the last 10 s took to their frame, the middle of them [s]; null where no stick moved. */
+  answer(now: number): number | null {
+    this.answers = this.answers.filter(({ drawn }) => now - drawn <= WINDOW_MS);
+    const ms = part(this.answers, 0.5);
+    return ms === null ? null : ms / 1000;
+  }
+
+  /**
+   * Whether the frame that has flown an input is about to arrive: a picture of `stickSeq`, begun now, would hold it up.
+   * Where inputs never end, not each of them is waited for.
+   */
+  due(stickSeq: number, now: number): boolean {
+    const input = this.waiting.find(({ seq, at }) => seq > stickSeq && now - at < ANSWERED_MS);
+    if (!input || (input.at > this.heldFor && input.at < this.heldFor + HELD_MS)) return false;
+    this.heldFor = input.at;
+    return true;
+  }
+
   /** What was on its way is lost with the connection. */
   forget(): void {
     this.waiting = [];
+    this.unanswered = [];
   }
 
   /** 95th percentile of the last 10 s [ms], or null where no stick moved. */
   percentile95(now: number): number | null {
     this.samples = this.samples.filter(({ drawn }) => now - drawn <= WINDOW_MS);
-    const sorted = this.samples.map(({ ms }) => ms).sort((a, b) => a - b);
-    return sorted[Math.ceil(0.95 * sorted.length) - 1] ?? null;
+    return part(this.samples, 0.95);
   }
+}
+
+/** The time within which that part of them lies [ms]. */
+function part(samples: readonly Sample[], share: number): number | null {
+  const sorted = samples.map(({ ms }) => ms).sort((a, b) => a - b);
+  return sorted[Math.ceil(share * sorted.length) - 1] ?? null;
 }

@@ -4,7 +4,7 @@ import { assertUnreachable } from './assert';
 import { Display } from './display';
 import { publish } from './hook';
 import { notice } from './notice';
-import type { FromServer, Role, Welcome } from './protocol';
+import type { FromServer, Role, Scenarios, Welcome } from './protocol';
 import type { Drawing } from './quality';
 import { Link, type LinkState } from './socket';
 import { Station } from './station';
@@ -15,6 +15,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   const torn = tornHere(location.search);
   let welcomed: Welcome | null = null;
   let role: Role | null = null;
+  let scenarios: Scenarios | null = null;
 
   function welcome(message: Welcome): void {
     // A station that comes back as it was keeps its page, and tells its whole log anew.
@@ -30,6 +31,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     }
     const own = new Station(root, message, drawing, (command) => link.send(command));
     if (role) own.setRole(role);
+    if (scenarios) own.setScenarios(scenarios);
     station = own;
     document.title = `${message.title} · Aftdeck`;
   }
@@ -38,6 +40,10 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     switch (received.type) {
       case 'welcome':
         welcome(received);
+        break;
+      case 'scenarios':
+        scenarios = received;
+        if (station instanceof Station) station.setScenarios(received);
         break;
       case 'role':
         role = received;
@@ -74,7 +80,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   }
 
   const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
-  const link = new Link(`${scheme}://${location.host}/ws`, { message, state });
+  const link = new Link(`${scheme}://${location.host}/ws`, { message, state }, torn !== null);
   publish(drawing.renderer, () => ({
     frames: station?.drawn ?? 0,
     lastFrame: station?.shown.frame ?? null,

@@ -20,6 +20,7 @@ import './style/tutorial.css';
 import './style/replay.css';
 import './style/timeline.css';
 import './style/all-cameras.css';
+import './style/night.css';
 import { present } from './assert';
 import { fly } from './live';
 import { notice } from './notice';

@@ -14,7 +14,8 @@ import type { Command } from './socket';
 const TICK_MS = 15;
 
 /** What keys and buttons do even while controllers are looked at and changed. */
-const ALWAYS: ReadonlySet<Action['name']> = new Set(['stop', 'leave']);
+const always = (action: Action) =>
+  action.name === 'stop' || action.name === 'leave' || (action.name === 'grip' && action.grip === 'brakes');
 
 export interface OperatorListener {
   acted(action: Action): void;
@@ -31,10 +32,13 @@ export class Operator {
   private readonly timer: number;
   private readonly ended = new AbortController();
 
-  constructor(latency: Latency, listener: OperatorListener) {
+  constructor(
+    latency: Latency,
+    private readonly listener: OperatorListener,
+  ) {
     const acted = (action: Action) => {
       if (action.name === 'stop') this.sticks.zero();
-      if (!this.controllers.paused || ALWAYS.has(action.name)) listener.acted(action);
+      if (!this.controllers.paused || always(action)) listener.acted(action);
     };
     this.controllers = new Controllers(acted, {
       moved: (at) => {
@@ -47,7 +51,7 @@ export class Operator {
     const options = { signal: this.ended.signal };
     window.addEventListener('blur', () => this.sticks.zero(), options);
     window.addEventListener('pagehide', () => this.sticks.zero(), options);
-    document.addEventListener('visibilitychange', () => document.hidden && this.sticks.zero(), options);
+    document.addEventListener('visibilitychange', () => document.hidden && this.hidden(), options);
     document.addEventListener('focusin', (event) => this.focused(event.target), options);
     document.addEventListener('focusout', () => this.focused(null), options);
     document.addEventListener('pointerdown', (event) => this.pointed(event), options);
@@ -67,10 +71,21 @@ export class Operator {
     return this.flying ? this.sticks.camera : watched;
   }
 
+  /** Zeroes the sticks at once; held keys must be pressed anew. */
+  zero(): void {
+    this.sticks.zero();
+  }
+
   dispose(): void {
     clearInterval(this.timer);
     this.ended.abort();
     this.controllers.dispose();
+  }
+
+  /** Nobody sees the arm. */
+  private hidden(): void {
+    this.sticks.zero();
+    if (this.flying) this.listener.send({ type: 'hands_off', cause: 'page hidden' });
   }
 
   private focused(target: EventTarget | null): void {

@@ -1,8 +1,11 @@
 /** The two monitors, all cameras at once, and the one canvas behind them. */
 
+import { TARGETS, type Target } from './advice';
+import { Appearance } from './appearance';
 import { small } from './format';
 import type { Turning } from './input/camera-hand';
-import { el } from './panel/dom';
+import { keeper } from './kept';
+import { el, setClass } from './panel/dom';
 import { type GapLine, middleOf, type Touch } from './panel/gap-overlay';
 import { FARTHEST } from './panel/gap-scale';
 import { Matrix } from './panel/matrix';
@@ -27,6 +30,8 @@ const AGAIN_MS = 700;
 const BANK = 10;
 /** Room round what the plan shows, of its size. */
 const MARGIN = 0.16;
+/** Pictures on their way to the page are looked for so often [ms]. */
+const LOOK_MS = 3;
 
 /** A picture on the canvas. */
 interface Pane {
@@ -52,6 +57,10 @@ export class Pictures {
   readonly canvas = el('canvas', { class: 'scene', 'aria-hidden': 'true' });
   readonly monitors: readonly [Monitor, Monitor];
   readonly matrix: Matrix;
+  readonly appearance = new Appearance(keeper, ({ night }) =>
+    setClass(document.documentElement, 'night', night),
+  );
+  private readonly ended = new AbortController();
   private readonly scene: Scene;
   private readonly survey: Survey;
   private readonly cameras: readonly Camera[];
@@ -66,8 +75,13 @@ export class Pictures {
   private chosen = false;
   private count = 0;
   private orbits = 0;
+  /** What the engineering views go round: what is there to see; null: the place where they began. */
+  private round: Target | null = null;
   private layout = '';
   private digit = { index: -1, at: 0 };
+  /** Does what is left to do once the pictures drawn last are on the page. */
+  private finish: (() => void) | null = null;
+  private looking = 0;
 
   constructor(
     welcome: Welcome,
@@ -88,6 +102,7 @@ export class Pictures {
         choose: (camera) => this.choose(camera),
         split: () => this.toggleSplit(),
         slow: () => this.toggleSlow(),
+        round: () => this.turnRound(),
         orbited: (camera, ...by) => this.orbit(camera, ...by),
         turns: listener.turns ?? false,
         ...(tearOff ? { tearOff: () => tearOff(index) } : {}),
@@ -98,7 +113,8 @@ export class Pictures {
       ...(tearOff ? { tearOff: () => tearOff('matrix') } : {}),
     });
     this.take(0);
-    this.scene = new Scene(this.canvas, welcome, drawing.quality);
+    this.appearance.follow(this.ended.signal);
+    this.scene = new Scene(this.canvas, welcome, drawing);
     this.survey = new Survey(this.scene, welcome);
   }
 
@@ -220,10 +236,19 @@ export class Pictures {
     this.listener.opened?.(on);
   }
 
-  /** Moves an engineering view: round to the right and upwards [rad], and nearer by a factor. */
-  orbit({ name }: Camera, right: number, upwards: number, nearer: number): void {
+  /** Moves an engineering view: round to the right and upwards [rad], or aside, and nearer by a factor. */
+  orbit({ name }: Camera, right: number, upwards: number, nearer: number, aside = false): void {
     this.orbits += 1;
-    this.scene.orbit(name, right, upwards, nearer);
+    this.scene.orbit(name, right, upwards, nearer, aside || this.slowly);
+  }
+
+  /** The engineering views go round the next of: where they began, the tip, the payload, the narrowest gap. */
+  private turnRound(): void {
+    const all = [null, ...TARGETS];
+    this.round = all[(all.indexOf(this.round) + 1) % all.length] ?? null;
+    this.orbits += 1;
+    this.scene.turnTo(null);
+    for (const monitor of this.monitors) monitor.setRound(this.round);
   }
 
   /** Shows or hides the separating plane; returns whether it is shown now. */
@@ -232,16 +257,24 @@ export class Pictures {
     return this.plane;
   }
 
+  /** The pictures drawn last are not on the page yet; until then no others are begun. */
+  get drawing(): boolean {
+    return this.finish !== null;
+  }
+
   /**
-   * Draws what is due; true: all that is shown is of this frame.
+   * Draws what is due; true: all that is shown will be of this frame.
    *
    * @param clearance what the narrowest gap calls for.
+   * @param done called once it is on the page.
    */
-  draw(frame: Frame, clearance: Level): boolean {
+  draw(frame: Frame, clearance: Level, done: () => void): boolean {
     const caution = clearance !== 'info';
     const gap = drawnGap(frame.work.nearest);
     this.scene.setPoses(frame.poses);
     this.scene.setViews(frame.views);
+    const round = this.round && this.survey.place(this.round, gap);
+    if (round) this.scene.follow(round);
     this.scene.setLighting(frame.lighting, frame.time_s);
     this.scene.setGap(gap, caution ? CAUTION : CALM, this.plane);
     const { ahead } = frame;
@@ -250,7 +283,7 @@ export class Pictures {
     this.count += 1;
     const panes = this.panes();
     const wiped = this.wipe(panes);
-    const state = `${frame.tick} ${this.orbits} ${this.plane}`;
+    const state = `${frame.tick} ${this.orbits} ${this.plane} ${this.appearance.early}`;
     const due: (readonly [Pane, View])[] = [];
     let complete = true;
     panes.forEach((pane, i) => {
@@ -263,13 +296,30 @@ export class Pictures {
         return;
       }
       this.stamps.set(pane.element, stamp);
-      due.push([pane, { camera: pane.camera.name, rect: this.rectOf(pane.element) }]);
+      const early = this.appearance.early && pane.camera.kind === 'camera';
+      due.push([pane, { camera: name, rect: this.rectOf(pane.element), early }]);
     });
     this.scene.draw(due.map(([, view]) => view));
-    // Places are read before anything is written over the pictures: the page is laid out once.
-    for (const [{ picture }, view] of due) if (picture) this.overlay(picture, view, frame, gap, caution);
     if (this.open) this.showMatrixOf(frame, gap, wiped);
+    this.scene.send();
+    this.finish = () => {
+      for (const [{ picture }, view] of due) if (picture) this.overlay(picture, view, frame, gap, caution);
+      done();
+    };
+    this.put();
     return complete;
+  }
+
+  /** Puts the pictures on the page with what is written over them, or looks again soon. */
+  private put(): void {
+    const { finish } = this;
+    if (!finish) return;
+    if (!this.scene.put()) {
+      this.looking = window.setTimeout(() => this.put(), LOOK_MS);
+      return;
+    }
+    this.finish = null;
+    finish();
   }
 
   /** Time codes and figures; `age` of the picture in seconds, null where it is a recorded one. */
@@ -283,6 +333,8 @@ export class Pictures {
   }
 
   dispose(): void {
+    clearTimeout(this.looking);
+    this.ended.abort();
     this.scene.dispose();
   }
 

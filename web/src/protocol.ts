@@ -16,9 +16,9 @@ export type Level = 'info' | 'caution' | 'warning';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
-export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
-export type FromServer = Welcome | Role | Frame | Events | Refused;
-export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
+export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromServer = Welcome | Scenarios | Role | Frame | Events | Refused;
+export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
 
 /** A box about its centre. */
@@ -195,8 +195,8 @@ export interface Group {
 /**
  * Where the hand controllers stand, after deadband and expo, each axis in [-1, 1].
  *
- * Sent whenever they change and at least every 0.2 s while deflected: the server lets sticks that have
- * been silent for 0.5 s return to zero.
+ * Sent whenever they change and at least every 0.2 s while they are deflected or RATE HOLD keeps a rate: sticks
+ * that have been silent for 0.5 s return to zero, and nobody is held to be at the controls (`HandsOff`).
  */
 export interface Sticks {
   readonly type: 'sticks';
@@ -334,6 +334,31 @@ export interface PositionHold {
   readonly on: boolean;
 }
 
+/** A page that watches wants to fly; the one that flies gives or keeps within 10 s. */
+export interface AskSticks {
+  readonly type: 'ask_sticks';
+  readonly seq: number;
+}
+
+/** Give the sticks, which are at rest, to the page that asks. */
+export interface GiveSticks {
+  readonly type: 'give_sticks';
+  readonly seq: number;
+}
+
+/** Keep the sticks; the page that asks is told. */
+export interface KeepSticks {
+  readonly type: 'keep_sticks';
+  readonly seq: number;
+}
+
+/** Nobody is at the controls: sticks at rest, RATE HOLD let go, POSITION HOLD on; a sequence goes on. */
+export interface HandsOff {
+  readonly type: 'hands_off';
+  readonly seq: number;
+  readonly cause: 'page hidden' | 'device lost';
+}
+
 /** How far to look ahead. */
 export interface LookAhead {
   readonly type: 'look_ahead';
@@ -382,6 +407,14 @@ export interface Stop {
 export interface Restart {
   readonly type: 'restart';
   readonly seq: number;
+}
+
+/** Leave this flight and fly another scenario; what is recorded of this one is finished and kept. */
+export interface FlyScenario {
+  readonly type: 'fly_scenario';
+  readonly seq: number;
+  /** Its place in `Scenarios.scenarios`. */
+  readonly number: number;
 }
 
 /** Put the end effector's switch: the prong closes or opens; the snares capture or release. */
@@ -650,12 +683,38 @@ export interface StoredPoint {
   readonly pause: boolean;
 }
 
+/** What this station can fly: sent on connection and whenever something of it changes. */
+export interface Scenarios {
+  readonly type: 'scenarios';
+  readonly scenarios: readonly ScenarioInfo[];
+  /** Number of the one that is flown. */
+  readonly flown: number;
+  /** Number of the one that is made ready; the sticks rest meanwhile. Then every page is welcomed anew. */
+  readonly coming: number | null;
+}
+
+/** A scenario that this station can fly. */
+export interface ScenarioInfo {
+  readonly name: string;
+  readonly title: string;
+  /** What it asks of the operator, a sentence or two. */
+  readonly text: string;
+  /** The user's own file; the others are built in. */
+  readonly given: boolean;
+}
+
 /** Who flies: sent on connection and whenever it changes. */
 export interface Role {
   readonly type: 'role';
   readonly flying: boolean;
   /** Pages that watch, besides the one that flies. */
   readonly watchers: number;
+  /** What this page is called, from 1. */
+  readonly number: number;
+  /** The page that flies. */
+  readonly flier: number;
+  /** The page that asks for the sticks; 0: none. */
+  readonly asking: number;
 }
 
 /** All that the page shows of one instant; newest wins, frames may be skipped. */
@@ -692,8 +751,10 @@ export interface Frame {
   readonly rotation: Vec3;
   /** Sticks as this step has flown them. */
   readonly drive: number;
-  /** [rad] */
+  /** Actual [rad]. */
   readonly joints: Six;
+  /** Where the commanded rates would have brought them [rad]. */
+  readonly joints_commanded: Six;
   /** Actual [rad/s]. */
   readonly rates: Six;
   readonly rates_commanded: Six;
@@ -796,6 +857,8 @@ export interface WorkFrame {
   /** The report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked. */
   readonly task: number;
   readonly nearest: Near | null;
+  /** What the clearance of `nearest` calls for, by the scenario's thresholds. */
+  readonly clearance_level: Level;
   readonly contacts: readonly Near[];
   readonly arm_inhibit: boolean;
   readonly finger_inhibit: boolean;
@@ -814,6 +877,8 @@ export interface WorkFrame {
   readonly cargo: readonly CargoFrame[];
   /** Where the master arm stands [rad]; null in other modes than MASTER. */
   readonly master: Six | null;
+  /** From the empty snares to where they would be at the nearest grapple fixture [m]; null: there is none for them. */
+  readonly fixture: number | null;
 }
 
 /** Two watched parts; points and directions in the scene. */
@@ -935,6 +1000,8 @@ export interface Moment {
 export interface Hello {
   readonly type: 'hello';
   readonly protocol: number;
+  /** A second window: it shows the flight, is nobody's hands, and never flies. */
+  readonly shows: boolean;
 }
 
 /** A part of a lane through which one thing was so. */
@@ -977,6 +1044,10 @@ export interface Strip {
   readonly high: number;
   /** A bound to draw across it. */
   readonly limit: number | null;
+  /** Values below this are cautioned of; of a clearance, as the scenario has it. */
+  readonly caution: number | null;
+  /** Values below this are warned of. */
+  readonly warning: number | null;
   /** Drawn until the reader chooses others. */
   readonly shown: boolean;
 }
@@ -990,6 +1061,8 @@ export interface Measure {
   readonly text: string;
   /** How it is reckoned, in a sentence. */
   readonly about: string;
+  /** What belongs to a distance: how far the two are turned against each other [rad]. */
+  readonly angle: number | null;
 }
 
 /** Whether the recomputed frames are equal to the recorded ones. */

@@ -31,6 +31,8 @@ export class Link {
   constructor(
     private readonly url: string,
     private readonly listener: LinkListener,
+    /** A second window, which never flies. */
+    private readonly shows = false,
   ) {
     listener.state({ kind: 'connecting' });
     this.socket = this.connect();
@@ -45,7 +47,8 @@ export class Link {
 
   private connect(): WebSocket {
     const socket = new WebSocket(this.url);
-    socket.onopen = () => socket.send(JSON.stringify({ type: 'hello', protocol: PROTOCOL } satisfies Hello));
+    socket.onopen = () =>
+      socket.send(JSON.stringify({ type: 'hello', protocol: PROTOCOL, shows: this.shows } satisfies Hello));
     socket.onmessage = (event) => this.receive(event.data);
     socket.onclose = (event) => this.closed(event.reason);
     return socket;
@@ -101,6 +104,7 @@ export function parse(data: unknown): FromServer {
   const message = JSON.parse(data) as FromServer;
   switch (message.type) {
     case 'welcome':
+    case 'scenarios':
     case 'role':
     case 'frame':
     case 'events':

@@ -2,6 +2,7 @@
 
 import { assertUnreachable } from './assert';
 import { CameraHand, together } from './input/camera-hand';
+import { RelayedKeys } from './input/key-relay';
 import type { Action } from './input/keymap';
 import { keyOf } from './input/layout';
 import { reread } from './input/store';
@@ -15,17 +16,20 @@ import { ControllersSheet } from './panel/controllers';
 import { deskGroups, type Groups } from './panel/desk';
 import { el, setClass } from './panel/dom';
 import { EventsGroup } from './panel/events';
+import { handOver } from './panel/hand-over';
 import { KeyMap } from './panel/keys';
 import { lightSegments } from './panel/lamp-test';
 import { lightControl } from './panel/light';
+import { linkLamp } from './panel/link';
 import type { Desk, View } from './panel/part';
 import { STALE_S } from './panel/picture';
 import { rail } from './panel/rail';
+import { type ScenarioChoice, scenarioChoice } from './panel/scenarios';
 import { Spine } from './panel/spine';
 import { swapQuestion } from './panel/swap';
 import { touchView } from './panel/touch';
 import { Pictures } from './pictures';
-import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Welcome } from './protocol';
+import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Scenarios, Welcome } from './protocol';
 import type { Drawing } from './quality';
 import type { DrawnBody } from './scene/bodies';
 import type { Command, LinkState } from './socket';
@@ -45,6 +49,8 @@ const BAR_PACE = { full: 1, low: 2 } as const;
 const RECENT_S = 2;
 /** As much of a device's name as a lamp holds [characters]. */
 const LAMP_NAME = 16;
+/** This page among those of one browser. */
+const PAGE = `${performance.timeOrigin} ${Math.random()}`;
 /** A refusal keeps CHECK CRT lit this long [ms]. */
 const REFUSAL_MS = 5000;
 
@@ -56,14 +62,18 @@ export class Station {
   private readonly tones = new Tones(keeper, () => new AudioContext());
   /** What the last frame showed, for the clicks. */
   private heard = { mode: '', held: 0 };
+  /** What the figures are of. */
+  private figures = this.shown;
   private frame: Frame | null = null;
   private restarts = 0;
   private arrived = 0;
   private fresh = false;
+  /** The next picture waits for the frame that answers a stick. */
+  private held = false;
   private valuesAt = 0;
   private toldAt = 0;
   private toldOf = '';
-  private role: Role = { type: 'role', flying: false, watchers: 0 };
+  private role: Role = { type: 'role', flying: false, watchers: 0, number: 0, flier: 0, asking: 0 };
   private link: LinkState = { kind: 'open' };
   private units: UnitName;
   private refusal: { readonly text: string; readonly at: number } | null = null;
@@ -74,6 +84,7 @@ export class Station {
   private readonly operator: Operator;
   private readonly cameraHand: CameraHand;
   private readonly windows: Windows;
+  private readonly relayed = new RelayedKeys(() => this.operator.zero());
   private readonly spine = new Spine({
     acknowledged: () => this.acknowledge(),
     pressed: (lamp) => this.explain(lamp),
@@ -84,9 +95,11 @@ export class Station {
   private readonly controlPage: ControlPage;
   private readonly touch;
   private readonly swap;
+  private readonly handOver = handOver((command) => this.transmit(command));
   /** What the station was told last of the controllers, and how many were gone. */
   private told = '';
   private lost = 0;
+  private readonly commandDelay: number;
   private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
   /** There is something that the orbiter can move against. */
   private readonly movable: boolean;
@@ -94,6 +107,9 @@ export class Station {
   private readonly light;
   private readonly rail;
   private readonly tutorial: Tutorial;
+  private readonly scenarios: ScenarioChoice;
+  /** Another scenario is made ready: the sticks rest. */
+  private leaving = false;
 
   constructor(
     root: HTMLElement,
@@ -104,6 +120,7 @@ export class Station {
     this.units = welcome.units;
     this.barPace = BAR_PACE[drawing.quality];
     this.events = new EventsGroup([welcome.text, ...reread(), keysHint()]);
+    this.commandDelay = welcome.command_delay_s;
     this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
     this.movable = welcome.work.cargo.length > 0;
     this.pictures = new Pictures(welcome, drawing, {
@@ -113,11 +130,16 @@ export class Station {
       changed: () => this.tellWindows(),
     });
     this.windows = new Windows((said) => {
-      if (said.kind === 'ask') this.tellWindows();
+      if (said.kind === 'ask') this.meetWindows();
       else if (said.kind === 'show') this.pictures.show(said.monitor, said.names);
       else if (said.kind === 'put') {
         const camera = welcome.cameras.find(({ name }) => name === said.name);
         if (camera) this.pictures.choose(camera);
+      } else if (said.kind === 'take') {
+        const { hand, monitors } = this.pictures;
+        if (this.role.flying && hand !== monitors[said.monitor]) this.pictures.takeMonitor(said.monitor);
+      } else if (said.kind === 'key' || said.kind === 'holding' || said.kind === 'released') {
+        if (this.role.flying) this.relayed.take(said);
       }
     });
     this.operator = new Operator(this.latency, {
@@ -151,9 +173,12 @@ export class Station {
       controlPage: () => this.controlPage.toggle(),
       flyOrbiter: (on) => this.flyOrbiter(on),
     });
-    this.tutorial = new Tutorial(desk, this.operator.controllers);
+    this.scenarios = scenarioChoice(desk);
+    this.tutorial = new Tutorial(desk, this.operator.controllers, (name) => this.scenarios.choose(name));
     this.light = lightControl(desk, this.pictures);
-    this.rail = rail(desk, drawing.software && drawing.quality === 'low', this.tones, this.light, {
+    const { tones, light, scenarios, handOver } = this;
+    const parts = { tones, light, scenarios, ask: handOver.ask, appearance: this.pictures.appearance };
+    this.rail = rail(desk, drawing.software && drawing.quality === 'low', parts, {
       units: () => {
         this.units = this.units === 'SI' ? 'ft-in' : 'SI';
       },
@@ -173,6 +198,8 @@ export class Station {
       this.rail.element,
       this.touch.element,
       this.swap.element,
+      this.handOver.question,
+      this.scenarios.question,
       this.keys.element,
       this.controlPage.element,
       this.sheet.element,
@@ -180,6 +207,7 @@ export class Station {
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => this.tones.wake(), { signal: this.ended.signal });
     window.addEventListener('blur', () => this.pictures.release(), { signal: this.ended.signal });
+    window.addEventListener('pagehide', () => this.tellFlier(false), { signal: this.ended.signal });
     this.request = requestAnimationFrame(() => this.tick());
   }
 
@@ -192,20 +220,30 @@ export class Station {
     if (this.frame && frame.tick < this.frame.tick) this.restarts += 1;
     this.frame = frame;
     this.arrived = performance.now();
+    this.latency.answered(frame.stick_seq, this.arrived);
     this.fresh = true;
+    if (this.held) this.draw(this.arrived);
   }
 
   setRole(role: Role): void {
     this.role = role;
     this.told = '';
-    this.operator.flying = role.flying && this.link.kind === 'open';
+    this.takeRole();
     setClass(document.body, 'watching', !role.flying);
+    this.tellFlier(role.flying);
+  }
+
+  setScenarios(told: Scenarios): void {
+    this.leaving = told.coming !== null;
+    this.told = '';
+    this.takeRole();
+    this.scenarios.set(told);
   }
 
   setLink(link: LinkState): void {
     this.link = link;
     this.told = '';
-    this.operator.flying = this.role.flying && link.kind === 'open';
+    this.takeRole();
     if (link.kind !== 'open') this.latency.forget();
   }
 
@@ -234,42 +272,66 @@ export class Station {
     this.ended.abort();
     this.operator.dispose();
     this.cameraHand.dispose();
+    this.relayed.dispose();
+    this.tellFlier(false);
     this.windows.dispose();
     this.tutorial.dispose();
     this.pictures.dispose();
+  }
+
+  /** The sticks are this page's only while it flies what is flown. */
+  private takeRole(): void {
+    this.operator.flying = this.role.flying && this.link.kind === 'open' && !this.leaving;
   }
 
   private tick(): void {
     this.request = requestAnimationFrame(() => this.tick());
     const now = performance.now();
     this.operator.tick(now);
-    if (!this.frame) return;
+    this.draw(now);
+  }
+
+  /** Draws the newest frame, once the pictures of the one before are on the page. */
+  private draw(now: number): void {
+    const { frame } = this;
+    if (!frame || this.pictures.drawing) return;
+    this.held = this.latency.due(frame.stick_seq, now);
+    if (this.held) return;
     const view: View = {
-      frame: this.frame,
+      frame,
       units: unitsOf(this.units),
       hand: this.operator.sticks.value,
       controllers: this.operator.controllers.shown,
+      flier: this.role.flier,
       flying: this.role.flying,
       orbiting: this.operator.sticks.flyingOrbiter && this.role.flying,
     };
-    this.operator.sticks.driving = this.modes.get(this.frame.mode) === 'single';
-    // The pictures first: they read the page's places, which the desk's bars unsettle.
-    this.pictures.draw(this.frame, this.groups.clearance());
+    this.operator.sticks.kept = frame.rate_hold;
+    this.operator.sticks.driving = this.modes.get(frame.mode) === 'single';
     // Where bars wait for a picture, it is not one with MON 2 in it.
     const barsMove = (this.drawn + 1) % this.barPace === 0;
+    this.fresh = false;
+    // The pictures first: they read the page's places, which the desk's bars unsettle.
+    this.pictures.draw(frame, frame.work.clearance_level, () => this.pictured(frame));
     if (barsMove) this.groups.bars(view);
     this.keys.light(this.operator.controllers.keyboard.held);
     this.sheet.tick();
     this.touch.draw();
     this.tutorial.light();
     this.watchDevices();
-    this.drawn += 1;
-    if (this.fresh) this.latency.drawn(this.frame.stick_seq, performance.now());
-    this.fresh = false;
     if (barsMove && now - this.valuesAt >= VALUES_MS) {
       this.valuesAt = now;
       this.values(view, now);
     }
+  }
+
+  /** The pictures of a frame are on the page. */
+  private pictured(frame: Frame): void {
+    const now = performance.now();
+    this.drawn += 1;
+    this.shown = this.figures;
+    this.latency.drawn(frame.stick_seq, now);
+    if (this.fresh) this.draw(now);
   }
 
   private values(view: View, now: number): void {
@@ -279,10 +341,10 @@ export class Station {
     this.groups.values(view);
     this.controlPage.values(view);
     const test = view.frame.mode === 'TEST';
-    this.spine.show([...view.frame.lamps, ...this.ownLamps(view, now, age)], test);
+    this.spine.show([...inUnits(view), ...this.ownLamps(now, age)], test);
     const latency95 = this.latency.percentile95(now);
     this.tutorial.values(view);
-    this.rail.values(view, latency95, this.role.watchers, this.link);
+    this.rail.values(view, latency95, this.handOver.words(this.role, now), this.link);
     this.sound(view.frame);
     const monitors = this.pictures.shown;
     const due = now - this.toldAt >= TOLD_MS || monitors.join('/') !== this.toldOf;
@@ -291,7 +353,8 @@ export class Station {
       this.transmit({ type: 'shown', latency_ms: latency95, monitors });
     }
     if (test) lightSegments();
-    this.shown = { frame: view.frame, restarts: this.restarts };
+    this.figures = { frame: view.frame, restarts: this.restarts };
+    if (!this.pictures.drawing) this.shown = this.figures;
   }
 
   /** Alarms until they are acknowledged, and clicks for a mode entered and a payload captured. */
@@ -310,8 +373,7 @@ export class Station {
     const { controllers } = this.operator;
     this.swap.show();
     const lost = controllers.lost.length;
-    if (lost > this.lost && this.role.flying && !this.frame?.position_hold)
-      this.transmit({ type: 'position_hold', on: true });
+    if (lost > this.lost && this.role.flying) this.transmit({ type: 'hands_off', cause: 'device lost' });
     this.lost = lost;
     const { revision } = controllers;
     if (!this.operator.flying || revision === this.told) return;
@@ -325,16 +387,15 @@ export class Station {
   }
 
   /** The lamps that only the page can light. */
-  private ownLamps({ frame, units }: View, now: number, age: number): readonly Lamp[] {
+  private ownLamps(now: number, age: number): readonly Lamp[] {
     const lamps: Lamp[] = [];
-    const { nearest } = frame.work;
-    const level = this.groups.clearance();
-    if (nearest && level !== 'info')
-      lamps.push({ name: 'CLEARANCE', level, text: clearanceCause(nearest, units) });
     if (this.refusal && now - this.refusal.at < REFUSAL_MS) {
       lamps.push({ name: 'CHECK CRT', level: 'caution', text: 'see the log' });
     }
-    if (age > STALE_S) lamps.push({ name: 'LINK', level: 'caution', text: `silent for ${age.toFixed(0)} s` });
+    const link = linkLamp(age, this.commandDelay, this.latency.answer(now));
+    if (link) lamps.push(link);
+    if (age > STALE_S)
+      lamps.push({ name: 'CAMERA', level: 'caution', text: `pictures ${age.toFixed(0)} s old` });
     const { lost, waiting } = this.operator.controllers;
     const text = lost[0]
       ? `${lost[0].short.slice(0, LAMP_NAME)} is gone`
@@ -375,6 +436,7 @@ export class Station {
 
   private showPlane(): void {
     this.groups.setPlane(this.pictures.togglePlane());
+    this.tellWindows();
   }
 
   /** All cameras in place of monitors and desk, whose clearance and lamps stay in sight. */
@@ -386,7 +448,17 @@ export class Station {
   }
 
   private tellWindows(): void {
-    this.windows?.say({ kind: 'shown', monitors: this.pictures.shown });
+    this.windows?.say({ kind: 'shown', monitors: this.pictures.shown, plane: this.pictures.showsPlane });
+  }
+
+  private tellFlier(there: boolean): void {
+    this.windows.say({ kind: 'flier', page: PAGE, there });
+  }
+
+  /** A window was opened: it is told what is shown, and where its keys go. */
+  private meetWindows(): void {
+    this.tellWindows();
+    if (this.role.flying) this.tellFlier(true);
   }
 
   private flyOrbiter(on: boolean): void {
@@ -442,6 +514,12 @@ export class Station {
       case 'grip':
         this.groups.grip(action);
         break;
+      case 'safing':
+        this.groups.safe();
+        break;
+      case 'position hold':
+        this.groups.holdPosition();
+        break;
       case 'plane':
         this.showPlane();
         break;
@@ -477,4 +555,12 @@ export class Station {
 function keysHint(): string {
   const keys = (uses: string) => uses.split(' ').map(keyOf).join(' ');
   return `${keys(MOVE)} move the point, ${keys(TURN)} turn it. ${keyOf('stop')} stops. ? shows all keys.`;
+}
+
+/** The frame's lamps, CLEARANCE with how much there is of it in the operator's units. */
+function inUnits({ frame, units }: View): readonly Lamp[] {
+  const { nearest } = frame.work;
+  return frame.lamps.map((lamp) =>
+    lamp.name === 'CLEARANCE' && nearest ? { ...lamp, text: clearanceCause(nearest, units) } : lamp,
+  );
 }

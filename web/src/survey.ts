@@ -29,15 +29,22 @@ export class Survey {
   look(frame: Frame, gap: Near | null, count: number): void {
     const { cameras } = this.welcome;
     this.at = {
-      tip: this.scene.middle(TIP),
-      payload: this.payloads.map((name) => this.scene.middle(name)).find((place) => place !== null) ?? null,
-      gap: middleOf(gap),
+      tip: this.place('tip', gap),
+      payload: this.place('payload', gap),
+      gap: this.place('gap', gap),
     };
     for (let i = 0; i < count; i += 1) {
       const camera = cameras[this.next % cameras.length];
       this.next += 1;
       if (camera) this.seen.set(camera.name, this.sighting(camera, frame, gap));
     }
+  }
+
+  /** Where something to see is; null: there is none. */
+  place(target: Target, gap: Near | null): Vec3 | null {
+    if (target === 'tip') return this.scene.middle(TIP);
+    if (target === 'gap') return middleOf(gap);
+    return this.payloads.map((name) => this.scene.middle(name)).find((place) => place !== null) ?? null;
   }
 
   /** Looks through all of them at once. */

@@ -1,11 +1,18 @@
-/** The page that flies and the windows torn off it, in one browser: what the monitors show is the same in all. */
+/** The page that flies and the windows torn off it, in one browser: one set of monitors, and keys that fly from all. */
+
+import type { Relayed } from './input/key-relay';
 
 export type Torn = 0 | 1 | 'matrix';
 
 /** What windows say to each other. */
 export type Said =
   | { readonly kind: 'ask' }
-  | { readonly kind: 'shown'; readonly monitors: readonly (readonly string[])[] }
+  | { readonly kind: 'shown'; readonly monitors: readonly (readonly string[])[]; readonly plane: boolean }
+  /** A page flies and takes keys, or does so no longer. */
+  | { readonly kind: 'flier'; readonly page: string; readonly there: boolean }
+  /** The window of a monitor has the focus: camera keys act on it. */
+  | { readonly kind: 'take'; readonly monitor: 0 | 1 }
+  | Relayed
   | { readonly kind: 'show'; readonly monitor: 0 | 1; readonly names: readonly string[] }
   | { readonly kind: 'put'; readonly name: string };
 

@@ -1,3 +1,4 @@
+import { Matrix4 } from 'three';
 import { expect, test } from 'vitest';
 import { bestPair, between, type Sighting, type Target } from '../src/advice';
 import { CameraDrag } from '../src/input/camera-drag';
@@ -236,6 +237,28 @@ test('the engineering view begins as its camera stands, goes round its middle an
   orbit.turn(0, 10);
   expect(orbit.view.boresight[2]).toBeGreaterThan(-1);
   expect(orbit.view.up).toEqual([0, 0, 1]);
+});
+
+test('the engineering view goes round what it follows, and is shifted aside', () => {
+  const orbit = new Orbit({
+    ...bay,
+    kind: 'engineering',
+    drive: null,
+    position: [0, -20, 0],
+    boresight: [0, 20, 0],
+  });
+  const toBody = new Matrix4().makeTranslation(-1, 0, 0);
+  orbit.turnTo([3, 0, 5], toBody);
+  near(orbit.view.position, [2, -20, 5]);
+  near(orbit.view.boresight, [0, 1, 0]);
+  orbit.shift(0.1, 0);
+  const [x = 0, y, z] = orbit.view.position;
+  expect(x).toBeGreaterThan(2);
+  near([2, y, z], [2, -20, 5]);
+  orbit.follow([4, 0, 5], toBody);
+  near(orbit.view.position, [x + 1, -20, 5]);
+  orbit.turnTo(null, toBody);
+  near(orbit.view.position, [0, -20, 0]);
 });
 
 test('held keys push the switches, opposite ones cancel', () => {

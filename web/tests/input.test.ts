@@ -4,6 +4,7 @@ import { isZero, sum, ZERO } from '../src/input/deflection';
 import { Device, deflection, type Reading } from '../src/input/device';
 import { ramp } from '../src/input/keyboard';
 import type { Action } from '../src/input/keymap';
+import { learnLetter, nameOf } from '../src/input/layout';
 import { Pads } from '../src/input/pads';
 import { zeroed } from '../src/input/rebind';
 import { routed } from '../src/input/sticks';
@@ -269,4 +270,17 @@ test('driving one joint, X drives it unless it flies the orbiter', () => {
     drive: 0.1,
   });
   expect(routed(value, true, true)).toMatchObject({ drive: 0, orbiter: [0.1, 0.2, 0.3] });
+});
+
+test('a key pressed alone tells what stands on it, and with another one held it does not', () => {
+  const alone = { shiftKey: false, ctrlKey: false, altKey: false, metaKey: false };
+  expect(nameOf('KeyQ')).toBe('Q');
+  learnLetter({ ...alone, code: 'KeyQ', key: '!', shiftKey: true });
+  learnLetter({ ...alone, code: 'KeyQ', key: 'Dead' });
+  expect(nameOf('KeyQ')).toBe('Q');
+  learnLetter({ ...alone, code: 'KeyQ', key: 'a' });
+  learnLetter({ ...alone, code: 'KeyW', key: 'w' });
+  expect([nameOf('KeyQ'), nameOf('KeyW')]).toEqual(['A', 'W']);
+  learnLetter({ ...alone, code: 'KeyQ', key: 'q' });
+  expect(nameOf('KeyQ')).toBe('Q');
 });

@@ -156,7 +156,7 @@ test('what was saved is there when the page is opened again; what is broken is n
     removeItem: (key: string) => kept.delete(key),
   };
   Object.defineProperty(globalThis, 'localStorage', { value: storage, configurable: true });
-  const mine = bind('keyboard', DEFAULTS.keyboard, '+X', { source: 'Insert', sign: 1 });
+  const mine = bind('keyboard', DEFAULTS.keyboard, '+X', { source: 'Numpad5', sign: 1 });
   save('keyboard', mine);
   reread();
   expect(mappingOf('keyboard')).toEqual(mine);

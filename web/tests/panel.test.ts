@@ -7,6 +7,7 @@ import { segments } from '../src/panel/lamp-test';
 import { leadsAway } from '../src/panel/limits';
 import { limitTags, pointWords } from '../src/panel/resolution';
 import { whatNext } from '../src/panel/route';
+import { leaving } from '../src/panel/scenarios';
 import { firstShown, startPoint } from '../src/panel/stored-points';
 import { opposite } from '../src/panel/thc';
 import type { Frame, JointInfo } from '../src/protocol';
@@ -177,4 +178,11 @@ test('a sequence starts at its next point, and from the first where it is comple
   expect(startPoint('AUTO 1', { mode: 'AUTO 1', point: 5 }, 4)).toBe(1);
   expect(startPoint('AUTO 2', { mode: 'AUTO 1', point: 3 }, 2)).toBe(1);
   expect(startPoint('AUTO 3', { mode: 'AUTO 1', point: 3 }, 0)).toBe(0);
+});
+
+test('leaving a flight says what is kept of it', () => {
+  expect(leaving('First flight', 'Tutorial', true)).toBe(
+    'Leave “First flight” for “Tutorial”? Its recording is finished and kept.',
+  );
+  expect(leaving('First flight', 'Tutorial', false)).toContain('nothing of it is kept');
 });

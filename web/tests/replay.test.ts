@@ -2,11 +2,12 @@ import { expect, test } from 'vitest';
 import type { Block, Frame, Moment, Strip } from '../src/protocol';
 import { marks } from '../src/replay/axis';
 import { actionOf } from '../src/replay/keys';
-import { stretchAt } from '../src/replay/lanes';
+import { marksOf, stretchAt } from '../src/replay/lanes';
 import { Player } from '../src/replay/player';
-import { minutes, withUnit } from '../src/replay/quantity';
+import { figure, minutes, withUnit } from '../src/replay/quantity';
 import { began, drawnRate } from '../src/replay/rail';
-import { heights, path } from '../src/replay/strips';
+import { following, LEAST_S, lengthOf, partOf, zoomed } from '../src/replay/span';
+import { boundsOf, heights, path } from '../src/replay/strips';
 import { unitsOf } from '../src/units';
 
 const EXTENT = { period_s: 0.02, ticks: 1000, stride: 1, block: 100 };
@@ -168,6 +169,8 @@ test('keys play, seek and step; others are not ours', async () => {
     plane: none,
     matrix: none,
     split: none,
+    asFlown: none,
+    zoom: none,
     close: none,
   };
   const press = (code: string, shiftKey = false) => actionOf(made, keys, { code, shiftKey })?.();
@@ -208,11 +211,97 @@ test('a level strip is drawn, not divided by nothing', () => {
 
 test('the axis has at most ten marks, round ones, none beyond the end', () => {
   for (const duration of [0.5, 12, 40.04, 512, 7200, 40_000]) {
-    const times = marks(duration);
+    const times = marks({ from: 0, to: duration });
     expect(times.length).toBeLessThanOrEqual(10);
     expect(Math.max(...times)).toBeLessThan(duration);
   }
-  expect(marks(40.04)).toEqual([0, 5, 10, 15, 20, 25, 30, 35]);
+  expect(marks({ from: 0, to: 40.04 })).toEqual([0, 5, 10, 15, 20, 25, 30, 35]);
+});
+
+test('zoomed in, the marks are those of the part that is shown', () => {
+  expect(marks({ from: 21, to: 31 })).toEqual([21, 22, 23, 24, 25, 26, 27, 28, 29, 30]);
+  expect(marks({ from: 12.1, to: 14.1 })[0]).toBeCloseTo(12.2);
+});
+
+test('zooming keeps the playhead in its place, within the run', () => {
+  const whole = { from: 0, to: 600 };
+  const closer = zoomed(whole, 2, 300, 600);
+  expect(closer).toEqual({ from: 150, to: 450 });
+  expect(partOf(closer, 300)).toBe(partOf(whole, 300));
+  expect(zoomed(closer, 0.5, 300, 600)).toEqual(whole);
+  expect(zoomed(closer, 1 / 8, 300, 600)).toEqual(whole);
+  expect(zoomed(whole, 1e6, 600, 600)).toEqual({ from: 600 - LEAST_S, to: 600 });
+  expect(zoomed({ from: 0, to: 1 }, 2, 0.5, 1)).toEqual({ from: 0, to: 1 });
+});
+
+test('a span moves on with the playhead and stays within the run', () => {
+  const span = { from: 100, to: 200 };
+  expect(following(span, 150, 600)).toBe(span);
+  for (const position of [201, 599, 99, 0, 600]) {
+    const moved = following(span, position, 600);
+    expect(lengthOf(moved)).toBe(100);
+    expect(moved.from).toBeGreaterThanOrEqual(0);
+    expect(moved.to).toBeLessThanOrEqual(600);
+    expect(position).toBeGreaterThanOrEqual(moved.from);
+    expect(position).toBeLessThanOrEqual(moved.to);
+  }
+});
+
+test('what is taken and let go is marked once, however often the log tells it', () => {
+  const line = (time_s: number, kind: string) => ({ time_s, kind, level: 'info', text: kind }) as const;
+  const events = [
+    line(1, 'mode'),
+    line(2, 'captured'),
+    line(2, 'acquired'),
+    line(9, 'released'),
+    line(9, 'released'),
+  ];
+  expect(marksOf(events).map(({ time_s, name }) => [time_s, name])).toEqual([
+    [2, 'captured'],
+    [9, 'released'],
+  ]);
+});
+
+test('a figure of a distance and an angle says both', () => {
+  const measure = {
+    name: '',
+    quantity: 'gap',
+    value: 0.021,
+    text: '',
+    about: '',
+    angle: Math.PI / 180,
+  } as const;
+  expect(figure(measure, unitsOf('SI'))).toBe('2.1 cm, 1.0°');
+  expect(figure({ ...measure, angle: null }, unitsOf('ft-in'))).toBe('0.8 in');
+});
+
+test('a clearance is held against both thresholds, a rate against its limit', () => {
+  expect(boundsOf({ limit: null, caution: 0.6, warning: 0.15 }).map(({ level }) => level)).toEqual([
+    'caution',
+    'warning',
+  ]);
+  expect(boundsOf({ limit: 1, caution: null, warning: null })).toEqual([{ level: 'limit', value: 1 }]);
+});
+
+test('A goes back to the cameras as flown, plus and minus zoom', async () => {
+  const { player: made } = await player();
+  const done: string[] = [];
+  const none = () => {};
+  const keys = {
+    event: none,
+    desk: none,
+    camera: none,
+    stepCamera: none,
+    otherMonitor: none,
+    plane: none,
+    matrix: none,
+    split: none,
+    asFlown: () => done.push('as flown'),
+    zoom: (way: number) => done.push(`zoom ${way}`),
+    close: none,
+  };
+  for (const code of ['KeyA', 'Equal', 'Minus']) actionOf(made, keys, { code, shiftKey: false })?.();
+  expect(done).toEqual(['as flown', 'zoom 1', 'zoom -1']);
 });
 
 test('times, values and rates are written as people read them', () => {

@@ -3,7 +3,7 @@ import { Hold } from '../src/input/hold';
 import { whereIs } from '../src/panel/cargo';
 import { figures, whatNow } from '../src/panel/conditions';
 import { graspWords } from '../src/panel/effector';
-import { contactIn, FARTHEST, levelOf, NEAREST, placeOf } from '../src/panel/gap-scale';
+import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/gap-scale';
 import { angleAt, BAR, place } from '../src/panel/joint-scale';
 import { clipped, labelPlace } from '../src/panel/label-place';
 import { replaced } from '../src/panel/master';
@@ -16,11 +16,10 @@ import { counted } from '../src/panel/spine';
 import { linesOf } from '../src/panel/touching';
 import { SPAN_S, Trend } from '../src/panel/trend';
 import { drawnGap } from '../src/pictures';
-import type { CargoFrame, Condition, Near, WorkFrame } from '../src/protocol';
+import type { CargoFrame, Condition, Frame, Near, WorkFrame } from '../src/protocol';
 import { unitsOf } from '../src/units';
 
 const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
-const THRESHOLDS = { caution: 0.6, warning: 0.15 };
 
 function near(parts: Partial<Near>): Near {
   return { a: 'palm', b: 'bar', clearance: 0.3, closing: 0, essential: false, ...parts } as Near;
@@ -39,17 +38,6 @@ test('the gauge is logarithmic between its ends, and stays on itself', () => {
   expect([placeOf(NEAREST), placeOf(FARTHEST)]).toEqual([0, 1]);
   expect([placeOf(-0.1), placeOf(0), placeOf(50)]).toEqual([0, 0, 1]);
   expect(placeOf(Math.sqrt(NEAREST * FARTHEST))).toBeCloseTo(0.5);
-});
-
-test('a level is left only well beyond its threshold', () => {
-  expect(levelOf(0.61, THRESHOLDS)).toBe('info');
-  expect(levelOf(0.59, THRESHOLDS)).toBe('caution');
-  expect(levelOf(0.61, THRESHOLDS, 'caution')).toBe('caution');
-  expect(levelOf(0.63, THRESHOLDS, 'caution')).toBe('info');
-  expect(levelOf(0.14, THRESHOLDS)).toBe('warning');
-  expect(levelOf(0.152, THRESHOLDS, 'warning')).toBe('warning');
-  expect(levelOf(0.16, THRESHOLDS, 'warning')).toBe('caution');
-  expect(levelOf(-0.01, THRESHOLDS)).toBe('warning');
 });
 
 test('time to contact is told only while the gap closes', () => {
@@ -198,10 +186,22 @@ test('a payload is in the grasp, in a seat, both, or free', () => {
   expect(whereIs({ ...CARGO, seat: 'bay' })).toBe('bay');
   expect(whereIs({ ...CARGO, held: true })).toBe('held');
   expect(whereIs({ ...CARGO, held: true, seat: 'bay' })).toBe('held, fixed');
-  expect(graspWords({ cargo: [CARGO, { ...CARGO, name: 'beacon', held: true }] })).toBe(
-    'beacon in the grasp',
-  );
-  expect(graspWords({ cargo: [] })).toBe('');
+});
+
+test('the end effector says what it holds, how heavy that is and how fast it may go; else how far the next is', () => {
+  const payloads = [
+    { id: 0, mass: 0, translation: [0.6, 0.1] },
+    { id: 2, mass: 1000, translation: [0.06, 0.03] },
+  ] as const;
+  const words = (cargo: readonly CargoFrame[], fixture: number | null, rate: Frame['rate'] = 'coarse') =>
+    graspWords({ work: { cargo, fixture }, payload: 2, rate }, payloads, SI);
+  const beacon = { ...CARGO, name: 'beacon', held: true };
+  expect(words([CARGO, beacon], null)).toBe('beacon, 1000 kg, to 0.060 m/s');
+  expect(words([CARGO, beacon], null, 'vernier')).toBe('beacon, 1000 kg, to 0.030 m/s');
+  expect(words([CARGO], 4.2)).toBe('empty, fixture 420 cm away');
+  expect(words([CARGO], 2.9)).toBe('empty');
+  expect(words([CARGO], null)).toBe('empty');
+  expect(words([], null)).toBe('');
 });
 
 test('the prong is on its way until it is where its switch sends it', () => {

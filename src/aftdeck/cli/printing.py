@@ -25,6 +25,8 @@ def print_summary(s: Summary) -> None:
     if s.position_error_m is not None and s.rotation_error_rad is not None:
         print(f"  miss       {s.position_error_m * 1e3:.4f} mm, {math.degrees(s.rotation_error_rad):.5f} deg")
     print(f"  joint rate {100.0 * s.worst_rate_ratio:.1f} % of its limit at most")
+    if s.min_clearance_m is not None:
+        print(f"  clearance  {100.0 * s.min_clearance_m:.1f} cm at least")
     for event in s.events:
         print(f"  {event.time_s:9.2f} s  {event.text}")
     print(f"  frames     sha256 {s.frames_sha256}")

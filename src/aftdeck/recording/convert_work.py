@@ -9,6 +9,7 @@ import numpy as np
 from aftdeck.frames import Rows, quaternion, rotation_of
 from aftdeck.recording.told import Numbers
 from aftdeck.recording.work_records import CargoRecord, ConditionRecord, HandRecord, NearRecord, WorkRecord
+from aftdeck.worksite.alarm import CLEAR
 from aftdeck.worksite.conditions import Condition, Unit
 from aftdeck.worksite.report import Cargo, Hand, Near, Six, Vec3, Work
 
@@ -44,6 +45,7 @@ def work_record(work: Work) -> WorkRecord:
         orbiter_m_s=_rounded(work.orbiter_velocity, FINE),
         cargo=tuple(_cargo_record(cargo) for cargo in work.cargo),
         master_rad=None if work.master is None else _rounded(work.master, FINE),
+        clearance_level=work.clearance_level,
     )
 
 
@@ -53,6 +55,7 @@ def work_of(record: WorkRecord) -> Work:
     return Work(
         task=record.task,
         nearest=None if record.nearest is None else _near_of(record.nearest),
+        clearance_level=record.clearance_level or CLEAR,
         contacts=tuple(_near_of(near) for near in record.contacts),
         arm_inhibit=record.arm_inhibit,
         finger_inhibit=record.finger_inhibit,

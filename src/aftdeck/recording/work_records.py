@@ -77,3 +77,7 @@ class WorkRecord(Message, frozen=True):
     orbiter_m_s: Annotated[Numbers, told("its velocity", "m/s", "L")]
     cargo: Annotated[tuple[CargoRecord, ...], told("the worksite's payloads")]
     master_rad: Annotated[Numbers | None, told("the master arm's joint angles", "rad")]
+    clearance_level: Annotated[
+        Literal["info", "caution", "warning"] | None,
+        told("what the clearance of `nearest` calls for; null in files made before it was told"),
+    ] = None

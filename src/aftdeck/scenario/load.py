@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
+from typing import NamedTuple
 
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Changes, Text, examine, read
@@ -17,6 +19,22 @@ HERE = Path(__file__).parent / "builtin"
 def built_in() -> tuple[str, ...]:
     """Names of the scenarios that come with Aftdeck."""
     return tuple(sorted(path.stem for path in HERE.glob("*.toml")))
+
+
+class About(NamedTuple):
+    """What a built-in scenario's file says of it."""
+
+    title: str
+    text: str
+    file: str
+    """All of the file."""
+
+
+def about(name: str) -> About:
+    """Title and text of a built-in scenario, read without building it, which takes a second or so."""
+    file = (HERE / f"{name}.toml").read_text(encoding="utf-8")
+    said = tomllib.loads(file)
+    return About(said["title"], said["text"], file)
 
 
 def load_scenario(name_or_path: str | Path) -> Scenario:

@@ -18,7 +18,7 @@ from aftdeck.simulation.ahead import frames_at
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Six
 from aftdeck.simulation.look_work import near_of
-from aftdeck.simulation.panel import standing
+from aftdeck.simulation.panel import law_of, standing
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import ANGLES, DRIVE, GO, LAW, REPORT, RISE, STICKS, TWIST
 from aftdeck.steering.mode import MODES
@@ -146,6 +146,7 @@ def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
     if not held and last is not None and MODES[state.panel.mode].kind in ("manual", "single"):
         axis, sign = last
         command[DRIVE if axis == DRIVE_AXIS else STICKS + axis] = sign
+        command[LAW], command[GO] = law_of(state.panel), 0.0  # POSITION HOLD gives way to a stick
     if MODES[state.panel.mode].kind == "automatic" and state.panel.sequence != "in progress":
         command[LAW], command[GO] = _ORB_UNL, 0.0  # it waits for PROCEED, and rests
     return command, steering, held

@@ -40,6 +40,7 @@ def look_work(flight: Flight, state: State) -> Work:
     return Work(
         task=things.task,
         nearest=None if group < 0 else near_of(flight, state, things.watch.found, group),
+        clearance_level=state.panel.clearance,
         contacts=contacts,
         arm_inhibit=inhibit.arm,
         finger_inhibit=inhibit.finger,

@@ -1,4 +1,4 @@
-"""What the log tells of the arm after a step: joints that pass a limit, singularities that come near."""
+"""What the log tells after a step: joints that pass a limit, singularities and parts that come near."""
 
 from __future__ import annotations
 
@@ -11,6 +11,9 @@ from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
 from aftdeck.simulation.log import log, spoken
 from aftdeck.simulation.state import State
 from aftdeck.simulation.ways_out import ways_out
+from aftdeck.worksite.alarm import level_of
+from aftdeck.worksite.conditions import shown
+from aftdeck.worksite.found import CLEARANCE
 
 Zones = tuple[int, int, int, int, int, int]
 
@@ -44,6 +47,7 @@ def notice(flight: Flight, state: State) -> None:
         _tell_zones(flight, state, zones)
     if singular != state.panel.singular:
         _tell_singular(flight, state, singular)
+    _tell_clearance(flight, state)
     state.ways_out = ways_out(flight, state, zones, singular)
 
 
@@ -79,3 +83,23 @@ def _tell_singular(flight: Flight, state: State, singular: tuple[str, ...]) -> N
         elif name in before and name not in singular:
             log(flight, state, "singular", "info", f"{name} singularity left behind")
     state.panel.singular = singular
+
+
+def _tell_clearance(flight: Flight, state: State) -> None:
+    """The nearest pair has come under a threshold of the scenario's, or is clear of it again."""
+    scenario, things, before = flight.scenario, state.site, state.panel.clearance
+    now: Level = "info"
+    if things.nearest >= 0:
+        clearance = float(things.watch.found[things.nearest, CLEARANCE])
+        now = level_of(clearance, scenario.caution, scenario.warning, before)
+    if now == before:
+        return
+    state.panel.clearance = now
+    units = scenario.arm.model.units
+    thresholds = {"caution": shown(scenario.caution, "m", units), "warning": shown(scenario.warning, "m", units)}
+    if now == "warning" or before == "info":
+        a, b = flight.site.layout.named(things.nearest)
+        log(flight, state, "clearance", now, f"{a} within {thresholds[now]} of {b}")
+    else:
+        passed = thresholds["warning" if now == "caution" else "caution"]
+        log(flight, state, "clearance", "info", f"clearance over {passed} again")

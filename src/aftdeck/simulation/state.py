@@ -18,7 +18,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.cameras import Cameras
 from aftdeck.simulation.carried import Carried
-from aftdeck.simulation.frame import Check, Event, Sequence, Six, WayOut
+from aftdeck.simulation.frame import Check, Event, Level, Sequence, Six, WayOut
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.site import Site
 from aftdeck.simulation.things import SavedThings, Things
@@ -63,6 +63,8 @@ class Panel(msgspec.Struct):
     """Steps for which an automatic motion has been held at a standstill."""
     zones: tuple[int, int, int, int, int, int] = (0, 0, 0, 0, 0, 0)
     singular: tuple[str, ...] = ()
+    clearance: Level = "info"
+    """What the least clearance calls for."""
     advice: dict[str, int] = msgspec.field(default_factory=dict)
     """The stick that was named last as the way out, by its cause."""
 

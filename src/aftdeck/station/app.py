@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator
+import functools
+from collections.abc import AsyncIterator, Callable
 from pathlib import Path
+from threading import Thread
 from urllib.parse import urlsplit
 
 import msgspec
@@ -17,8 +19,10 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from aftdeck.errors import CommandError
+from aftdeck.errors import AftdeckError, CommandError
 from aftdeck.station import protocol as wire
+from aftdeck.station.choice import Choice
+from aftdeck.station.seats import ANSWER_WITHIN, Seats
 from aftdeck.station.session import Phase, Session
 
 STATIC = Path(__file__).parent / "static"
@@ -37,28 +41,122 @@ _messages: msgspec.json.Decoder[wire.FromPage] = msgspec.json.Decoder(wire.FromP
 
 
 class Pages:
-    """The pages connected to one session: who flies, and waking their senders."""
+    """The pages connected to one station: what is flown, who flies, and waking their senders."""
 
-    def __init__(self, session: Session) -> None:
-        self.session = session
-        self.pages: list[Page] = []
+    def __init__(self, session: Session, told: Callable[[], None]) -> None:
+        self.session, self._told = session, told
+        self.choice = Choice(session.scenario)
+        self.seats: Seats[Page] = Seats()
+        self.windows: set[Page] = set()
         self.fresh = asyncio.Event()
+        self.change: asyncio.Task[None] | None = None
 
     def wake(self) -> None:
         """Tell every sender that there is something new."""
         self.fresh.set()
         self.fresh = asyncio.Event()
 
-    @property
-    def flier(self) -> Page | None:
-        """The page that flies: the one longest here."""
-        return self.pages[0] if self.pages else None
+    def fly(self, number: int, asking: Page) -> None:
+        """Make another scenario ready and then fly it; the arm comes to rest meanwhile.
+
+        Raises:
+            CommandError: it cannot be chosen.
+        """
+        self.choice.choose(number)
+        self.session.let_go("another scenario")
+        self.wake()
+        self.change = asyncio.create_task(self._change(number, asking))
+
+    async def _change(self, number: int, asking: Page) -> None:
+        """Leave the present session for another; where that cannot be made, the present one goes on."""
+        before, choice = self.session, self.choice
+        try:
+            self.session = await _abandonable(lambda: before.another(choice.load(number)))
+            choice.flown = number
+            self.wake()
+            await asyncio.to_thread(before.close)  # its recording is finished before the next begins
+            self.session.start(self._told)
+        except Exception as error:  # whoever asked must hear of it, whatever it was
+            with contextlib.suppress(WebSocketDisconnect, RuntimeError):
+                await asking.refuse(-1, f"{choice.scenarios[number].title!r} cannot be flown: {error}", counts=False)
+            if not isinstance(error, AftdeckError):
+                raise
+        finally:
+            choice.coming = None
+            self.wake()
+
+    async def close(self) -> None:
+        """The server ends: nothing more is made ready, and the flight stops."""
+        if self.change is not None:
+            self.change.cancel()
+            await asyncio.wait([self.change])
+        self.session.close()
+
+    def come(self, page: Page) -> None:
+        """Take a page on: with hands it has a seat, a second window has none."""
+        if page.shows:
+            self.windows.add(page)
+        else:
+            self.seats.come(page)
 
     def leave(self, page: Page) -> None:
         """Take a page off; the sticks go to zero if it flew."""
-        if page is self.flier:
+        if page.shows:
+            self.windows.remove(page)
+            return
+        if page is self.seats.flier:
             self.session.let_go()
-        self.pages.remove(page)
+        self.seats.leave(page)
+
+    def role(self, page: Page) -> wire.Role:
+        """What a page is told of who flies."""
+        seats = self.seats
+        number, flier, asking = (
+            0 if one is None or one.shows else seats.number(one) for one in (page, seats.flier, seats.asking)
+        )
+        return wire.Role(page is seats.flier, max(0, len(seats) - 1), number, flier, asking)
+
+    def ask(self, page: Page) -> None:
+        """A page asks for the sticks; when the time to answer is over, all are told.
+
+        Raises:
+            CommandError: it flies, or another asks.
+        """
+        self.seats.ask(page)
+        self.wake()
+        asyncio.get_running_loop().call_later(ANSWER_WITHIN, self.wake)
+
+    async def answer(self, gives: bool) -> None:
+        """The page that flies gives the sticks, or keeps them.
+
+        Raises:
+            CommandError: nobody asks, or a stick is not at rest.
+        """
+        seats = self.seats
+        asked, flier = seats.who_asks(), self.role(seats.who_asks()).flier
+        if gives:
+            self.session.hand_over(f"page {flier} gives the sticks to page {seats.number(asked)}")
+        seats.answer(gives)
+        self.wake()
+        if not gives:
+            await asked.refuse(asked.seq, f"page {flier} keeps the sticks", counts=False)
+
+
+async def _abandonable(make: Callable[[], Session]) -> Session:
+    """What a thread makes that the end of the process need not wait for: compiling may take half a minute."""
+    loop = asyncio.get_running_loop()
+    made: asyncio.Future[Session] = loop.create_future()
+
+    def run() -> None:
+        try:
+            told = functools.partial(made.set_result, make())
+        except Exception as error:
+            told = functools.partial(made.set_exception, error)
+        with contextlib.suppress(RuntimeError):  # the loop is closed
+            loop.call_soon_threadsafe(lambda: None if made.done() else told())
+
+    Thread(target=run, name="making ready", daemon=True).start()
+    return await made
 
 
 class Page:
@@ -66,6 +164,7 @@ class Page:
 
     def __init__(self, pages: Pages, socket: WebSocket) -> None:
         self.pages, self.socket = pages, socket
+        self.welcomed, self.shows = pages.session, False
         self.seq = -1
         self.wrong = 0
 
@@ -73,7 +172,7 @@ class Page:
         """Handshake, then receive and send until one side goes."""
         if not await self._handshake():
             return
-        self.pages.pages.append(self)
+        self.pages.come(self)
         sender = asyncio.create_task(self._send_news())
         try:
             self.pages.wake()
@@ -97,9 +196,10 @@ class Page:
             return await self._goodbye(
                 f"this page speaks protocol {hello.protocol}, the station {wire.PROTOCOL}: reload the page"
             )
-        if len(self.pages.pages) >= MOST_PAGES:
+        if len(self.pages.seats) + len(self.pages.windows) >= MOST_PAGES:
             return await self._goodbye(f"{MOST_PAGES} pages are connected already")
-        await self._send(self.pages.session.welcome)
+        self.welcomed, self.shows = self.pages.session, hello.shows
+        await self._send(self.welcomed.welcome)
         return True
 
     async def _goodbye(self, text: str) -> bool:
@@ -119,7 +219,7 @@ class Page:
                 return
             text = message.get("text")
             if text is None:
-                await self._refuse(-1, "messages are JSON text; this one was binary")
+                await self.refuse(-1, "messages are JSON text; this one was binary")
                 continue
             await self._take(text)
         await self._goodbye(f"{MOST_WRONG} messages were refused; the connection is closed")
@@ -128,44 +228,65 @@ class Page:
         try:
             message = _messages.decode(text)
         except (msgspec.MsgspecError, RecursionError) as error:
-            return await self._refuse(-1, f"message not understood: {error}")
+            return await self.refuse(-1, f"message not understood: {error}")
         if message.seq <= self.seq:
-            return await self._refuse(
+            return await self.refuse(
                 message.seq, f"message {message.seq} came after message {self.seq}; it was not taken"
             )
         self.seq = message.seq
-        if self.pages.flier is not self:
-            return await self._refuse(message.seq, "you watch; another page flies", counts=False)
+        if isinstance(message, wire.AskSticks) and not self.shows:
+            try:
+                return self.pages.ask(self)
+            except CommandError as error:
+                return await self.refuse(message.seq, str(error), counts=False)
+        if self.pages.seats.flier is not self:
+            return await self.refuse(message.seq, "you watch; another page flies", counts=False)
         try:
-            if isinstance(message, wire.Sticks):
-                self.pages.session.steer(message)
-            elif isinstance(message, wire.Shown):
-                self.pages.session.shown(message)
-            elif isinstance(message, wire.Controllers):
-                self.pages.session.controllers_in_use(message)
-            elif isinstance(message, wire.DriveCamera):
-                self.pages.session.turn(message)
-            elif isinstance(message, wire.SetLight):
-                self.pages.session.light(message)
-            else:
-                self.pages.session.command(message)
+            await self._do(message)
         except CommandError as error:
-            return await self._refuse(message.seq, str(error))
+            return await self.refuse(message.seq, str(error))
         self.wrong = 0
 
-    async def _refuse(self, seq: int, text: str, *, counts: bool = True) -> None:
+    async def _do(self, message: wire.FromPage) -> None:
+        session = self.pages.session
+        match message:
+            case wire.GiveSticks() | wire.KeepSticks():
+                await self.pages.answer(isinstance(message, wire.GiveSticks))
+            case wire.Sticks():
+                session.steer(message)
+            case wire.Shown():
+                session.shown(message)
+            case wire.Controllers():
+                session.controllers_in_use(message)
+            case wire.DriveCamera():
+                session.turn(message)
+            case wire.SetLight():
+                session.light(message)
+            case wire.FlyScenario():
+                self.pages.fly(message.number, self)
+            case _:
+                session.command(message)
+
+    async def refuse(self, seq: int, text: str, *, counts: bool = True) -> None:
+        """Tell the page what was not taken; `counts`: among those after which the connection is closed."""
         self.wrong += counts
         await self._send(wire.Refused(seq, text))
 
     # --- to the page --------------------------------------------------------------------------------------
 
     async def _send_news(self) -> None:
-        """Send role, log and newest frame whenever they change; frames that came meanwhile are skipped."""
-        session = self.pages.session
-        role, lines, sent = None, 0, b""
-        while session.phase is not Phase.CLOSED:
+        """Send scenarios, role, log and newest frame whenever they change; frames that came meanwhile are skipped."""
+        session = self.welcomed
+        scenarios, role, lines, sent = None, None, 0, b""
+        while self.pages.session.phase is not Phase.CLOSED:
             fresh = self.pages.fresh  # taken before looking, so that nothing new is missed
-            now = wire.Role(self.pages.flier is self, len(self.pages.pages) - 1)
+            if session is not self.pages.session:
+                session, lines, sent = self.pages.session, 0, b""
+                await self._send(session.welcome)
+            if (choice := self.pages.choice.message()) != scenarios:
+                scenarios = choice
+                await self._send(choice)
+            now = self.pages.role(self)
             if now != role:
                 role = now
                 await self._send(now)
@@ -214,25 +335,24 @@ def _host_name(url: str) -> str | None:
 
 
 def make_app(session: Session, host: str = "127.0.0.1") -> Starlette:
-    """The server of a session; it starts to fly with the server and stops with it."""
+    """The server that begins with this session: it starts to fly with the server and stops with it."""
     pages: Pages | None = None
 
     @contextlib.asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:
         nonlocal pages
-        pages = Pages(session)
         loop = asyncio.get_running_loop()
-        here = pages
 
         def told() -> None:
             with contextlib.suppress(RuntimeError):  # the loop is closing
                 loop.call_soon_threadsafe(here.wake)
 
+        here = pages = Pages(session, told)
         session.start(told)
         try:
             yield
         finally:
-            session.close()
+            await here.close()
 
     async def talk(socket: WebSocket) -> None:
         assert pages is not None, "the lifespan makes it before the first connection"
@@ -241,7 +361,7 @@ def make_app(session: Session, host: str = "127.0.0.1") -> Starlette:
             await Page(pages, socket).serve()
 
     async def health(_: Request) -> Response:
-        return PlainTextResponse(f"{session.phase.value}\n")
+        return PlainTextResponse(f"{(pages.session if pages else session).phase.value}\n")
 
     routes: list[BaseRoute] = [WebSocketRoute("/ws", talk), Route("/health", health)]
     if (STATIC / "index.html").is_file():

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.tasks import TASKS
 from aftdeck.station.playback import Lane, Stretch
 from aftdeck.station.protocol import Lamp, Level
 
@@ -32,18 +33,19 @@ class Lanes:
 
     def add(self, frame: Frame, lamps: Iterable[Lamp]) -> None:
         """The next frame and the lamps lit in it."""
-        alarms = [lamp.name for lamp in lamps if lamp.level != "info"]
-        self._put("Phase", frame.phase, "info")
+        alarms = {lamp.name: lamp.level for lamp in lamps if lamp.level != "info"}
+        worst: Level = "warning" if "warning" in alarms.values() else "caution" if alarms else "info"
+        self._put("Phase", phase_of(frame), "info")
         self._put("Mode", frame.mode, "info")
         for name, cameras in zip(MONITORS, self._shown, strict=True):
             self._put(name, " | ".join(cameras), "info")
-        self._put("Alarms", " · ".join(alarms), "caution" if alarms else "info")
+        self._put("Alarms", " · ".join(alarms), worst)
         self._put("Limits", " · ".join(sorted({limit.kind for limit in frame.limits})), "info")
         self._ticks = frame.tick
 
     def _put(self, lane: str, label: str, level: Level) -> None:
         stretches = self._lanes[lane]
-        if not stretches or stretches[-1][1] != label:
+        if not stretches or stretches[-1][1:] != (label, level):
             stretches.append((self._ticks, label, level))
 
     def lanes(self) -> tuple[Lane, ...]:
@@ -63,3 +65,8 @@ class Lanes:
 
     def _seconds(self, ticks: int) -> float:
         return round(ticks * self._period_s, 9)
+
+
+def phase_of(frame: Frame) -> str:
+    """The script's phase; by hand, where there is a payload to work on, the report's mode: ``extraction``."""
+    return frame.phase or (TASKS[frame.work.task] if frame.work.cargo else "")

@@ -6,6 +6,7 @@ import math
 
 from aftdeck.recording.records import ControllerRecord
 from aftdeck.simulation.frame import Frame
+from aftdeck.station.captured import Captured, captured
 from aftdeck.station.playback import Measure, Quantity
 from aftdeck.station.protocol import Lamp
 from aftdeck.station.strips import worst_rate
@@ -26,11 +27,19 @@ class Measures:
         self._reversals = self._alarms = 0
         self._path = self._fastest = self._worst = 0.0
         self._used: dict[str, ControllerRecord] = {}
+        self._nearest: tuple[float, str, float] | None = None
+        self._captures = 0
+        self._captured = Captured()
+        self._brakes = self._cameras = 0
+        self._monitors: tuple[tuple[str, ...], ...] = ()
 
     def add(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
         """The next frame and the lamps lit in it."""
         if self._last is not None:
             self._path += math.dist(frame.position, self._last.position)
+            self._capture(self._last, frame)
+        self._brakes += frame.brakes and not (self._last and self._last.brakes)
+        self._near(frame)
         self._last = frame
         self._ticks += 1
         self._by_hand += frame.by == "hand"
@@ -45,6 +54,23 @@ class Measures:
     def use(self, controllers: tuple[ControllerRecord, ...]) -> None:
         """What moves the sticks from here on."""
         self._used |= {used.kind: used for used in controllers}
+
+    def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
+        """What the monitors show from the next frame on."""
+        self._cameras += sum(now != before for now, before in zip(monitors, self._monitors, strict=False))
+        self._monitors = monitors
+
+    def _near(self, frame: Frame) -> None:
+        near = frame.work.nearest
+        if near is not None and (self._nearest is None or near.clearance < self._nearest[0]):
+            self._nearest = near.clearance, f"{near.a} to {near.b}", frame.time_s
+
+    def _capture(self, before: Frame, frame: Frame) -> None:
+        """How it stood in the step before something was held."""
+        for was, now in zip(before.work.cargo, frame.work.cargo, strict=True):
+            if now.held and not was.held:
+                self._captures += 1
+                self._captured = captured(before, was)
 
     def _sticks(self, frame: Frame) -> None:
         axes = (*frame.translation, *frame.rotation)
@@ -71,10 +97,14 @@ class Measures:
             about = "; ".join(_told(used) for used in self._used.values())
             figures.append(Measure("Controllers", "words", None, ", ".join(self._used), f"As used last: {about}."))
         if frame.goal is not None:
-            figures += [
-                _figure("Distance left", "length", frame.goal.distance, "From the tip to the target, at the end."),
-                _figure("Angle left", "angle", frame.goal.angle, "From the tip's attitude to the target's."),
-            ]
+            about = "From the tip to the target and between their attitudes, at the end."
+            figures.append(Measure("Left to target", "length", frame.goal.distance, "", about, frame.goal.angle))
+        if self._nearest is not None:
+            least, pair, when = self._nearest
+            about = f"Of all watched pairs that are not made to touch: {pair}, at {when:.1f} s."
+            figures.append(_figure("Smallest clearance", "gap", least, about))
+        if self._captures:
+            figures += self._capture_figures()
         moved = max(self._deflected, 1)
         return (
             *figures,
@@ -94,8 +124,27 @@ class Measures:
                 self._reversals / duration * _MINUTE,
                 "Times that a stick's axis went over to its other side.",
             ),
-            _figure("Alarms raised", "count", float(self._alarms), "Times that a caution lamp came on."),
+            _figure("Alarms raised", "count", float(self._alarms), "Times that a lamp came on to caution or to warn."),
+            _figure("Brakes used", "count", float(self._brakes), "Times that the brakes were put on."),
+            *self._camera_figures(),
         )
+
+    def _capture_figures(self) -> list[Measure]:
+        which = "" if self._captures == 1 else f" The last of {self._captures} captures."
+        offset, angle, rate = self._captured
+        figures = []
+        if offset is not None:
+            about = f"What the hand was off, in the step before it held.{which}"
+            figures.append(Measure("Capture misalignment", "gap", offset, "", about, angle))
+        about = f"Of the tip against the payload, in the step before the hand held it.{which}"
+        return [*figures, _figure("Rate at capture", "speed", rate, about)]
+
+    def _camera_figures(self) -> list[Measure]:
+        """Where a page told what its monitors showed."""
+        if not self._monitors:
+            return []
+        about = "Times that a monitor was given another camera, or split."
+        return [_figure("Camera changes", "count", float(self._cameras), about)]
 
 
 def _figure(name: str, quantity: Quantity, value: float, about: str) -> Measure:

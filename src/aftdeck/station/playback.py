@@ -23,6 +23,7 @@ Quantity = Literal[
     "part of limit",
     "ratio",
     "length",
+    "gap",
     "distance",
     "angle",
     "speed",
@@ -30,7 +31,7 @@ Quantity = Literal[
     "milliseconds",
     "words",
 ]
-"""What a number is, from which the page takes its unit: a length in inches where the operator reads inches, a
+"""What a number is, from which the page takes its unit: a length or a gap in inches where the operator reads inches, a
 distance in feet; a share in per cent."""
 
 
@@ -79,6 +80,10 @@ class Strip(msgspec.Struct, frozen=True):
     """Range of all values, with zero in it where zero means rest."""
     limit: float | None
     """A bound to draw across it."""
+    caution: float | None
+    """Values below this are cautioned of; of a clearance, as the scenario has it."""
+    warning: float | None
+    """Values below this are warned of."""
     shown: bool
     """Drawn until the reader chooses others."""
 
@@ -93,6 +98,8 @@ class Measure(msgspec.Struct, frozen=True):
     """In words, where the quantity is such."""
     about: str
     """How it is reckoned, in a sentence."""
+    angle: float | None = None
+    """What belongs to a distance: how far the two are turned against each other [rad]."""
 
 
 class Verdict(msgspec.Struct, frozen=True):

@@ -51,13 +51,15 @@ class Hello(_Message, frozen=True, tag="hello"):
     """First message of a page: the protocol that it speaks."""
 
     protocol: int
+    shows: bool = False
+    """A second window: it shows the flight, is nobody's hands, and never flies."""
 
 
 class Sticks(_Message, frozen=True, tag="sticks"):
     """Where the hand controllers stand, after deadband and expo, each axis in [-1, 1].
 
-    Sent whenever they change and at least every 0.2 s while deflected: the server lets sticks that have
-    been silent for 0.5 s return to zero.
+    Sent whenever they change and at least every 0.2 s while they are deflected or RATE HOLD keeps a rate: sticks
+    that have been silent for 0.5 s return to zero, and nobody is held to be at the controls (`HandsOff`).
     """
 
     seq: Seq
@@ -132,6 +134,31 @@ class PositionHold(_Message, frozen=True, tag="position_hold"):
 
     seq: int
     on: bool
+
+
+class AskSticks(_Message, frozen=True, tag="ask_sticks"):
+    """A page that watches wants to fly; the one that flies gives or keeps within 10 s."""
+
+    seq: Seq
+
+
+class GiveSticks(_Message, frozen=True, tag="give_sticks"):
+    """Give the sticks, which are at rest, to the page that asks."""
+
+    seq: Seq
+
+
+class KeepSticks(_Message, frozen=True, tag="keep_sticks"):
+    """Keep the sticks; the page that asks is told."""
+
+    seq: Seq
+
+
+class HandsOff(_Message, frozen=True, tag="hands_off"):
+    """Nobody is at the controls: sticks at rest, RATE HOLD let go, POSITION HOLD on; a sequence goes on."""
+
+    seq: Seq
+    cause: Literal["page hidden", "device lost"]
 
 
 class SetBrakes(_Message, frozen=True, tag="brakes"):
@@ -217,6 +244,14 @@ class Restart(_Message, frozen=True, tag="restart"):
     seq: Seq
 
 
+class FlyScenario(_Message, frozen=True, tag="fly_scenario"):
+    """Leave this flight and fly another scenario; what is recorded of this one is finished and kept."""
+
+    seq: Seq
+    number: Annotated[int, msgspec.Meta(ge=0)]
+    """Its place in `Scenarios.scenarios`."""
+
+
 class DriveCamera(_Message, frozen=True, tag="drive_camera"):
     """The switches that turn a camera, each in [-1, 1]; sent and forgotten as `Sticks` are."""
 
@@ -285,6 +320,10 @@ FromPage = (
     | PayloadAxes
     | RateHold
     | PositionHold
+    | AskSticks
+    | GiveSticks
+    | KeepSticks
+    | HandsOff
     | LookAhead
     | SetBrakes
     | SetSafing
@@ -292,6 +331,7 @@ FromPage = (
     | Proceed
     | Stop
     | Restart
+    | FlyScenario
     | SetEffector
     | SetEffectorMode
     | SetRigid
@@ -448,12 +488,39 @@ class Welcome(_Message, frozen=True, tag="welcome"):
     """Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none."""
 
 
+class ScenarioInfo(msgspec.Struct, frozen=True):
+    """A scenario that this station can fly."""
+
+    name: str
+    title: str
+    text: str
+    """What it asks of the operator, a sentence or two."""
+    given: bool
+    """The user's own file; the others are built in."""
+
+
+class Scenarios(_Message, frozen=True, tag="scenarios"):
+    """What this station can fly: sent on connection and whenever something of it changes."""
+
+    scenarios: tuple[ScenarioInfo, ...]
+    flown: int
+    """Number of the one that is flown."""
+    coming: int | None
+    """Number of the one that is made ready; the sticks rest meanwhile. Then every page is welcomed anew."""
+
+
 class Role(_Message, frozen=True, tag="role"):
     """Who flies: sent on connection and whenever it changes."""
 
     flying: bool
     watchers: int
     """Pages that watch, besides the one that flies."""
+    number: int
+    """What this page is called, from 1."""
+    flier: int
+    """The page that flies."""
+    asking: int
+    """The page that asks for the sticks; 0: none."""
 
 
 class Limit(msgspec.Struct, frozen=True):
@@ -598,6 +665,8 @@ class WorkFrame(msgspec.Struct, frozen=True):
     task: int
     """The report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked."""
     nearest: Near | None
+    clearance_level: Level
+    """What the clearance of `nearest` calls for, by the scenario's thresholds."""
     contacts: tuple[Near, ...]
     arm_inhibit: bool
     finger_inhibit: bool
@@ -616,6 +685,8 @@ class WorkFrame(msgspec.Struct, frozen=True):
     cargo: tuple[CargoFrame, ...]
     master: Six | None
     """Where the master arm stands [rad]; null in other modes than MASTER."""
+    fixture: float | None
+    """From the empty snares to where they would be at the nearest grapple fixture [m]; null: there is none for them."""
 
 
 class Ahead(msgspec.Struct, frozen=True):
@@ -679,7 +750,9 @@ class Frame(_Message, frozen=True, tag="frame"):
     drive: float
     """Sticks as this step has flown them."""
     joints: Six
-    """[rad]"""
+    """Actual [rad]."""
+    joints_commanded: Six
+    """Where the commanded rates would have brought them [rad]."""
     rates: Six
     """Actual [rad/s]."""
     rates_commanded: Six
@@ -739,4 +812,4 @@ class Refused(_Message, frozen=True, tag="refused"):
     text: str
 
 
-FromServer = Welcome | Role | Frame | Events | Refused
+FromServer = Welcome | Scenarios | Role | Frame | Events | Refused

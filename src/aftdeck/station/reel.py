@@ -16,6 +16,7 @@ from threading import Lock
 from types import TracebackType
 
 import msgspec
+from msgspec.structs import replace
 
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import scenario_of
@@ -31,6 +32,7 @@ from aftdeck.station.protocol import Event
 from aftdeck.station.strips import Strips, readings, worst_rate
 from aftdeck.station.verdict import CHECKING
 from aftdeck.station.wire import Translator
+from aftdeck.worksite.alarm import CLEAR, Level, level_of
 
 _QUICK = 1
 """Level of the temporary file's compression."""
@@ -50,9 +52,9 @@ class Reel:
         """
         recording = Recording(path)
         scenario = scenario_of(recording.opening)
-        self._arm = scenario.arm
+        self._scenario = scenario
         self._translator = Translator(scenario, demo=True)
-        self._readings = readings(scenario.arm)
+        self._readings = readings(scenario)
         self._lights: list[tuple[int, Lighting]] = [(0, scenario.lighting)]
         self._ends, self._lock = [0], Lock()
         with ExitStack() as opened:
@@ -91,7 +93,7 @@ class Reel:
             verdict: of the recomputation.
             stride: steps from one frame that is handed over to the next.
         """
-        return msgspec.structs.replace(self._index, verdict=verdict, stride=stride)
+        return replace(self._index, verdict=verdict, stride=stride)
 
     def block(self, number: int) -> Block:
         """A block's moments, every step of them; may be called from any thread.
@@ -111,11 +113,11 @@ class Reel:
     def _read(self, recording: Recording) -> PlaybackIndex:
         opening = recording.opening
         period = opening.control_period_s
-        lanes, strips, measures = Lanes(period), Strips(self._arm, period), Measures(period)
+        lanes, strips, measures = Lanes(period), Strips(self._scenario, period), Measures(period)
         events: list[Event] = []
         pictures: list[Pictured] = []
         waiting: list[FrameRecord] = []
-        ticks = 0
+        ticks, level = 0, CLEAR
         for message in recording.messages():
             if isinstance(message, Note):
                 events.append(_event(message))
@@ -125,17 +127,20 @@ class Reel:
                 monitors = message.mon_1, message.mon_2
                 pictures.append(Pictured(message.time_s, monitors))
                 lanes.shown(monitors)
+                measures.shown(monitors)
             elif isinstance(message, LightRecord):
                 self._lights.append((ticks + 1, lighting_of(message)))
             elif isinstance(message, FrameRecord):
-                frame = frame_of(message)
+                record = self._levelled(message, level)
+                frame = frame_of(record)
                 lamps = self._translator.lamps(frame)
                 lanes.add(frame, lamps)
-                strips.add(self._readings(frame, message.latency_ms))
+                strips.add(self._readings(frame, record.latency_ms))
                 measures.add(frame, lamps)
-                events += [_event(event) for event in message.events]
-                ticks = message.tick
-                waiting.append(message)
+                events += [_event(event) for event in record.events]
+                level = frame.work.clearance_level
+                ticks = record.tick
+                waiting.append(record)
                 if len(waiting) == BLOCK:
                     self._pack(waiting)
                     waiting = []
@@ -163,6 +168,14 @@ class Reel:
             measures=measures.measures(recording.ended),
         )
 
+    def _levelled(self, record: FrameRecord, before: Level) -> FrameRecord:
+        """A frame with what its clearance calls for, which files of earlier versions do not tell."""
+        near = record.work.nearest
+        if near is None or record.work.clearance_level is not None:
+            return record
+        level = level_of(near.clearance_m, self._scenario.caution, self._scenario.warning, before)
+        return replace(record, work=replace(record.work, clearance_level=level))
+
     def _pack(self, records: list[FrameRecord]) -> None:
         try:
             self._file.write(zlib.compress(_encoder.encode(records), _QUICK))
@@ -185,7 +198,7 @@ class Reel:
         return Moment(
             self._translator.frame(frame, -1, lighting=self._lighting(record.tick)),
             self._readings(frame, record.latency_ms),
-            spoken(self._arm.joints[joint]) if joint >= 0 else "",
+            spoken(self._scenario.arm.joints[joint]) if joint >= 0 else "",
         )
 
     def _lighting(self, tick: int) -> Lighting:

@@ -30,6 +30,7 @@ from aftdeck.simulation.look_ahead import Axis
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.station import protocol as wire
+from aftdeck.station.unattended import left_alone
 from aftdeck.station.wire import Translator, controller_records
 
 SILENCE = 0.5
@@ -86,6 +87,7 @@ class Session:
     """One scenario in flight.
 
     Attributes:
+        scenario: what is flown.
         phase: where in its life the session is.
         failure: why it failed, in a sentence.
         welcome: what a new page is told.
@@ -102,7 +104,7 @@ class Session:
     ) -> None:
         self.phase = Phase.READY
         self.failure = ""
-        self._scenario, self._seed = scenario, seed
+        self.scenario, self._seed = scenario, seed
         self._translator = Translator(scenario, demo=demo)
         self.welcome = self._translator.welcome
         self._start_demo = demo
@@ -111,6 +113,7 @@ class Session:
         self._sim = Simulation(scenario, seed)
         self._translator.frame(Simulation(scenario, seed).step(Inputs()), -1)  # its own laws too
         self._lock = threading.Lock()
+        self._record, self._live = record, live
         self._tape = Tape(record, Index(), live)
         self._latency_ms: float | None = None
         self._look_s = LOOK_S
@@ -126,6 +129,7 @@ class Session:
         self._commands: deque[wire.FromPage] = deque()
         self._sticks = HANDS_OFF
         self._heard = 0.0
+        self._left = self._handed = ""
         self._log: list[Event] = []
         self._newest = b""
         self._told: Callable[[], None] = lambda: None
@@ -133,6 +137,10 @@ class Session:
         self._thread = threading.Thread(target=self._fly, name="simulation", daemon=True)
 
     # --- called by the server -----------------------------------------------------------------------------
+
+    def another(self, scenario: Scenario) -> Session:
+        """A session as this one was asked for, of another scenario; its recording goes into the same folder."""
+        return Session(scenario, self._seed, demo=self._start_demo, record=self._record, live=self._live)
 
     def start(self, told: Callable[[], None]) -> None:
         """Begin to fly; `told` is called from the simulation's thread after each step."""
@@ -221,13 +229,27 @@ class Session:
         with self._lock:
             self._controllers = message
 
-    def let_go(self) -> None:
-        """Sticks to zero and commands forgotten: the page that flew is gone."""
+    def let_go(self, cause: str = "page gone") -> None:
+        """Sticks to zero and commands forgotten: nobody is at the controls, for one of `unattended.CAUSES`."""
         with self._lock:
             self._sticks, self._camera = HANDS_OFF, STILL
             self._commands.clear()
+            self._left = cause
             self._controllers = NO_CONTROLLERS
         self._latency_ms, self._monitors = None, ()
+
+    def hand_over(self, text: str) -> None:
+        """Another page will fly, as the log says: nothing moves meanwhile.
+
+        Raises:
+            CommandError: a stick is deflected.
+        """
+        with self._lock:
+            if any(_travel(self._sticks)):
+                raise CommandError("let go of the sticks first: they are given at rest")
+            self._commands.clear()
+            self._left, self._handed = "handed over", text
+            self._controllers = NO_CONTROLLERS
 
     def command(self, message: wire.FromPage) -> None:
         """Queue a switch's movement for one of the next steps.
@@ -266,12 +288,12 @@ class Session:
     def _fly(self) -> None:
         """Step at the control period until told to stop."""
         try:
-            self._tape.begin(self._scenario, self._sim.seed)
+            self._tape.begin(self.scenario, self._sim.seed)
             due = time.perf_counter()
             while not self._stop.is_set():
                 self._step()
                 self._told()
-                due += self._scenario.control_period
+                due += self.scenario.control_period
                 late = time.perf_counter() - due
                 if late > MOST_BEHIND:
                     due += late
@@ -288,17 +310,21 @@ class Session:
 
     def _step(self) -> None:
         with self._lock:
+            if time.monotonic() - self._heard > SILENCE and self._in_hand():
+                self._sticks = msgspec.structs.replace(HANDS_OFF, seq=self._sticks.seq)
+                self._left = self._left or "sticks silent"
             sticks = self._sticks
-            if time.monotonic() - self._heard > SILENCE:
-                sticks = msgspec.structs.replace(HANDS_OFF, seq=sticks.seq)
             camera = self._camera if time.monotonic() - self._camera_heard <= SILENCE else STILL
             message = self._commands.popleft() if self._commands else None
+            left, handed, self._left, self._handed = self._left, self._handed, "", ""
             controllers = self._controllers
         if isinstance(message, wire.Restart):
             self._restart()
             message = None
         elif isinstance(message, wire.LookAhead):
             self._look_s, message = message.seconds, None
+        elif isinstance(message, wire.HandsOff):
+            left, message = left or message.cause, None
         if controllers is not self._recorded:
             self._recorded = controllers
             self._tape.controllers(self._time(), controller_records(controllers))
@@ -307,6 +333,10 @@ class Session:
             self._demo = False
             self._note("hand", "you have the sticks")
         inputs = None if self._demo else self._inputs(sticks, message)
+        if handed:
+            self._note("hand-over", handed)
+        if inputs is not None and left:
+            inputs = self._left_alone(inputs, left)
         if inputs is not None and (camera.pan or camera.tilt or camera.zoom):
             inputs = msgspec.structs.replace(inputs, camera=camera)
         frame = self._sim.step(inputs)
@@ -334,6 +364,17 @@ class Session:
         if before is not None and (lighting.condition, lighting.lamps) != (before.condition, before.lamps):
             lit = ", ".join(lighting.lamps) or "none"
             self._note("light", f"light: {lighting.condition}; lamps lit: {lit}")
+
+    def _left_alone(self, inputs: Inputs, cause: str) -> Inputs:
+        inputs, text = left_alone(inputs, self._sim.frame, cause)
+        if text:
+            self._note("hands off", text, "caution")
+        return inputs
+
+    def _in_hand(self) -> bool:
+        """A stick is deflected, or RATE HOLD keeps one: the page has to be heard of."""
+        frame = self._sim.frame
+        return any(_travel(self._sticks)) or (not self._demo and frame is not None and frame.rate_hold)
 
     def _inputs(self, sticks: wire.Sticks, message: wire.FromPage | None) -> Inputs:
         inputs = Inputs(
@@ -363,14 +404,14 @@ class Session:
 
     def _restart(self) -> None:
         self._tape.end("restarted")
-        self._sim = Simulation(self._scenario, self._seed)
+        self._sim = Simulation(self.scenario, self._seed)
         self._demo = self._start_demo
         self._ahead = self._axis = None
         self._monitors_kept = ()
-        self._lighting, self._lighting_kept = self._scenario.lighting, None
-        self._tape.begin(self._scenario, self._sim.seed)
+        self._lighting, self._lighting_kept = self.scenario.lighting, None
+        self._tape.begin(self.scenario, self._sim.seed)
         self._recorded = NO_CONTROLLERS  # the new file is told anew
-        self._note("restart", f"{self._scenario.title}: from the beginning")
+        self._note("restart", f"{self.scenario.title}: from the beginning")
 
     def _note(self, kind: str, text: str, level: Level = "info") -> None:
         event = Event(self._time(), kind, level, text)

@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.kinematics.arm import Arm
+from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame, Six
 from aftdeck.station.playback import Curve, Quantity, Strip
 
@@ -29,16 +29,26 @@ class Source(NamedTuple):
     quantity: Quantity
     curves: tuple[tuple[Role, Value], ...]
     limit: float | None = None
+    caution: float | None = None
+    warning: float | None = None
     shown: bool = False
     rests: bool = True
     """Zero means rest, and belongs into the picture."""
 
 
-def sources(arm: Arm) -> tuple[Source, ...]:
-    """Every strip that a recording of this arm can show."""
+def sources(scenario: Scenario) -> tuple[Source, ...]:
+    """Every strip that a recording of this scenario can show."""
     return (
         Source(
-            "POR speed",
+            "Clearance",
+            "gap",
+            (("actual", lambda f, _: f.work.nearest.clearance if f.work.nearest else None),),
+            caution=scenario.caution,
+            warning=scenario.warning,
+            shown=True,
+        ),
+        Source(
+            "POR rate",
             "speed",
             (("commanded", lambda f, _: _size(f.twist_demanded[3:])), ("actual", lambda f, _: _size(f.twist[3:]))),
             shown=True,
@@ -61,24 +71,24 @@ def sources(arm: Arm) -> tuple[Source, ...]:
         Source("Left to target", "distance", (("actual", lambda f, _: f.goal.distance if f.goal else None),)),
         Source("RATLMT ratio", "ratio", (("actual", lambda f, _: f.ratio),)),
         *(_singularity(i, name) for i, name in enumerate(("shoulder", "elbow", "wrist"))),
-        *(_angle(i, label) for i, label in enumerate(arm.model.labels)),
+        *(_angle(i, label) for i, label in enumerate(scenario.arm.model.labels)),
         Source("THC", "share", (("commanded", lambda f, _: _deflection(f.translation)),)),
         Source("RHC", "share", (("commanded", lambda f, _: _deflection(f.rotation)),)),
         Source("Stick to picture", "milliseconds", (("actual", lambda _, latency: latency),)),
     )
 
 
-def readings(arm: Arm) -> Callable[[Frame, float | None], tuple[float | None, ...]]:
+def readings(scenario: Scenario) -> Callable[[Frame, float | None], tuple[float | None, ...]]:
     """What reads every curve's value, strip after strip, of a frame and the latency that its page showed [ms]."""
-    values = [value for source in sources(arm) for _, value in source.curves]
+    values = [value for source in sources(scenario) for _, value in source.curves]
     return lambda frame, latency_ms: tuple([value(frame, latency_ms) for value in values])
 
 
 class Strips:
     """Every curve of a run, collected frame by frame."""
 
-    def __init__(self, arm: Arm, period_s: float) -> None:
-        self._sources = sources(arm)
+    def __init__(self, scenario: Scenario, period_s: float) -> None:
+        self._sources = sources(scenario)
         self._curves = [array("d") for source in self._sources for _ in source.curves]
         self._period_s = period_s
 
@@ -111,6 +121,8 @@ class Strips:
             min(ends, default=0.0),
             max(ends, default=0.0),
             source.limit,
+            source.caution,
+            source.warning,
             source.shown,
         )
 

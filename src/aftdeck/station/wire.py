@@ -21,7 +21,7 @@ from aftdeck.simulation.look_ahead import Ahead
 from aftdeck.simulation.master import AXES, axes_of
 from aftdeck.station import protocol as wire
 from aftdeck.station.wire_spec94 import payload_table, stored_sequences
-from aftdeck.station.wire_work import WorkTranslator, work_info
+from aftdeck.station.wire_work import WorkTranslator, effector_lamps, work_info
 from aftdeck.steering.mode import MODES, Mode
 from aftdeck.version import __version__
 
@@ -159,6 +159,7 @@ class Translator:
             rotation=frame.rotation,
             drive=frame.drive,
             joints=frame.angles,
+            joints_commanded=frame.angles_commanded,
             rates=frame.rates,
             rates_commanded=frame.rates_commanded,
             rate_limits=frame.rate_limits,
@@ -173,7 +174,7 @@ class Translator:
             ways_out=tuple(wire.WayOut(w.cause, w.text, w.stick, w.axis, w.sign) for w in frame.ways_out),
             lamps=self.lamps(frame),
             aim=self._aim(frame.goal),
-            work=self._work.frame(frame.work),
+            work=self._work.frame(frame.work, tip.position),
             ahead=ahead,
             axes=quaternion(SCENE_FROM_PANEL_AXES @ self._control_axes(frame, tip)),
             poses=tuple(self._poses.at(frame)),
@@ -272,7 +273,10 @@ class Translator:
         rate = [limit.text for limit in frame.limits if limit.kind == "joint rate"]
         if rate:
             lamps.append(wire.Lamp("RATE LIM", "info", rate[0]))
-        return tuple(lamps)
+        near = frame.work.nearest
+        if near is not None and frame.work.clearance_level != "info":
+            lamps.append(wire.Lamp("CLEARANCE", frame.work.clearance_level, f"{near.a} to {near.b}"))
+        return (*lamps, *effector_lamps(frame.work))
 
 
 def controller_records(message: wire.Controllers) -> tuple[ControllerRecord, ...]:

@@ -6,12 +6,15 @@ import math
 from typing import cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from aftdeck.arms.model import HeadingArmFile
 from aftdeck.frames import SCENE_FROM_PANEL_AXES
 from aftdeck.scenario.model import Scenario
 from aftdeck.station import protocol as wire
 from aftdeck.worksite.report import Near, Vec3, Work
+
+Array = NDArray[np.float64]
 
 
 def work_info(scenario: Scenario) -> wire.WorkInfo:
@@ -34,6 +37,20 @@ def work_info(scenario: Scenario) -> wire.WorkInfo:
     )
 
 
+def effector_lamps(work: Work) -> tuple[wire.Lamp, ...]:
+    """DERIGIDIZE and RELEASE, while a payload is in snares that do not hold it rigid, or let it go."""
+    hand = work.hand
+    if hand.carriage is None or "RIGID" in hand.flags or not any(cargo.held for cargo in work.cargo):
+        return ()
+    releases = hand.switch == "open"
+    moves = releases or hand.switch == "close" if hand.mode == "auto" else hand.rigid != "off"
+    text = "the payload is held, not rigid"
+    lamps = [wire.Lamp("DERIGIDIZE", "info" if moves or releases else "caution", text)]
+    if releases and hand.rigid == "off":
+        lamps.append(wire.Lamp("RELEASE", "info", "the payload is let go"))
+    return tuple(lamps)
+
+
 class WorkTranslator:
     """Turns what happens at one scenario's worksite into the page's coordinates."""
 
@@ -42,14 +59,16 @@ class WorkTranslator:
         self._panel_axes = mount.rotation
         self._axes = SCENE_FROM_PANEL_AXES @ mount.rotation
         self._titles = {"": "", **{seat.name: seat.title for seat in scenario.worksite.seats}}
+        self._fixtures = {cargo.name: cargo.grapple.position for cargo in scenario.cargo if cargo.grapple is not None}
         self._origin = SCENE_FROM_PANEL_AXES @ mount.origin - scenario.worksite.origin
 
-    def frame(self, work: Work) -> wire.WorkFrame:
-        """The worksite in a frame."""
+    def frame(self, work: Work, tip: Array) -> wire.WorkFrame:
+        """The worksite in a frame; `tip`: (3,) the end effector's, in L."""
         hand = work.hand
         return wire.WorkFrame(
             task=work.task,
             nearest=None if work.nearest is None else self._near(work.nearest),
+            clearance_level=work.clearance_level,
             contacts=tuple(self._near(near) for near in work.contacts),
             arm_inhibit=work.arm_inhibit,
             finger_inhibit=work.finger_inhibit,
@@ -69,7 +88,18 @@ class WorkTranslator:
                 for cargo in work.cargo
             ),
             master=work.master,
+            fixture=self._fixture(work, tip),
         )
+
+    def _fixture(self, work: Work, tip: Array) -> float | None:
+        if work.hand.carriage is None or any(cargo.held for cargo in work.cargo):
+            return None
+        places = (
+            np.array(cargo.position) + np.array(cargo.orientation) @ self._fixtures[cargo.name]
+            for cargo in work.cargo
+            if cargo.name in self._fixtures
+        )
+        return min((math.dist(place, tip) for place in places), default=None)
 
     def _near(self, near: Near) -> wire.Near:
         a, b = self._point(near.point_a), self._point(near.point_b)

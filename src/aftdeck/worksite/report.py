@@ -6,6 +6,7 @@ from typing import Literal
 
 import msgspec
 
+from aftdeck.worksite.alarm import Level
 from aftdeck.worksite.conditions import Condition
 
 Vec3 = tuple[float, float, float]
@@ -79,6 +80,8 @@ class Work(msgspec.Struct, frozen=True, gc=False):
     """The report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked."""
     nearest: Near | None
     """The watched pair with the least clearance, of those not made to touch; None: no pair is watched."""
+    clearance_level: Level
+    """What that clearance calls for, by the scenario's thresholds."""
     contacts: tuple[Near, ...]
     """Pairs that touch or overlap."""
     arm_inhibit: bool

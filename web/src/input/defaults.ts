@@ -39,6 +39,8 @@ const KEYBOARD = {
   KeyR: 'open',
   KeyT: 'latch',
   KeyB: 'brakes',
+  Delete: 'safing',
+  Insert: 'position hold',
   BracketLeft: 'mode -',
   BracketRight: 'mode +',
   Enter: 'enter',

@@ -3,6 +3,7 @@
 import { clamp } from '../clamp';
 import { type Deflection, ZERO } from './deflection';
 import { type Action, USES, type Use } from './keymap';
+import { learnLetter } from './layout';
 import { mappingOf } from './store';
 
 /** A held key reaches full deflection in this time, a released one zero [s]. */
@@ -68,6 +69,7 @@ export class Keyboard {
   }
 
   private down(event: KeyboardEvent): void {
+    learnLetter(event);
     if (this.listener.taken(event)) {
       event.preventDefault();
       event.stopImmediatePropagation();
@@ -113,16 +115,21 @@ function useOf(code: string): Use | undefined {
   return name === undefined ? undefined : USES.get(name);
 }
 
+/** Fields that take letters; a slider or a box to tick takes none. */
 export function isTyping(target: EventTarget | null): target is HTMLInputElement {
-  return target instanceof HTMLInputElement;
+  return target instanceof HTMLInputElement && !/^(?:range|checkbox|radio|button)$/.test(target.type);
 }
 
 /** A slider or a list in focus has its arrows to itself. */
 function isOwn({ code, target }: KeyboardEvent): boolean {
   const arrows = /^(Arrow|Page|Home|End)/.test(code);
-  return arrows && target instanceof HTMLElement && target.matches('[role=slider], select, [role=tab]');
+  return (
+    arrows &&
+    target instanceof HTMLElement &&
+    target.matches('[role=slider], [type=range], select, [role=tab]')
+  );
 }
 
-function isControl(target: EventTarget | null): boolean {
+export function isControl(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && target.matches('button, a[href], summary, select');
 }

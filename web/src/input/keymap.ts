@@ -14,6 +14,8 @@ export type Action =
         | 'stop'
         | 'rate'
         | 'rate hold'
+        | 'safing'
+        | 'position hold'
         | 'proceed'
         | 'enter'
         | 'otherMonitor'
@@ -97,6 +99,8 @@ const ACTIONS: readonly Use[] = [
   held('open', 'release, open'),
   held('latch', 'latch, unlatch'),
   held('brakes', 'brakes'),
+  once('safing', 'safing', { name: 'safing' }),
+  once('position hold', 'position hold', { name: 'position hold' }),
   once('mode -', 'mode before', { name: 'turn mode', by: -1 }),
   once('mode +', 'mode after', { name: 'turn mode', by: 1 }),
   once('enter', 'enter mode', { name: 'enter' }),

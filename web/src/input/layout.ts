@@ -1,8 +1,9 @@
 /**
- * What keys, buttons and axes are called: the letters on the user's own keyboard, where the browser tells them (keys
- * go by their place), and the parts of a pad.
+ * What keys, buttons and axes are called: the letters on the user's own keyboard (keys go by their place), as the browser
+ * tells them, or as they are pressed; and the parts of a pad.
  */
 
+import { keeper } from '../kept';
 import { type Kind, sourcesOf } from './mapping';
 import { mappingOf } from './store';
 
@@ -11,6 +12,8 @@ const NAMES: Readonly<Record<string, string>> = {
   Enter: 'Enter',
   NumpadEnter: 'Num Enter',
   Escape: 'Esc',
+  Insert: 'Ins',
+  Delete: 'Del',
   Minus: '−',
   Equal: '=',
   BracketLeft: '[',
@@ -75,11 +78,18 @@ const CAP_AXES: readonly AxisWords[] = [
   ['Cap twist', 'Cap twist ↺', 'Cap twist ↻'],
 ];
 
+/** Where the browser tells no layout, what each key wrote as it was pressed; kept for the next time. */
+const KEY = 'aftdeck.letters';
 let letters: ReadonlyMap<string, string> = new Map();
+let learned: Map<string, string> | null = null;
 
 /** What stands on the key at that place, as far as it is known now. */
 export function nameOf(code: string): string {
-  return NAMES[code] ?? letters.get(code)?.toUpperCase() ?? code.replace(/^(Key|Digit)/, '');
+  return (
+    NAMES[code] ??
+    (letters.get(code) ?? pressed().get(code))?.toUpperCase() ??
+    code.replace(/^(Key|Digit)/, '')
+  );
 }
 
 /** What people call a source; `sign`: the end of an axis that is meant. */
@@ -110,6 +120,35 @@ export async function learnLayout(): Promise<void> {
     keyboard?: { getLayoutMap(): Promise<ReadonlyMap<string, string>> };
   };
   letters = (await keyboard?.getLayoutMap().catch(() => undefined)) ?? letters;
+}
+
+type Pressed = Pick<KeyboardEvent, 'code' | 'key' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>;
+
+/** A key that was pressed alone has written what stands on it. */
+export function learnLetter({ code, key, shiftKey, ctrlKey, altKey, metaKey }: Pressed): void {
+  if (shiftKey || ctrlKey || altKey || metaKey || !/^Key[A-Z]$/.test(code) || !/^\S$/u.test(key)) return;
+  if (letters.size > 0 || pressed().get(code) === key.toLowerCase()) return;
+  pressed().set(code, key.toLowerCase());
+  keeper.setItem(KEY, JSON.stringify([...pressed()]));
+}
+
+/** What was learned, now or before. */
+function pressed(): Map<string, string> {
+  learned ??= new Map(saved());
+  return learned;
+}
+
+function saved(): [string, string][] {
+  try {
+    const kept: unknown = JSON.parse(keeper.getItem(KEY) ?? '[]');
+    return Array.isArray(kept) ? kept.filter(isPair) : [];
+  } catch {
+    return []; // not ours: it is written anew as keys are pressed
+  }
+}
+
+function isPair(pair: unknown): pair is [string, string] {
+  return Array.isArray(pair) && pair.length === 2 && pair.every((each) => typeof each === 'string');
 }
 
 function axesOf(kind: Kind): readonly AxisWords[] {

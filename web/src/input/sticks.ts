@@ -22,7 +22,7 @@ import {
   ZOOM,
 } from './deflection';
 
-/** Deflected sticks are sent at least this often [ms]; the station zeroes silent ones after 0.5 s. */
+/** Deflected or held sticks are sent at least this often [ms]; the station zeroes silent ones after 0.5 s. */
 const REPEAT_MS = 100;
 
 /** The sticks at rest, without the camera. */
@@ -31,6 +31,8 @@ const REST: Deflection = ZERO.slice(0, PAN);
 export class Sticks {
   /** X drives the selected joint (SINGLE, DIRECT). */
   driving = false;
+  /** RATE HOLD keeps a rate: the station has to hear of somebody. */
+  kept = false;
   /** What the camera in hand is asked for now. */
   camera: Turning = STILL;
   private orbiter = false;
@@ -77,7 +79,8 @@ export class Sticks {
     const changed = !equal(value, this.sent);
     // A key's own time is known; what a device does is known from now.
     if (this.controllers.moved) this.inputAt ??= now;
-    if (changed || (!isZero(value) && now - this.sentAt >= REPEAT_MS)) this.transmit(value, now);
+    const speaks = this.kept || !isZero(value);
+    if (changed || (speaks && now - this.sentAt >= REPEAT_MS)) this.transmit(value, now);
   }
 
   /** Zeroes the sticks at once; held keys must be pressed anew, devices seen at zero. */

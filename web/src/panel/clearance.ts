@@ -2,19 +2,17 @@
 
 import { small } from '../format';
 import { keyOf } from '../input/layout';
-import type { Level, Near } from '../protocol';
+import type { Near } from '../protocol';
 import type { Unit, Units } from '../units';
 import { button, el, group, setAttribute, setClass, setPressed, setText } from './dom';
 import { gapGauge } from './gap-gauge';
-import { contactIn, levelOf, STEADY } from './gap-scale';
+import { contactIn, STEADY } from './gap-scale';
 import { lastMinute } from './minute';
 import type { Desk, Part } from './part';
 import { touching } from './touching';
 import { Trend } from './trend';
 
 export interface ClearanceGroup extends Part {
-  /** What the present clearance calls for. */
-  readonly level: Level;
   /** The separating plane is shown in the pictures. */
   setPlane(on: boolean): void;
 }
@@ -50,26 +48,21 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
   );
   element.querySelector('h2')?.append(planeKey);
   const trend = new Trend();
-  let level: Level = 'info';
   return {
     element,
-    get level() {
-      return level;
-    },
     setPlane(on) {
       setPressed(planeKey, on);
     },
     bars({ frame }) {
       const { nearest } = frame.work;
       trend.add(frame.time_s, nearest?.clearance ?? null);
-      level = nearest ? levelOf(nearest.clearance, work, level) : 'info';
       gauge.point(nearest?.clearance ?? null);
     },
     values({ frame, units }) {
-      const { nearest, arm_inhibit, finger_inhibit } = frame.work;
+      const { nearest, clearance_level, arm_inhibit, finger_inhibit } = frame.work;
       setAttribute(planeKey, 'title', `The plane that separates the two: ${keyOf('plane')}`);
-      setClass(element, 'caution', level === 'caution');
-      setClass(element, 'warning', level === 'warning');
+      setClass(element, 'caution', clearance_level === 'caution');
+      setClass(element, 'warning', clearance_level === 'warning');
       setText(number, nearest ? small(nearest.clearance, units.gap) : '–');
       setText(unit, nearest ? units.gap.name : '');
       setText(closing, nearest ? closingWords(nearest, units.creep) : '');

@@ -9,13 +9,18 @@ export interface Concern {
 }
 
 const OUTLINE_MS = 2000;
+const EFFECTOR = ['captured', 'missed', 'rigid', 'released'];
 const CONCERNS: Readonly<Record<string, Concern>> = {
   SINGULAR: { kinds: ['singular'], elements: '.distance.caution', group: '.singularity' },
   'REACH LIM': { kinds: ['limit'], elements: '.joints tr.reach', group: '.joints' },
   'SOFT STOP': { kinds: ['limit'], elements: '.joints tr.soft', group: '.joints' },
   'RATE LIM': { kinds: [], elements: '.joints tr.limited', group: '.limits' },
-  CLEARANCE: { kinds: ['contact', 'inhibit'], elements: '.clearance .lit', group: '.clearance' },
-  CONTROLLER: { kinds: [], elements: '.rhc .device', group: '.rhc' },
+  DERIGIDIZE: { kinds: EFFECTOR, elements: '.flags', group: '.effector' },
+  RELEASE: { kinds: EFFECTOR, elements: '.flags', group: '.effector' },
+  'LINK DELAY': { kinds: [], elements: '.rail .delay', group: '.events' },
+  CAMERA: { kinds: [], elements: '.monitor', group: '.events' },
+  CLEARANCE: { kinds: ['clearance', 'contact', 'inhibit'], elements: '.clearance .lit', group: '.clearance' },
+  CONTROLLER: { kinds: [], elements: '.standing .device', group: '.rhc' },
 };
 const REST: Concern = {
   kinds: ['refused', 'blocked', 'fault', 'page'],

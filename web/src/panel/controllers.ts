@@ -14,7 +14,7 @@ import { range } from './range';
 import { UseTable } from './use-table';
 
 const NOTHING_FLIES =
-  'Nothing flies while this sheet is open. Press a cap to put another key, button or axis there.';
+  'The sticks rest while this sheet is open; STOP and BRAKES work. Press a cap to put another key, button or axis there.';
 
 export class ControllersSheet {
   readonly element: HTMLDialogElement;

@@ -1,7 +1,6 @@
 /** The desk's groups, flown and replayed: which stand where, and which give way to others. */
 
 import type { GripAction } from '../input/keymap';
-import type { Level } from '../protocol';
 import { cargoGroup } from './cargo';
 import { clearanceGroup } from './clearance';
 import { conditionsGroup } from './conditions';
@@ -35,10 +34,12 @@ export interface Groups {
   readonly elements: readonly HTMLElement[];
   readonly mode: ModeGroup;
   readonly target: TargetGroup;
-  /** What the present clearance calls for. */
-  clearance(): Level;
   setPlane(on: boolean): void;
   grip(action: GripAction): void;
+  /** SAFING, or its CANCEL. */
+  safe(): void;
+  /** POSITION HOLD on or off. */
+  holdPosition(): void;
   /** Puts the master arm where the arm is. */
   meetMaster(): void;
   bars(view: View): void;
@@ -54,13 +55,13 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   effector.element.querySelector('h2')?.append(pageKey(() => listener.controlPage()));
   const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
   const ahead = lookAhead(desk);
-  const resting = el('div', { class: 'resting' }, acting.element, cargo.element, ahead.element);
+  const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
   const still = standing(desk);
-  const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc(desk, still)];
+  const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc()];
   const own = joints(desk);
   const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
   const last = singularity(desk);
-  const parts = [...upper, effector, acting, cargo, ahead, conditions, last];
+  const parts = [...upper, still, effector, acting, cargo, ahead, conditions, last];
   const row = el(
     'div',
     { class: 'lower' },
@@ -68,9 +69,10 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
     effector.element,
     resting,
     conditions.element,
+    ahead.element,
     last.element,
   );
-  const elements = [...upper.map(({ element }) => element), row];
+  const elements = [...upper.map(({ element }) => element), still.element, row];
   cargo.element.hidden = desk.welcome.work.cargo.length === 0;
   setClass(resting, 'alone', cargo.element.hidden);
 
@@ -86,6 +88,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
     own.element.hidden = entered === 'master';
     const pursuing = view.frame.work.conditions.length > 0;
     conditions.element.hidden = !pursuing;
+    setClass(ahead.element, 'brief', pursuing);
     resting.hidden = pursuing;
   }
 
@@ -93,9 +96,10 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
     elements,
     mode,
     target,
-    clearance: () => clearance.level,
     setPlane: (on) => clearance.setPlane(on),
     grip: (action) => (action.grip === 'brakes' ? still : effector).grip(action),
+    safe: () => still.safe(),
+    holdPosition: () => still.hold(),
     meetMaster: () => master.meet(),
     bars(view) {
       for (const part of parts) part.bars?.(view);

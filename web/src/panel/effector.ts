@@ -1,7 +1,8 @@
 /** The end effector: its switches and flags, and the seat that holds a payload; what is held to act. */
 
+import { fixed, small } from '../format';
 import type { GripAction } from '../input/keymap';
-import type { HandFrame, WorkFrame } from '../protocol';
+import type { Frame, HandFrame, PayloadInfo, WorkFrame } from '../protocol';
 import type { Units } from '../units';
 import { group, setAbout } from './dom';
 import type { HoldButton } from './hold-button';
@@ -63,14 +64,31 @@ export function effectorGroup(desk: Desk): EffectorGroup {
     values({ frame, units }) {
       hand.set(frame.work.hand, units);
       seats?.set(frame.work);
-      setAbout(element, graspWords(frame.work));
+      setAbout(element, graspWords(frame, desk.welcome.payloads, units));
     },
   };
 }
 
-/** What the end effector holds. */
-export function graspWords({ cargo }: Pick<WorkFrame, 'cargo'>): string {
+/** Nearer than this, the conditions of a capture tell how far the fixture is [m]. */
+const CONDITIONS_M = 3;
+
+/** What the end effector holds, how heavy that is and how fast its point may move; empty, how far the next fixture is. */
+export function graspWords(
+  {
+    work: { cargo, fixture },
+    payload,
+    rate,
+  }: Pick<Frame, 'payload' | 'rate'> & { readonly work: Pick<WorkFrame, 'cargo' | 'fixture'> },
+  payloads: readonly Pick<PayloadInfo, 'id' | 'mass' | 'translation'>[],
+  { mass, speed, gap }: Pick<Units, 'mass' | 'speed' | 'gap'>,
+): string {
   const held = cargo.find((each) => each.held);
+  if (!held && fixture !== null && fixture > CONDITIONS_M)
+    return `empty, fixture ${small(fixture, gap)} ${gap.name} away`;
   if (!held) return cargo.length > 0 ? 'empty' : '';
-  return `${held.name} in the grasp`;
+  const its = payloads.find(({ id }) => id === payload);
+  if (!its) return held.name;
+  const heavy = fixed(its.mass * mass.perSi, mass.decimals, false);
+  const fast = fixed(its.translation[rate === 'coarse' ? 0 : 1] * speed.perSi, speed.decimals, false);
+  return `${held.name}, ${heavy} ${mass.name}, to ${fast} ${speed.name}`;
 }

@@ -3,14 +3,17 @@
 import { degrees } from '../format';
 import type { Limit } from '../protocol';
 import { rateBar } from './bar';
-import { el, group, setAbout, setClass, setText } from './dom';
+import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
 import { jointBar, range } from './joint-bar';
+import { place } from './joint-scale';
 import type { Desk, Part } from './part';
 import { standRow } from './stand';
 
 export function joints(desk: Desk): Part {
   const rows = desk.welcome.joints.map((joint) => {
-    const scale = jointBar(joint);
+    // Over the bar, and hollow; it hides the pointer's stem where both stand at one place.
+    const commanded = svg('path', { class: 'commanded', d: 'M-3.8 0 H3.8 L0 6.4 Z' });
+    const scale = jointBar(joint, commanded);
     const angle = el('td', { class: 'angle' });
     const name = el('th', { scope: 'row' }, joint.label);
     const tag = el('span', { class: 'limit-tag' });
@@ -23,7 +26,7 @@ export function joints(desk: Desk): Part {
       angle,
       el('td', { class: 'of-limit' }, el('div', {}, bar.element, tag)),
     );
-    return { row, scale, angle, bar, tag };
+    return { joint, row, scale, commanded, angle, bar, tag };
   });
   const stand = desk.welcome.work.stand && standRow(desk.welcome.work.stand);
   const element = group(
@@ -60,8 +63,10 @@ export function joints(desk: Desk): Part {
     element,
     bars({ frame }) {
       stand?.point(frame.work.stand ?? 0);
-      rows.forEach(({ scale, bar }, i) => {
+      rows.forEach(({ joint, scale, commanded, bar }, i) => {
         scale.set(frame.joints[i] ?? 0);
+        const at = place(joint, frame.joints_commanded[i] ?? 0).toFixed(2);
+        setAttribute(commanded, 'transform', `translate(${at} 0)`);
         const limit = frame.rate_limits[i] || 1;
         bar.set((frame.rates[i] ?? 0) / limit, (frame.rates_commanded[i] ?? 0) / limit);
       });

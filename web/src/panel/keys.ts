@@ -50,6 +50,7 @@ const WORKING: readonly Row[] = [
   [['open'], 'held 1 s: release; the prong opens'],
   [['close', 'open'], 'while the prong moves: either stops it', 'untold'],
   [['latch'], 'held 1 s: latch the payload in its seat, or unlatch'],
+  [['safing', 'position hold'], 'safing, position hold; again: off'],
   [['plane'], 'separating plane in the pictures'],
   [['acknowledge'], 'acknowledge the master alarm'],
   [['control page'], 'PDRS control: target, stored points, payloads'],

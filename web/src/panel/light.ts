@@ -1,5 +1,6 @@
-/** Light on the place: sun and Earth, lamps, and the lock of an exposure, in a list that opens under its key. */
+/** Light on the place: sun and Earth, lamps, an exposure's lock, and what television makes of it; opens under its key. */
 
+import type { Appearance } from '../appearance';
 import { keyOf } from '../input/layout';
 import type { Camera, Frame, Lighting } from '../protocol';
 import { button, el, setAttribute, setPressed, setText } from './dom';
@@ -19,6 +20,7 @@ export interface LightControl {
 /** What the lock acts on. */
 export interface Exposed {
   readonly camera: Camera;
+  readonly appearance: Appearance;
   /** How a camera's picture is exposed now [stops over full sunlight]. */
   stops(camera: Camera): number;
 }
@@ -36,6 +38,10 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
     button({}, [name], () => set({ lamps: toggled(welcome.lamps, lighting.lamps, name) })),
   );
   const lockKey = button({}, [], () => lock());
+  const { appearance } = exposed;
+  const early = button({ title: EARLY }, ['early flights'], () =>
+    appearance.set({ early: !appearance.early }),
+  );
   const list = el(
     'div',
     { class: 'choices light', role: 'group', 'aria-label': 'Light' },
@@ -46,6 +52,8 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
       ...(lamps.length > 0 ? [el('h3', {}, 'Lamps'), ...lamps] : []),
       el('h3', {}, 'Exposure'),
       lockKey,
+      el('h3', {}, 'Television'),
+      early,
     ),
   );
   const drop = dropDown('Light', '', list);
@@ -74,6 +82,7 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
         lockKey,
         lighting.locked.some(({ camera }) => camera === name),
       );
+      setPressed(early, appearance.early);
     },
     toggle() {
       drop.open(!drop.isOpen);
@@ -84,6 +93,8 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
     close: () => drop.open(false),
   };
 }
+
+const EARLY = 'Black and white, with noise: all television cameras, on this browser';
 
 /** The lamps that are on, in the order of all, after one is switched. */
 export function toggled(all: readonly string[], on: readonly string[], name: string): readonly string[] {

@@ -22,11 +22,11 @@ export function lookAhead(desk: Desk): Part {
     el(
       'dl',
       {},
-      el('dt', {}, 'Clearance then'),
+      el('dt', {}, el('span', {}, 'Clearance '), 'then'),
       el('dd', {}, clear),
       el('dt', {}, 'Stops within'),
       el('dd', {}, stop),
-      el('dt', {}, 'Nearest limit'),
+      el('dt', {}, el('span', {}, 'Nearest '), 'limit'),
       el('dd', {}, joint),
     ),
   );

@@ -1,8 +1,9 @@
 /** One monitor: its picture, or two beside each other, and its selector. */
 
+import type { Target } from '../advice';
 import { nameOf } from '../input/layout';
 import type { Camera } from '../protocol';
-import { button, el, setAttribute, setClass, setPressed } from './dom';
+import { button, el, setAttribute, setClass, setPressed, setText } from './dom';
 import { Picture } from './picture';
 
 export interface MonitorListener {
@@ -11,12 +12,18 @@ export interface MonitorListener {
   choose(camera: Camera): void;
   split(): void;
   slow(): void;
+  /** Engineering views shall go round something else. */
+  round(): void;
   /** It shall be shown in a window of its own; absent: it is. */
   tearOff?: () => void;
-  orbited(camera: Camera, right: number, upwards: number, nearer: number): void;
+  orbited(camera: Camera, right: number, upwards: number, nearer: number, aside: boolean): void;
   /** Cameras can be turned from this page. */
   readonly turns: boolean;
 }
+
+const ROUND = 'What the free view goes round: where it began, the tip, the payload or the narrowest gap';
+const SHIFT = 'Drags and arrows shift the free view (as a drag with Shift or the second button does)';
+const SLOW = 'Cameras turn at their low speed';
 
 export class Monitor {
   readonly element: HTMLElement;
@@ -26,6 +33,7 @@ export class Monitor {
   private readonly hand: HTMLButtonElement;
   private readonly splitKey: HTMLButtonElement;
   private readonly slowKey: HTMLButtonElement;
+  private readonly roundKey = button({ class: 'round', title: ROUND }, [], () => this.listener.round());
   private readonly bezel: HTMLElement;
   private half = 0;
   private two = false;
@@ -34,15 +42,15 @@ export class Monitor {
     readonly label: string,
     private readonly cameras: readonly Camera[],
     first: Camera,
-    listener: MonitorListener,
+    private readonly listener: MonitorListener,
   ) {
     const picture = (half: number): Picture =>
       new Picture(first, {
         taken: () => listener.taken(half),
         turns: listener.turns,
-        orbited: (right, upwards, nearer) => {
+        orbited: (...by) => {
           const { camera } = half === 0 ? this.halves[0] : this.halves[1];
-          listener.orbited(camera, right, upwards, nearer);
+          listener.orbited(camera, ...by);
         },
       });
     this.halves = [picture(0), picture(1)];
@@ -57,11 +65,7 @@ export class Monitor {
       listener.taken(this.half);
       listener.split();
     });
-    this.slowKey = button(
-      { class: 'slow', title: `Cameras turn at their low speed: ${nameOf('Semicolon')}` },
-      ['Slow'],
-      () => listener.slow(),
-    );
+    this.slowKey = button({ class: 'slow' }, [], () => listener.slow());
     const { tearOff } = listener;
     const off = tearOff
       ? [
@@ -72,7 +76,7 @@ export class Monitor {
           ),
         ]
       : [];
-    this.bezel = el('div', { class: 'bezel' }, this.halves[0].element);
+    this.bezel = el('div', { class: 'bezel' }, this.halves[0].element, this.roundKey);
     this.element = el(
       'section',
       { class: 'monitor', 'aria-label': label },
@@ -85,6 +89,7 @@ export class Monitor {
         el('div', { class: 'monitor-keys' }, this.slowKey, this.splitKey, ...off),
       ),
     );
+    this.setRound(null);
     this.setSplit(false);
   }
 
@@ -148,6 +153,11 @@ export class Monitor {
     setPressed(this.slowKey, on);
   }
 
+  /** What engineering views go round; null: the place where they began. */
+  setRound(target: Target | null): void {
+    setText(this.roundKey, `Round ${target ?? 'place'}`);
+  }
+
   private setSplit(on: boolean): void {
     this.two = on;
     if (!on) this.half = 0;
@@ -163,6 +173,10 @@ export class Monitor {
       setClass(element, 'half-in-hand', this.two && i === this.half);
     });
     const { camera } = this.picture;
+    const free = camera.kind === 'engineering';
+    this.roundKey.hidden = !free;
+    setText(this.slowKey, free ? 'Shift' : 'Slow');
+    setAttribute(this.slowKey, 'title', `${free ? SHIFT : SLOW}: ${nameOf('Semicolon')}`);
     this.keys.forEach((key, i) => {
       setPressed(key, this.cameras[i] === camera);
     });

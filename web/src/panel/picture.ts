@@ -15,6 +15,8 @@ export const STALE_S = 0.5;
 /** Dragging across a whole picture goes round by this much [rad]; a turn of the wheel comes nearer by this much. */
 const DRAGGED = Math.PI;
 const WHEEL = 1.15;
+/** A mouse's second button, among those that are down. */
+const SECOND = 2;
 /** What a mouse or a finger does in a picture. */
 const HINTS = {
   turns: 'drag: pan, tilt · wheel or pinch: zoom',
@@ -26,8 +28,8 @@ const WATCHED = 'you watch: whoever flies turns cameras';
 export interface PictureListener {
   /** The operator took this picture in hand. */
   taken(): void;
-  /** The engineering view was dragged to the right and upwards [rad], or brought nearer by a factor. */
-  orbited(right: number, upwards: number, nearer: number): void;
+  /** The engineering view was dragged to the right and upwards [rad], round or aside, or brought nearer by a factor. */
+  orbited(right: number, upwards: number, nearer: number, aside: boolean): void;
   /** Cameras can be turned from this page, by whoever flies. */
   readonly turns: boolean;
 }
@@ -149,13 +151,17 @@ export class Picture {
       this.listener.taken();
       drag.press(event.pointerId, this.placeOf(event), element.clientHeight);
     });
+    element.addEventListener('contextmenu', (event) => {
+      if (this.shown.kind === 'engineering') event.preventDefault();
+    });
     element.addEventListener('pointermove', (event) => {
       if (!element.hasPointerCapture(event.pointerId)) return;
       drag.move(event.pointerId, this.placeOf(event));
       this.drawBand();
       if (this.shown.kind !== 'engineering') return;
       const per = DRAGGED / element.clientWidth;
-      this.listener.orbited(-event.movementX * per, event.movementY * per, 1);
+      const aside = event.shiftKey || (event.buttons & SECOND) !== 0;
+      this.listener.orbited(-event.movementX * per, event.movementY * per, 1, aside);
     });
     for (const ends of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
       element.addEventListener(ends, ({ pointerId }) => {
@@ -170,7 +176,7 @@ export class Picture {
         if ((!free && !this.drivable) || event.deltaY === 0) return;
         event.preventDefault();
         const nearer = event.deltaY < 0;
-        if (free) this.listener.orbited(0, 0, nearer ? WHEEL : 1 / WHEEL);
+        if (free) this.listener.orbited(0, 0, nearer ? WHEEL : 1 / WHEEL, false);
         else {
           this.listener.taken();
           drag.turnWheel(nearer ? 1 : -1, performance.now());

@@ -1,13 +1,15 @@
 /** The top rail: what is flown, how long, how quickly the picture answers, and who flies. */
 
+import type { Appearance } from '../appearance';
 import { clock, missionTime } from '../format';
 import type { LinkState } from '../socket';
 import type { Tones } from '../tones';
 import { TASKS } from './cargo';
-import { button, el, setClass, setText } from './dom';
+import { button, el, setClass, setPressed, setText } from './dom';
 import { initialise } from './initialise';
 import type { LightControl } from './light';
 import type { Desk, View } from './part';
+import type { ScenarioChoice } from './scenarios';
 import { sound } from './sound';
 
 /** Slower than this, the picture lags behind the hand [ms]. */
@@ -21,9 +23,19 @@ export interface RailListener {
   controllers(): void;
 }
 
+/** What has a key in the rail and is more than that. */
+export interface RailParts {
+  readonly tones: Tones;
+  readonly light: LightControl;
+  readonly appearance: Appearance;
+  readonly scenarios: ScenarioChoice;
+  /** Who watches asks for the sticks. */
+  readonly ask: HTMLElement;
+}
+
 export interface Rail {
   readonly element: HTMLElement;
-  values(view: View, latency95: number | null, watchers: number, link: LinkState): void;
+  values(view: View, latency95: number | null, who: string, link: LinkState): void;
   /** Closes what is open. */
   close(): void;
 }
@@ -31,16 +43,16 @@ export interface Rail {
 export function rail(
   desk: Desk,
   software: boolean,
-  tones: Tones,
-  light: LightControl,
+  { tones, light, ask, appearance, scenarios }: RailParts,
   listener: RailListener,
 ): Rail {
   const { welcome } = desk;
   // The script's phases; flown by hand, the report's modes, which come in any order.
   const scripted = welcome.phases.length > 0;
   const steps = scripted ? welcome.phases : welcome.work.cargo.length > 0 ? TASKS : [];
-  const phases = steps.map((name) => el('li', {}, name));
+  const phases = steps.map((name) => el('li', { title: name }, name));
   const parts = initialise(desk);
+  for (const { classList } of [parts.element, light.element]) classList.add('fliers');
   const heard = sound(tones);
   const lag = el('b');
   const met = el('b');
@@ -48,6 +60,7 @@ export function rail(
   const recording = el('span', { class: 'rec', title: 'This flight is recorded' }, 'REC ', rec);
   const who = el('span', { class: 'who', role: 'status' });
   const units = button({ title: 'Units of the read-outs' }, [], () => listener.units());
+  const dim = button({ title: DIM }, ['Dim'], () => appearance.set({ night: !appearance.night }));
   const delay = welcome.command_delay_s;
   const delays =
     delay > 0 ? [el('span', { class: 'delay' }, 'Command delay ', el('b', {}, `${delay.toFixed(2)} s`))] : [];
@@ -55,7 +68,7 @@ export function rail(
     'header',
     { class: 'rail' },
     el('h1', {}, 'Aftdeck'),
-    el('span', { class: 'scenario', title: welcome.text }, welcome.title),
+    scenarios.element,
     el('ol', { class: 'phases', 'aria-label': 'Phases' }, ...phases),
     el('span', { class: 'space' }),
     ...(software ? [el('span', { class: 'note', title: SOFTWARE }, 'Low detail')] : []),
@@ -64,14 +77,18 @@ export function rail(
     recording,
     el('span', { class: 'met' }, 'MET ', met),
     who,
+    ask,
     heard.element,
     el(
       'div',
       { class: 'rail-keys' },
       units,
-      button({ title: 'Puts the scenario back to its first instant' }, ['Restart'], () => listener.restart()),
+      button({ class: 'fliers', title: 'Puts the scenario back to its first instant' }, ['Restart'], () =>
+        listener.restart(),
+      ),
       parts.element,
       light.element,
+      dim,
       button({ title: 'A first capture, in six steps' }, ['Tutorial'], () => listener.tutorial()),
       button({ title: 'The devices that fly, their keys and axes' }, ['Controllers'], () =>
         listener.controllers(),
@@ -81,8 +98,9 @@ export function rail(
   );
   return {
     element,
-    values({ frame, flying, units: shown }, latency95, watchers, link) {
+    values({ frame, flying, units: shown }, latency95, said, link) {
       light.values(frame);
+      scenarios.values(frame);
       const at = scripted ? welcome.phases.indexOf(frame.phase) : frame.work.task - 1;
       phases.forEach((phase, i) => {
         setClass(phase, 'done', scripted && at >= 0 && i < at);
@@ -94,22 +112,20 @@ export function rail(
       setClass(recording, 'absent', frame.recording_s === null);
       setText(rec, clock(frame.recording_s ?? 0));
       heard.values();
+      setPressed(dim, appearance.night);
       setText(units, shown.name === 'SI' ? 'SI' : 'ft · in');
       const lost = link.kind === 'lost';
-      setText(who, lost ? `No connection, try ${link.attempt}` : roles(flying, watchers));
+      setText(who, lost ? `No connection, try ${link.attempt}` : said);
       setClass(who, 'lost', lost);
       setClass(who, 'flying', flying && !lost);
     },
     close() {
       parts.close();
       light.close();
+      scenarios.close();
     },
   };
 }
 
 const SOFTWARE = 'This browser draws without a graphics card; add ?quality=full to the address to insist.';
-
-function roles(flying: boolean, watchers: number): string {
-  if (!flying) return 'You watch';
-  return watchers === 0 ? 'You fly' : `You fly · ${watchers} watch${watchers === 1 ? 'es' : ''}`;
-}
+const DIM = 'For a dark room: the page at 55 % of its lightness, pictures at 75 %';

@@ -1,15 +1,13 @@
-/** Rotational hand controller, POSITION HOLD, and the devices that move both. */
+/** Rotational hand controller. */
 
 import { PITCH, ROLL, YAW } from '../input/deflection';
-import { button, el, group, setAttribute, setClass, setPressed, setText, svg } from './dom';
-import type { Desk, Part } from './part';
-import type { Standing } from './standing';
+import { el, group, setAttribute, setClass, svg } from './dom';
+import type { Part } from './part';
 import { gone, mark, setHand, triple } from './sticks';
 
 const ROLL_SPAN = 75;
 
-export function rhc(desk: Desk, still: Standing): Part {
-  let holding = false;
+export function rhc(): Part {
   const lost = gone('M-35 -35 L35 35 M-35 35 L35 -35');
   const tilt = mark();
   const heldTilt = mark(true);
@@ -20,12 +18,6 @@ export function rhc(desk: Desk, still: Standing): Part {
     svg('circle', { class: 'mark', r: '8.5', cx: '0', cy: '-32' }),
   );
   const numbers = triple(['P', 'Y', 'R']);
-  const device = el('p', { class: 'device' });
-  const hold = button(
-    { class: 'hold', title: 'Keeps place and attitude while the sticks rest' },
-    ['Position hold'],
-    () => desk.send({ type: 'position_hold', on: !holding }),
-  );
   const element = group(
     'rhc',
     'RHC',
@@ -63,14 +55,10 @@ export function rhc(desk: Desk, still: Standing): Part {
       ),
     ),
     numbers.element,
-    still.element,
-    hold,
-    device,
   );
   return {
     element,
     bars({ frame, hand, flying }) {
-      still.bars();
       const [rollNow, pitch, yaw] = frame.rotation;
       heldTilt.set(yaw, pitch);
       turn(heldRoll, rollNow);
@@ -79,19 +67,12 @@ export function rhc(desk: Desk, still: Standing): Part {
       tilt.set(own ? (hand[YAW] ?? 0) : yaw, own ? (hand[PITCH] ?? 0) : pitch);
       turn(roll, own ? (hand[ROLL] ?? 0) : rollNow);
     },
-    values(view) {
-      const { frame, flying, controllers } = view;
-      still.values(view);
+    values({ frame, flying, controllers }) {
       lost.set(element, controllers, 'rhc');
       const [rollNow, pitch, yaw] = frame.rotation;
       setHand(element, 'right hand', frame, flying);
       numbers.set([pitch, yaw, rollNow]);
-      holding = frame.position_hold;
-      setPressed(hold, holding);
       setClass(element, 'holding', frame.rate_hold);
-      const words = frame.by === 'script' ? 'Move a stick to take over' : controllers.words;
-      setText(device, flying ? words : '');
-      setAttribute(device, 'title', flying ? words : '');
     },
   };
 }

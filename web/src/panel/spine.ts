@@ -5,9 +5,24 @@ import type { Lamp } from '../protocol';
 import type { Alarm } from '../tones';
 import { button, el, setAttribute, setClass, setText } from './dom';
 
-/** Lamps of the arm as on the panel, then those of the station. */
-const ARM = ['SINGULAR', 'REACH LIM', 'SOFT STOP', 'RATE LIM'];
-const STATION = ['CLEARANCE', 'CHECK CRT', 'LINK', 'CONTROLLER'];
+/**
+ * Lamps that tell their cause: the arm's as on the panel, then the station's. The others stand in pairs, their cause in
+ * the title; the first three pairs are of things that are not simulated, and are lit by TEST alone.
+ */
+const ARM = ['SINGULAR', 'REACH LIM', 'SOFT STOP', 'RATE LIM', 'CHECK CRT'];
+const STATION = ['CLEARANCE', 'CONTROLLER'];
+const PAIRS = [
+  'MCIU',
+  'ABE',
+  'GPC DATA',
+  'CONTR ERR',
+  'PORT TEMP',
+  'STBD TEMP',
+  'DERIGIDIZE',
+  'RELEASE',
+  'CAMERA',
+  'LINK DELAY',
+];
 
 export interface SpineListener {
   acknowledged(): void;
@@ -33,6 +48,7 @@ export class Spine {
       listener.acknowledged(),
     );
     this.arm.append(...ARM.map((name) => this.lamp(name)));
+    const pairs = el('div', { class: 'lamp-pairs' }, ...PAIRS.map((name) => this.lamp(name)));
     const station = el('div', { class: 'lamps' }, ...STATION.map((name) => this.lamp(name)));
     this.element = el(
       'section',
@@ -40,6 +56,7 @@ export class Spine {
       this.master,
       this.silent,
       this.arm,
+      pairs,
       station,
       this.polite,
       this.alert,

@@ -2,23 +2,37 @@
 
 import { el } from '../panel/dom';
 import { minutes } from './quantity';
+import { lengthOf, partOf, type Span } from './span';
 
 /** Distances between marks [s]. */
-const STEPS = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400];
+const STEPS = [0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400];
 const MOST_MARKS = 10;
 
 /** A mark nearer to the end than this part of the axis has no room for its time. */
 const ROOM = 0.02;
 
-/** Times of the axis' marks [s]. */
-export function marks(duration: number): number[] {
-  const step = STEPS.find((each) => duration / each <= MOST_MARKS) ?? duration / MOST_MARKS;
-  return Array.from({ length: Math.floor((duration * (1 - ROOM)) / step) + 1 }, (_, i) => i * step);
+function stepOf(length: number): number {
+  return STEPS.find((each) => length / each <= MOST_MARKS) ?? length / MOST_MARKS;
 }
 
-export function axis(duration: number): HTMLElement {
-  const labels = marks(duration).map((time) =>
-    el('span', { style: `left: ${((time / duration) * 100).toFixed(3)}%` }, minutes(time)),
-  );
-  return el('div', { class: 'axis row' }, el('div', { class: 'plot' }, ...labels));
+/** Times of the axis' marks [s]. */
+export function marks(span: Span): number[] {
+  const step = stepOf(lengthOf(span));
+  const first = Math.ceil(span.from / step);
+  const last = Math.floor((span.to - ROOM * lengthOf(span)) / step);
+  return Array.from({ length: last - first + 1 }, (_, i) => (first + i) * step).slice(0, MOST_MARKS);
+}
+
+/** The marks' labels. */
+export function labels(span: Span): readonly HTMLElement[] {
+  const decimals = stepOf(lengthOf(span)) < 1 ? 1 : 0;
+  return marks(span).map((time) => {
+    const part = partOf(span, time);
+    const place = `left: ${(part * 100).toFixed(3)}%`;
+    return el(
+      'span',
+      part < ROOM ? { class: 'first', style: place } : { style: place },
+      minutes(time, decimals),
+    );
+  });
 }

@@ -6,7 +6,7 @@ import { el } from '../panel/dom';
 import { EventsGroup } from '../panel/events';
 import { lightSegments } from '../panel/lamp-test';
 import type { Desk, View } from '../panel/part';
-import type { Frame, Level, PlaybackIndex } from '../protocol';
+import type { Frame, PlaybackIndex } from '../protocol';
 import type { Units } from '../units';
 
 export class FlownDesk {
@@ -23,11 +23,6 @@ export class FlownDesk {
       { class: 'desk', 'aria-label': 'Desk as flown', inert: '' },
       ...this.groups.elements,
     );
-  }
-
-  /** What the clearance drawn last calls for. */
-  clearance(): Level {
-    return this.groups.clearance();
   }
 
   setPlane(on: boolean): void {
@@ -53,5 +48,5 @@ function viewOf(frame: Frame, units: Units): View {
   const [x, y, z] = frame.translation;
   const [roll, pitch, yaw] = frame.rotation;
   const hand = [x, y, z, roll, pitch, yaw, 0];
-  return { frame, units, hand, controllers: NO_CONTROLLERS, flying: false, orbiting: false };
+  return { frame, units, hand, controllers: NO_CONTROLLERS, flying: false, orbiting: false, flier: 0 };
 }

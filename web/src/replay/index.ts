@@ -13,6 +13,7 @@ import { Player } from './player';
 import { replayRail } from './rail';
 import { RunColumn } from './run';
 import type { Source } from './source';
+import { STEP } from './span';
 import { Timeline } from './timeline';
 import { Transport } from './transport';
 
@@ -35,7 +36,9 @@ export function play(root: HTMLElement, drawing: Drawing, source: Source): void 
 
 class Replay {
   private drawn = 0;
+  /** What pictures and figures show, and what the figures are of. */
   private shown: Frame | null = null;
+  private figures: Frame | null = null;
   private units: UnitName;
   private before = performance.now();
   private valuesAt = 0;
@@ -73,6 +76,8 @@ class Replay {
       event: (by) => this.toEvent(by),
       strips: (names) => this.timeline.choose(names),
       desk: () => this.showDesk(),
+      asFlown: () => this.showAsFlown(),
+      zoom: (way) => this.zoom(way),
     });
     this.run = new RunColumn(index);
     this.desk = new FlownDesk(index);
@@ -105,6 +110,8 @@ class Replay {
       split: () => this.pictures.toggleSplit(),
       otherMonitor: () => this.pictures.takeOther(),
       plane: () => this.desk.setPlane(this.pictures.togglePlane()),
+      asFlown: () => this.showAsFlown(),
+      zoom: (way) => this.zoom(way),
       close: () => this.transport.open(false),
     });
     this.rail.setVerdict(index.verdict);
@@ -126,12 +133,15 @@ class Replay {
     this.before = now;
     const { moment, position } = this.player;
     const units = unitsOf(this.units);
-    if (moment && (this.isNew(moment.frame) || !this.complete)) {
+    if (moment && !this.pictures.drawing && (this.isNew(moment.frame) || !this.complete)) {
       this.desk.bars(moment.frame, units);
       this.follow();
-      this.complete = this.pictures.draw(moment.frame, this.desk.clearance());
-      this.pictures.setTime({ frame: moment.frame, units }, null);
-      this.drawn += 1;
+      const { frame } = moment;
+      this.complete = this.pictures.draw(frame, frame.work.clearance_level, () => {
+        this.pictures.setTime({ frame, units }, null);
+        this.drawn += 1;
+        this.shown = this.figures;
+      });
     }
     this.timeline.show(position, moment, units);
     if (now - this.valuesAt >= VALUES_MS) {
@@ -141,10 +151,13 @@ class Replay {
       this.rail.setUnits(units);
       if (moment) {
         this.desk.values(moment.frame, units, past);
-        this.shown = moment.frame;
+        this.figures = moment.frame;
+        if (!this.pictures.drawing) this.shown = this.figures;
       }
       const { failure } = this.player;
       this.transport.show(failure, failure !== '');
+      this.transport.setFollowing(this.tellsPictures ? !this.chosen : null);
+      this.transport.setZoomed(this.timeline.isZoomed);
     }
   }
 
@@ -168,6 +181,20 @@ class Replay {
       if (names.length > 0) this.pictures.show(i, names);
     });
     this.following = false;
+  }
+
+  /** The monitors go back to the recording's cameras. */
+  private showAsFlown(): void {
+    this.chosen = false;
+    this.pictured = '';
+  }
+
+  private get tellsPictures(): boolean {
+    return this.index.pictures.some(({ monitors }) => monitors.some((names) => names.length > 0));
+  }
+
+  private zoom(way: 1 | -1): void {
+    this.timeline.zoom(way > 0 ? STEP : 1 / STEP, this.player.position);
   }
 
   /** Events up to the playhead. */

@@ -15,6 +15,8 @@ export interface ReplayKeys {
   plane(): void;
   matrix(): void;
   split(): void;
+  asFlown(): void;
+  zoom(way: 1 | -1): void;
   close(): void;
 }
 
@@ -42,6 +44,11 @@ export function actionOf(player: Player, keys: ReplayKeys, event: Pick<KeyboardE
     KeyF: () => keys.plane(),
     KeyC: () => keys.matrix(),
     KeyZ: () => keys.split(),
+    KeyA: () => keys.asFlown(),
+    Equal: () => keys.zoom(1),
+    NumpadAdd: () => keys.zoom(1),
+    Minus: () => keys.zoom(-1),
+    NumpadSubtract: () => keys.zoom(-1),
     Escape: () => keys.close(),
   };
   return actions[event.code];

@@ -2,11 +2,12 @@
 
 import { el, setAttribute, setClass, setText, svg } from '../panel/dom';
 import type { Lane, Event as LogEvent, Stretch } from '../protocol';
+import { lengthOf, partOf, type Span } from './span';
 
-/** A stretch shorter than this part of the run has no room for its name. */
+/** A stretch shorter than this part of the axis has no room for its name. */
 const ROOM = 0.035;
 
-/** Between two stretches, as parts of the run and of the stretch: a short one is not eaten up. */
+/** Between two stretches, as parts of the axis and of the stretch: a short one is not eaten up. */
 const GAP = 0.0008;
 const GAP_OF_STRETCH = 0.15;
 
@@ -16,9 +17,13 @@ export interface Row {
   at(position: number): void;
 }
 
-/** A drawing over the run: time to the right [s], from 0 to 1 downwards, stretched to its place. */
-export function stretched(duration: number, ...drawn: SVGElement[]): SVGElement {
-  const attributes = { viewBox: `0 0 ${duration} 1`, preserveAspectRatio: 'none', 'aria-hidden': 'true' };
+/** A drawing over time, to the right [s], from 0 to 1 downwards, stretched to its place. */
+export function stretched(span: Span, ...drawn: SVGElement[]): SVGElement {
+  const attributes = {
+    viewBox: `${span.from} 0 ${lengthOf(span)} 1`,
+    preserveAspectRatio: 'none',
+    'aria-hidden': 'true',
+  };
   return svg('svg', attributes, ...drawn);
 }
 
@@ -34,22 +39,22 @@ export function stretchAt(stretches: readonly Stretch[], position: number): numb
 }
 
 /** Where a stretch is drawn to, so that the next one stands apart. */
-function endOf({ start_s, end_s }: Stretch, duration: number): number {
-  return end_s - Math.min(GAP * duration, GAP_OF_STRETCH * (end_s - start_s));
+function endOf({ start_s, end_s }: Stretch, span: Span): number {
+  return end_s - Math.min(GAP * lengthOf(span), GAP_OF_STRETCH * (end_s - start_s));
 }
 
-export function laneRow({ name, stretches }: Lane, duration: number): Row {
-  const percent = (time: number) => `${((time / duration) * 100).toFixed(3)}%`;
+export function laneRow({ name, stretches }: Lane, span: Span): Row {
+  const percent = (part: number) => `${(part * 100).toFixed(3)}%`;
   const bars = (level: string) =>
     stretches
       .filter((each) => each.label && each.level === level)
-      .map((each) => `M${each.start_s} 0H${endOf(each, duration)}V1H${each.start_s}Z`)
+      .map((each) => `M${each.start_s} 0H${endOf(each, span)}V1H${each.start_s}Z`)
       .join('');
   const present = svg('rect', { class: 'present', y: '0', height: '1' });
   const names = stretches.map(({ start_s, end_s, label, level }) => {
-    const width = end_s - start_s;
-    if (!label || width < ROOM * duration) return null;
-    const place = `left: ${percent(start_s)}; width: ${percent(width)}`;
+    const [left, right] = [Math.max(0, partOf(span, start_s)), Math.min(1, partOf(span, end_s))];
+    if (!label || right - left < ROOM) return null;
+    const place = `left: ${percent(left)}; width: ${percent(right - left)}`;
     return el('span', { class: level, style: place, title: label }, label);
   });
   const now = el('b', { class: 'now' });
@@ -57,7 +62,7 @@ export function laneRow({ name, stretches }: Lane, duration: number): Row {
     'div',
     { class: 'plot' },
     stretched(
-      duration,
+      span,
       ...['info', 'caution', 'warning'].map((level) => svg('path', { class: level, d: bars(level) })),
       present,
     ),
@@ -73,19 +78,55 @@ export function laneRow({ name, stretches }: Lane, duration: number): Row {
       if (!stretch) return;
       const unnamed = stretch.label !== '' && names[index] === null;
       setText(now, unnamed ? stretch.label : '');
-      if (unnamed) placeAt(now, position / duration);
+      if (unnamed) placeAt(now, partOf(span, position));
       if (index === shown) return;
       names[shown]?.classList.remove('here');
       names[index]?.classList.add('here');
       shown = index;
       setAttribute(present, 'x', String(stretch.start_s));
-      setAttribute(present, 'width', String(endOf(stretch, duration) - stretch.start_s));
+      setAttribute(present, 'width', String(endOf(stretch, span) - stretch.start_s));
       setClass(present, 'off', stretch.label === '' || stretch.level !== 'info');
     },
   };
 }
 
-export function eventRow(events: readonly LogEvent[], duration: number): Row {
+/** What is named on the time axis, by the kind of its line in the log. */
+const NAMED: Readonly<Record<string, string>> = {
+  acquired: 'captured',
+  released: 'released',
+  docked: 'docked',
+  latched: 'latched',
+};
+const UNDONE = 'released';
+
+export interface Mark {
+  readonly time_s: number;
+  readonly name: string;
+  readonly text: string;
+}
+
+/** The payload taken and let go, docked and latched; what the log tells twice in a step is one mark. */
+export function marksOf(events: readonly LogEvent[]): readonly Mark[] {
+  const marks: Mark[] = [];
+  for (const { kind, time_s, text } of events) {
+    const name = NAMED[kind];
+    const last = marks.at(-1);
+    if (!name || (last?.name === name && last.time_s === time_s)) continue;
+    marks.push({ time_s, name, text });
+  }
+  return marks;
+}
+
+function markTags(events: readonly LogEvent[], span: Span): readonly HTMLElement[] {
+  return marksOf(events).flatMap(({ time_s, name, text }) => {
+    const part = partOf(span, time_s);
+    if (part < 0 || part > 1) return [];
+    const kind = [...(name === UNDONE ? ['undone'] : []), ...(part > 0.8 ? ['before'] : [])].join(' ');
+    return [el('b', { class: kind, style: `left: ${(part * 100).toFixed(3)}%`, title: text }, name)];
+  });
+}
+
+export function eventRow(events: readonly LogEvent[], span: Span): Row {
   const ticks = (level: string) =>
     events
       .filter((event) => event.level === level)
@@ -93,11 +134,12 @@ export function eventRow(events: readonly LogEvent[], duration: number): Row {
       .join('');
   const plot = el(
     'div',
-    { class: 'plot' },
+    { class: 'plot marks' },
     stretched(
-      duration,
+      span,
       ...['info', 'caution', 'warning'].map((level) => svg('path', { class: level, d: ticks(level) })),
     ),
+    ...markTags(events, span),
   );
   return { element: el('div', { class: 'lane events-lane row' }, el('b', {}, 'Events'), plot), at() {} };
 }

@@ -27,6 +27,11 @@ export function shown(quantity: Quantity, units: Units): Shown {
       return { unit: '', text: scaled(1, 2) };
     case 'length':
       return { unit: units.length.name, text: scaled(units.length.perSi, units.length.decimals) };
+    case 'gap':
+      return {
+        unit: units.gap.name,
+        text: (value) => fixed(value * units.gap.perSi, units.gap.decimals, value < 0),
+      };
     case 'distance':
       return si ? { unit: 'm', text: scaled(1, 2) } : { unit: 'ft', text: scaled(1 / 0.3048, 1) };
     case 'speed':
@@ -50,7 +55,9 @@ export function withUnit(quantity: Quantity, value: number | null, units: Units)
 }
 
 export function figure(measure: Measure, units: Units): string {
-  return measure.quantity === 'words' ? measure.text : withUnit(measure.quantity, measure.value, units);
+  if (measure.quantity === 'words') return measure.text;
+  const value = withUnit(measure.quantity, measure.value, units);
+  return measure.angle === null ? value : `${value}, ${withUnit('angle', measure.angle, units)}`;
 }
 
 /** Seconds as `mm:ss`, with hours where there are any; tenths or hundredths on demand. */

@@ -1,7 +1,7 @@
 /** At the right of the monitors: figures of the run, and its log up to the playhead. */
 
 import { clock } from '../format';
-import { el, group, setText } from '../panel/dom';
+import { button, el, group, setClass, setText } from '../panel/dom';
 import type { PlaybackIndex } from '../protocol';
 import type { Units } from '../units';
 import { figure } from './quantity';
@@ -13,7 +13,8 @@ const HINTS = [
   'Left, right: a second; with Shift a frame.',
   'Up, down: speed. [ ] go from event to event.',
   '1–9, 0 , . cameras · X monitor · Z split · C all',
-  'D desk · F plane',
+  'A cameras as flown · D desk · F plane',
+  '+ − time axis',
 ];
 
 export class RunColumn {
@@ -29,12 +30,18 @@ export class RunColumn {
       return { measure, row, value };
     });
     const table = el('table', {}, el('tbody', {}, ...this.figures.map(({ row }) => row)));
-    this.element = el(
-      'aside',
-      { class: 'run' },
-      group('measures', 'This run', table),
-      group('run-log', 'Log', this.log),
-    );
+    const [figures, log] = [group('measures', 'This run', table), group('run-log', 'Log', this.log)];
+    this.element = el('aside', { class: 'run' }, figures, log);
+    // Where the window is too low for both, one stands for the other.
+    const turn = (from: HTMLElement, to: HTMLElement, name: string, showsLog: boolean) => {
+      const key = button({ class: 'more' }, [name], () => {
+        setClass(this.element, 'shows-log', showsLog);
+        to.querySelector('button')?.focus();
+      });
+      from.querySelector('h2')?.append(key);
+    };
+    turn(figures, log, 'Log', true);
+    turn(log, figures, 'Figures', false);
   }
 
   /** `past`: how many events lie behind the playhead. */

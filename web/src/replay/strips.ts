@@ -1,10 +1,11 @@
 /** Strips: quantities over the run, with their values at the playhead. */
 
-import { el, setAttribute, setText, svg } from '../panel/dom';
+import { el, setAttribute, setClass, setText, svg } from '../panel/dom';
 import type { Curve, Strip } from '../protocol';
 import type { Units } from '../units';
 import { placeAt, stretched } from './lanes';
 import { shown, withUnit } from './quantity';
+import { partOf, type Span } from './span';
 
 /** Room above and below the curves, as a part of their range. */
 const MARGIN = 0.08;
@@ -37,9 +38,20 @@ export function heights({ low, high, limit }: Strip): (value: number) => number 
   return (value) => (1 + MARGIN - (value - low) / range) / (1 + 2 * MARGIN);
 }
 
-export function stripRow(strip: Strip, duration: number, numbersFrom: number): StripRow {
+/** What a strip's values are held against, and how that is drawn. */
+export function boundsOf({ limit, caution, warning }: Pick<Strip, 'limit' | 'caution' | 'warning'>) {
+  const all = [
+    { level: 'limit', value: limit },
+    { level: 'caution', value: caution },
+    { level: 'warning', value: warning },
+  ];
+  return all.flatMap(({ level, value }) => (value === null ? [] : [{ level, value }]));
+}
+
+export function stripRow(strip: Strip, span: Span, numbersFrom: number): StripRow {
   const height = heights(strip);
-  const line = (value: number) => `M0 ${height(value).toFixed(4)}H${duration}`;
+  const bounds = boundsOf(strip);
+  const line = (value: number) => `M${span.from} ${height(value).toFixed(4)}H${span.to}`;
   const unit = el('small');
   const [high, low] = [el('span', { class: 'high' }), el('span', { class: 'low' })];
   const dots = strip.curves.map(({ role }) => el('i', { class: `dot ${role}` }));
@@ -49,9 +61,9 @@ export function stripRow(strip: Strip, duration: number, numbersFrom: number): S
     'div',
     { class: 'plot' },
     stretched(
-      duration,
+      span,
       svg('path', { class: 'bounds', d: line(strip.low) + line(strip.high) }),
-      ...(strip.limit === null ? [] : [svg('path', { class: 'limit', d: line(strip.limit) })]),
+      ...bounds.map(({ level, value }) => svg('path', { class: level, d: line(value) })),
       ...strip.curves.map((curve) => svg('path', { class: curve.role, d: path(curve, height) })),
     ),
     ...(empty ? [el('p', {}, 'nothing recorded')] : [...dots, tag]),
@@ -71,7 +83,7 @@ export function stripRow(strip: Strip, duration: number, numbersFrom: number): S
       setText(high, text(strip.high));
       setText(low, text(strip.low));
       if (empty) return;
-      const part = position / duration;
+      const part = partOf(span, position);
       strip.curves.forEach((_, i) => {
         const value = values[numbersFrom + i] ?? null;
         const dot = dots[i];
@@ -83,8 +95,11 @@ export function stripRow(strip: Strip, duration: number, numbersFrom: number): S
         }
       });
       const value = values[numbersFrom + strip.curves.length - 1] ?? null;
-      const reading = strip.limit === null ? withUnit(strip.quantity, value, units) : text(value ?? 0);
+      const reading =
+        strip.limit === null || value === null ? withUnit(strip.quantity, value, units) : text(value);
       setText(tag, `${reading} ${word}`.trim());
+      for (const { level, value: bound } of bounds)
+        setClass(tag, level, level !== 'limit' && value !== null && value < bound);
       placeAt(tag, part);
       const top = value === null ? 0.5 : height(value);
       tag.style.top = `${(Math.min(Math.max(top, 0.2), 0.8) * 100).toFixed(1)}%`;

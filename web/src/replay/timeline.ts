@@ -3,9 +3,10 @@
 import { el, setAttribute } from '../panel/dom';
 import type { Moment, PlaybackIndex } from '../protocol';
 import type { Units } from '../units';
-import { axis } from './axis';
-import { eventRow, laneRow } from './lanes';
+import { labels } from './axis';
+import { eventRow, laneRow, type Row } from './lanes';
 import { minutes } from './quantity';
+import { following, lengthOf, partOf, type Span, zoomed } from './span';
 import { type StripRow, stripRow } from './strips';
 
 /** The strip that names the joint concerned. */
@@ -13,7 +14,11 @@ const NAMES_JOINT = 'Joint rate';
 
 export class Timeline {
   readonly element: HTMLElement;
-  private readonly lanes;
+  private lanes: readonly Row[] = [];
+  private span: Span;
+  private chosen: readonly string[] = [];
+  private readonly axis = el('div', { class: 'plot' });
+  private readonly laneRows = el('div', { class: 'lanes' });
   private readonly strips = el('div', { class: 'strips' });
   private readonly rows = new Map<string, StripRow>();
   private readonly firsts = new Map<string, number>();
@@ -32,10 +37,7 @@ export class Timeline {
       this.firsts.set(name, first);
       first += curves.length;
     }
-    this.lanes = [
-      ...index.lanes.map((lane) => laneRow(lane, this.duration)),
-      eventRow(index.events, this.duration),
-    ];
+    this.span = { from: 0, to: this.duration };
     this.slider = el(
       'div',
       {
@@ -52,27 +54,35 @@ export class Timeline {
     this.element = el(
       'div',
       { class: 'timeline' },
-      axis(this.duration),
-      el('div', { class: 'lanes' }, ...this.lanes.map(({ element }) => element)),
+      el('div', { class: 'axis row' }, this.axis),
+      this.laneRows,
       this.strips,
       this.slider,
     );
     this.seekBy(sought);
+    this.draw();
+  }
+
+  /** Whether less than the whole run is shown. */
+  get isZoomed(): boolean {
+    return lengthOf(this.span) < this.duration;
+  }
+
+  /** So many times more time for the axis' width, about the playhead. */
+  zoom(by: number, position: number): void {
+    this.look(zoomed(this.span, by, position, this.duration));
   }
 
   /** Draws these strips, in this order. */
   choose(names: readonly string[]): void {
-    this.rows.clear();
-    for (const name of names) {
-      const strip = this.index.strips.find((each) => each.name === name);
-      if (strip) this.rows.set(name, stripRow(strip, this.duration, this.firsts.get(name) ?? 0));
-    }
-    this.strips.replaceChildren(...[...this.rows.values()].map(({ element }) => element));
+    this.chosen = names;
+    this.drawStrips();
   }
 
   /** Puts the playhead; the moment there, where it has come. */
   show(position: number, moment: Moment | null, units: Units): void {
-    const percent = `${((position / this.duration) * 100).toFixed(3)}%`;
+    this.look(following(this.span, position, this.duration));
+    const percent = `${(partOf(this.span, position) * 100).toFixed(3)}%`;
     this.future.style.left = percent;
     this.head.style.left = percent;
     setAttribute(this.slider, 'aria-valuenow', position.toFixed(2));
@@ -83,10 +93,33 @@ export class Timeline {
       row.at(position, moment.values, name === NAMES_JOINT ? moment.worst : '', units);
   }
 
+  private look(span: Span): void {
+    if (span.from === this.span.from && span.to === this.span.to) return;
+    this.span = span;
+    this.draw();
+  }
+
+  private draw(): void {
+    const { lanes, events } = this.index;
+    this.axis.replaceChildren(...labels(this.span));
+    this.lanes = [...lanes.map((lane) => laneRow(lane, this.span)), eventRow(events, this.span)];
+    this.laneRows.replaceChildren(...this.lanes.map(({ element }) => element));
+    this.drawStrips();
+  }
+
+  private drawStrips(): void {
+    this.rows.clear();
+    for (const name of this.chosen) {
+      const strip = this.index.strips.find((each) => each.name === name);
+      if (strip) this.rows.set(name, stripRow(strip, this.span, this.firsts.get(name) ?? 0));
+    }
+    this.strips.replaceChildren(...[...this.rows.values()].map(({ element }) => element));
+  }
+
   private seekBy(sought: (position: number) => void): void {
     const seek = (event: PointerEvent) => {
       const { left, width } = this.slider.getBoundingClientRect();
-      sought(((event.clientX - left) / width) * this.duration);
+      sought(this.span.from + ((event.clientX - left) / width) * lengthOf(this.span));
     };
     this.slider.addEventListener('pointerdown', (event) => {
       this.slider.setPointerCapture(event.pointerId);

@@ -14,6 +14,10 @@ export interface TransportListener {
   event(by: 1 | -1): void;
   strips(names: readonly string[]): void;
   desk(): void;
+  /** The monitors show again what they showed in flight. */
+  asFlown(): void;
+  /** The time axis: more of it, or less. */
+  zoom(way: 1 | -1): void;
 }
 
 export class Transport {
@@ -23,6 +27,8 @@ export class Transport {
   private readonly time = el('b', { class: 'position' });
   private readonly said = el('p', { class: 'said' });
   private readonly desk: HTMLButtonElement;
+  private readonly asFlown: HTMLButtonElement;
+  private readonly wider: HTMLButtonElement;
   private readonly list: HTMLElement;
   private readonly more: HTMLButtonElement;
   private readonly choices;
@@ -55,6 +61,12 @@ export class Transport {
     );
     this.more = button({ 'aria-expanded': 'false' }, ['Strips'], () => this.open(this.list.hidden === true));
     this.desk = button({ title: 'The desk as it was flown: D' }, ['Desk'], () => listener.desk());
+    this.asFlown = button({ title: 'The monitors show what they showed in flight: A' }, ['As flown'], () =>
+      listener.asFlown(),
+    );
+    this.wider = button({ 'aria-label': 'Wider', title: 'More of the run: −' }, ['−'], () =>
+      listener.zoom(-1),
+    );
     this.element = el(
       'div',
       { class: 'transport', role: 'group', 'aria-label': 'Playing' },
@@ -70,7 +82,16 @@ export class Transport {
       this.said,
       el('span', { class: 'key commanded' }, 'commanded'),
       el('span', { class: 'key actual' }, 'actual'),
+      el(
+        'div',
+        { class: 'zoom', role: 'group', 'aria-label': 'Time axis' },
+        this.wider,
+        button({ 'aria-label': 'Closer', title: 'Less of the run, about the playhead: +' }, ['+'], () =>
+          listener.zoom(1),
+        ),
+      ),
       el('div', { class: 'strip-choice' }, this.more, this.list),
+      this.asFlown,
       this.desk,
     );
     this.mark();
@@ -85,6 +106,17 @@ export class Transport {
     for (const { speed, key } of this.speeds) setPressed(key, speed === this.player.speed);
     setText(this.said, said);
     setClass(this.said, 'caution', troubled);
+  }
+
+  /** Whether the monitors follow the recording; null: it does not tell what they showed. */
+  setFollowing(on: boolean | null): void {
+    setPressed(this.asFlown, on === true);
+    this.asFlown.disabled = on === null;
+    if (on === null) this.asFlown.title = 'This recording does not tell what the monitors showed';
+  }
+
+  setZoomed(on: boolean): void {
+    this.wider.disabled = !on;
   }
 
   setDesk(on: boolean): void {

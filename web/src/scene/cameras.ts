@@ -12,6 +12,7 @@ const ORIGIN = new Vector3();
 const point = new Vector3();
 const [start, end] = [new Vector3(), new Vector3()];
 const turn = new Quaternion();
+const inverse = new Matrix4();
 const AXES = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)] as const;
 
 /** A place in a picture: 0 to 1 from its left and from its top. */
@@ -49,6 +50,11 @@ class Mounted {
     if (setting.every((angle, i) => angle === this.setting[i])) return;
     this.setting = setting;
     this.look(viewOf(this.camera, setting));
+  }
+
+  /** Takes a place of the scene into the body's frame. */
+  get toBody(): Matrix4 {
+    return inverse.copy(this.body.group.matrixWorld).invert();
   }
 
   look({ position, boresight, up, angle }: View): void {
@@ -96,11 +102,30 @@ export class Cameras {
     });
   }
 
-  /** Moves an engineering view: round to the right and upwards [rad], and nearer by a factor. */
-  orbit(name: string, right: number, upwards: number, nearer: number): void {
+  /** Engineering views go round another thing, at a place of the scene; null: round where they began. */
+  turnTo(at: Vec3 | null): void {
+    for (const [name, orbit] of this.orbits) {
+      const one = this.one(name);
+      orbit.turnTo(at, one.toBody);
+      one.look(orbit.view);
+    }
+  }
+
+  /** What they go round is there now. */
+  follow(at: Vec3): void {
+    for (const [name, orbit] of this.orbits) {
+      const one = this.one(name);
+      orbit.follow(at, one.toBody);
+      one.look(orbit.view);
+    }
+  }
+
+  /** Moves an engineering view: round to the right and upwards [rad], or aside, and nearer by a factor. */
+  orbit(name: string, right: number, upwards: number, nearer: number, aside: boolean): void {
     const orbit = this.orbits.get(name);
     if (!orbit) return;
-    orbit.turn(right, upwards);
+    if (aside) orbit.shift(right, upwards);
+    else orbit.turn(right, upwards);
     orbit.approach(nearer);
     this.one(name).look(orbit.view);
   }

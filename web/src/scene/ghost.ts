@@ -1,40 +1,67 @@
 import {
+  Color,
   EdgesGeometry,
+  LinearSRGBColorSpace,
   LineBasicMaterial,
   LineSegments,
   Mesh,
-  MeshBasicMaterial,
   Object3D,
   Quaternion,
+  ShaderMaterial,
   type Scene as Stage,
   Vector3,
 } from 'three';
 import type { Body } from './bodies';
-import type { Quality } from './index';
 
 /** As what is commanded. */
 const BLUE = '#78bdf7';
-const FILL = 0.2;
-const EDGE = 0.3;
+/** How much it covers what is behind it: where it is seen straight on, where it turns away, and along its edges. */
+const FILL = '0.16';
+const RIM = '0.9';
+const EDGE = 0.5;
 /** It comes and goes in this time [s]. */
 const FADE_S = 0.15;
 /** Faces that meet at more than this have an edge [deg]. */
 const CORNER = 30;
+/** A body that goes less far than this, and turns less, has no ghost: it would only flicker on the body [m, rad]. */
+const STIRS = 0.02;
 /** Numbers a body in a look ahead's poses. */
 const POSE = 7;
 
 const ONE = new Vector3(1, 1, 1);
 const place = new Vector3();
 const turn = new Quaternion();
+const [from, facing, size] = [new Vector3(), new Quaternion(), new Vector3()];
+
+const vertexShader = /* glsl */ `
+  varying vec3 ray, n;
+  void main() {
+    vec4 at = viewMatrix * modelMatrix * vec4(position, 1.0);
+    ray = at.xyz;
+    n = mat3(viewMatrix) * mat3(modelMatrix) * normal;
+    gl_Position = projectionMatrix * at;
+  }`;
+
+/** Tubes and cans have few edges: what turns away from the eye draws their outline. */
+const fragmentShader = /* glsl */ `
+  varying vec3 ray, n;
+  uniform vec3 colour;
+  uniform float shown;
+  void main() {
+    float turned = 1.0 - abs(dot(normalize(ray), normalize(n)));
+    gl_FragColor = vec4(colour, shown * mix(FILL, RIM, turned));
+  }`;
 
 /** The arm, and what it carries, where holding the sticks would take them. */
 export class Ghost {
-  private readonly fill = new MeshBasicMaterial({
-    color: BLUE,
+  private readonly fill = new ShaderMaterial({
+    defines: { FILL, RIM },
+    // It is no light: what is shown is the colour itself.
+    uniforms: { colour: { value: new Color().setStyle(BLUE, LinearSRGBColorSpace) }, shown: { value: 0 } },
+    vertexShader,
+    fragmentShader,
     transparent: true,
-    opacity: 0,
     depthWrite: false,
-    toneMapped: false,
     polygonOffset: true,
     polygonOffsetFactor: 1,
   });
@@ -45,18 +72,18 @@ export class Ghost {
     depthWrite: false,
     toneMapped: false,
   });
-  private readonly parts: readonly Object3D[];
+  private readonly parts: readonly { readonly part: Object3D; readonly body: Body; moves: boolean }[];
   private readonly lines: LineSegments[] = [];
   private shown = 0;
   private at = performance.now();
 
-  constructor(stage: Stage, bodies: readonly Body[], quality: Quality) {
+  constructor(stage: Stage, bodies: readonly Body[]) {
     this.parts = bodies.map((body) => {
       const part = new Object3D();
       part.matrixAutoUpdate = false;
-      for (const child of body.group.children) if (child instanceof Mesh) this.add(part, child, quality);
+      for (const child of body.group.children) if (child instanceof Mesh) this.add(part, child);
       stage.add(part);
-      return part;
+      return { part, body, moves: false };
     });
     this.setVisible(false);
   }
@@ -66,13 +93,17 @@ export class Ghost {
     const step = Math.max(0, now - this.at) / 1000 / FADE_S;
     this.at = now;
     this.shown = Math.min(1, Math.max(0, this.shown + (poses ? step : -step)));
-    this.fill.opacity = FILL * this.shown;
+    const { shown } = this.fill.uniforms;
+    if (shown) shown.value = this.shown;
     this.edge.opacity = EDGE * this.shown;
     if (!poses) return;
-    this.parts.forEach((part, i) => {
+    this.parts.forEach((each, i) => {
+      const { part, body } = each;
       const first = POSE * i;
       place.fromArray(poses, first);
       turn.set(poses[first + 4] ?? 0, poses[first + 5] ?? 0, poses[first + 6] ?? 0, poses[first + 3] ?? 1);
+      body.group.matrixWorld.decompose(from, facing, size);
+      each.moves = from.distanceTo(place) > STIRS || facing.angleTo(turn) > STIRS;
       part.matrix.compose(place, turn, ONE);
       part.updateMatrixWorld(true);
     });
@@ -80,22 +111,21 @@ export class Ghost {
 
   /** Whether the pictures drawn next show it. */
   setVisible(on: boolean): void {
-    for (const part of this.parts) part.visible = on && this.shown > 0;
+    for (const { part, moves } of this.parts) part.visible = on && moves && this.shown > 0;
   }
 
   dispose(): void {
-    for (const part of this.parts) part.removeFromParent();
+    for (const { part } of this.parts) part.removeFromParent();
     for (const { geometry } of this.lines) geometry.dispose();
     this.fill.dispose();
     this.edge.dispose();
   }
 
-  private add(part: Object3D, { geometry }: Mesh, quality: Quality): void {
+  private add(part: Object3D, { geometry }: Mesh): void {
     const mesh = new Mesh(geometry, this.fill);
     mesh.renderOrder = 1;
     mesh.matrixAutoUpdate = false;
     part.add(mesh);
-    if (quality === 'low') return;
     const lines = new LineSegments(new EdgesGeometry(geometry, CORNER), this.edge);
     lines.renderOrder = 1;
     lines.matrixAutoUpdate = false;

@@ -15,6 +15,7 @@ import {
 } from 'three';
 import { present } from '../assert';
 import type { LightCondition, Lighting, Near, Quat, Vec3, Welcome } from '../protocol';
+import type { Drawing } from '../quality';
 import { LIGHT_OF } from './agx';
 import { Blob } from './blob';
 import { Body, type DrawnBody, lampCount } from './bodies';
@@ -29,7 +30,9 @@ import { lampsOf } from './lamps';
 import { Lights } from './lights';
 import { Materials } from './materials';
 import { Meter } from './meter';
+import { Relay } from './relay';
 import { Sight } from './sight';
+import { Television } from './television';
 
 /** `full` is for graphics hardware; `low` is quick where the processor draws. */
 export type Quality = 'full' | 'low';
@@ -38,6 +41,8 @@ export type Quality = 'full' | 'low';
 export interface View {
   readonly camera: string;
   readonly rect: Rect;
+  /** Black and white, with noise. */
+  readonly early: boolean;
 }
 
 export interface Rect {
@@ -50,7 +55,8 @@ export interface Rect {
 /** Numbers a body in `Frame.poses`. */
 const POSE = 7;
 /** The room round the pictures, as the page's own background. */
-const ROOM = new Color('#0c0d0e');
+const ROOM = '#0c0d0e';
+const ROOM_COLOUR = new Color(ROOM);
 const SPACE = new Color('#000000');
 /** What the plan lies on, as the page's plate. */
 const PLATE = new Color('#161719');
@@ -69,6 +75,8 @@ const UNSEEN = 50;
 /** The orbiter, the arm, the Earth and the light on them, drawn as the cameras see them. */
 export class Scene {
   private readonly renderer: WebGLRenderer;
+  /** Where the processor draws. */
+  private readonly relay: Relay | null;
   private readonly stage = new Stage();
   private readonly materials: Materials;
   private readonly bodies: Body[];
@@ -86,20 +94,24 @@ export class Scene {
   private readonly conditions: readonly LightCondition[];
   private readonly exposures: ReadonlyMap<string, { readonly exposure: Exposure; at: number }>;
   private readonly meter: Meter;
+  private readonly television: Television;
   private meteredAt = 0;
   private surroundings: Texture | null = null;
   private daylight: Daylight | null = null;
   private lit = '';
   private readonly plan = new OrthographicCamera(-1, 1, 1, -1, 1, 2 * HIGH);
+  private readonly quality: Quality;
   private width = 0;
   private height = 0;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
     welcome: Welcome,
-    private readonly quality: Quality,
+    { quality, software }: Drawing,
   ) {
-    this.renderer = rendererFor(canvas, quality);
+    this.quality = quality;
+    this.renderer = rendererFor(software ? document.createElement('canvas') : canvas, quality);
+    this.relay = software ? new Relay(this.renderer, canvas) : null;
     this.lambert = new LambertLight(lampCount(welcome.bodies));
     this.materials = new Materials(quality, this.lambert);
     this.bodies = welcome.bodies.map((body) => new Body(body, this.materials, quality));
@@ -115,13 +127,14 @@ export class Scene {
     this.conditions = welcome.conditions;
     this.exposures = new Map(welcome.cameras.map(({ name }) => [name, { exposure: new Exposure(), at: 0 }]));
     this.meter = new Meter(this.renderer, quality === 'full' ? LIGHT_OF : ROOTS);
+    this.television = new Television(this.renderer);
     const [fixed, ...moving] = this.bodies; // the place that all others stand in, and they
     fixed?.drawLast();
     const ground = quality === 'low' ? fixed?.mesh('liner') : undefined;
     this.blob = ground ? new Blob(this.stage, ground, moving) : null;
     this.gap = new Gap(this.stage, this.bodies);
     const ghosts = welcome.ghost.flatMap((i) => this.bodies[i] ?? []);
-    this.ghost = new Ghost(this.stage, ghosts, quality);
+    this.ghost = new Ghost(this.stage, ghosts);
     const carried = new Set(ghosts.map(({ group }) => group.name));
     this.onArm = new Set(welcome.cameras.filter(({ body }) => carried.has(body)).map(({ name }) => name));
   }
@@ -166,9 +179,19 @@ export class Scene {
     this.cameras.put(views);
   }
 
-  /** Moves an engineering view: round to the right and upwards [rad], and nearer by a factor. */
-  orbit(camera: string, right: number, upwards: number, nearer: number): void {
-    this.cameras.orbit(camera, right, upwards, nearer);
+  /** Moves an engineering view: round to the right and upwards [rad], or aside, and nearer by a factor. */
+  orbit(camera: string, right: number, upwards: number, nearer: number, aside: boolean): void {
+    this.cameras.orbit(camera, right, upwards, nearer, aside);
+  }
+
+  /** Engineering views go round another thing, at a place of the scene; null: round where they began. */
+  turnTo(at: Vec3 | null): void {
+    this.cameras.turnTo(at);
+  }
+
+  /** What they go round is there now. */
+  follow(at: Vec3): void {
+    this.cameras.follow(at);
   }
 
   /** The middle of a body in the scene; null: there is no such body, or nothing of it is drawn. */
@@ -195,8 +218,10 @@ export class Scene {
     const { renderer } = this;
     this.fit();
     renderer.setScissorTest(false);
-    renderer.setClearColor(ROOM);
+    renderer.setClearColor(ROOM_COLOUR);
     renderer.clear();
+    this.television.forget();
+    this.relay?.wipe(ROOM);
   }
 
   /** Draws these views anew; the others stay as they were drawn. */
@@ -205,14 +230,26 @@ export class Scene {
     renderer.setScissorTest(true);
     renderer.setClearColor(SPACE);
     renderer.shadowMap.needsUpdate = true;
-    for (const { camera, rect } of views) {
+    for (const { camera, rect, early } of views) {
       if (!this.aim(rect)) continue;
       this.gap.fit(rect.width, rect.height);
       this.ghost.setVisible(!this.onArm.has(camera));
       const factor = this.expose(this.stops(camera));
       renderer.render(this.stage, this.cameras.at(camera, rect.width / rect.height));
-      this.look(camera, rect, factor);
+      this.look(camera, rect, factor); // before noise, which is none of the scene's light
+      if (early) this.television.show(rect, this.height);
+      this.relay?.add(rect, this.height);
     }
+  }
+
+  /** All that shall be seen now is drawn: it is on its way to the page. */
+  send(): void {
+    this.relay?.send();
+  }
+
+  /** Whether what was drawn is on the page; where the processor draws, this puts it there once it is done. */
+  put(): boolean {
+    return this.relay?.put() ?? true;
   }
 
   /** Meters a picture just drawn, where it is due. */
@@ -271,6 +308,7 @@ export class Scene {
     this.ghost.setVisible(false);
     this.expose(this.daylight?.exposure ?? 0);
     renderer.render(this.stage, plan);
+    this.relay?.add(rect, this.height);
     this.earth.mesh.visible = true;
   }
 
@@ -300,10 +338,12 @@ export class Scene {
   }
 
   dispose(): void {
+    this.relay?.dispose();
     this.blob?.dispose();
     this.gap.dispose();
     this.ghost.dispose();
     this.meter.dispose();
+    this.television.dispose();
     this.surroundings?.dispose();
     this.earth.dispose();
     this.lights?.dispose();

@@ -1,18 +1,21 @@
-/** The engineering view: an eye that goes round a point, moved freely by mouse and keys. */
+/** The engineering view: an eye that goes round a place or a thing, moved freely by mouse and keys. */
 
-import { Vector3 } from 'three';
+import { type Matrix4, Vector3 } from 'three';
 import { clamp } from '../clamp';
 import type { Camera, Vec3 } from '../protocol';
 import type { View } from './view';
 
 /** It does not look straight down or up, where left and right would change sides [rad]. */
 const STEEPEST = 1.45;
+const UP = new Vector3(0, 0, 1);
 const [NEAREST, FARTHEST] = [1.5, 120];
-const way = new Vector3();
+const [way, across] = [new Vector3(), new Vector3()];
 
 export class Orbit {
-  /** What it goes round, in its body's frame [m]. */
+  /** What it goes round, in its body's frame [m]: where it began, or what it follows; and how far it is shifted. */
+  private readonly place: Vector3;
   private readonly middle: Vector3;
+  private readonly shifted = new Vector3();
   private distance: number;
   private heading: number;
   private rise: number;
@@ -22,7 +25,8 @@ export class Orbit {
     const eye = new Vector3(...camera.position);
     const look = way.set(...camera.boresight).normalize();
     this.distance = clamp(-eye.dot(look), NEAREST, FARTHEST);
-    this.middle = eye.clone().addScaledVector(look, this.distance);
+    this.place = eye.clone().addScaledVector(look, this.distance);
+    this.middle = this.place.clone();
     this.heading = Math.atan2(-look.y, -look.x);
     this.rise = Math.asin(-look.z);
   }
@@ -33,17 +37,39 @@ export class Orbit {
     this.rise = clamp(this.rise + upwards, -STEEPEST, STEEPEST);
   }
 
+  /** Goes round another thing, in the middle of the picture; null: the place where it began. */
+  turnTo(at: Vec3 | null, toBody: Matrix4): void {
+    this.shifted.set(0, 0, 0);
+    this.middle.copy(this.place);
+    if (at) this.follow(at, toBody);
+  }
+
+  /** What it goes round is there now, in the scene. */
+  follow([x, y, z]: Vec3, toBody: Matrix4): void {
+    this.middle.set(x, y, z).applyMatrix4(toBody);
+  }
+
+  /** Shifts to the right and upwards, as far as what is in the middle then seems to go by such an angle of a drag. */
+  shift(right: number, upwards: number): void {
+    const [x, y, z] = this.view.boresight;
+    const wide = (2 * this.distance * Math.tan(this.camera.field_of_view / 2)) / Math.PI;
+    way.set(x, y, z);
+    across.crossVectors(way, UP).normalize();
+    this.shifted.addScaledVector(across, right * wide);
+    this.shifted.addScaledVector(across.cross(way), upwards * wide);
+  }
+
   /** Comes nearer by a factor: 2 halves the distance. */
   approach(factor: number): void {
     this.distance = clamp(this.distance / factor, NEAREST, FARTHEST);
   }
 
   get view(): View {
-    const { heading, rise, distance, middle } = this;
+    const { heading, rise, distance, middle, shifted } = this;
     const level = Math.cos(rise);
     const out: Vec3 = [level * Math.cos(heading), level * Math.sin(heading), Math.sin(rise)];
     const [x, y, z] = out;
-    way.set(x, y, z).multiplyScalar(distance).add(middle);
+    way.set(x, y, z).multiplyScalar(distance).add(middle).add(shifted);
     return {
       position: [way.x, way.y, way.z],
       boresight: [-x, -y, -z],

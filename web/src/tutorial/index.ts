@@ -15,8 +15,9 @@ import { held, STEPS } from './steps';
 /** The built-in scenario that it is flown in, and the mode. */
 export const SCENARIO = 'tutorial';
 const MODE = 'END EFF';
-/** Kept in the browser once it has opened; one that keeps nothing is shown it each time. */
+/** Kept in the browser: that it has opened, or was asked for; one that keeps nothing is shown it each time. */
 const KEY = 'aftdeck.tutorial';
+const OPENED = 'opened';
 const LOOKS: ReadonlySet<Action['name']> = new Set([
   'camera',
   'cameraStep',
@@ -39,9 +40,10 @@ export class Tutorial {
   constructor(
     private readonly desk: Desk,
     controllers: Controllers,
+    private readonly flyIt: (scenario: string) => void,
   ) {
     const { welcome } = desk;
-    this.unasked = this.offered && keeper.getItem(KEY) === null;
+    this.unasked = this.offered && keeper.getItem(KEY) !== OPENED;
     this.payload = welcome.bodies.findIndex(({ name }) => name === welcome.work.cargo[0]);
     this.inHand = new InHand(controllers);
     this.card = new Card(this.inHand, {
@@ -62,10 +64,13 @@ export class Tutorial {
     return this.card.element;
   }
 
-  /** Opens or closes it; where another scenario is flown, says how to get there. */
+  /** Opens or closes it; where another scenario is flown, goes to its own, where it opens. */
   toggle(): void {
     if (this.offered) this.show(!this.open);
-    else this.desk.say('The tutorial has a scenario of its own. Start it with: aftdeck fly tutorial');
+    else {
+      keeper.setItem(KEY, 'asked');
+      this.flyIt(SCENARIO);
+    }
   }
 
   /** What the operator does besides flying. */
@@ -102,7 +107,7 @@ export class Tutorial {
     if (open) {
       this.progress = BEGIN;
       this.unasked = false;
-      keeper.setItem(KEY, 'opened');
+      keeper.setItem(KEY, OPENED);
     }
     this.open = open;
     this.card.element.hidden = !open;

@@ -1,0 +1,100 @@
+"""Who flies: the page that came first, the next one when it leaves, and whoever it gives the sticks to."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from aftdeck.errors import CommandError
+
+ANSWER_WITHIN = 10.0
+"""The page that flies gives the sticks within this time of being asked, or keeps them [s]."""
+
+P = TypeVar("P")
+
+
+@dataclass(frozen=True)
+class Asked(Generic[P]):
+    """A page wants the sticks."""
+
+    page: P
+    until: float
+    """[s], as `time.monotonic`."""
+
+
+class Seats(Generic[P]):
+    """The pages of one flight, each with its number; one of them flies.
+
+    Attributes:
+        flier: the page that flies; None: there is none.
+    """
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self.flier: P | None = None
+        self._numbers: dict[P, int] = {}
+        self._asked: Asked[P] | None = None
+        self._clock = clock
+
+    def __len__(self) -> int:
+        return len(self._numbers)
+
+    def number(self, page: P) -> int:
+        """What a page is called: the lowest number that was free when it came."""
+        return self._numbers[page]
+
+    def come(self, page: P) -> None:
+        """Take a seat; whoever finds none that flies, flies."""
+        taken = set(self._numbers.values())
+        self._numbers[page] = next(n for n in range(1, len(taken) + 2) if n not in taken)
+        if self.flier is None:
+            self.flier = page
+
+    def leave(self, page: P) -> None:
+        """Leave the seat; the sticks go to the page longest here."""
+        del self._numbers[page]
+        if self.asking == page:
+            self._asked = None
+        if self.flier == page:
+            self.flier = next(iter(self._numbers), None)
+            self._asked = None
+
+    @property
+    def asking(self) -> P | None:
+        """The page that wants the sticks, until it is answered or `ANSWER_WITHIN` is over."""
+        if self._asked is not None and self._clock() >= self._asked.until:
+            self._asked = None
+        return None if self._asked is None else self._asked.page
+
+    def ask(self, page: P) -> None:
+        """Ask for the sticks.
+
+        Raises:
+            CommandError: it has them, or another page is asking.
+        """
+        if page == self.flier:
+            raise CommandError("you fly: there is nobody to ask for the sticks")
+        if self.asking not in (None, page):
+            raise CommandError(f"page {self.number(self.who_asks())} has asked for the sticks already")
+        self._asked = Asked(page, self._clock() + ANSWER_WITHIN)
+
+    def answer(self, gives: bool) -> None:
+        """Give the sticks to the page that asks, or keep them.
+
+        Raises:
+            CommandError: nobody asks.
+        """
+        page, self._asked = self.who_asks(), None
+        if gives:
+            self.flier = page
+
+    def who_asks(self) -> P:
+        """The page that asks.
+
+        Raises:
+            CommandError: nobody asks.
+        """
+        if (page := self.asking) is None:
+            raise CommandError("nobody asks for the sticks, or no longer")
+        return page

@@ -1,0 +1,43 @@
+"""Nobody is at the controls: what the station then does with the panel, as a careful operator would before leaving."""
+
+from __future__ import annotations
+
+import msgspec
+
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.inputs import Inputs
+
+CAUSES = {
+    "page hidden": "the page that flies is hidden",
+    "device lost": "a hand controller is gone",
+    "page gone": "the page that flew is gone",
+    "another scenario": "another scenario is made ready",
+    "sticks silent": "the page that flies is silent",
+    "handed over": "the sticks are handed over",
+}
+"""Why nobody is there, as the log says it."""
+
+
+def left_alone(inputs: Inputs, frame: Frame | None, cause: str) -> tuple[Inputs, str]:
+    """Inputs that let RATE HOLD go and set POSITION HOLD, and what the log says; no text: nothing had to change.
+
+    Without a page that could stop it, a sequence is stopped, too.
+
+    Args:
+        inputs: what is flown in this step otherwise.
+        frame: the step before; None: there was none.
+        cause: one of `CAUSES`.
+    """
+    if frame is None:
+        return inputs, ""
+    done = []
+    if frame.rate_hold:
+        inputs = msgspec.structs.replace(inputs, rate_hold=True)  # pressed again
+        done.append("RATE HOLD let go")
+    if not frame.position_hold:
+        inputs = msgspec.structs.replace(inputs, position_hold=True)
+        done.append("POSITION HOLD on")
+    if cause in ("page gone", "another scenario") and frame.sequence == "in progress":
+        inputs = msgspec.structs.replace(inputs, stop=True)
+        done.append("STOP")
+    return inputs, f"{CAUSES[cause]}: {', '.join(done)}" if done else ""

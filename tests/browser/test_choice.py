@@ -1,0 +1,67 @@
+"""Another scenario chosen in the page: from the list, and by the Tutorial key."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.flight import Flight
+from tests.browser.looks import assert_readable
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+TITLE = "document.querySelector('.rail .scenario > button').textContent"
+LEAVING = "document.querySelector('.leaving').checkVisibility()"
+GUIDED = "document.querySelector('.tutorial')?.checkVisibility() === true"
+FITS = """() => {
+    const { left, right, top, bottom } = document.querySelector('.choices.scenarios').getBoundingClientRect();
+    return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;
+}"""
+
+
+def choose(flight: Flight, title: str) -> None:
+    """Open the list and press a scenario's row."""
+    flight.page.locator(".rail .scenario > button").click()
+    flight.page.locator(".scenarios button").filter(has=flight.page.get_by_text(title, exact=True)).click()
+
+
+def test_a_scenario_is_chosen_from_the_list_and_every_page_comes_along(flight: Flight, open_page: OpenPage) -> None:
+    watcher = open_page()
+    choose(flight, "Three singularities")
+    for page in (flight, watcher):
+        page.until(f"frame && {TITLE} === 'Three singularities' && frame.time_s < 30")
+    flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
+    watcher.until("document.querySelector('.who').textContent === 'You watch'")
+    flight.hold("s")
+    flight.until("frame.translation[0] < -0.9")
+    flight.release("s")
+    choose(flight, "First flight")
+    flight.until(LEAVING)  # something was flown
+    assert "Leave “Three singularities” for “First flight”?" in flight.page.locator(".leaving").inner_text()
+    flight.press_key("Stay")
+    flight.until(f"!{LEAVING} && {TITLE} === 'Three singularities'")
+    choose(flight, "First flight")
+    flight.press_key("Leave and fly it")
+    flight.until(f"frame && {TITLE} === 'First flight' && frame.mode === 'ORB UNL'")
+
+
+def test_the_tutorial_key_goes_to_the_tutorial_and_opens_it(flight: Flight) -> None:
+    flight.press_key("Tutorial")
+    flight.until(f"frame && {TITLE} === 'Tutorial' && {GUIDED}")
+    flight.press_key("Tutorial")
+    flight.until(f"!{GUIDED}")
+    choose(flight, "First flight")
+    flight.until(f"frame && {TITLE} === 'First flight' && frame.mode === 'ORB UNL'")
+    flight.press_key("Tutorial")
+    flight.until(f"frame && {TITLE} === 'Tutorial' && {GUIDED}")  # asked for again, it opens again
+    choose(flight, "First flight")
+    flight.until(f"frame && {TITLE} === 'First flight'")
+
+
+def test_the_list_fits_and_is_readable(flight: Flight) -> None:
+    flight.page.locator(".rail .scenario > button").click()
+    for width, height in SIZES:
+        flight.page.set_viewport_size({"width": width, "height": height})
+        flight.until(f"innerWidth === {width} && innerHeight === {height}")
+        assert flight.script(FITS)
+        assert_readable(flight, ".scenarios", least=20)

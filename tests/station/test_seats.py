@@ -1,0 +1,89 @@
+"""Who flies, as a law of its own: pages are letters here, and time is what the test says."""
+
+from __future__ import annotations
+
+import pytest
+
+from aftdeck.errors import CommandError
+from aftdeck.station.seats import ANSWER_WITHIN, Seats
+
+
+class Clock:
+    now = 0.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@pytest.fixture
+def clock() -> Clock:
+    return Clock()
+
+
+@pytest.fixture
+def seats(clock: Clock) -> Seats[str]:
+    """Three pages, of which `a` came first."""
+    seats: Seats[str] = Seats(clock)
+    for page in "abc":
+        seats.come(page)
+    return seats
+
+
+def test_the_first_flies_and_the_one_longest_here_takes_over(seats: Seats[str]) -> None:
+    assert seats.flier == "a" and [seats.number(page) for page in "abc"] == [1, 2, 3]
+    seats.leave("a")
+    assert seats.flier == "b" and len(seats) == 2
+    seats.come("d")
+    assert seats.number("d") == 1 and seats.flier == "b"
+
+
+def test_the_last_one_leaves_nobody_flying_and_the_next_one_flies(seats: Seats[str]) -> None:
+    for page in "abc":
+        seats.leave(page)
+    assert len(seats) == 0
+    seats.come("d")
+    assert seats.flier == "d"
+
+
+def test_the_sticks_are_given_to_who_asks_and_back(seats: Seats[str]) -> None:
+    seats.ask("c")
+    assert (seats.flier, seats.asking) == ("a", "c")
+    seats.answer(gives=True)
+    assert (seats.flier, seats.asking) == ("c", None)
+    seats.ask("a")
+    seats.answer(gives=True)
+    assert (seats.flier, seats.asking) == ("a", None)
+
+
+def test_kept_sticks_stay_and_may_be_asked_for_again(seats: Seats[str]) -> None:
+    seats.ask("b")
+    seats.answer(gives=False)
+    assert seats.flier == "a" and seats.asking is None
+    seats.ask("c")
+    assert seats.asking == "c"
+
+
+def test_a_question_is_over_after_its_time(seats: Seats[str], clock: Clock) -> None:
+    seats.ask("b")
+    clock.now = 0.99 * ANSWER_WITHIN
+    with pytest.raises(CommandError, match="page 2 has asked for the sticks already"):
+        seats.ask("c")
+    clock.now = ANSWER_WITHIN
+    assert seats.asking is None
+    with pytest.raises(CommandError, match="nobody asks for the sticks, or no longer"):
+        seats.answer(gives=True)
+    seats.ask("c")
+    assert seats.asking == "c"
+
+
+def test_who_flies_asks_nobody(seats: Seats[str]) -> None:
+    with pytest.raises(CommandError, match="you fly"):
+        seats.ask("a")
+
+
+@pytest.mark.parametrize("page", ["a", "b"])
+def test_a_question_ends_when_who_asked_or_who_was_asked_leaves(seats: Seats[str], page: str) -> None:
+    seats.ask("b")
+    seats.leave(page)
+    assert seats.asking is None
+    assert seats.flier == ("b" if page == "a" else "a")

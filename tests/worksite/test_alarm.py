@@ -1,0 +1,37 @@
+"""What a clearance calls for, by two thresholds."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from aftdeck.worksite.alarm import HYSTERESIS, Level, level_of
+
+CAUTION, WARNING = 0.6, 0.15
+
+
+@pytest.mark.parametrize(
+    ("clearance", "before", "level"),
+    [
+        (0.61, "info", "info"),
+        (0.59, "info", "caution"),
+        (0.61, "caution", "caution"),
+        (0.63, "caution", "info"),
+        (0.14, "info", "warning"),
+        (0.152, "warning", "warning"),
+        (0.16, "warning", "caution"),
+        (0.61, "warning", "caution"),
+        (-0.01, "info", "warning"),
+    ],
+)
+def test_a_level_is_left_only_well_beyond_its_threshold(clearance: float, before: Level, level: Level) -> None:
+    assert level_of(clearance, CAUTION, WARNING, before) == level
+
+
+def test_a_clearance_that_trembles_about_a_threshold_changes_the_level_once() -> None:
+    levels: list[Level] = ["info"]
+    for k in range(100):
+        trembling = CAUTION * (1.0 + 0.9 * HYSTERESIS * (-1.0) ** k)
+        levels.append(level_of(trembling, CAUTION, WARNING, levels[-1]))
+    assert sum(one != other for one, other in pairwise(levels)) == 1

@@ -1,0 +1,125 @@
+/** Where the processor draws: what was drawn is read back once it is there, and put on the page then. */
+
+import type { WebGLRenderer } from 'three';
+import { present } from '../assert';
+import type { Rect } from './index';
+
+/** Bytes of a pixel. */
+const PIXEL = 4;
+
+/** A part of the canvas [px from its bottom left], and where its bytes begin. */
+interface Part {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+  readonly first: number;
+}
+
+/**
+ * A canvas with pictures of WebGL's, where no graphics card draws. Such a canvas holds up its page until the processor
+ * has drawn; here the page goes on meanwhile, with what it has to write, and with keys that are pressed.
+ */
+export class Relay {
+  private readonly gl: WebGL2RenderingContext;
+  private readonly canvas: CanvasRenderingContext2D;
+  private buffer: WebGLBuffer | null = null;
+  private size = 0;
+  private bytes = new Uint8Array();
+  private parts: Part[] = [];
+  private done: WebGLSync | null = null;
+
+  /** From what the renderer draws on, to what the page shows. */
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    shown: HTMLCanvasElement,
+  ) {
+    this.gl = renderer.getContext() as WebGL2RenderingContext;
+    const canvas = shown.getContext('2d', { alpha: false, willReadFrequently: true });
+    this.canvas = present(canvas, 'a canvas for the pictures');
+  }
+
+  /** Gives the page's canvas the renderer's size, and one colour. */
+  wipe(colour: string): void {
+    const { canvas, gl } = this;
+    const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
+    if (canvas.canvas.width !== width) canvas.canvas.width = width;
+    if (canvas.canvas.height !== height) canvas.canvas.height = height;
+    canvas.fillStyle = colour;
+    canvas.fillRect(0, 0, width, height);
+  }
+
+  /** A part of the canvas so high was drawn [CSS px]. */
+  add({ left, top, width, height }: Rect, canvas: number): void {
+    const ratio = this.renderer.getPixelRatio();
+    const [x, y, wide, high] = [left, canvas - top - height, width, height].map((side) =>
+      Math.round(side * ratio),
+    ) as [number, number, number, number];
+    const last = this.parts.at(-1);
+    const first = last ? last.first + PIXEL * last.width * last.height : 0;
+    this.parts.push({ x, y, width: wide, height: high, first });
+  }
+
+  /** Asks for all parts added, from what is drawn by now. */
+  send(): void {
+    const { gl, parts } = this;
+    const last = parts.at(-1);
+    if (!last) return;
+    const size = last.first + PIXEL * last.width * last.height;
+    if (this.bytes.length < size) this.bytes = new Uint8Array(size);
+    this.buffer ??= gl.createBuffer();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.buffer);
+    // Anew each time: Chromium warns of a buffer that is written twice.
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, size, gl.STREAM_READ);
+    this.size = size;
+    for (const { x, y, width, height, first } of parts)
+      gl.readPixels(x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, first);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    this.done = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    if (!this.done) this.lose();
+  }
+
+  /** Puts on the page what was asked for, if it is there; false: it is still being drawn. */
+  put(): boolean {
+    const { gl, done } = this;
+    if (!done) return true;
+    if (gl.isContextLost()) {
+      this.lose();
+      return true;
+    }
+    if (gl.clientWaitSync(done, 0, 0) === gl.TIMEOUT_EXPIRED) return false;
+    gl.deleteSync(done);
+    this.done = null;
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.buffer);
+    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, this.bytes, 0, this.size);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    for (const part of this.parts) this.show(part);
+    this.parts = [];
+    return true;
+  }
+
+  dispose(): void {
+    if (this.done) this.gl.deleteSync(this.done);
+    this.gl.deleteBuffer(this.buffer);
+  }
+
+  /** WebGL's rows go upwards, the page's downwards. */
+  private show({ x, y, width, height, first }: Part): void {
+    const { canvas } = this;
+    const picture = canvas.createImageData(width, height);
+    const line = PIXEL * width;
+    for (let row = 0; row < height; row++) {
+      const from = first + row * line;
+      picture.data.set(this.bytes.subarray(from, from + line), (height - 1 - row) * line);
+    }
+    canvas.putImageData(picture, x, canvas.canvas.height - y - height);
+  }
+
+  /** The context is gone, and with it what was asked for. */
+  private lose(): void {
+    this.done = this.buffer = null;
+    this.size = 0;
+    this.parts = [];
+  }
+}

@@ -1,0 +1,40 @@
+import { LineSegments, Mesh, type Object3D, Scene } from 'three';
+import { expect, test } from 'vitest';
+import { Body } from '../src/scene/bodies';
+import { Ghost } from '../src/scene/ghost';
+import { LambertLight } from '../src/scene/lambert';
+import { Materials } from '../src/scene/materials';
+
+const BOX = {
+  kind: 'box',
+  material: 'bright',
+  position: [0, 0, 0],
+  rotation: [0, 0, 0],
+  size: [1, 1, 1],
+} as const;
+
+function ghostOf(names: readonly string[]): { ghost: Ghost; parts: readonly Object3D[] } {
+  const materials = new Materials('low', new LambertLight(0));
+  const bodies = names.map((name) => new Body({ name, shapes: [BOX] }, materials, 'low'));
+  for (const body of bodies) body.setPose([0, 0, 0, 1, 0, 0, 0], 0);
+  const stage = new Scene();
+  const ghost = new Ghost(stage, bodies);
+  return { ghost, parts: stage.children };
+}
+
+test('a ghost has a filling and edges', () => {
+  const { parts } = ghostOf(['boom']);
+  const [filling, edges] = parts[0]?.children ?? [];
+  expect(filling).toBeInstanceOf(Mesh);
+  expect(edges).toBeInstanceOf(LineSegments);
+});
+
+test('only what moves has a ghost', () => {
+  const { ghost, parts } = ghostOf(['boom', 'payload', 'joint']);
+  const turned = [0, 0, 0, Math.cos(0.1), 0, 0, Math.sin(0.1)];
+  ghost.set([1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, ...turned], performance.now() + 1000);
+  ghost.setVisible(true);
+  expect(parts.map(({ visible }) => visible)).toEqual([true, false, true]);
+  ghost.setVisible(false);
+  expect(parts.some(({ visible }) => visible)).toBe(false);
+});
