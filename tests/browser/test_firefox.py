@@ -112,7 +112,7 @@ def test_the_page_is_tidy_and_readable(firefox: Firefox, width: int, height: int
 
 def press_rail(firefox: Firefox, name: str) -> None:
     """Presses a key of the top rail."""
-    keys = "[...document.querySelectorAll('.rail button')]"
+    keys = "[...document.querySelectorAll('.rail-keys button')]"
     firefox.script(f"{keys}.find((key) => key.textContent === '{name}').click() ?? null")
 
 

@@ -43,7 +43,7 @@ def test_the_way_out_that_is_named_leads_out(flight: Flight) -> None:
 def test_pressing_the_lamp_keeps_the_log_to_singularities(flight: Flight) -> None:
     flight.until_lit("SINGULAR")
     with flight.shows("document.querySelectorAll('.distance.concerned').length === 3"):
-        flight.page.get_by_role("button", name="SINGULAR").click()
+        flight.page.locator(".lamp", has_text="SINGULAR").click()
     flight.until("document.querySelector('.events .about').textContent === 'SINGULAR only'")
     lines = flight.script("[...document.querySelectorAll('.log li:not(.hint)')].map((line) => line.textContent)")
     assert len(lines) == 3

@@ -28,7 +28,7 @@ export function scenarioChoice({ welcome, send }: Desk): ScenarioChoice {
   let recorded = false;
   let asked = 0;
   const list = el('div', { class: 'choices scenarios', role: 'group', 'aria-label': 'Scenarios' });
-  const drop = dropDown(welcome.title, welcome.text, list);
+  const drop = dropDown(welcome.title, `${welcome.title}: ${welcome.text}`, list);
   drop.element.classList.add('scenario');
   const words = el('p', { role: 'status' });
   const fly = button({}, ['Leave and fly it'], () => {
