@@ -42,7 +42,7 @@ export class Operator {
     };
     this.controllers = new Controllers(acted, {
       moved: (at) => {
-        if (this.flying) this.sticks.moved(at);
+        if (this.flying && !document.hidden) this.sticks.moved(at);
       },
       taken: (event) => listener.taken(event),
     });

@@ -1,7 +1,7 @@
 // Generated from station/protocol.py and station/playback.py by `make generate`; do not edit.
 // All quantities are SI and radians; see there for frames.
 
-export const PROTOCOL = 1;
+export const PROTOCOL = 2;
 
 export type Vec2 = readonly [number, number];
 export type Vec3 = readonly [number, number, number];

@@ -40,6 +40,8 @@ import { tearOff, Windows } from './windows';
 
 /** Figures and legends change this often [ms]. */
 const VALUES_MS = 100;
+/** So long may they wait for a picture [ms]. */
+const OVERDUE_MS = 300;
 const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'];
 /** While a flight is recorded, the station is told this often what the page measures [ms]. */
 const TOLD_MS = 1000;
@@ -188,6 +190,7 @@ export class Station {
       controllers: () => this.changeControllers(),
     });
     const [first, second] = this.pictures.monitors;
+    setClass(root, 'all-cameras', false); // another station may have left it so
     // The order of the document is that of the focus: monitors, spine, desk, rail.
     root.replaceChildren(
       this.pictures.canvas,
@@ -220,6 +223,7 @@ export class Station {
     if (this.frame && frame.tick < this.frame.tick) this.restarts += 1;
     this.frame = frame;
     this.arrived = performance.now();
+    this.operator.sticks.kept = frame.rate_hold;
     this.latency.answered(frame.stick_seq, this.arrived);
     this.fresh = true;
     if (this.held) this.draw(this.arrived);
@@ -288,25 +292,22 @@ export class Station {
     this.request = requestAnimationFrame(() => this.tick());
     const now = performance.now();
     this.operator.tick(now);
+    this.watchDevices();
     this.draw(now);
   }
 
   /** Draws the newest frame, once the pictures of the one before are on the page. */
   private draw(now: number): void {
     const { frame } = this;
-    if (!frame || this.pictures.drawing) return;
+    if (!frame) return;
+    if (this.pictures.drawing) {
+      // Figures, lamps and tones do not wait for a picture that is long under way.
+      if (now - this.valuesAt >= OVERDUE_MS) this.values(this.viewOf(frame), now);
+      return;
+    }
     this.held = this.latency.due(frame.stick_seq, now);
     if (this.held) return;
-    const view: View = {
-      frame,
-      units: unitsOf(this.units),
-      hand: this.operator.sticks.value,
-      controllers: this.operator.controllers.shown,
-      flier: this.role.flier,
-      flying: this.role.flying,
-      orbiting: this.operator.sticks.flyingOrbiter && this.role.flying,
-    };
-    this.operator.sticks.kept = frame.rate_hold;
+    const view = this.viewOf(frame);
     this.operator.sticks.driving = this.modes.get(frame.mode) === 'single';
     // Where bars wait for a picture, it is not one with MON 2 in it.
     const barsMove = (this.drawn + 1) % this.barPace === 0;
@@ -318,11 +319,19 @@ export class Station {
     this.sheet.tick();
     this.touch.draw();
     this.tutorial.light();
-    this.watchDevices();
-    if (barsMove && now - this.valuesAt >= VALUES_MS) {
-      this.valuesAt = now;
-      this.values(view, now);
-    }
+    if (barsMove && now - this.valuesAt >= VALUES_MS) this.values(view, now);
+  }
+
+  private viewOf(frame: Frame): View {
+    return {
+      frame,
+      units: unitsOf(this.units),
+      hand: this.operator.sticks.value,
+      controllers: this.operator.controllers.shown,
+      flier: this.role.flier,
+      flying: this.role.flying,
+      orbiting: this.operator.sticks.flyingOrbiter && this.role.flying,
+    };
   }
 
   /** The pictures of a frame are on the page. */
@@ -335,6 +344,7 @@ export class Station {
   }
 
   private values(view: View, now: number): void {
+    this.valuesAt = now;
     const age = (now - this.arrived) / 1000;
     this.pictures.setTime(view, age);
     setClass(document.body, 'stale', age > STALE_S);

@@ -13,6 +13,7 @@ from aftdeck.simulation.carried import carrying
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import floating
 from aftdeck.simulation.grasp import steer_with, take_hold
+from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
 from aftdeck.simulation.pursuit import holding
@@ -60,7 +61,6 @@ def resume(flight: Flight, state: State) -> None:
     if things.held is not None:
         steer_with(flight, state, things.held)
     things.contacts.essential = flight.site.essential_while(slider(state))
-    things.nearest = things.watch.nearest(flight.site.detrimental)
 
 
 def initialise(flight: Flight, state: State, part: Part) -> None:
@@ -119,5 +119,5 @@ def _put(flight: Flight, state: State, start: Start) -> None:
     things.before[:] = frames
     things.watch.look(frames, frames, scenario.control_period)
     things.contacts.look(things.watch.found, things.task)
-    things.nearest = things.watch.nearest(site.detrimental)
+    things.nearest = things.watch.nearest(counted(flight, things.held, things.watch.placed, frames))
     change_task(flight, state)

@@ -17,6 +17,7 @@ from aftdeck.errors import InputError
 from aftdeck.simulation.ahead import frames_at
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Six
+from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.look_work import near_of
 from aftdeck.simulation.panel import law_of, standing
 from aftdeck.simulation.state import State
@@ -102,9 +103,10 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         steering[RISE] += height - stand.after(driven, (sample - 1) * period)
         angles = steering[ANGLES : ANGLES + 6]
         frames = frames_at(flight, state, angles, height, things.prong.position)
-        watch.look_near(frames, frames, period, site.detrimental, 0.0)
-        group = watch.nearest(site.detrimental)
-        if contact is None and group >= 0 and watch.found[group, CLEARANCE] <= CONTACT:
+        counts = counted(flight, things.held, watch.placed, frames)
+        watch.look_near(frames, frames, period, counts, 0.0)
+        group, touching = watch.nearest(counts), watch.nearest(site.detrimental)
+        if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
     a, b, c, d, e, f = angles.tolist()
     joint, room = _room(flight, (a, b, c, d, e, f))

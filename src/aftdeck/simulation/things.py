@@ -64,7 +64,8 @@ class Things:
         fast: whether what the arm holds is fixed to something, so that the arm cannot move.
         carrier: (c,) for each payload, the row of the frame that carries it; -1: it floats.
         rides: (c, 12) its pose in that frame; where it floats, in L as that stood at the start.
-        nearest: the group of least clearance of those not made to touch; -1: none is watched.
+        nearest: the group of least clearance of those not made to touch, and not about to (`lined_up`); -1: none is
+            watched.
         orbiter: (3,) how far the orbiter has moved, forward, starboard, down [m].
         orbiter_velocity: (3,) how fast it does [m/s].
         prong: of the concept's hand: y2 of its inner face.
@@ -172,6 +173,7 @@ class Things:
             self.advice,
             self.refused_orbiter,
             self.waiting,
+            self.nearest,
         )
 
     def restore(self, saved: SavedThings) -> None:
@@ -188,6 +190,7 @@ class Things:
         self.task = saved.task
         self.advice = saved.advice
         self.refused_orbiter, self.waiting = saved.refused_orbiter, saved.waiting
+        self.nearest = saved.nearest
 
 
 class SavedThings(msgspec.Struct, frozen=True):
@@ -211,3 +214,4 @@ class SavedThings(msgspec.Struct, frozen=True):
     advice: str
     refused_orbiter: bool
     waiting: bool
+    nearest: int

@@ -9,6 +9,7 @@ from aftdeck.simulation.ahead import frames_with
 from aftdeck.simulation.capture import capture
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.seating import seat
 from aftdeck.simulation.state import State
@@ -56,7 +57,7 @@ def _look_around(flight: Flight, state: State) -> None:
         things.prong.position,
         *layout.packed,
         watch.active,
-        site.detrimental,
+        counted(flight, things.held, watch.placed, things.frames),
         things.before,
         things.frames,
         period,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import functools
+from collections import deque
 from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 from threading import Thread
@@ -34,6 +35,19 @@ MOST_WRONG = 20
 """Messages refused one after the other after which a connection is closed."""
 LONGEST_REASON = 123
 """Longest reason in a WebSocket's close frame [bytes]; RFC 6455, 5.5."""
+
+_AT_REST = (
+    wire.Stop
+    | wire.SetBrakes
+    | wire.SetSafing
+    | wire.HandsOff
+    | wire.Shown
+    | wire.Controllers
+    | wire.SetLight
+    | wire.GiveSticks
+    | wire.KeepSticks
+)
+"""What is taken while another scenario is made ready: nothing that moves the arm."""
 
 _encoder = msgspec.json.Encoder()
 _hello = msgspec.json.Decoder(wire.Hello)
@@ -77,8 +91,7 @@ class Pages:
             await asyncio.to_thread(before.close)  # its recording is finished before the next begins
             self.session.start(self._told)
         except Exception as error:  # whoever asked must hear of it, whatever it was
-            with contextlib.suppress(WebSocketDisconnect, RuntimeError):
-                await asking.refuse(-1, f"{choice.scenarios[number].title!r} cannot be flown: {error}", counts=False)
+            asking.answers.append(wire.Refused(-1, f"{choice.scenarios[number].title!r} cannot be flown: {error}"))
             if not isinstance(error, AftdeckError):
                 raise
         finally:
@@ -104,9 +117,10 @@ class Pages:
         if page.shows:
             self.windows.remove(page)
             return
-        if page is self.seats.flier:
-            self.session.let_go()
+        flew = page is self.seats.flier
         self.seats.leave(page)
+        if flew:
+            self.session.let_go("page gone" if self.seats.flier is None else "page gone, another flies")
 
     def role(self, page: Page) -> wire.Role:
         """What a page is told of who flies."""
@@ -126,7 +140,7 @@ class Pages:
         self.wake()
         asyncio.get_running_loop().call_later(ANSWER_WITHIN, self.wake)
 
-    async def answer(self, gives: bool) -> None:
+    def answer(self, gives: bool) -> None:
         """The page that flies gives the sticks, or keeps them.
 
         Raises:
@@ -136,10 +150,10 @@ class Pages:
         asked, flier = seats.who_asks(), self.role(seats.who_asks()).flier
         if gives:
             self.session.hand_over(f"page {flier} gives the sticks to page {seats.number(asked)}")
+        else:
+            asked.answers.append(wire.Refused(asked.seq, f"page {flier} keeps the sticks"))
         seats.answer(gives)
         self.wake()
-        if not gives:
-            await asked.refuse(asked.seq, f"page {flier} keeps the sticks", counts=False)
 
 
 async def _abandonable(make: Callable[[], Session]) -> Session:
@@ -160,13 +174,18 @@ async def _abandonable(make: Callable[[], Session]) -> Session:
 
 
 class Page:
-    """One connected page, from hello to goodbye."""
+    """One connected page, from hello to goodbye.
+
+    Attributes:
+        answers: what others have it told; its own sender sends them, so that nobody waits for its connection.
+    """
 
     def __init__(self, pages: Pages, socket: WebSocket) -> None:
         self.pages, self.socket = pages, socket
         self.welcomed, self.shows = pages.session, False
         self.seq = -1
         self.wrong = 0
+        self.answers: deque[wire.Refused] = deque()
 
     async def serve(self) -> None:
         """Handshake, then receive and send until one side goes."""
@@ -242,16 +261,20 @@ class Page:
         if self.pages.seats.flier is not self:
             return await self.refuse(message.seq, "you watch; another page flies", counts=False)
         try:
-            await self._do(message)
+            self._do(message)
         except CommandError as error:
             return await self.refuse(message.seq, str(error))
         self.wrong = 0
 
-    async def _do(self, message: wire.FromPage) -> None:
+    def _do(self, message: wire.FromPage) -> None:
         session = self.pages.session
+        if self.pages.choice.coming is not None and not isinstance(message, _AT_REST):
+            if isinstance(message, wire.Sticks | wire.DriveCamera):
+                return  # on their way when the scenario was chosen
+            raise CommandError("another scenario is made ready; the arm rests meanwhile")
         match message:
             case wire.GiveSticks() | wire.KeepSticks():
-                await self.pages.answer(isinstance(message, wire.GiveSticks))
+                self.pages.answer(isinstance(message, wire.GiveSticks))
             case wire.Sticks():
                 session.steer(message)
             case wire.Shown():
@@ -290,6 +313,8 @@ class Page:
             if now != role:
                 role = now
                 await self._send(now)
+            while self.answers:
+                await self._send(self.answers.popleft())
             if news := session.log_since(lines):
                 lines += len(news)
                 await self._send(wire.Events(tuple(wire.Event(e.time_s, e.kind, e.level, e.text) for e in news)))

@@ -16,7 +16,7 @@ from aftdeck.bodies.cameras import Camera
 from aftdeck.scenario.light import LightCondition, Lighting
 from aftdeck.shapes import Shape
 
-PROTOCOL = 1
+PROTOCOL = 2
 """Version of this protocol; a page that speaks another one is refused in the handshake."""
 
 MAX_MESSAGE_BYTES = 16_384

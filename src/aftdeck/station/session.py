@@ -128,7 +128,7 @@ class Session:
         self._camera, self._camera_heard = STILL, 0.0
         self._commands: deque[wire.FromPage] = deque()
         self._sticks = HANDS_OFF
-        self._heard = 0.0
+        self._heard = self._left_until = 0.0
         self._left = self._handed = ""
         self._log: list[Event] = []
         self._newest = b""
@@ -247,9 +247,11 @@ class Session:
         with self._lock:
             if any(_travel(self._sticks)):
                 raise CommandError("let go of the sticks first: they are given at rest")
+            self._sticks, self._camera = HANDS_OFF, STILL
             self._commands.clear()
             self._left, self._handed = "handed over", text
             self._controllers = NO_CONTROLLERS
+        self._latency_ms = None
 
     def command(self, message: wire.FromPage) -> None:
         """Queue a switch's movement for one of the next steps.
@@ -310,9 +312,11 @@ class Session:
 
     def _step(self) -> None:
         with self._lock:
-            if time.monotonic() - self._heard > SILENCE and self._in_hand():
+            now = time.monotonic()
+            if now - self._heard > SILENCE and self._in_hand(now):
                 self._sticks = msgspec.structs.replace(HANDS_OFF, seq=self._sticks.seq)
                 self._left = self._left or "sticks silent"
+                self._left_until = now + self.scenario.delay * self.scenario.control_period + SILENCE
             sticks = self._sticks
             camera = self._camera if time.monotonic() - self._camera_heard <= SILENCE else STILL
             message = self._commands.popleft() if self._commands else None
@@ -371,10 +375,14 @@ class Session:
             self._note("hands off", text, "caution")
         return inputs
 
-    def _in_hand(self) -> bool:
-        """A stick is deflected, or RATE HOLD keeps one: the page has to be heard of."""
+    def _in_hand(self, now: float) -> bool:
+        """A stick is deflected, or RATE HOLD keeps one: the page has to be heard of.
+
+        RATE HOLD that was let go for a silent page stays on until that has come through the command delay.
+        """
         frame = self._sim.frame
-        return any(_travel(self._sticks)) or (not self._demo and frame is not None and frame.rate_hold)
+        kept = not self._demo and frame is not None and frame.rate_hold and now >= self._left_until
+        return kept or any(_travel(self._sticks))
 
     def _inputs(self, sticks: wire.Sticks, message: wire.FromPage | None) -> Inputs:
         inputs = Inputs(

@@ -11,6 +11,7 @@ CAUSES = {
     "page hidden": "the page that flies is hidden",
     "device lost": "a hand controller is gone",
     "page gone": "the page that flew is gone",
+    "page gone, another flies": "the page that flew is gone; another has the sticks",
     "another scenario": "another scenario is made ready",
     "sticks silent": "the page that flies is silent",
     "handed over": "the sticks are handed over",

@@ -7,6 +7,8 @@ import type { Desk } from './part';
 
 /** A joint that has turned by this much has been flown [rad]. */
 const TURNED = 1e-3;
+/** A page that comes so late has not seen the whole flight [s]. */
+const BEGUN_S = 1;
 
 export interface ScenarioChoice {
   /** For the rail. */
@@ -78,8 +80,9 @@ export function scenarioChoice({ welcome, send }: Desk): ScenarioChoice {
     values(frame) {
       recorded = frame.recording_s !== null;
       if (!first || frame.tick < first.tick) {
+        // What was flown before this page came is flown.
+        flown = first === null && frame.time_s > BEGUN_S;
         first = frame;
-        flown = false;
       }
       const { joints } = first;
       flown ||= frame.joints.some((angle, i) => Math.abs(angle - (joints[i] ?? angle)) > TURNED);

@@ -10,6 +10,8 @@ import { button, el, setAttribute, setClass, setText } from './dom';
  * the title; the first three pairs are of things that are not simulated, and are lit by TEST alone.
  */
 const ARM = ['SINGULAR', 'REACH LIM', 'SOFT STOP', 'RATE LIM', 'CHECK CRT'];
+/** A lamp alarms as it rises: one that was seen as a caution does so again as a warning. */
+const RANK = { info: 0, caution: 1, warning: 2 } as const;
 const STATION = ['CLEARANCE', 'CONTROLLER'];
 const PAIRS = [
   'MCIU',
@@ -69,10 +71,11 @@ export class Spine {
     const now = new Map(lamps.map((lamp) => [lamp.name, lamp]));
     for (const [name, lamp] of now) {
       if (!this.lamps.has(name)) this.arm.append(this.lamp(name));
-      if (!this.lit.has(name) && lamp.level !== 'info') this.raise(lamp);
+      if (RANK[lamp.level] > RANK[this.lit.get(name)?.level ?? 'info']) this.raise(lamp);
     }
     this.lit = now;
-    for (const name of this.unseen) if (!now.has(name)) this.unseen.delete(name);
+    for (const name of this.unseen)
+      if (!now.has(name) || now.get(name)?.level === 'info') this.unseen.delete(name);
     for (const [name, { key, cause }] of this.lamps) {
       const lamp = now.get(name);
       setClass(key, 'caution', lamp?.level === 'caution' || (test && lamp?.level !== 'warning'));

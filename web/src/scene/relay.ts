@@ -28,6 +28,7 @@ export class Relay {
   private bytes = new Uint8Array();
   private parts: Part[] = [];
   private done: WebGLSync | null = null;
+  private readonly ended = new AbortController();
 
   /** From what the renderer draws on, to what the page shows. */
   constructor(
@@ -37,6 +38,9 @@ export class Relay {
     this.gl = renderer.getContext() as WebGL2RenderingContext;
     const canvas = shown.getContext('2d', { alpha: false, willReadFrequently: true });
     this.canvas = present(canvas, 'a canvas for the pictures');
+    renderer.domElement.addEventListener('webglcontextlost', () => this.lose(), {
+      signal: this.ended.signal,
+    });
   }
 
   /** Gives the page's canvas the renderer's size, and one colour. */
@@ -88,8 +92,13 @@ export class Relay {
       this.lose();
       return true;
     }
-    if (gl.clientWaitSync(done, 0, 0) === gl.TIMEOUT_EXPIRED) return false;
+    const state = gl.clientWaitSync(done, 0, 0);
+    if (state === gl.TIMEOUT_EXPIRED) return false;
     gl.deleteSync(done);
+    if (state === gl.WAIT_FAILED) {
+      this.lose();
+      return true;
+    }
     this.done = null;
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, this.buffer);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, this.bytes, 0, this.size);
@@ -100,6 +109,7 @@ export class Relay {
   }
 
   dispose(): void {
+    this.ended.abort();
     if (this.done) this.gl.deleteSync(this.done);
     this.gl.deleteBuffer(this.buffer);
   }

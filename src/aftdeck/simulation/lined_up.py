@@ -1,0 +1,73 @@
+"""A payload that the hand is lined up with: how near the two are is judged by the conditions of capture alone.
+
+Else every capture would be an alarm. Whether they touch is watched as ever.
+"""
+
+from __future__ import annotations
+
+from math import hypot
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.pose import POSE, compose, pose_of, relative
+from aftdeck.frames import oriend
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.grasp import NEAR
+from aftdeck.simulation.hand import Bar, Snares
+from aftdeck.simulation.site import Site
+from aftdeck.worksite.acquisition import AWAY, FIXED, FOUND, PALM, PRONG, acquire
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.uint8]
+
+WIDER = 2.0
+"""Lined up is what stands within the envelope's radius and angles, this many times [1]; assumed."""
+
+
+def counted(flight: Flight, held: int | None, placed: Array, frames: Array) -> Mask:
+    """The groups (g,) of which the nearest is told: those that should not touch, but the hand and what it may take.
+
+    Args:
+        flight: what never changes.
+        held: the cargo that the hand has; it takes no other.
+        placed: (n, 52) solids in L.
+        frames: (F, 12) in L.
+    """
+    site = flight.site
+    k = None
+    if held is None and site.bar is not None:
+        k = _about_the_bar(site.bar, placed)
+    elif held is None and site.snares is not None:
+        k = _before_the_snares(site, site.snares, frames)
+    return site.detrimental if k is None else site.detrimental & (1 - site.held[k])
+
+
+def _about_the_bar(bar: Bar, placed: Array) -> int | None:
+    """The cargo whose bar lies before the palm and between the fingers."""
+    found = np.empty(FOUND)
+    for k, which in enumerate(bar.which):
+        if which is None:
+            continue
+        acquire(placed, which, bar.packed, found)
+        if found[AWAY] < NEAR and min(found[PALM], found[FIXED], found[PRONG]) >= 0.0:
+            return k
+    return None
+
+
+def _before_the_snares(site: Site, snares: Snares, frames: Array) -> int | None:
+    """The cargo whose pin stands on the end effector's axis, more or less, and the right way round."""
+    envelope, effector, place, found = snares.envelope, np.empty(POSE), np.empty(POSE), np.empty(POSE)
+    compose(frames[site.last_joint], site.effector, effector)
+    for k, fixture in enumerate(snares.fixtures):
+        if fixture is None:
+            continue
+        compose(frames[site.cargo_row(k)], fixture, place)
+        relative(effector, place, found)
+        out, y, z = found[:3].tolist()
+        if hypot(y, z) > WIDER * envelope.radial or abs(out) > NEAR:
+            continue
+        roll, pitch, yaw = (abs(angle) for angle in oriend(pose_of(found).rotation))
+        if roll <= WIDER * envelope.roll and pitch <= WIDER * envelope.pitch and yaw <= WIDER * envelope.yaw:
+            return k
+    return None
