@@ -27,11 +27,16 @@ def choose(flight: Flight, title: str) -> None:
 
 def test_a_scenario_is_chosen_from_the_list_and_every_page_comes_along(flight: Flight, open_page: OpenPage) -> None:
     watcher = open_page()
+    for page in (flight, watcher):  # whatever is shown, the next flight begins with the desk
+        page.press("c")
+        page.until("document.querySelector('.matrix').checkVisibility()")
     choose(flight, "Three singularities")
     for page in (flight, watcher):
         page.until(f"frame && {TITLE} === 'Three singularities' && frame.time_s < 30")
+    for page in (flight, watcher):
+        page.until("document.querySelector('.desk').checkVisibility()")
     flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
-    watcher.until("document.querySelector('.who').textContent === 'You watch'")
+    watcher.until("document.querySelector('.who').textContent === 'You watch · page 1 flies'")
     flight.hold("s")
     flight.until("frame.translation[0] < -0.9")
     flight.release("s")

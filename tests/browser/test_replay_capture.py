@@ -45,6 +45,9 @@ def test_clearance_is_a_strip_an_alarm_and_a_figure_and_the_capture_a_mark(repla
     assert "CLEARANCE" in lanes
     strip = replay.page.locator(".strip", has_text="Clearance")
     assert strip.locator("path.caution").count() == strip.locator("path.warning").count() == 1
+    box = replay.page.locator(".scrub").bounding_box()
+    assert box is not None
+    replay.page.mouse.click(box["x"] + box["width"] * 0.75, box["y"] + box["height"] / 2)  # beside the payload
     replay.until("document.querySelector('.strip .tag').classList.contains('caution')")
     assert figure(replay, "Capture misalignment").endswith("3.0°")
     assert figure(replay, "Smallest clearance").endswith(" in")

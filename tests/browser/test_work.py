@@ -74,6 +74,21 @@ def test_the_nearest_pair_is_told_lit_and_drawn(sited: Sited) -> None:
     flight.until("document.querySelector('.gap').getAttribute('visibility') === 'visible'")
 
 
+def test_a_caution_that_was_seen_alarms_again_as_a_warning(sited: Sited) -> None:
+    flight, site = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
+    master = flight.page.locator(".master")
+    flight.page.locator(".master.caution").wait_for()
+    master.click()
+    flight.until("!document.querySelector('.master').matches('.caution, .warning')")
+    site.work = work(nearest=near("lower boom", "bay wall port", 0.12))
+    flight.page.locator(".master.warning").wait_for()
+    assert "press" in master.inner_text()
+    site.work = work(nearest=near("lower boom", "bay wall port", 0.38))
+    flight.page.locator(".master.caution").wait_for()  # not acknowledged yet
+    site.work = work()
+    flight.until("!document.querySelector('.master').matches('.caution, .warning')")
+
+
 def test_a_gap_that_opens_far_from_both_lights_nothing(sited: Sited) -> None:
     flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 4.1, -0.021))))
     flight.until("/opening/.test(document.querySelector('.clearance').textContent)")

@@ -54,7 +54,10 @@ def recorded(path: Path, steps: int = 600, *, script: bool = True) -> list[Frame
 
 
 def grappled(path: Path) -> list[Frame]:
-    """Record a capture by hand, an inch aside and 3 deg off, brakes, another camera, and release; its frames."""
+    """Record a capture by hand, an inch aside and 3 deg off, brakes, another camera, and release; its frames.
+
+    Then the end effector comes near the payload where no pin is, and goes away.
+    """
     simulation = Simulation(srms(4.0, 1.0, turned=(0.0, 3.0, 0.0)))
     recorder = Recorder(path, simulation.scenario, 0)
     recorder.controllers(0.0, CONTROLLERS)
@@ -73,7 +76,12 @@ def grappled(path: Path) -> list[Frame]:
     recorder.shown(frames[-1].time_s, (("A",), ("WR",)))
     fly(20, Inputs(), Inputs(brakes=True))
     fly(360, Inputs(), Inputs(brakes=False, effector="open"))
-    fly(100, Inputs(translation=(0.0, 0.0, -0.5)), Inputs(rate="coarse"))
+    fly(70, Inputs(translation=(0.0, 0.0, -0.4)), Inputs(rate="coarse"))
+    fly(50, Inputs())
+    fly(120, Inputs(translation=(0.5, 0.0, 0.0)))
+    fly(60, Inputs())
+    fly(105, Inputs(translation=(0.0, 0.0, 0.3)))
+    fly(200, Inputs(translation=(0.0, 0.0, -0.8)))
     recorder.close("stopped")
     assert not recorder.failure
     return frames

@@ -60,13 +60,13 @@ def test_a_page_is_welcomed_with_all_that_it_needs_once(shared: Station) -> None
 @pytest.mark.parametrize(
     ("first", "sentence"),
     [
-        ('{"type":"hello","protocol":99}', "this page speaks protocol 99, the station 1: reload the page"),
+        ('{"type":"hello","protocol":99}', "this page speaks protocol 99, the station 2: reload the page"),
         ('{"type":"proceed","seq":1}', "the first message must be a hello"),
         ("hello", "the first message must be a hello"),
         ("", "the first message must be a hello"),
         ('{"type":"hello"}', "the first message must be a hello"),
-        ('{"type":"hello","protocol":"1"}', "the first message must be a hello"),
-        ('{"type":"hello","protocol":1,"more":2}', "the first message must be a hello"),
+        ('{"type":"hello","protocol":"2"}', "the first message must be a hello"),
+        ('{"type":"hello","protocol":2,"more":2}', "the first message must be a hello"),
         ('{"x":' + "[" * 3000, "the first message must be a hello"),
         ('{"type":"hello","' + "é" * 1000 + '":1}', "the first message must be a hello"),
         (b"\x00\xff", "the first message must be a hello"),

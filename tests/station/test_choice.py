@@ -98,6 +98,12 @@ def test_the_arm_comes_to_rest_while_another_is_made_ready(station: Station, mon
         page.wait_for(wire.Frame, lambda frame: frame.translation == (0.0, 0.0, 0.0) and not any(frame.rates_commanded))
         page.say(wire.FlyScenario(page.next_seq(), 0))
         assert "is being made ready: wait until it flies" in page.refusal()
+        page.push((1.0, 0.0, 0.0))
+        page.say(wire.EnterMode(page.next_seq(), "END EFF"))
+        assert "the arm rests meanwhile" in page.refusal()
+        assert page.wait_for(wire.Frame).translation == (0.0, 0.0, 0.0)
+        page.say(wire.SetBrakes(page.next_seq(), on=True))
+        page.wait_for(wire.Frame, lambda frame: frame.brakes)
         made.set()
         assert page.wait_for(wire.Welcome).scenario == OTHER
 

@@ -93,7 +93,6 @@ def test_clearance_is_an_alarm_with_its_lines_in_the_log(flown: Flown) -> None:
     assert stretches(index, "Alarms") == [
         ("CLEARANCE", "caution"),
         ("CLEARANCE", "warning"),
-        ("CLEARANCE", "warning"),
         ("CLEARANCE", "caution"),
     ]
     assert figures(index)["Alarms raised"].value == 2.0

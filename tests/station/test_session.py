@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import dataclasses
 import math
 import threading
 import time
@@ -125,6 +126,23 @@ def test_a_held_rate_needs_a_page_that_is_heard_of(monkeypatch: pytest.MonkeyPat
             assert goes_on(session, 3).rate_hold
         clock[0] += 1.1 * SILENCE
         assert comes(session, lambda frame: not frame.rate_hold, "it is let go").position_hold
+
+
+def test_a_held_rate_that_is_let_go_through_a_delay_is_let_go_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [100.0]
+    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
+    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
+    monkeypatch.setattr(station_session, "time", fake)
+    delayed = dataclasses.replace(scenario(), delay=20)
+    with flying(given=delayed) as session:
+        session.steer(sticks(1, forward=1.0))
+        session.command(wire.RateHold(2))
+        comes(session, lambda frame: frame.rate_hold, "RATE HOLD, delayed")
+        clock[0] += 1.1 * SILENCE
+        assert comes(session, lambda frame: not frame.rate_hold, "it is let go").position_hold
+        goes_on(session, 30)
+        assert not [event.text for event in session.log_since(0) if event.kind == "refused"]
+        assert len([event for event in session.log_since(0) if event.kind == "hands off"]) == 1
 
 
 def test_letting_go_forgets_the_commands_that_wait() -> None:

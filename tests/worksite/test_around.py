@@ -11,6 +11,7 @@ from aftdeck.bodies.pose import pose_of, row_of
 from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.kinematics.observe import OBSERVED, observe, observe_near
+from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.work import FAST, WATCHED
 from aftdeck.worksite.around import nearest_place, place_everything
 from tests.simulation.flights import anything
@@ -58,20 +59,21 @@ def test_everything_is_where_what_carries_it_says(name: str) -> None:
 @pytest.mark.parametrize("name", ["concept-1972", "srms-deploy", "free-flyer"])
 def test_one_call_does_what_its_parts_do_one_by_one(name: str) -> None:
     sim = aftdeck.Simulation(name)
-    site, state = sim._flight.site, sim._state
+    state = sim._state
     period = sim.scenario.control_period
     for inputs in anything(np.random.default_rng(11), 60):
+        things = state.site
+        counts = counted(sim._flight, things.held, things.watch.placed, things.frames)
         watch, count = state.site.watch.copy(), state.site.contacts.count.copy()
         sim.advance(inputs)
-        things = state.site
         if not np.array_equal(watch.active, things.watch.active):
             continue  # something was caught or let go at the end of the step
-        watch.look_near(things.before, things.frames, period, site.detrimental, max(WATCHED, FAST * period))
+        watch.look_near(things.before, things.frames, period, counts, max(WATCHED, FAST * period))
         for one, other in zip(watch.packed, things.watch.packed, strict=True):
             assert np.array_equal(one, other, equal_nan=True)
         touching = watch.found[:, 0] <= 1e-9
         assert np.array_equal(things.contacts.count, np.where(touching, np.minimum(count + 1, 2), 0))
-        assert things.nearest == watch.nearest(site.detrimental)
+        assert things.nearest == watch.nearest(counts)
 
 
 def test_the_nearest_place_is_that_of_least_distance_if_it_is_near() -> None:

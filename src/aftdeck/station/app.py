@@ -46,8 +46,9 @@ _AT_REST = (
     | wire.SetLight
     | wire.GiveSticks
     | wire.KeepSticks
+    | wire.FlyScenario
 )
-"""What is taken while another scenario is made ready: nothing that moves the arm."""
+"""What is looked at while another scenario is made ready: nothing that moves the arm."""
 
 _encoder = msgspec.json.Encoder()
 _hello = msgspec.json.Decoder(wire.Hello)
@@ -306,6 +307,8 @@ class Page:
             if session is not self.pages.session:
                 session, lines, sent = self.pages.session, 0, b""
                 await self._send(session.welcome)
+            while self.answers:
+                await self._send(self.answers.popleft())
             if (choice := self.pages.choice.message()) != scenarios:
                 scenarios = choice
                 await self._send(choice)
@@ -313,8 +316,6 @@ class Page:
             if now != role:
                 role = now
                 await self._send(now)
-            while self.answers:
-                await self._send(self.answers.popleft())
             if news := session.log_since(lines):
                 lines += len(news)
                 await self._send(wire.Events(tuple(wire.Event(e.time_s, e.kind, e.level, e.text) for e in news)))

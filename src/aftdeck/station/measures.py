@@ -10,8 +10,10 @@ from aftdeck.station.captured import Captured, captured
 from aftdeck.station.playback import Measure, Quantity
 from aftdeck.station.protocol import Lamp
 from aftdeck.station.strips import worst_rate
+from aftdeck.worksite.alarm import Level
 
 _MINUTE = 60.0
+_RANK: dict[Level, int] = {"info": 0, "caution": 1, "warning": 2}
 
 
 class Measures:
@@ -20,7 +22,7 @@ class Measures:
     def __init__(self, period_s: float) -> None:
         self._period_s = period_s
         self._last: Frame | None = None
-        self._lit: frozenset[str] = frozenset()
+        self._lit: dict[str, Level] = {}
         self._signs = [0] * 6
         self._ticks = self._by_hand = self._vernier = 0
         self._deflected = self._both_hands = self._several_axes = 0
@@ -46,8 +48,8 @@ class Measures:
         self._vernier += frame.rate == "vernier"
         self._fastest = max(self._fastest, math.hypot(*frame.twist[3:]))
         self._worst = max(self._worst, worst_rate(frame.rates_commanded, frame.rate_limits)[0])
-        lit = frozenset(lamp.name for lamp in lamps if lamp.level != "info")
-        self._alarms += len(lit - self._lit)
+        lit = {lamp.name: lamp.level for lamp in lamps}
+        self._alarms += sum(_RANK[level] > _RANK[self._lit.get(name, "info")] for name, level in lit.items())
         self._lit = lit
         self._sticks(frame)
 
@@ -124,7 +126,7 @@ class Measures:
                 self._reversals / duration * _MINUTE,
                 "Times that a stick's axis went over to its other side.",
             ),
-            _figure("Alarms raised", "count", float(self._alarms), "Times that a lamp came on to caution or to warn."),
+            _figure("Alarms raised", "count", float(self._alarms), "Times that a lamp came on to caution or to warn, or rose from the one to the other."),
             _figure("Brakes used", "count", float(self._brakes), "Times that the brakes were put on."),
             *self._camera_figures(),
         )
