@@ -56,6 +56,14 @@ export class Matrix {
       ...this.parts.map(({ tile }) => tile),
     );
     const across = Math.max(ACROSS, Math.ceil(cameras.length / DOWN));
+    const places = group('places', 'Camera places', this.plan.element);
+    // The plan takes the tiles that are left over, if it is larger there than below them.
+    const left = across * DOWN - cameras.length;
+    const among = left >= 2 && left < across;
+    if (among) {
+      places.style.gridColumn = `span ${left}`;
+      this.element.append(places);
+    }
     setAttribute(this.element, 'style', `grid-template-columns: repeat(${across}, minmax(0, 1fr))`);
     const views = group('views', 'Views', this.views);
     if (tearOff) {
@@ -69,7 +77,7 @@ export class Matrix {
     this.strip = el(
       'section',
       { class: 'strip-below', 'aria-label': 'Clearance and lamps' },
-      group('places', 'Camera places', this.plan.element),
+      ...(among ? [] : [places]),
       this.lentTo.clearance,
       group('lamps-group', 'Caution and warning', this.lentTo.lamps),
       views,
