@@ -19,7 +19,7 @@ import { paintedCap, paintedClouds } from './painted';
 const EARTH = 6371;
 const ORBIT = EARTH + 350;
 /** Angle from the nadir to the limb: 71.4 deg. */
-const LIMB = Math.asin(EARTH / ORBIT);
+export const LIMB = Math.asin(EARTH / ORBIT);
 /** What the night side has of full daylight: moonlight, many times over, so that the limb can just be made out. */
 const NIGHT = '0.004';
 const UP = new Vector3(0, 0, 1);

@@ -32,6 +32,7 @@ import { Materials } from './materials';
 import { Meter } from './meter';
 import { Relay } from './relay';
 import { Sight } from './sight';
+import { Sun } from './sun';
 import { Television } from './television';
 
 /** `full` is for graphics hardware; `low` is quick where the processor draws. */
@@ -85,6 +86,7 @@ export class Scene {
   private readonly cameras: Cameras;
   private readonly lights: Lights | null;
   private readonly earth: Earth;
+  private readonly sun: Sun;
   private readonly blob: Blob | null;
   private readonly gap: Gap;
   private readonly ghost: Ghost;
@@ -123,6 +125,7 @@ export class Scene {
     this.lambert.take(lamps);
     this.lights = quality === 'full' ? new Lights(this.stage, lamps) : null;
     this.earth = new Earth(this.stage, quality, this.lambert.exposure);
+    this.sun = new Sun(this.stage);
     this.stage.environmentIntensity = 0.4;
     this.conditions = welcome.conditions;
     this.exposures = new Map(welcome.cameras.map(({ name }) => [name, { exposure: new Exposure(), at: 0 }]));
@@ -281,6 +284,7 @@ export class Scene {
     this.meter.forget();
     for (const { exposure } of this.exposures.values()) exposure.renew();
     this.earth.set(daylight);
+    this.sun.set(daylight);
     this.blob?.set(daylight);
     if (this.quality === 'low') return;
     this.surroundings?.dispose();
@@ -346,6 +350,7 @@ export class Scene {
     this.television.dispose();
     this.surroundings?.dispose();
     this.earth.dispose();
+    this.sun.dispose();
     this.lights?.dispose();
     for (const body of this.bodies) body.dispose();
     this.materials.dispose();
