@@ -276,7 +276,10 @@ class Page:
     # --- to the page --------------------------------------------------------------------------------------
 
     async def _send_news(self) -> None:
-        """Send scenarios, role, log and newest frame whenever they change; frames that came meanwhile are skipped."""
+        """Send scenarios, role, log and newest frame whenever they change; frames that came meanwhile are skipped.
+
+        A window that draws strips gets a frame with every sample, and no others.
+        """
         session = self.welcomed
         scenarios, role, lines, sent = None, None, 0, b""
         told: Mark | None = None
@@ -295,10 +298,11 @@ class Page:
             if news := session.log_since(lines):
                 lines += len(news)
                 await self._send(wire.Events(tuple(wire.Event(e.time_s, e.kind, e.level, e.text) for e in news)))
-            if self.strips and (recent := session.recent.news(told)):
+            recent = session.recent.news(told) if self.strips else None
+            if recent:
                 message, told = recent
                 await self._send(message)
-            if (frame := session.newest) is not sent:
+            if (frame := session.newest) is not sent and (recent or not self.strips):
                 sent = frame
                 await self.socket.send_text(frame.decode())
             if session.phase is Phase.FAILED:

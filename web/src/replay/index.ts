@@ -1,15 +1,13 @@
 /** Playing a recording: the monitors, the run's figures, and time below them; drawn as the playhead moves. */
 
 import { publish } from '../hook';
-import { pageName } from '../identity';
-import { RelayedKeys } from '../input/key-relay';
 import { notice } from '../notice';
 import { el, setClass } from '../panel/dom';
 import { Pictures } from '../pictures';
 import type { Frame, PlaybackIndex } from '../protocol';
 import type { Drawing } from '../quality';
 import { type UnitName, unitsOf } from '../units';
-import { BLOCKED, type Said, type Torn, tearOff, tornHere, Windows } from '../windows';
+import { BLOCKED, type Torn, tearOff, tornHere } from '../windows';
 import { FlownDesk } from './desk';
 import { listen } from './keys';
 import { Player } from './player';
@@ -20,6 +18,7 @@ import type { Source } from './source';
 import { STEP } from './span';
 import { Timeline } from './timeline';
 import { Transport } from './transport';
+import { ReplayWindows } from './windows';
 
 /** Figures change this often [ms]. */
 const VALUES_MS = 100;
@@ -58,10 +57,8 @@ class Replay {
   /** The reader chose what the monitors show; until then they show what they showed in flight. */
   private chosen = false;
   private following = false;
-  private toldHead = '';
   private blockedUntil = 0;
-  private readonly windows: Windows;
-  private readonly relayed = new RelayedKeys(() => {});
+  private readonly windows: ReplayWindows;
   private readonly player: Player;
   private readonly pictures: Pictures;
   private readonly timeline: Timeline;
@@ -84,11 +81,11 @@ class Replay {
       tearOff: (what) => this.tearOff(what),
       changed: () => {
         this.chosen ||= !this.following;
-        this.tellWindows();
+        this.windows.tell();
       },
     });
-    this.windows = new Windows(pageName(), (said) => this.hear(said));
-    window.addEventListener('pagehide', () => this.windows.say({ kind: 'gone' }));
+    const { cameras } = index.welcome;
+    this.windows = new ReplayWindows(this.player, this.pictures, cameras, () => this.units);
     this.timeline = new Timeline(index, this.player.duration, (position) => this.player.seek(position));
     this.transport = new Transport(index, this.player, {
       event: (by) => this.toEvent(by),
@@ -102,7 +99,7 @@ class Replay {
     this.desk = new FlownDesk(index);
     this.rail = replayRail(index, () => {
       this.units = this.units === 'SI' ? 'ft-in' : 'SI';
-      this.tellWindows();
+      this.windows.tell();
     });
     const [first, second] = this.pictures.monitors;
     this.band = el(
@@ -131,7 +128,7 @@ class Replay {
       otherMonitor: () => this.pictures.takeOther(),
       plane: () => {
         this.desk.setPlane(this.pictures.togglePlane());
-        this.tellWindows();
+        this.windows.tell();
       },
       asFlown: () => this.showAsFlown(),
       zoom: (way) => this.zoom(way),
@@ -154,7 +151,7 @@ class Replay {
     const now = performance.now();
     this.player.advance(Math.min((now - this.before) / 1000, LONGEST_STEP_S));
     this.before = now;
-    this.tellHead(false);
+    this.windows.tellHead();
     const { moment, position } = this.player;
     const units = unitsOf(this.units);
     if (moment && !this.pictures.drawing && (this.isNew(moment.frame) || !this.complete)) {
@@ -246,37 +243,6 @@ class Replay {
 
   private tearOff(what: Torn): void {
     if (!tearOff(what)) this.blockedUntil = performance.now() + BLOCKED_MS;
-  }
-
-  /** What a window torn off this page says. */
-  private hear(said: Said): void {
-    if (said.kind === 'ask') {
-      this.tellWindows();
-      this.tellHead(true);
-    } else if (said.kind === 'seek') this.player.seek(said.position);
-    else if (said.kind === 'take') this.pictures.takeMonitor(said.monitor);
-    else if (said.kind === 'show') this.pictures.show(said.monitor, said.names);
-    else if (said.kind === 'put') {
-      const camera = this.index.welcome.cameras.find(({ name }) => name === said.name);
-      if (camera) this.pictures.choose(camera);
-    } else if (said.kind === 'key' || said.kind === 'holding' || said.kind === 'released') {
-      this.relayed.take(said);
-    }
-  }
-
-  private tellWindows(): void {
-    const { pictures, units } = this;
-    const { shown: monitors, showsPlane: plane } = pictures;
-    this.windows.say({ kind: 'page', monitors, plane, units, takesKeys: true });
-  }
-
-  /** Where the playhead is, if that has changed since it was told. */
-  private tellHead(again: boolean): void {
-    const { position, speed } = this.player;
-    const head = `${position} ${speed}`;
-    if (head === this.toldHead && !again) return;
-    this.toldHead = head;
-    this.windows.say({ kind: 'head', position, speed });
   }
 
   /** Asks for the recomputation's result until it is known. */
