@@ -214,7 +214,7 @@ export interface Sticks {
   readonly orbiter: Vec3;
 }
 
-/** What the page measures of itself and shows, told once a second and when it changes; for the recording. */
+/** What the page measures of itself and shows, told once a second and when it changes; for recording and strips. */
 export interface Shown {
   readonly type: 'shown';
   readonly seq: number;

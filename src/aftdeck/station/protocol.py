@@ -271,7 +271,7 @@ class DriveCamera(_Message, frozen=True, tag="drive_camera"):
 
 
 class Shown(_Message, frozen=True, tag="shown"):
-    """What the page measures of itself and shows, told once a second and when it changes; for the recording."""
+    """What the page measures of itself and shows, told once a second and when it changes; for recording and strips."""
 
     seq: Seq
     latency_ms: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] | None

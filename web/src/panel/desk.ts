@@ -124,9 +124,10 @@ function pageKey(pressed: () => void): HTMLElement {
 }
 
 function stripsKey(pressed: () => void): HTMLElement {
+  const title = 'The last minutes as strips, in a window of their own';
   return button(
-    { class: 'more', title: 'The last minutes as strips, in a window of their own' },
-    ['Strips ↗'],
+    { class: 'more', title, 'aria-label': 'Strips ↗' },
+    [el('span', {}, 'Strips '), '↗'],
     pressed,
   );
 }
