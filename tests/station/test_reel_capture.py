@@ -16,7 +16,8 @@ from aftdeck.recording.convert_work import work_record
 from aftdeck.recording.work_records import WorkRecord
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Frame
-from aftdeck.station.playback import Measure, PlaybackIndex, Strip
+from aftdeck.station.curves import Strip
+from aftdeck.station.playback import Measure, PlaybackIndex
 from aftdeck.station.reel import Reel
 from aftdeck.station.verdict import CHECKING
 from aftdeck.worksite.alarm import CLEAR, level_of

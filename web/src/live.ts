@@ -3,6 +3,7 @@
 import { assertUnreachable } from './assert';
 import { Display } from './display';
 import { publish } from './hook';
+import { LiveStrips } from './live-strips';
 import { notice } from './notice';
 import type { FromServer, Role, Scenarios, Welcome } from './protocol';
 import type { Drawing } from './quality';
@@ -11,7 +12,7 @@ import { Station } from './station';
 import { tornHere } from './windows';
 
 export function fly(root: HTMLElement, drawing: Drawing): void {
-  let station: Station | Display | null = null;
+  let station: Station | Display | LiveStrips | null = null;
   const torn = tornHere(location.search);
   let welcomed: Welcome | null = null;
   let role: Role | null = null;
@@ -20,11 +21,15 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   function welcome(message: Welcome): void {
     // A station that comes back as it was keeps its page, and tells its whole log anew.
     if (station && JSON.stringify(message) === JSON.stringify(welcomed)) {
-      if (station instanceof Station) station.forgetEvents();
+      if (!(station instanceof Display)) station.forgetEvents();
       return;
     }
     station?.dispose();
     welcomed = message;
+    if (torn === 'strips') {
+      station = new LiveStrips(root, message);
+      return;
+    }
     if (torn !== null) {
       station = new Display(root, message, drawing, torn);
       return;
@@ -53,7 +58,10 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
         station?.setFrame(received);
         break;
       case 'events':
-        if (station instanceof Station) station.addEvents(received.events);
+        if (station && !(station instanceof Display)) station.addEvents(received.events);
+        break;
+      case 'recent':
+        if (station instanceof LiveStrips) station.setRecent(received);
         break;
       case 'refused':
         if (station instanceof Station) station.refuse(received.text);
@@ -80,7 +88,11 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   }
 
   const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
-  const link = new Link(`${scheme}://${location.host}/ws`, { message, state }, torn !== null);
+  const link = new Link(
+    `${scheme}://${location.host}/ws`,
+    { message, state },
+    { shows: torn !== null, strips: torn === 'strips' },
+  );
   publish(drawing.renderer, () => ({
     frames: station?.drawn ?? 0,
     lastFrame: station?.shown.frame ?? null,

@@ -17,7 +17,7 @@ export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
 export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
-export type FromServer = Welcome | Scenarios | Role | Frame | Events | Refused;
+export type FromServer = Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
 
@@ -214,7 +214,7 @@ export interface Sticks {
   readonly orbiter: Vec3;
 }
 
-/** What the page measures of itself and shows, told once a second and when it changes; for the recording. */
+/** What the page measures of itself and shows, told once a second and when it changes; for recording and strips. */
 export interface Shown {
   readonly type: 'shown';
   readonly seq: number;
@@ -979,6 +979,68 @@ export interface Event {
   readonly text: string;
 }
 
+/** To a window that draws strips: at first the flight's last minutes, then what is new. */
+export interface Recent {
+  readonly type: 'recent';
+  /** Every strip, its curves without a point: a flight begins, and what was told is over. Empty: it goes on. */
+  readonly strips: readonly Strip[];
+  readonly samples: readonly Sample[];
+  /** Of the last minutes, when something in them has begun, else none; the last stretch of each goes on. */
+  readonly lanes: readonly Lane[];
+}
+
+/** A quantity over the run. */
+export interface Strip {
+  readonly name: string;
+  readonly quantity: Quantity;
+  readonly curves: readonly Curve[];
+  readonly low: number;
+  /** Range of all values, with zero in it where zero means rest. */
+  readonly high: number;
+  /** A bound to draw across it. */
+  readonly limit: number | null;
+  /** Values below this are cautioned of; of a clearance, as the scenario has it. */
+  readonly caution: number | null;
+  /** Values below this are warned of. */
+  readonly warning: number | null;
+  /** Drawn until the reader chooses others. */
+  readonly shown: boolean;
+  /** Zero means rest, and belongs into the picture. */
+  readonly rests: boolean;
+}
+
+/** A line of a strip, thinned so that no peak is lost. */
+export interface Curve {
+  readonly role: 'actual' | 'commanded';
+  readonly times_s: readonly number[];
+  /** None: there was no such thing. */
+  readonly values: readonly (number | null)[];
+}
+
+/** What every strip shows of one instant. */
+export interface Sample {
+  readonly time_s: number;
+  /** Of every curve, strip after strip. */
+  readonly values: readonly (number | null)[];
+  /** The joint that is nearest to its rate limit; empty at rest. */
+  readonly worst: string;
+}
+
+/** A row of stretches that follow one another from the run's beginning to its end. */
+export interface Lane {
+  readonly name: string;
+  readonly stretches: readonly Stretch[];
+}
+
+/** A part of a lane through which one thing was so. */
+export interface Stretch {
+  readonly start_s: number;
+  readonly end_s: number;
+  /** What was so; empty: nothing that this lane tells of. */
+  readonly label: string;
+  readonly level: Level;
+}
+
 /** A message or command that was not taken, and why, in a sentence for the operator. */
 export interface Refused {
   readonly type: 'refused';
@@ -1002,29 +1064,8 @@ export interface Hello {
   readonly protocol: number;
   /** A second window: it shows the flight, is nobody's hands, and never flies. */
   readonly shows: boolean;
-}
-
-/** A part of a lane through which one thing was so. */
-export interface Stretch {
-  readonly start_s: number;
-  readonly end_s: number;
-  /** What was so; empty: nothing that this lane tells of. */
-  readonly label: string;
-  readonly level: Level;
-}
-
-/** A row of stretches that follow one another from the run's beginning to its end. */
-export interface Lane {
-  readonly name: string;
-  readonly stretches: readonly Stretch[];
-}
-
-/** A line of a strip, thinned so that no peak is lost. */
-export interface Curve {
-  readonly role: 'actual' | 'commanded';
-  readonly times_s: readonly number[];
-  /** None: there was no such thing. */
-  readonly values: readonly (number | null)[];
+  /** It draws strips: it is sent the flight's last minutes, too. */
+  readonly strips: boolean;
 }
 
 /** What the monitors of the page that flew showed from a time on. */
@@ -1032,24 +1073,6 @@ export interface Pictured {
   readonly time_s: number;
   /** Of MON 1 and MON 2: the camera's name, two where it was split; none: no page flew. */
   readonly monitors: readonly (readonly string[])[];
-}
-
-/** A quantity over the run. */
-export interface Strip {
-  readonly name: string;
-  readonly quantity: Quantity;
-  readonly curves: readonly Curve[];
-  readonly low: number;
-  /** Range of all values, with zero in it where zero means rest. */
-  readonly high: number;
-  /** A bound to draw across it. */
-  readonly limit: number | null;
-  /** Values below this are cautioned of; of a clearance, as the scenario has it. */
-  readonly caution: number | null;
-  /** Values below this are warned of. */
-  readonly warning: number | null;
-  /** Drawn until the reader chooses others. */
-  readonly shown: boolean;
 }
 
 /** A figure of the whole run. */

@@ -31,8 +31,8 @@ export class Link {
   constructor(
     private readonly url: string,
     private readonly listener: LinkListener,
-    /** A second window, which never flies. */
-    private readonly shows = false,
+    /** What a second window says of itself. */
+    private readonly window: Pick<Hello, 'shows' | 'strips'> = { shows: false, strips: false },
   ) {
     listener.state({ kind: 'connecting' });
     this.socket = this.connect();
@@ -48,7 +48,7 @@ export class Link {
   private connect(): WebSocket {
     const socket = new WebSocket(this.url);
     socket.onopen = () =>
-      socket.send(JSON.stringify({ type: 'hello', protocol: PROTOCOL, shows: this.shows } satisfies Hello));
+      socket.send(JSON.stringify({ type: 'hello', protocol: PROTOCOL, ...this.window } satisfies Hello));
     socket.onmessage = (event) => this.receive(event.data);
     socket.onclose = (event) => this.closed(event.reason);
     return socket;
@@ -108,6 +108,7 @@ export function parse(data: unknown): FromServer {
     case 'role':
     case 'frame':
     case 'events':
+    case 'recent':
     case 'refused':
       return message;
     default:

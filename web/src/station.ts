@@ -1,6 +1,7 @@
 /** The operator's station: monitors, spine and desk, drawn from the last frame alone. */
 
 import { assertUnreachable } from './assert';
+import { pageName } from './identity';
 import { CameraHand, together } from './input/camera-hand';
 import { RelayedKeys } from './input/key-relay';
 import type { Action } from './input/keymap';
@@ -36,14 +37,14 @@ import type { Command, LinkState } from './socket';
 import { Tones } from './tones';
 import { Tutorial } from './tutorial';
 import { type UnitName, unitsOf } from './units';
-import { tearOff, Windows } from './windows';
+import { BLOCKED, type Torn, tearOff, Windows } from './windows';
 
 /** Figures and legends change this often [ms]. */
 const VALUES_MS = 100;
 /** So long may they wait for a picture [ms]. */
 const OVERDUE_MS = 300;
 const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'];
-/** While a flight is recorded, the station is told this often what the page measures [ms]. */
+/** The station is told this often what the page measures [ms]. */
 const TOLD_MS = 1000;
 /** Bars move each so many times that the pictures do. */
 const BAR_PACE = { full: 1, low: 2 } as const;
@@ -51,8 +52,6 @@ const BAR_PACE = { full: 1, low: 2 } as const;
 const RECENT_S = 2;
 /** As much of a device's name as a lamp holds [characters]. */
 const LAMP_NAME = 16;
-/** This page among those of one browser. */
-const PAGE = `${performance.timeOrigin} ${Math.random()}`;
 /** A refusal keeps CHECK CRT lit this long [ms]. */
 const REFUSAL_MS = 5000;
 
@@ -126,13 +125,13 @@ export class Station {
     this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
     this.movable = welcome.work.cargo.length > 0;
     this.pictures = new Pictures(welcome, drawing, {
-      tearOff,
+      tearOff: (what) => this.tearOff(what),
       turns: true,
       opened: (matrix) => this.showMatrix(root, matrix),
       changed: () => this.tellWindows(),
     });
-    this.windows = new Windows((said) => {
-      if (said.kind === 'ask') this.meetWindows();
+    this.windows = new Windows(pageName(), (said) => {
+      if (said.kind === 'ask') this.tellWindows();
       else if (said.kind === 'show') this.pictures.show(said.monitor, said.names);
       else if (said.kind === 'put') {
         const camera = welcome.cameras.find(({ name }) => name === said.name);
@@ -174,6 +173,7 @@ export class Station {
       plane: () => this.showPlane(),
       controlPage: () => this.controlPage.toggle(),
       flyOrbiter: (on) => this.flyOrbiter(on),
+      strips: () => this.tearOff('strips'),
     });
     this.scenarios = scenarioChoice(desk);
     this.tutorial = new Tutorial(desk, this.operator.controllers, (name) => this.scenarios.choose(name));
@@ -183,6 +183,7 @@ export class Station {
     this.rail = rail(desk, drawing.software && drawing.quality === 'low', parts, {
       units: () => {
         this.units = this.units === 'SI' ? 'ft-in' : 'SI';
+        this.tellWindows();
       },
       restart: () => this.send({ type: 'restart' }),
       tutorial: () => this.tutorial.toggle(),
@@ -210,7 +211,9 @@ export class Station {
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => this.tones.wake(), { signal: this.ended.signal });
     window.addEventListener('blur', () => this.pictures.release(), { signal: this.ended.signal });
-    window.addEventListener('pagehide', () => this.tellFlier(false), { signal: this.ended.signal });
+    window.addEventListener('pagehide', () => this.windows.say({ kind: 'gone' }), {
+      signal: this.ended.signal,
+    });
     this.request = requestAnimationFrame(() => this.tick());
   }
 
@@ -234,7 +237,7 @@ export class Station {
     this.told = '';
     this.takeRole();
     setClass(document.body, 'watching', !role.flying);
-    this.tellFlier(role.flying);
+    this.tellWindows();
   }
 
   setScenarios(told: Scenarios): void {
@@ -277,7 +280,6 @@ export class Station {
     this.operator.dispose();
     this.cameraHand.dispose();
     this.relayed.dispose();
-    this.tellFlier(false);
     this.windows.dispose();
     this.tutorial.dispose();
     this.pictures.dispose();
@@ -358,7 +360,7 @@ export class Station {
     this.sound(view.frame);
     const monitors = this.pictures.shown;
     const due = now - this.toldAt >= TOLD_MS || monitors.join('/') !== this.toldOf;
-    if (view.frame.recording_s !== null && this.role.flying && due) {
+    if (this.role.flying && due) {
       [this.toldAt, this.toldOf] = [now, monitors.join('/')];
       this.transmit({ type: 'shown', latency_ms: latency95, monitors });
     }
@@ -458,17 +460,13 @@ export class Station {
   }
 
   private tellWindows(): void {
-    this.windows?.say({ kind: 'shown', monitors: this.pictures.shown, plane: this.pictures.showsPlane });
+    const { shown: monitors, showsPlane: plane } = this.pictures;
+    const { units, role } = this;
+    this.windows?.say({ kind: 'page', monitors, plane, units, takesKeys: role.flying });
   }
 
-  private tellFlier(there: boolean): void {
-    this.windows.say({ kind: 'flier', page: PAGE, there });
-  }
-
-  /** A window was opened: it is told what is shown, and where its keys go. */
-  private meetWindows(): void {
-    this.tellWindows();
-    if (this.role.flying) this.tellFlier(true);
+  private tearOff(what: Torn): void {
+    if (!tearOff(what)) this.say(BLOCKED);
   }
 
   private flyOrbiter(on: boolean): void {

@@ -23,6 +23,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from aftdeck.errors import AftdeckError, CommandError
 from aftdeck.station import protocol as wire
 from aftdeck.station.choice import Choice
+from aftdeck.station.recent import Mark
 from aftdeck.station.seats import ANSWER_WITHIN, Seats
 from aftdeck.station.session import Phase, Session
 
@@ -183,7 +184,7 @@ class Page:
 
     def __init__(self, pages: Pages, socket: WebSocket) -> None:
         self.pages, self.socket = pages, socket
-        self.welcomed, self.shows = pages.session, False
+        self.welcomed, self.shows, self.strips = pages.session, False, False
         self.seq = -1
         self.wrong = 0
         self.answers: deque[wire.Refused] = deque()
@@ -218,7 +219,7 @@ class Page:
             )
         if len(self.pages.seats) + len(self.pages.windows) >= MOST_PAGES:
             return await self._goodbye(f"{MOST_PAGES} pages are connected already")
-        self.welcomed, self.shows = self.pages.session, hello.shows
+        self.welcomed, self.shows, self.strips = self.pages.session, hello.shows, hello.strips
         await self._send(self.welcomed.welcome)
         return True
 
@@ -299,9 +300,13 @@ class Page:
     # --- to the page --------------------------------------------------------------------------------------
 
     async def _send_news(self) -> None:
-        """Send scenarios, role, log and newest frame whenever they change; frames that came meanwhile are skipped."""
+        """Send scenarios, role, log and newest frame whenever they change; frames that came meanwhile are skipped.
+
+        A window that draws strips gets a frame with every sample, and no others.
+        """
         session = self.welcomed
         scenarios, role, lines, sent = None, None, 0, b""
+        told: Mark | None = None
         while self.pages.session.phase is not Phase.CLOSED:
             fresh = self.pages.fresh  # taken before looking, so that nothing new is missed
             if session is not self.pages.session:
@@ -319,7 +324,11 @@ class Page:
             if news := session.log_since(lines):
                 lines += len(news)
                 await self._send(wire.Events(tuple(wire.Event(e.time_s, e.kind, e.level, e.text) for e in news)))
-            if (frame := session.newest) is not sent:
+            recent = session.recent.news(told) if self.strips else None
+            if recent:
+                message, told = recent
+                await self._send(message)
+            if (frame := session.newest) is not sent and (recent or not self.strips):
                 sent = frame
                 await self.socket.send_text(frame.decode())
             if session.phase is Phase.FAILED:

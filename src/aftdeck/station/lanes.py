@@ -6,14 +6,18 @@ from collections.abc import Iterable
 
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.tasks import TASKS
-from aftdeck.station.playback import Lane, Stretch
+from aftdeck.station.curves import Lane, Stretch
 from aftdeck.station.protocol import Lamp, Level
 
 MONITORS = ("MON 1", "MON 2")
 
 
 class Lanes:
-    """Phase, mode, alarms and limits of a run, collected frame by frame."""
+    """Phase, mode, alarms and limits of a run, collected frame by frame.
+
+    Attributes:
+        begun: how many stretches have begun.
+    """
 
     def __init__(self, period_s: float) -> None:
         self._period_s = period_s
@@ -24,7 +28,7 @@ class Lanes:
             "Alarms": [],
             "Limits": [],
         }
-        self._ticks = 0
+        self._ticks = self.begun = 0
         self._shown: tuple[tuple[str, ...], ...] = ((), ())
 
     def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
@@ -47,6 +51,13 @@ class Lanes:
         stretches = self._lanes[lane]
         if not stretches or stretches[-1][1:] != (label, level):
             stretches.append((self._ticks, label, level))
+            self.begun += 1
+
+    def forget(self, before: int) -> None:
+        """Let go what ended before a tick."""
+        for stretches in self._lanes.values():
+            while len(stretches) > 1 and stretches[1][0] < before:
+                del stretches[0]
 
     def lanes(self) -> tuple[Lane, ...]:
         """The lanes, their stretches without a gap from zero to the last frame; phases, monitors if there were any."""

@@ -7,7 +7,8 @@ import math
 from aftdeck.recording.records import ControllerRecord
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.captured import Captured, captured
-from aftdeck.station.playback import Measure, Quantity
+from aftdeck.station.curves import Quantity
+from aftdeck.station.playback import Measure
 from aftdeck.station.protocol import Lamp
 from aftdeck.station.strips import worst_rate
 from aftdeck.worksite.alarm import Level

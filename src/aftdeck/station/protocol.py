@@ -15,6 +15,7 @@ import msgspec
 from aftdeck.bodies.cameras import Camera
 from aftdeck.scenario.light import LightCondition, Lighting
 from aftdeck.shapes import Shape
+from aftdeck.station.curves import Lane, Strip
 
 PROTOCOL = 2
 """Version of this protocol; a page that speaks another one is refused in the handshake."""
@@ -53,6 +54,8 @@ class Hello(_Message, frozen=True, tag="hello"):
     protocol: int
     shows: bool = False
     """A second window: it shows the flight, is nobody's hands, and never flies."""
+    strips: bool = False
+    """It draws strips: it is sent the flight's last minutes, too."""
 
 
 class Sticks(_Message, frozen=True, tag="sticks"):
@@ -268,7 +271,7 @@ class DriveCamera(_Message, frozen=True, tag="drive_camera"):
 
 
 class Shown(_Message, frozen=True, tag="shown"):
-    """What the page measures of itself and shows, told once a second and when it changes; for the recording."""
+    """What the page measures of itself and shows, told once a second and when it changes; for recording and strips."""
 
     seq: Seq
     latency_ms: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] | None
@@ -812,4 +815,24 @@ class Refused(_Message, frozen=True, tag="refused"):
     text: str
 
 
-FromServer = Welcome | Scenarios | Role | Frame | Events | Refused
+class Sample(msgspec.Struct, frozen=True):
+    """What every strip shows of one instant."""
+
+    time_s: float
+    values: tuple[float | None, ...]
+    """Of every curve, strip after strip."""
+    worst: str
+    """The joint that is nearest to its rate limit; empty at rest."""
+
+
+class Recent(_Message, frozen=True, tag="recent"):
+    """To a window that draws strips: at first the flight's last minutes, then what is new."""
+
+    strips: tuple[Strip, ...]
+    """Every strip, its curves without a point: a flight begins, and what was told is over. Empty: it goes on."""
+    samples: tuple[Sample, ...]
+    lanes: tuple[Lane, ...]
+    """Of the last minutes, when something in them has begun, else none; the last stretch of each goes on."""
+
+
+FromServer = Welcome | Scenarios | Role | Frame | Events | Recent | Refused

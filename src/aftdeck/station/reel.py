@@ -24,12 +24,11 @@ from aftdeck.recording.convert import frame_of, lighting_of
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import ControllersRecord, EventRecord, FrameRecord, LightRecord, Note, Shown
 from aftdeck.scenario.light import Lighting
-from aftdeck.simulation.log import spoken
 from aftdeck.station.lanes import Lanes
 from aftdeck.station.measures import Measures
 from aftdeck.station.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
 from aftdeck.station.protocol import Event
-from aftdeck.station.strips import Strips, readings, worst_rate
+from aftdeck.station.strips import Strips, readings, worst_joint
 from aftdeck.station.verdict import CHECKING
 from aftdeck.station.wire import Translator
 from aftdeck.worksite.alarm import CLEAR, Level, level_of
@@ -194,11 +193,10 @@ class Reel:
 
     def _moment(self, record: FrameRecord) -> Moment:
         frame = frame_of(record)
-        _, joint = worst_rate(frame.rates, frame.rate_limits)
         return Moment(
             self._translator.frame(frame, -1, lighting=self._lighting(record.tick)),
             self._readings(frame, record.latency_ms),
-            spoken(self._scenario.arm.joints[joint]) if joint >= 0 else "",
+            worst_joint(frame, self._scenario),
         )
 
     def _lighting(self, tick: int) -> Lighting:

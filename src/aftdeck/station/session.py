@@ -30,6 +30,7 @@ from aftdeck.simulation.look_ahead import Axis
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.station import protocol as wire
+from aftdeck.station.recent import RecentFlight
 from aftdeck.station.unattended import left_alone
 from aftdeck.station.wire import Translator, controller_records
 
@@ -91,6 +92,7 @@ class Session:
         phase: where in its life the session is.
         failure: why it failed, in a sentence.
         welcome: what a new page is told.
+        recent: the last minutes of the present flight.
     """
 
     def __init__(
@@ -111,6 +113,7 @@ class Session:
         self._demo = demo
         warm_up(scenario)
         self._sim = Simulation(scenario, seed)
+        self.recent = RecentFlight(scenario)
         self._translator.frame(Simulation(scenario, seed).step(Inputs()), -1)  # its own laws too
         self._lock = threading.Lock()
         self._record, self._live = record, live
@@ -355,6 +358,7 @@ class Session:
             self._axis = _deflected(frame) or self._axis
             self._ahead = self._translator.ahead(self._sim.ahead(self._look_s, self._axis), frame)
         shown = self._translator.frame(frame, sticks.seq, self._tape.running_s, self._ahead, self._lighting_kept)
+        self.recent.add(frame, shown.lamps, self._latency_ms, self._monitors)
         self._newest = _encoder.encode(shown)
         self._note_all(frame)
 
@@ -413,6 +417,7 @@ class Session:
     def _restart(self) -> None:
         self._tape.end("restarted")
         self._sim = Simulation(self.scenario, self._seed)
+        self.recent = RecentFlight(self.scenario)
         self._demo = self._start_demo
         self._ahead = self._axis = None
         self._monitors_kept = ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from array import array
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame, Six
-from aftdeck.station.playback import Curve, Quantity, Strip
+from aftdeck.simulation.log import spoken
+from aftdeck.station.curves import Curve, Quantity, Strip
 
 BUCKETS = 1000
 """Equal parts of a run, of each of which a curve keeps its least and greatest value: two to a pixel's width."""
@@ -114,17 +115,29 @@ class Strips:
             times = [round((i + 1) * self._period_s, 9) for i in kept.tolist()]
             shown = [None if math.isnan(value) else value for value in values[kept].tolist()]
             curves.append(Curve(role, tuple(times), tuple(shown)))
-        return Strip(
-            source.name,
-            source.quantity,
-            tuple(curves),
-            min(ends, default=0.0),
-            max(ends, default=0.0),
-            source.limit,
-            source.caution,
-            source.warning,
-            source.shown,
-        )
+        return _strip(source, curves, ends)
+
+
+def blank(scenario: Scenario) -> tuple[Strip, ...]:
+    """Every strip, its curves without a point."""
+    return tuple(_strip(source, [Curve(role, (), ()) for role, _ in source.curves], ()) for source in sources(scenario))
+
+
+def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> Strip:
+    """A strip of curves whose values end there."""
+    ends = tuple(ends)
+    return Strip(
+        source.name,
+        source.quantity,
+        tuple(curves),
+        min(ends, default=0.0),
+        max(ends, default=0.0),
+        source.limit,
+        source.caution,
+        source.warning,
+        source.shown,
+        source.rests,
+    )
 
 
 def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
@@ -158,6 +171,12 @@ def worst_rate(rates: Six, limits: Six) -> tuple[float, int]:
     parts = [abs(rate) / limit for rate, limit in zip(rates, limits, strict=True)]
     worst = max(parts)
     return worst, parts.index(worst) if worst > 0 else -1
+
+
+def worst_joint(frame: Frame, scenario: Scenario) -> str:
+    """For people, the joint that is nearest to its rate limit; empty at rest."""
+    _, joint = worst_rate(frame.rates, frame.rate_limits)
+    return spoken(scenario.arm.joints[joint]) if joint >= 0 else ""
 
 
 def _singularity(i: int, name: str) -> Source:

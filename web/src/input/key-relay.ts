@@ -1,10 +1,16 @@
-/** Keys pressed in a second window, passed to the page that flies, which takes them as its own. */
+/** Keys pressed in a second window, passed to its page, which takes them as its own. */
 
 import { isControl, isTyping } from './keyboard';
 import { mappingOf } from './store';
 
 export type Relayed =
-  | { readonly kind: 'key'; readonly down: boolean; readonly code: string; readonly key: string }
+  | {
+      readonly kind: 'key';
+      readonly down: boolean;
+      readonly code: string;
+      readonly key: string;
+      readonly shift: boolean;
+    }
   /** Keys are held still. */
   | { readonly kind: 'holding' }
   /** The window lost the focus: every key is let go. */
@@ -21,9 +27,9 @@ export class KeyRelay {
   private readonly ended = new AbortController();
   private readonly timer: number;
 
-  /** `passes`: whether there is a page that takes the keys. */
+  /** `passes`: whether there is a page that takes this key. */
   constructor(
-    private readonly passes: () => boolean,
+    private readonly passes: (code: string) => boolean,
     private readonly say: (said: Relayed) => void,
   ) {
     const options = { capture: true, signal: this.ended.signal };
@@ -43,22 +49,22 @@ export class KeyRelay {
   }
 
   private down(event: KeyboardEvent): void {
-    const { code, key, target } = event;
-    if (!this.passes() || event.ctrlKey || event.altKey || event.metaKey || code === 'Tab') return;
+    const { code, key, target, shiftKey: shift } = event;
+    if (!this.passes(code) || event.ctrlKey || event.altKey || event.metaKey || code === 'Tab') return;
     if (isTyping(target) || (key === 'Enter' && isControl(target))) return;
     if (key === '?' || code in mappingOf('keyboard').bindings) event.preventDefault();
     event.stopImmediatePropagation();
     if (event.repeat || this.held.has(code)) return;
     this.held.add(code);
-    this.say({ kind: 'key', down: true, code, key });
+    this.say({ kind: 'key', down: true, code, key, shift });
   }
 
   private up(event: KeyboardEvent): void {
-    const { code, key } = event;
+    const { code, key, shiftKey: shift } = event;
     if (code === 'Space') event.preventDefault(); // or a button in focus would take it as its click
     if (!this.held.delete(code)) return;
     event.stopImmediatePropagation();
-    this.say({ kind: 'key', down: false, code, key });
+    this.say({ kind: 'key', down: false, code, key, shift });
   }
 
   private release(): void {
@@ -67,7 +73,7 @@ export class KeyRelay {
   }
 }
 
-/** The end of the page that flies. */
+/** The end of the page that flies or plays. */
 export class RelayedKeys {
   private readonly held = new Set<string>();
   private heard = 0;
@@ -84,11 +90,12 @@ export class RelayedKeys {
     this.heard = performance.now();
     if (said.kind === 'released') this.release();
     if (said.kind !== 'key') return;
-    const { down, code, key } = said;
+    const { down, code, key, shift: shiftKey } = said;
     if (down) this.held.add(code);
     else this.held.delete(code);
     const type = down ? 'keydown' : 'keyup';
-    document.body.dispatchEvent(new KeyboardEvent(type, { code, key, bubbles: true, cancelable: true }));
+    const init = { code, key, shiftKey, bubbles: true, cancelable: true };
+    document.body.dispatchEvent(new KeyboardEvent(type, init));
   }
 
   dispose(): void {

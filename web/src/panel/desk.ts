@@ -27,6 +27,8 @@ export interface DeskListener {
   controlPage(): void;
   /** Hands the THC to the orbiter, or back to the arm. */
   flyOrbiter(on: boolean): void;
+  /** Shows the last minutes as strips, in a window of their own; absent: there is no such window. */
+  strips?(): void;
 }
 
 export interface Groups {
@@ -51,6 +53,8 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   const master = masterGroup(desk);
   const mode = modeGroup(desk, () => target.proceed());
   const clearance = clearanceGroup(desk, () => listener.plane());
+  const { strips } = listener;
+  if (strips) clearance.element.querySelector('h2 .about')?.after(stripsKey(strips));
   const effector = effectorGroup(desk);
   effector.element.querySelector('h2')?.append(pageKey(() => listener.controlPage()));
   const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
@@ -115,6 +119,15 @@ function pageKey(pressed: () => void): HTMLElement {
   return button(
     { class: 'more', title: 'PDRS control: target, stored points, payloads' },
     ['SPEC 94'],
+    pressed,
+  );
+}
+
+function stripsKey(pressed: () => void): HTMLElement {
+  const title = 'The last minutes as strips, in a window of their own';
+  return button(
+    { class: 'more', title, 'aria-label': 'Strips ↗' },
+    [el('span', {}, 'Strips '), '↗'],
     pressed,
   );
 }

@@ -15,12 +15,15 @@ function stepOf(length: number): number {
   return STEPS.find((each) => length / each <= MOST_MARKS) ?? length / MOST_MARKS;
 }
 
-/** Times of the axis' marks [s]. */
+/** Times of the axis' marks [s]; a run begins at zero. */
 export function marks(span: Span): number[] {
   const step = stepOf(lengthOf(span));
-  const first = Math.ceil(span.from / step);
+  const first = Math.ceil(Math.max(0, span.from) / step);
   const last = Math.floor((span.to - ROOM * lengthOf(span)) / step);
-  return Array.from({ length: last - first + 1 }, (_, i) => (first + i) * step).slice(0, MOST_MARKS);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => (first + i) * step).slice(
+    0,
+    MOST_MARKS,
+  );
 }
 
 /** The marks' labels. */

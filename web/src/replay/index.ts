@@ -7,21 +7,26 @@ import { Pictures } from '../pictures';
 import type { Frame, PlaybackIndex } from '../protocol';
 import type { Drawing } from '../quality';
 import { type UnitName, unitsOf } from '../units';
+import { BLOCKED, type Torn, tearOff, tornHere } from '../windows';
 import { FlownDesk } from './desk';
 import { listen } from './keys';
 import { Player } from './player';
 import { replayRail } from './rail';
 import { RunColumn } from './run';
+import { follow } from './second';
 import type { Source } from './source';
 import { STEP } from './span';
 import { Timeline } from './timeline';
 import { Transport } from './transport';
+import { ReplayWindows } from './windows';
 
 /** Figures change this often [ms]. */
 const VALUES_MS = 100;
 /** A longer pause of the browser's is none of the recording's [s]. */
 const LONGEST_STEP_S = 0.25;
 const VERDICT_MS = 1000;
+/** That a window was kept from opening is said for this long [ms]. */
+const BLOCKED_MS = 8000;
 /** An event this near to the playhead is the one it stands at [s]. */
 const AT = 1e-3;
 
@@ -29,7 +34,11 @@ const AT = 1e-3;
 export function play(root: HTMLElement, drawing: Drawing, source: Source): void {
   notice(root, 'Opening the recording.');
   source.index().then(
-    (index) => new Replay(root, drawing, source, index),
+    (index) => {
+      const torn = tornHere(location.search);
+      if (torn === null) new Replay(root, drawing, source, index);
+      else follow(root, drawing, source, index, torn);
+    },
     () => notice(root, 'The recording cannot be opened: its file or its server does not answer.'),
   );
 }
@@ -48,6 +57,8 @@ class Replay {
   /** The reader chose what the monitors show; until then they show what they showed in flight. */
   private chosen = false;
   private following = false;
+  private blockedUntil = 0;
+  private readonly windows: ReplayWindows;
   private readonly player: Player;
   private readonly pictures: Pictures;
   private readonly timeline: Timeline;
@@ -67,22 +78,28 @@ class Replay {
     this.player = new Player(index, (number) => source.block(number));
     this.pictures = new Pictures(index.welcome, drawing, {
       opened: (matrix) => setClass(root, 'all-cameras', matrix),
+      tearOff: (what) => this.tearOff(what),
       changed: () => {
         this.chosen ||= !this.following;
+        this.windows.tell();
       },
     });
-    this.timeline = new Timeline(index, (position) => this.player.seek(position));
+    const { cameras } = index.welcome;
+    this.windows = new ReplayWindows(this.player, this.pictures, cameras, () => this.units);
+    this.timeline = new Timeline(index, this.player.duration, (position) => this.player.seek(position));
     this.transport = new Transport(index, this.player, {
       event: (by) => this.toEvent(by),
       strips: (names) => this.timeline.choose(names),
       desk: () => this.showDesk(),
       asFlown: () => this.showAsFlown(),
       zoom: (way) => this.zoom(way),
+      tearOff: (what) => this.tearOff(what),
     });
     this.run = new RunColumn(index);
     this.desk = new FlownDesk(index);
     this.rail = replayRail(index, () => {
       this.units = this.units === 'SI' ? 'ft-in' : 'SI';
+      this.windows.tell();
     });
     const [first, second] = this.pictures.monitors;
     this.band = el(
@@ -109,7 +126,10 @@ class Replay {
       matrix: () => this.pictures.toggleMatrix(),
       split: () => this.pictures.toggleSplit(),
       otherMonitor: () => this.pictures.takeOther(),
-      plane: () => this.desk.setPlane(this.pictures.togglePlane()),
+      plane: () => {
+        this.desk.setPlane(this.pictures.togglePlane());
+        this.windows.tell();
+      },
       asFlown: () => this.showAsFlown(),
       zoom: (way) => this.zoom(way),
       close: () => this.transport.open(false),
@@ -131,6 +151,7 @@ class Replay {
     const now = performance.now();
     this.player.advance(Math.min((now - this.before) / 1000, LONGEST_STEP_S));
     this.before = now;
+    this.windows.tellHead();
     const { moment, position } = this.player;
     const units = unitsOf(this.units);
     if (moment && !this.pictures.drawing && (this.isNew(moment.frame) || !this.complete)) {
@@ -154,8 +175,8 @@ class Replay {
         this.figures = moment.frame;
         if (!this.pictures.drawing) this.shown = this.figures;
       }
-      const { failure } = this.player;
-      this.transport.show(failure, failure !== '');
+      const said = this.player.failure || (now < this.blockedUntil ? BLOCKED : '');
+      this.transport.show(said, said !== '');
       this.transport.setFollowing(this.tellsPictures ? !this.chosen : null);
       this.transport.setZoomed(this.timeline.isZoomed);
     }
@@ -218,6 +239,10 @@ class Replay {
     const on = !this.band.classList.contains('with-desk');
     setClass(this.band, 'with-desk', on);
     this.transport.setDesk(on);
+  }
+
+  private tearOff(what: Torn): void {
+    if (!tearOff(what)) this.blockedUntil = performance.now() + BLOCKED_MS;
   }
 
   /** Asks for the recomputation's result until it is known. */

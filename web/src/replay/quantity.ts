@@ -6,44 +6,50 @@ import type { Units } from '../units';
 
 interface Shown {
   readonly unit: string;
+  /** Shown value of one in SI. */
+  readonly perSi: number;
   readonly text: (value: number) => string;
 }
+
+const DEGREE = 180 / Math.PI;
 
 /** How a quantity is written. */
 export function shown(quantity: Quantity, units: Units): Shown {
   const si = units.name === 'SI';
-  const scaled = (perSi: number, decimals: number) => (value: number) =>
-    fixed(value * perSi, decimals, false);
+  const scaled = (unit: string, perSi: number, decimals: number): Shown => ({
+    unit,
+    perSi,
+    text: (value) => fixed(value * perSi, decimals, false),
+  });
   switch (quantity) {
     case 'time':
-      return { unit: '', text: (value) => minutes(value) };
+      return { unit: '', perSi: 1, text: (value) => minutes(value) };
     case 'count':
-      return { unit: '', text: (value) => fixed(value, Number.isInteger(value) ? 0 : 1, false) };
+      return { unit: '', perSi: 1, text: (value) => fixed(value, Number.isInteger(value) ? 0 : 1, false) };
     case 'share':
-      return { unit: '%', text: scaled(100, 0) };
+      return scaled('%', 100, 0);
     case 'part of limit':
-      return { unit: 'of limit', text: scaled(1, 2) };
+      return scaled('of limit', 1, 2);
     case 'ratio':
-      return { unit: '', text: scaled(1, 2) };
+      return scaled('', 1, 2);
     case 'length':
-      return { unit: units.length.name, text: scaled(units.length.perSi, units.length.decimals) };
-    case 'gap':
-      return {
-        unit: units.gap.name,
-        text: (value) => fixed(value * units.gap.perSi, units.gap.decimals, value < 0),
-      };
+      return scaled(units.length.name, units.length.perSi, units.length.decimals);
+    case 'gap': {
+      const { name, perSi, decimals } = units.gap;
+      return { unit: name, perSi, text: (value) => fixed(value * perSi, decimals, value < 0) };
+    }
     case 'distance':
-      return si ? { unit: 'm', text: scaled(1, 2) } : { unit: 'ft', text: scaled(1 / 0.3048, 1) };
+      return si ? scaled('m', 1, 2) : scaled('ft', 1 / 0.3048, 1);
     case 'speed':
-      return { unit: units.speed.name, text: scaled(units.speed.perSi, 2) };
+      return scaled(units.speed.name, units.speed.perSi, 2);
     case 'angle':
-      return { unit: '°', text: (value) => degrees(value, 1, value < 0) };
+      return { unit: '°', perSi: DEGREE, text: (value) => degrees(value, 1, value < 0) };
     case 'turn rate':
-      return { unit: '°/s', text: (value) => degrees(value, 2, false) };
+      return { unit: '°/s', perSi: DEGREE, text: (value) => degrees(value, 2, false) };
     case 'milliseconds':
-      return { unit: 'ms', text: scaled(1, 0) };
+      return scaled('ms', 1, 0);
     case 'words':
-      return { unit: '', text: String };
+      return { unit: '', perSi: 1, text: String };
   }
 }
 

@@ -12,6 +12,9 @@ import { type StripRow, stripRow } from './strips';
 /** The strip that names the joint concerned. */
 const NAMES_JOINT = 'Joint rate';
 
+/** What lies over the time axis. */
+export type Timed = Pick<PlaybackIndex, 'lanes' | 'events' | 'strips'>;
+
 export class Timeline {
   readonly element: HTMLElement;
   private lanes: readonly Row[] = [];
@@ -22,16 +25,16 @@ export class Timeline {
   private readonly strips = el('div', { class: 'strips' });
   private readonly rows = new Map<string, StripRow>();
   private readonly firsts = new Map<string, number>();
-  private readonly duration: number;
   private readonly future = el('div', { class: 'future' });
   private readonly head = el('div', { class: 'playhead' });
   private readonly slider: HTMLElement;
 
+  /** `duration` of the run [s]; `sought`: the reader puts the playhead, null where nobody does. */
   constructor(
-    private readonly index: PlaybackIndex,
-    sought: (position: number) => void,
+    private index: Timed,
+    private readonly duration: number,
+    sought: ((position: number) => void) | null,
   ) {
-    this.duration = index.period_s * index.ticks;
     let first = 0;
     for (const { name, curves } of index.strips) {
       this.firsts.set(name, first);
@@ -57,9 +60,9 @@ export class Timeline {
       el('div', { class: 'axis row' }, this.axis),
       this.laneRows,
       this.strips,
-      this.slider,
+      ...(sought ? [this.slider] : []),
     );
-    this.seekBy(sought);
+    if (sought) this.seekBy(sought);
     this.draw();
   }
 
@@ -73,14 +76,21 @@ export class Timeline {
     this.look(zoomed(this.span, by, position, this.duration));
   }
 
+  /** Draws what is known now of another part of the run. */
+  renew(index: Timed, span: Span): void {
+    this.index = index;
+    this.span = span;
+    this.draw();
+  }
+
   /** Draws these strips, in this order. */
   choose(names: readonly string[]): void {
     this.chosen = names;
     this.drawStrips();
   }
 
-  /** Puts the playhead; the moment there, where it has come. */
-  show(position: number, moment: Moment | null, units: Units): void {
+  /** Puts the playhead; what is known of the moment there, where it has come. */
+  show(position: number, moment: Pick<Moment, 'values' | 'worst'> | null, units: Units): void {
     this.look(following(this.span, position, this.duration));
     const percent = `${(partOf(this.span, position) * 100).toFixed(3)}%`;
     this.future.style.left = percent;

@@ -1,9 +1,10 @@
 /** Play, pause, speed, time, and what stands below: strips by choice, or the desk as flown. */
 
-import { button, el, setClass, setPressed, setText } from '../panel/dom';
+import { button, el, setAttribute, setClass, setPressed, setText } from '../panel/dom';
 import type { PlaybackIndex } from '../protocol';
 import { type Player, SPEEDS } from './player';
 import { minutes } from './quantity';
+import { StripChoice } from './strip-choice';
 
 const SPEED_NAMES: Readonly<Record<number, string>> = { 0.25: '¼', 0.5: '½' };
 /** Strips that there is room for. */
@@ -18,6 +19,8 @@ export interface TransportListener {
   asFlown(): void;
   /** The time axis: more of it, or less. */
   zoom(way: 1 | -1): void;
+  /** Shown in a window of their own. */
+  tearOff(what: 'matrix' | 'strips'): void;
 }
 
 export class Transport {
@@ -29,17 +32,14 @@ export class Transport {
   private readonly desk: HTMLButtonElement;
   private readonly asFlown: HTMLButtonElement;
   private readonly wider: HTMLButtonElement;
-  private readonly list: HTMLElement;
-  private readonly more: HTMLButtonElement;
-  private readonly choices;
-  private chosen: readonly string[];
+  private readonly strips: StripChoice;
 
   constructor(
     index: PlaybackIndex,
     private readonly player: Player,
-    private readonly listener: TransportListener,
+    listener: TransportListener,
   ) {
-    this.chosen = index.strips.filter((strip) => strip.shown).map(({ name }) => name);
+    this.strips = new StripChoice(index.strips, MOST_STRIPS, (names) => listener.strips(names));
     this.toggle = button({ class: 'play', title: 'Space' }, [], () => player.toggle());
     this.speeds = SPEEDS.map((speed) => {
       const name = SPEED_NAMES[speed] ?? String(speed);
@@ -50,16 +50,6 @@ export class Transport {
         }),
       };
     });
-    this.choices = index.strips.map(({ name }) => ({
-      name,
-      key: button({}, [name], () => this.choose(name)),
-    }));
-    this.list = el(
-      'div',
-      { class: 'strip-list', role: 'group', 'aria-label': 'Strips', hidden: '' },
-      ...this.choices.map(({ key }) => key),
-    );
-    this.more = button({ 'aria-expanded': 'false' }, ['Strips'], () => this.open(this.list.hidden === true));
     this.desk = button({ title: 'The desk as it was flown: D' }, ['Desk'], () => listener.desk());
     this.asFlown = button({ title: 'The monitors show what they showed in flight: A' }, ['As flown'], () =>
       listener.asFlown(),
@@ -90,12 +80,21 @@ export class Transport {
           listener.zoom(1),
         ),
       ),
-      el('div', { class: 'strip-choice' }, this.more, this.list),
+      this.strips.element,
       this.asFlown,
       this.desk,
+      el(
+        'div',
+        { class: 'own-windows', role: 'group', 'aria-label': 'Own window' },
+        button({ title: 'All cameras in a window of their own' }, ['Cameras ↗'], () =>
+          listener.tearOff('matrix'),
+        ),
+        button({ title: 'Lanes and strips in a window of their own' }, ['Strips ↗'], () =>
+          listener.tearOff('strips'),
+        ),
+      ),
     );
-    this.mark();
-    listener.strips(this.chosen);
+    listener.strips(this.strips.chosen);
   }
 
   /** `said`: the last line of the log up to the playhead, or why nothing moves. */
@@ -105,6 +104,8 @@ export class Transport {
     setText(this.time, minutes(this.player.position, 2));
     for (const { speed, key } of this.speeds) setPressed(key, speed === this.player.speed);
     setText(this.said, said);
+    setAttribute(this.said, 'title', said);
+    setClass(this.element, 'says', said !== '');
     setClass(this.said, 'caution', troubled);
   }
 
@@ -121,28 +122,10 @@ export class Transport {
 
   setDesk(on: boolean): void {
     setPressed(this.desk, on);
-    this.more.disabled = on;
-    if (on) this.open(false);
+    this.strips.disabled = on;
   }
 
   open(on: boolean): void {
-    this.list.hidden = !on;
-    this.more.setAttribute('aria-expanded', String(on));
-  }
-
-  private choose(name: string): void {
-    const without = this.chosen.filter((each) => each !== name);
-    if (without.length === this.chosen.length) this.chosen = [...this.chosen, name];
-    else if (without.length > 0) this.chosen = without;
-    this.mark();
-    this.listener.strips(this.chosen);
-  }
-
-  private mark(): void {
-    for (const { name, key } of this.choices) {
-      const on = this.chosen.includes(name);
-      setPressed(key, on);
-      key.disabled = !on && this.chosen.length >= MOST_STRIPS;
-    }
+    this.strips.open(on);
   }
 }

@@ -1,0 +1,84 @@
+"""The last minutes of a flight, for windows that draw them as strips."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Sequence
+from itertools import islice
+from threading import Lock
+from typing import NamedTuple
+
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.station import protocol as wire
+from aftdeck.station.lanes import Lanes
+from aftdeck.station.strips import blank, readings, worst_joint
+
+KEPT_S = 300.0
+"""How much of the flight is kept [s]."""
+SPACING_S = 0.1
+"""From one sample to the next, as a page's figures change [s]."""
+DECIMALS = 5
+"""Of a sample's values: a hundredth of a millimetre."""
+
+
+class Mark(NamedTuple):
+    """How far a page was told of a flight.
+
+    Attributes:
+        flight: of which one.
+        samples: how many.
+        begun: stretches of its lanes that had begun.
+    """
+
+    flight: RecentFlight
+    samples: int
+    begun: int
+
+
+class RecentFlight:
+    """Every strip's values and the lanes, as far back as they are kept; fed by one thread, asked by another."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        period = scenario.control_period
+        self._scenario = scenario
+        self._every = max(1, round(SPACING_S / period))
+        self._ticks_kept = round(KEPT_S / period)
+        self._strips, self._readings = blank(scenario), readings(scenario)
+        self._lanes = Lanes(period)
+        self._samples: deque[wire.Sample] = deque(maxlen=self._ticks_kept // self._every)
+        self._count = 0
+        self._lock = Lock()
+
+    def add(
+        self,
+        frame: Frame,
+        lamps: Iterable[wire.Lamp],
+        latency_ms: float | None,
+        monitors: Sequence[tuple[str, ...]],
+    ) -> None:
+        """The next frame, the lamps lit in it, what its page measures and what its monitors show."""
+        with self._lock:
+            self._lanes.shown((*monitors, (), ())[:2])
+            self._lanes.add(frame, lamps)
+            if (frame.tick - 1) % self._every:
+                return
+            self._lanes.forget(frame.tick - self._ticks_kept)
+            values = self._readings(frame, latency_ms)
+            rounded = tuple([None if value is None else round(value, DECIMALS) for value in values])
+            self._samples.append(wire.Sample(frame.time_s, rounded, worst_joint(frame, self._scenario)))
+            self._count += 1
+
+    def news(self, told: Mark | None) -> tuple[wire.Recent, Mark] | None:
+        """What a page does not know yet, and how far it will have been told; None: there is nothing."""
+        with self._lock:
+            begins = told is None or told.flight is not self
+            known = 0 if begins or told is None else told.samples
+            if known == self._count:
+                return None
+            new = min(self._count - known, len(self._samples))
+            samples = tuple(islice(self._samples, len(self._samples) - new, None))
+            changed = told is None or begins or told.begun != self._lanes.begun
+            lanes = self._lanes.lanes() if changed else ()
+            mark = Mark(self, self._count, self._lanes.begun)
+            return wire.Recent(self._strips if begins else (), samples, lanes), mark

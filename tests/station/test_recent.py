@@ -1,0 +1,95 @@
+"""The last minutes of a flight, as windows that draw strips are told of them."""
+
+from __future__ import annotations
+
+import pytest
+
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.station import protocol as wire
+from aftdeck.station import recent
+from aftdeck.station.recent import RecentFlight
+from aftdeck.station.session import Session
+from aftdeck.station.strips import readings, sources
+from tests.station.pages import scenario, served
+
+LIT = wire.Lamp("RATE LIM", "caution", "a test's")
+PERIOD = scenario().control_period
+EVERY = round(recent.SPACING_S / PERIOD)
+
+
+class Flown:
+    """A flight whose last minutes are kept."""
+
+    def __init__(self) -> None:
+        self.simulation = Simulation(scenario())
+        self.recent = RecentFlight(scenario())
+
+    def fly(self, steps: int, *lamps: wire.Lamp, monitors: tuple[tuple[str, ...], ...] = (("A",), ("B",))) -> None:
+        for _ in range(steps):
+            frame = self.simulation.step(Inputs(translation=(0.5, 0.0, 0.0)))
+            self.recent.add(frame, lamps, None, monitors)
+
+
+def test_a_window_is_told_at_first_of_all_that_is_kept_then_of_what_is_new() -> None:
+    flown = Flown()
+    flown.fly(3 * EVERY)
+    found = flown.recent.news(None)
+    assert found is not None
+    first, mark = found
+    assert [strip.name for strip in first.strips] == [source.name for source in sources(scenario())]
+    assert [sample.time_s for sample in first.samples] == pytest.approx([(1 + i * EVERY) * PERIOD for i in range(3)])
+    assert flown.recent.news(mark) is None
+    flown.fly(EVERY)
+    found = flown.recent.news(mark)
+    assert found is not None
+    assert (found[0].strips, len(found[0].samples), found[0].lanes) == ((), 1, ())
+
+
+def test_a_sample_holds_every_curve_s_value() -> None:
+    flown = Flown()
+    flown.fly(50 * EVERY + 1)
+    found = flown.recent.news(None)
+    assert found is not None
+    assert flown.simulation.frame is not None
+    exact = readings(scenario())(flown.simulation.frame, None)
+    assert found[0].samples[-1].values == pytest.approx(exact, abs=0.51 * 10**-recent.DECIMALS)
+
+
+def test_lanes_are_told_again_when_something_begins() -> None:
+    flown = Flown()
+    flown.fly(EVERY)
+    found = flown.recent.news(None)
+    assert found is not None
+    flown.fly(EVERY, LIT, monitors=(("A",), ("C", "D")))
+    later = flown.recent.news(found[1])
+    assert later is not None
+    lanes = {lane.name: [stretch.label for stretch in lane.stretches] for lane in later[0].lanes}
+    assert lanes["MON 2"] == ["B", "C | D"]
+    assert lanes["Alarms"] == ["", "RATE LIM"]
+
+
+def test_what_is_older_than_the_last_minutes_is_forgotten(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(recent, "KEPT_S", 2.0)
+    flown = Flown()
+    for i in range(40):
+        flown.fly(EVERY, monitors=(("A",), (f"{i}",)))
+    found = flown.recent.news(None)
+    assert found is not None
+    news, _ = found
+    assert len(news.samples) == 20
+    assert news.samples[-1].time_s - news.samples[0].time_s <= 2.0
+    second = next(lane for lane in news.lanes if lane.name == "MON 2")
+    assert len(second.stretches) <= 22
+    assert second.stretches[0].end_s >= news.samples[0].time_s - 2 * recent.SPACING_S
+
+
+def test_only_a_window_that_draws_strips_is_sent_them_and_a_restart_begins_anew() -> None:
+    with served(Session(scenario())) as station, station.stranger() as strips, station.page() as page:
+        strips.say(wire.Hello(wire.PROTOCOL, shows=True, strips=True))
+        assert strips.wait_for(wire.Recent).strips
+        assert not strips.wait_for(wire.Recent).strips
+        page.say(wire.Restart(page.next_seq()))
+        anew = strips.wait_for(wire.Recent, lambda told: bool(told.strips))
+        assert anew.samples[0].time_s == pytest.approx(PERIOD)
+        assert not any(isinstance(page.hear(), wire.Recent) for _ in range(30))

@@ -1,0 +1,26 @@
+/** What this page is called among those of one browser: the same after a reload, and another one in a copy of its tab. */
+
+const KEY = 'aftdeck page';
+
+let own: string | null = null;
+
+/** The page's name. The browser holds it only while the page is away: what is copied of a page that stands has none. */
+export function pageName(): string {
+  if (own !== null) return own;
+  const name = kept(() => sessionStorage.getItem(KEY)) ?? Math.random().toString(36).slice(2);
+  own = name;
+  const forget = () => kept(() => sessionStorage.removeItem(KEY));
+  window.addEventListener('pagehide', () => kept(() => sessionStorage.setItem(KEY, name)));
+  window.addEventListener('pageshow', forget);
+  forget();
+  return name;
+}
+
+/** Null as well where the browser keeps nothing. */
+function kept<T>(act: () => T): T | null {
+  try {
+    return act();
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,108 @@
+/** A second window of a recording: a monitor, all cameras or the strips, at the playhead of the page that plays. */
+
+import { Display } from '../display';
+import { missionTime } from '../format';
+import { publish } from '../hook';
+import type { Frame, PlaybackIndex } from '../protocol';
+import type { Drawing } from '../quality';
+import { StripWindow } from '../strip-window';
+import { PLAYED, Tether } from '../tether';
+import { unitsOf } from '../units';
+import type { Said, Torn } from '../windows';
+import { Player } from './player';
+import { minutes } from './quantity';
+import type { Source } from './source';
+import { STEP } from './span';
+
+/** Keys that act in the window of the strips itself: how much time the axis shows. */
+const ZOOMS: Readonly<Record<string, 1 | -1>> = { Equal: 1, NumpadAdd: 1, Minus: -1, NumpadSubtract: -1 };
+
+/** Fills a window with one thing of a recording. */
+export function follow(
+  root: HTMLElement,
+  drawing: Drawing,
+  source: Source,
+  index: PlaybackIndex,
+  what: Torn,
+): void {
+  const player = new Player(index, (number) => source.block(number));
+  const heard = (said: Said) => {
+    if (said.kind !== 'head') return;
+    player.speed = said.speed;
+    player.seek(said.position);
+  };
+  if (what === 'strips') showStrips(root, drawing, index, player, heard);
+  else showPictures(root, drawing, index, player, what, heard);
+}
+
+function showPictures(
+  root: HTMLElement,
+  drawing: Drawing,
+  { welcome, file }: PlaybackIndex,
+  player: Player,
+  what: Exclude<Torn, 'strips'>,
+  heard: (said: Said) => void,
+): void {
+  const display = new Display(root, welcome, drawing, what, { file, heard });
+  const next = () => {
+    requestAnimationFrame(next);
+    player.advance(0);
+    if (player.moment) display.setFrame(player.moment.frame);
+  };
+  next();
+  publish(drawing.renderer, () => ({
+    frames: display.drawn,
+    lastFrame: display.shown.frame,
+    restarts: 0,
+    bodies: display.bodies,
+    latency95: null,
+  }));
+}
+
+function showStrips(
+  root: HTMLElement,
+  drawing: Drawing,
+  index: PlaybackIndex,
+  player: Player,
+  heard: (said: Said) => void,
+): void {
+  const { welcome } = index;
+  let [frames, shown]: [number, Frame | null] = [0, null];
+  const tether: Tether = new Tether(
+    { ...PLAYED, name: 'Strips', title: welcome.title, file: index.file },
+    { heard, own: (code) => code in ZOOMS },
+  );
+  const strips = new StripWindow(index, player.duration, {
+    sought: (position) => {
+      player.seek(position);
+      tether.say({ kind: 'seek', position: player.position });
+    },
+    zoom,
+  });
+
+  function zoom(way: 1 | -1): void {
+    strips.timeline.zoom(way > 0 ? STEP : 1 / STEP, player.position);
+  }
+
+  function next(): void {
+    requestAnimationFrame(next);
+    player.advance(0);
+    const { moment, position, duration } = player;
+    const units = unitsOf(tether.page?.units ?? welcome.units);
+    strips.timeline.show(position, moment, units);
+    strips.show(minutes(position, 2), ` of ${minutes(duration, 2)}`, strips.timeline.isZoomed, true);
+    if (!moment) return;
+    tether.show(missionTime(moment.frame.time_s), player.failure && 'Lost');
+    if (moment.frame !== shown) frames += 1;
+    shown = moment.frame;
+  }
+
+  window.addEventListener('keydown', ({ code, ctrlKey, altKey, metaKey }) => {
+    const way = ZOOMS[code];
+    if (way && !ctrlKey && !altKey && !metaKey) zoom(way);
+  });
+  root.classList.add('torn-off');
+  root.replaceChildren(tether.rail, strips.element);
+  publish(drawing.renderer, () => ({ frames, lastFrame: shown, restarts: 0, bodies: [], latency95: null }));
+  next();
+}

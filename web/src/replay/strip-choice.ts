@@ -1,0 +1,64 @@
+/** The key that opens the list of strips, of which some are drawn. */
+
+import { button, el, setPressed } from '../panel/dom';
+import type { Strip } from '../protocol';
+
+export class StripChoice {
+  readonly element: HTMLElement;
+  private readonly list: HTMLElement;
+  private readonly key: HTMLButtonElement;
+  private readonly choices;
+  private names: readonly string[];
+
+  /** `most`: strips that there is room for. */
+  constructor(
+    strips: readonly Strip[],
+    private readonly most: number,
+    private readonly changed: (names: readonly string[]) => void,
+  ) {
+    this.names = strips.filter((strip) => strip.shown).map(({ name }) => name);
+    this.choices = strips.map(({ name }) => ({
+      name,
+      key: button({}, [name], () => this.choose(name)),
+    }));
+    this.list = el(
+      'div',
+      { class: 'strip-list', role: 'group', 'aria-label': 'Strips', hidden: '' },
+      ...this.choices.map(({ key }) => key),
+    );
+    this.key = button({ 'aria-expanded': 'false' }, ['Strips'], () => this.open(this.list.hidden === true));
+    this.element = el('div', { class: 'strip-choice' }, this.key, this.list);
+    this.mark();
+  }
+
+  /** Those drawn, in this order. */
+  get chosen(): readonly string[] {
+    return this.names;
+  }
+
+  set disabled(on: boolean) {
+    this.key.disabled = on;
+    if (on) this.open(false);
+  }
+
+  open(on: boolean): void {
+    this.list.hidden = !on;
+    this.key.setAttribute('aria-expanded', String(on));
+  }
+
+  private choose(name: string): void {
+    const without = this.names.filter((each) => each !== name);
+    if (without.length === this.names.length) this.names = [...this.names, name];
+    else if (without.length > 0) this.names = without;
+    this.mark();
+    this.changed(this.names);
+  }
+
+  private mark(): void {
+    for (const { name, key } of this.choices) {
+      const on = this.names.includes(name);
+      setPressed(key, on);
+      key.disabled = !on && this.names.length >= this.most;
+    }
+  }
+}

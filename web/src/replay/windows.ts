@@ -1,0 +1,69 @@
+/** The windows torn off a page that plays: they are told what it shows and where it is, and act on it. */
+
+import { pageName } from '../identity';
+import { RelayedKeys } from '../input/key-relay';
+import type { Pictures } from '../pictures';
+import type { Camera } from '../protocol';
+import type { UnitName } from '../units';
+import { type Said, Windows } from '../windows';
+import type { Player } from './player';
+
+export class ReplayWindows {
+  private readonly windows = new Windows(pageName(), (said) => this.hear(said));
+  private readonly relayed = new RelayedKeys(() => {});
+  private told = '';
+
+  constructor(
+    private readonly player: Player,
+    private readonly pictures: Pictures,
+    private readonly cameras: readonly Camera[],
+    private readonly units: () => UnitName,
+  ) {
+    window.addEventListener('pagehide', () => this.windows.say({ kind: 'gone' }));
+  }
+
+  /** What the page shows. */
+  tell(): void {
+    const { shown: monitors, showsPlane: plane } = this.pictures;
+    this.windows.say({ kind: 'page', monitors, plane, units: this.units(), takesKeys: true });
+  }
+
+  /** Where the playhead is, if that has changed since it was told. */
+  tellHead(): void {
+    const { position, speed } = this.player;
+    const head = `${position} ${speed}`;
+    if (head === this.told) return;
+    this.told = head;
+    this.windows.say({ kind: 'head', position, speed });
+  }
+
+  private hear(said: Said): void {
+    switch (said.kind) {
+      case 'ask':
+        this.tell();
+        this.told = '';
+        this.tellHead();
+        break;
+      case 'seek':
+        this.player.seek(said.position);
+        break;
+      case 'take':
+        if (this.pictures.hand !== this.pictures.monitors[said.monitor])
+          this.pictures.takeMonitor(said.monitor);
+        break;
+      case 'show':
+        this.pictures.show(said.monitor, said.names);
+        break;
+      case 'put': {
+        const camera = this.cameras.find(({ name }) => name === said.name);
+        if (camera) this.pictures.choose(camera);
+        break;
+      }
+      case 'key':
+      case 'holding':
+      case 'released':
+        this.relayed.take(said);
+        break;
+    }
+  }
+}

@@ -1,0 +1,16 @@
+/** A scale that holds still: ends on round numbers, as the reader's unit has them. */
+
+/** Steps that a range has at most. */
+const MOST_STEPS = 5;
+const ROUND = [1, 2, 5, 10];
+
+/** The least round range that holds both values; `perSi`: shown value of one. */
+export function roundRange(low: number, high: number, perSi: number): readonly [number, number] {
+  const size = (high - low || Math.abs(high) || 1) * perSi;
+  const least = size / MOST_STEPS;
+  const ten = 10 ** Math.floor(Math.log10(least));
+  const step = ten * (ROUND.find((each) => each * ten >= least * (1 - 1e-9)) ?? 10);
+  const from = Math.floor((low * perSi) / step + 1e-9);
+  const to = Math.max(Math.ceil((high * perSi) / step - 1e-9), from + 1);
+  return [(from * step) / perSi, (to * step) / perSi];
+}
