@@ -129,7 +129,8 @@ export class Timeline {
   private seekBy(sought: (position: number) => void): void {
     const seek = (event: PointerEvent) => {
       const { left, width } = this.slider.getBoundingClientRect();
-      sought(this.span.from + ((event.clientX - left) / width) * lengthOf(this.span));
+      const along = Math.min(1, Math.max(0, (event.clientX - left) / width)); // past an edge it stays there
+      sought(this.span.from + along * lengthOf(this.span));
     };
     this.slider.addEventListener('pointerdown', (event) => {
       this.slider.setPointerCapture(event.pointerId);
