@@ -1084,6 +1084,10 @@ export interface PlaybackIndex {
   readonly seed: number;
   /** KEY=VALUE, where a replay changed the scenario. */
   readonly changes: readonly string[];
+  /** Code of who took part; empty: none was given. */
+  readonly participant: string;
+  /** Of the trial; empty: none was given. */
+  readonly condition: string;
   /** A control step. */
   readonly period_s: number;
   /** Steps that the recording holds. */

@@ -19,6 +19,7 @@ from aftdeck.errors import CommandError
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.tape import Tape
+from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
@@ -100,6 +101,7 @@ class Session:
         *,
         demo: bool = False,
         record: Path | None = None,
+        trial: Trial = NO_TRIAL,
         live: Live | None = None,
     ) -> None:
         self.phase = Phase.READY
@@ -113,8 +115,8 @@ class Session:
         self._sim = Simulation(scenario, seed)
         self._translator.frame(Simulation(scenario, seed).step(Inputs()), -1)  # its own laws too
         self._lock = threading.Lock()
-        self._record, self._live = record, live
-        self._tape = Tape(record, Index(), live)
+        self._record, self._trial, self._live = record, trial, live
+        self._tape = Tape(record, Index(), live, trial)
         self._latency_ms: float | None = None
         self._look_s = LOOK_S
         self._ahead: wire.Ahead | None = None
@@ -140,7 +142,9 @@ class Session:
 
     def another(self, scenario: Scenario) -> Session:
         """A session as this one was asked for, of another scenario; its recording goes into the same folder."""
-        return Session(scenario, self._seed, demo=self._start_demo, record=self._record, live=self._live)
+        return Session(
+            scenario, self._seed, demo=self._start_demo, record=self._record, trial=self._trial, live=self._live
+        )
 
     def start(self, told: Callable[[], None]) -> None:
         """Begin to fly; `told` is called from the simulation's thread after each step."""
