@@ -31,7 +31,7 @@ def test_a_scenario_is_chosen_from_the_list_and_every_page_comes_along(flight: F
     for page in (flight, watcher):
         page.until(f"frame && {TITLE} === 'Three singularities' && frame.time_s < 30")
     flight.until("document.querySelector('.who').textContent.startsWith('You fly')")
-    watcher.until("document.querySelector('.who').textContent === 'You watch'")
+    watcher.until("document.querySelector('.who').textContent === 'You watch · page 1 flies'")
     flight.hold("s")
     flight.until("frame.translation[0] < -0.9")
     flight.release("s")

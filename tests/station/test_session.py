@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import dataclasses
 import math
 import threading
 import time
@@ -63,6 +64,41 @@ def test_sticks_move_the_tip_and_letting_go_stops_it() -> None:
         held = comes(session, lambda frame: max(abs(rate) for rate in frame.rates) == 0.0, "it stops")
         assert held.stick_seq == -1
     assert held.actual.position[0] > before[0]
+
+
+def test_a_frame_tells_which_sticks_it_has_flown_after_the_command_delay() -> None:
+    late = dataclasses.replace(scenario(), delay=25)
+    with flying(made=late) as session:
+        session.steer(sticks(4, forward=1.0))
+        taken = comes(session, lambda frame: frame.stick_seq == 4, "sticks taken")
+        assert taken.flown_seq == -1 and taken.translation == STILL
+        flown = comes(session, lambda frame: frame.flown_seq == 4, "sticks flown")
+        assert flown.tick == taken.tick + 25 and flown.translation[0] == 1.0
+
+
+def test_sticks_under_way_are_not_told_to_the_page_that_flies_next() -> None:
+    late = dataclasses.replace(scenario(), delay=25)
+    with flying(made=late) as session:
+        session.steer(sticks(900))
+        taken = comes(session, lambda frame: frame.stick_seq == 900, "sticks taken")
+        session.hand_over("page 1 gives the sticks to page 2")
+        session.steer(sticks(5))
+        told = {taken.flown_seq}
+
+        def flies(frame: wire.Frame) -> bool:
+            told.add(frame.flown_seq)
+            return frame.flown_seq == 5
+
+        comes(session, flies, "the next page's sticks are flown")
+        assert told == {-1, 5}, "900 was the number of another page's sticks"
+
+
+def test_without_a_delay_the_sticks_taken_are_flown_and_a_script_flies_none() -> None:
+    with flying(demo=True) as session:
+        assert shown(session).flown_seq == -1
+        session.steer(sticks(7, forward=1.0))
+        frame = comes(session, lambda frame: frame.stick_seq == 7, "sticks taken")
+        assert frame.flown_seq == 7
 
 
 def test_whoever_leaves_leaves_the_arm_holding_its_position() -> None:

@@ -9,6 +9,7 @@ import { reread } from './input/store';
 import { keeper } from './kept';
 import { Latency } from './latency';
 import { Operator } from './operator';
+import { calledFirst } from './panel/called';
 import { clearanceCause } from './panel/clearance';
 import { concernOf, outline } from './panel/concerns';
 import { ControlPage } from './panel/control-page';
@@ -21,6 +22,7 @@ import { KeyMap } from './panel/keys';
 import { lightSegments } from './panel/lamp-test';
 import { lightControl } from './panel/light';
 import { linkLamp } from './panel/link';
+import { naming } from './panel/naming';
 import type { Desk, View } from './panel/part';
 import { STALE_S } from './panel/picture';
 import { rail } from './panel/rail';
@@ -73,7 +75,16 @@ export class Station {
   private valuesAt = 0;
   private toldAt = 0;
   private toldOf = '';
-  private role: Role = { type: 'role', flying: false, watchers: 0, number: 0, flier: 0, asking: 0 };
+  private role: Role = {
+    type: 'role',
+    flying: false,
+    watchers: 0,
+    number: 0,
+    flier: 0,
+    asking: 0,
+    name: '',
+    names: [],
+  };
   private link: LinkState = { kind: 'open' };
   private units: UnitName;
   private refusal: { readonly text: string; readonly at: number } | null = null;
@@ -96,6 +107,7 @@ export class Station {
   private readonly touch;
   private readonly swap;
   private readonly handOver = handOver((command) => this.transmit(command));
+  private readonly naming = naming(keeper, (command) => this.transmit(command));
   /** What the station was told last of the controllers, and how many were gone. */
   private told = '';
   private lost = 0;
@@ -176,8 +188,15 @@ export class Station {
     this.scenarios = scenarioChoice(desk);
     this.tutorial = new Tutorial(desk, this.operator.controllers, (name) => this.scenarios.choose(name));
     this.light = lightControl(desk, this.pictures);
-    const { tones, light, scenarios, handOver } = this;
-    const parts = { tones, light, scenarios, ask: handOver.ask, appearance: this.pictures.appearance };
+    const { tones, light, scenarios, handOver, naming } = this;
+    const parts = {
+      tones,
+      light,
+      scenarios,
+      naming,
+      ask: handOver.ask,
+      appearance: this.pictures.appearance,
+    };
     this.rail = rail(desk, drawing.software && drawing.quality === 'low', parts, {
       units: () => {
         this.units = this.units === 'SI' ? 'ft-in' : 'SI';
@@ -206,6 +225,7 @@ export class Station {
     );
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => this.tones.wake(), { signal: this.ended.signal });
+    naming.tell();
     window.addEventListener('blur', () => this.pictures.release(), { signal: this.ended.signal });
     window.addEventListener('pagehide', () => this.tellFlier(false), { signal: this.ended.signal });
     this.request = requestAnimationFrame(() => this.tick());
@@ -217,10 +237,13 @@ export class Station {
 
   /** A newer frame; the next picture shows it. */
   setFrame(frame: Frame): void {
-    if (this.frame && frame.tick < this.frame.tick) this.restarts += 1;
+    if (this.frame && frame.tick < this.frame.tick) {
+      this.restarts += 1;
+      this.latency.forget(); // what was under way is flown by nobody
+    }
     this.frame = frame;
     this.arrived = performance.now();
-    this.latency.answered(frame.stick_seq, this.arrived);
+    this.latency.answered(frame.flown_seq, this.arrived);
     this.fresh = true;
     if (this.held) this.draw(this.arrived);
   }
@@ -229,6 +252,7 @@ export class Station {
     this.role = role;
     this.told = '';
     this.takeRole();
+    this.naming.set(role);
     setClass(document.body, 'watching', !role.flying);
     this.tellFlier(role.flying);
   }
@@ -244,7 +268,8 @@ export class Station {
     this.link = link;
     this.told = '';
     this.takeRole();
-    if (link.kind !== 'open') this.latency.forget();
+    if (link.kind === 'open') this.naming.tell();
+    else this.latency.forget();
   }
 
   addEvents(events: readonly LogEvent[]): void {
@@ -261,7 +286,8 @@ export class Station {
   }
 
   /** A command was not taken: the log says why, and CHECK CRT sends the eye there. */
-  refuse(text: string): void {
+  refuse(text: string, number: number): void {
+    if (this.naming.refuse(number, text)) return;
     this.refusal = { text, at: performance.now() };
     this.say(text);
   }
@@ -302,7 +328,7 @@ export class Station {
       units: unitsOf(this.units),
       hand: this.operator.sticks.value,
       controllers: this.operator.controllers.shown,
-      flier: this.role.flier,
+      flier: calledFirst(this.role, this.role.flier),
       flying: this.role.flying,
       orbiting: this.operator.sticks.flyingOrbiter && this.role.flying,
     };
@@ -344,7 +370,8 @@ export class Station {
     this.spine.show([...inUnits(view), ...this.ownLamps(now, age)], test);
     const latency95 = this.latency.percentile95(now);
     this.tutorial.values(view);
-    this.rail.values(view, latency95, this.handOver.words(this.role, now), this.link);
+    const measured = { picture: latency95, command: this.latency.answer(now) };
+    this.rail.values(view, measured, this.handOver.words(this.role, now), this.link);
     this.sound(view.frame);
     const monitors = this.pictures.shown;
     const due = now - this.toldAt >= TOLD_MS || monitors.join('/') !== this.toldOf;

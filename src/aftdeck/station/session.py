@@ -130,6 +130,7 @@ class Session:
         self._camera, self._camera_heard = STILL, 0.0
         self._commands: deque[wire.FromPage] = deque()
         self._sticks = HANDS_OFF
+        self._under_way = self._none_under_way()
         self._heard = 0.0
         self._left = self._handed = ""
         self._log: list[Event] = []
@@ -239,6 +240,7 @@ class Session:
             self._sticks, self._camera = HANDS_OFF, STILL
             self._commands.clear()
             self._left = cause
+            self._under_way = self._none_under_way()  # whoever comes numbers its sticks anew
             self._controllers = NO_CONTROLLERS
         self._latency_ms, self._monitors = None, ()
 
@@ -253,6 +255,8 @@ class Session:
                 raise CommandError("let go of the sticks first: they are given at rest")
             self._commands.clear()
             self._left, self._handed = "handed over", text
+            self._sticks = HANDS_OFF
+            self._under_way = self._none_under_way()
             self._controllers = NO_CONTROLLERS
 
     def command(self, message: wire.FromPage) -> None:
@@ -317,7 +321,7 @@ class Session:
             if time.monotonic() - self._heard > SILENCE and self._in_hand():
                 self._sticks = msgspec.structs.replace(HANDS_OFF, seq=self._sticks.seq)
                 self._left = self._left or "sticks silent"
-            sticks = self._sticks
+            sticks, way = self._sticks, self._under_way
             camera = self._camera if time.monotonic() - self._camera_heard <= SILENCE else STILL
             message = self._commands.popleft() if self._commands else None
             left, handed, self._left, self._handed = self._left, self._handed, "", ""
@@ -337,6 +341,7 @@ class Session:
             self._demo = False
             self._note("hand", "you have the sticks")
         inputs = None if self._demo else self._inputs(sticks, message)
+        flown = -1 if inputs is None else _arriving(way, sticks.seq)
         if handed:
             self._note("hand-over", handed)
         if inputs is not None and left:
@@ -354,9 +359,15 @@ class Session:
         if frame.tick % LOOK_EVERY == 1:
             self._axis = _deflected(frame) or self._axis
             self._ahead = self._translator.ahead(self._sim.ahead(self._look_s, self._axis), frame)
-        shown = self._translator.frame(frame, sticks.seq, self._tape.running_s, self._ahead, self._lighting_kept)
+        shown = self._translator.frame(
+            frame, sticks.seq, self._tape.running_s, self._ahead, self._lighting_kept, flown_seq=flown
+        )
         self._newest = _encoder.encode(shown)
         self._note_all(frame)
+
+    def _none_under_way(self) -> deque[int]:
+        """Numbers of the sticks that the command delay holds back, as the simulation does their inputs: nobody's."""
+        return deque([-1] * self.scenario.delay)
 
     def _keep_light(self, time_s: float) -> None:
         """Take over what was said of the light, with this step."""
@@ -410,6 +421,7 @@ class Session:
         self._tape.end("restarted")
         self._sim = Simulation(self.scenario, self._seed)
         self._demo = self._start_demo
+        self._under_way = self._none_under_way()
         self._ahead = self._axis = None
         self._monitors_kept = ()
         self._lighting, self._lighting_kept = self.scenario.lighting, None
@@ -436,6 +448,12 @@ def _deflected(frame: SimFrame) -> Axis | None:
     if axes[most] == 0.0:
         return None
     return most, 1 if axes[most] > 0.0 else -1
+
+
+def _arriving(way: deque[int], number: int) -> int:
+    """Number of the sticks that arrive as these are taken."""
+    way.append(number)
+    return way.popleft()
 
 
 def _travel(sticks: wire.Sticks) -> tuple[float, ...]:
