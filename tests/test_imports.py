@@ -11,7 +11,7 @@ import aftdeck
 SOURCE = Path(aftdeck.__file__).parent
 
 ROOMS = (
-    ("errors", "files", "law", "units", "frames", "shapes", "version"),
+    ("errors", "files", "law", "lines", "units", "frames", "shapes", "version"),
     ("bodies",),
     ("arms",),
     ("kinematics",),

@@ -19,6 +19,13 @@ TURNED = "document.querySelector('.rotary .turned')?.textContent"
 ENTERED = "document.querySelector('.rotary [aria-pressed=true]')?.textContent"
 """The mode that the rotary shows as entered, in JavaScript."""
 
+WHO = "document.querySelector('.rail .who').textContent"
+"""Who flies, as the rail says it, in JavaScript."""
+NAMING = "!document.querySelector('.choices.naming').hidden"
+"""Whether the field for a name is open, in JavaScript."""
+TYPING = "document.body.classList.contains('typing')"
+"""Whether keys type and do not fly, in JavaScript."""
+
 WATCH = """() => {
     window.shown = false;
     new MutationObserver((_, observer) => {
@@ -98,6 +105,13 @@ class Flight:
 
     def _mode_key(self, mode: str) -> Locator:
         return self.page.get_by_role("group", name="Mode").get_by_role("button", name=mode, exact=True)
+
+    def give_name(self, name: str) -> None:
+        """Types what the person at this page is called, key by key, under the rail's words of who flies."""
+        self.page.locator(".rail .who").click()
+        self.until(f"{NAMING} && {TYPING}")
+        self.page.keyboard.type(name)
+        self.press("Enter")
 
     def press_key(self, name: str) -> None:
         """Presses a key of the desk by its name."""

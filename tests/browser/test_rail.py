@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
+import aftdeck
 from tests.browser.conftest import SIZES, OpenPage, flown
+from tests.browser.flight import WHO, Flight
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -16,7 +18,16 @@ FLIGHTS = {
     "six tasks, recorded": ("srms-berth", "--record"),
     "the report's script": ("concept-1972-script", "--demo"),
     "delayed script": ("srms-deploy", "--demo"),
+    "a command delay, recorded": ("late", "--record"),
 }
+NAME = "Maximiliana Alexandrina"
+LATE = """
+    const send = WebSocket.prototype.send;
+    WebSocket.prototype.send = function (text) {
+        setTimeout(() => this.readyState === WebSocket.OPEN && send.call(this, text), 400);
+    };
+"""
+"""A link on which all that the page says takes 0.4 s longer."""
 
 _LEAVES = """() => [...document.querySelectorAll('.rail > *, .rail button')]
     .filter((node) => node.getBoundingClientRect().right > innerWidth + .5)
@@ -32,14 +43,58 @@ _CUT = """() => [...document.querySelectorAll('.phases .present, .rail .met, .ra
 def station(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """Address of a station whose rail is full."""
     scenario, option = request.param
-    file: tuple[Path, ...] = (tmp_path_factory.mktemp("rail") / "flight.mcap",) if option == "--record" else ()
-    with flown(scenario, option, *map(str, file)) as address:
+    folder = tmp_path_factory.mktemp("rail")
+    file = (str(folder / "flights"),) if option == "--record" else ()
+    with flown(late(folder) if scenario == "late" else scenario, option, *file) as address:
         yield address
+
+
+def late(folder: Path) -> str:
+    """A scenario with many tasks and a command delay of 2 s."""
+    berth = Path(aftdeck.__file__).parent / "scenario" / "builtin" / "srms-berth.toml"
+    (folder / "late.toml").write_text(f'command_delay = "2 s"\n{berth.read_text(encoding="utf-8")}', encoding="utf-8")
+    return str(folder / "late.toml")
+
+
+def assert_whole(page: Flight) -> None:
+    """Nothing of the rail is out of the page, and what is cut off is told whole by a title."""
+    assert page.script(_LEAVES) == []
+    assert page.script(_CUT) == []
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
 def test_nothing_in_the_rail_leaves_the_page(open_page: OpenPage, width: int, height: int) -> None:
-    for page in (open_page(width, height), open_page(width, height)):  # one flies, one watches
+    pages = (open_page(width, height), open_page(width, height))  # one flies, one watches
+    for page in pages:
         page.until("frame.time_s > 0.3")
-        assert page.script(_LEAVES) == []
-        assert page.script(_CUT) == []
+        assert_whole(page)
+    for page in pages:
+        page.give_name(NAME)
+    for page in pages:
+        page.until(f"{WHO}.includes('{NAME}')")
+        assert_whole(page)
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES)
+@pytest.mark.parametrize(
+    ("station", "delay"),
+    [(FLIGHTS["recorded"], 0), (FLIGHTS["a command delay, recorded"], 2)],
+    ids=["no delay", "a delay"],
+    indirect=["station"],
+)
+def test_a_delay_stands_as_set_and_as_measured_where_commands_take_longer(
+    open_page: OpenPage, delay: int, width: int, height: int
+) -> None:
+    told = "document.querySelector('.rail .delay').textContent"
+    page = open_page(width, height, prepare=lambda page: page.add_init_script(LATE))
+    page.until(f"{WHO} === 'You fly'")
+    assert page.script(told).strip() == ("Command delay 2.00 s" if delay else "Command delay")
+    page.hold("w")
+    page.until("frame.translation[0] === 1")
+    page.release("w")
+    page.until(f"/^Delay set {delay}.00, measured {delay}\\.[4-9]/.test({told})")
+    page.until_lit("LINK")
+    assert_whole(page)
+    open_page(width, height)
+    page.until(f"{WHO} === 'You fly · 1 watches'")
+    assert_whole(page)

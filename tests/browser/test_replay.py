@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Browser
 
 from aftdeck.recording.reader import Recording
+from aftdeck.recording.trial import Trial
 from aftdeck.station.one_file import write_html
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight
@@ -20,12 +21,13 @@ pytestmark = pytest.mark.browser
 DURATION = 12.0
 """Of the recording [s]."""
 MEGABYTES = 5_000_000
+TRIAL = Trial("P07", "command delay 2 s, wrist camera off, second of three sessions, orbiter axes first")
 
 
 @pytest.fixture(scope="module")
 def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("replay") / "flight.mcap"
-    recorded(path, 600)
+    recorded(path, 600, trial=TRIAL)
     return path
 
 
@@ -122,6 +124,13 @@ def test_nothing_scrolls_overlaps_or_fades(replay: Flight) -> None:
             assert_tidy(replay)
             assert_readable(replay)
             replay.press("d")
+
+
+def test_the_rail_says_who_took_part_and_under_which_condition(replay: Flight) -> None:
+    words = replay.page.locator(".rail .words")
+    for (name, text), fact in zip(TRIAL._asdict().items(), words.all(), strict=True):
+        assert fact.inner_text().lower() == f"{name} {text}".lower()
+        assert fact.get_attribute("title") == text, "it is told whole where the rail has no room"
 
 
 def test_the_html_file_plays_without_a_server_a_request_or_an_error(

@@ -12,8 +12,9 @@ import pytest
 
 from aftdeck.recording import index as listing
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import FrameRecord
+from aftdeck.recording.records import Closing, FrameRecord
 from aftdeck.recording.run import record
+from aftdeck.recording.trial import Trial
 from tests.commands import Run
 from tests.recording.flown import chunks, messages, rewritten
 
@@ -186,6 +187,83 @@ def test_wrong_options_end_with_a_sentence_and_exit_code_2(
     code, out, err = run("replay", str(made), *options)
     assert (code, out) == (2, "")
     assert err.startswith("aftdeck: ") and text in err
+
+
+# --- who took part ----------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def trials(run: Run, made: Path, tmp_path: Path) -> list[Path]:
+    """A run of P07, one of P08, and one of nobody, in the list; the same inputs and frames in all."""
+    listing.Index().begin(made, Recording(made).opening)
+    paths = [made]
+    for code in ("P07", "P08"):
+        paths.append(tmp_path / f"{code}.mcap")
+        record(made.with_name("short.toml"), paths[-1], index=listing.Index(), trial=Trial(code, "delay 2 s"))
+    return paths
+
+
+def test_a_recording_says_who_took_part_and_repeats_itself_as_without(run: Run, trials: list[Path]) -> None:
+    nobodys, one, _ = trials
+    code, out, err = run("replay", str(one))
+    assert (code, err) == (0, "") and "equal " in out
+    assert "  participant  P07\n  condition    delay 2 s\n" in out
+    out = run("replay", str(nobodys))[1]
+    assert "participant" not in out and "condition" not in out
+    first, second = (list(Recording(path).messages())[-1] for path in (nobodys, one))
+    assert isinstance(first, Closing) and isinstance(second, Closing)
+    assert first.frames_sha256 == second.frames_sha256
+
+
+def test_the_list_has_a_row_with_participant_and_condition_for_each_run(run: Run, trials: list[Path]) -> None:
+    rows = {Path(row["path"]): row for row in json.loads(run("recordings", "--json")[1])}
+    told = [tuple(rows[path][name] for name in ("participant", "condition", "changes")) for path in trials]
+    assert told == [("", "", ""), ("P07", "delay 2 s", ""), ("P08", "delay 2 s", "")]
+    (only,) = json.loads(run("recordings", "--participant", "P08", "--json")[1])
+    assert Path(only["path"]) == trials[2]
+    out = run("recordings", "--participant", "P07")[1]
+    assert "  participant  P07\n  condition    delay 2 s\n" in out and "P08" not in out
+
+
+def test_a_recording_from_before_there_were_participants_is_read_as_nobodys(
+    run: Run, made: Path, tmp_path: Path
+) -> None:
+    opening = msgspec.to_builtins(Recording(made).opening)
+    del opening["participant"], opening["condition"]
+    old = tmp_path / "old.mcap"
+    rewritten(made, old, {"/opening": msgspec.json.encode(opening)})
+    code, out, err = run("replay", str(old))
+    assert (code, err) == (0, "") and "equal " in out and "participant" not in out
+
+
+def test_a_run_that_was_changed_afterwards_is_told_from_the_trial(run: Run, trials: list[Path], tmp_path: Path) -> None:
+    out = tmp_path / "changed.mcap"
+    assert run("replay", str(trials[1]), "--set", "phase[0].rate=vernier", "--out", str(out))[0] == 0
+    rows = json.loads(run("recordings", "--participant", "P07", "--json")[1])
+    assert {Path(row["path"]): row["changes"] for row in rows} == {trials[1]: "", out: "phase[0].rate=vernier"}
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        (("--participant", "P07"), "--participant goes with --record DIR"),
+        (("--condition", "A"), "--condition goes with --record DIR"),
+        (("--record", "DIR", "--participant", ""), "a participant's code needs at least one letter or digit"),
+        (("--record", "DIR", "--participant", " P07"), "begins and ends without a space, got ' P07'"),
+        (("--record", "DIR", "--participant", "P" * 41), "a participant's code has 40 characters at most, got 41"),
+        (("--record", "DIR", "--condition", "c" * 121), "a condition has 120 characters at most, got 121"),
+        (("--record", "DIR", "--condition", "two\nlines"), "a condition stands on one line"),
+        (("--record", "DIR", "--condition", "a \x1b[31m colour"), "a condition stands on one line"),
+        (("--record", "DIR", "--condition", "\u202eback"), "a condition stands on one line"),
+    ],
+)
+def test_a_trial_that_cannot_be_recorded_is_refused_before_anything_flies(
+    run: Run, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, options: tuple[str, ...], text: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    code, out, err = run("fly", "--no-browser", "--port", "0", *options)
+    assert (code, out) == (2, "") and err.startswith("aftdeck: ") and text in err
+    assert err.count("\n") == 1 and not (tmp_path / "DIR").exists()
 
 
 # --- the list ---------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 import os
 import sqlite3
@@ -18,6 +19,7 @@ from aftdeck.recording.bundle import opening
 from aftdeck.recording.index import Entry, Index
 from aftdeck.recording.run import record
 from aftdeck.recording.tape import Tape
+from aftdeck.recording.trial import Trial
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
@@ -109,6 +111,21 @@ def test_filters_choose(index: Index, tmp_path: Path) -> None:
     assert [Path(e.path).stem for e in index.entries(since="1970-01-04")] == ["4", "3"]
     assert [Path(e.path).stem for e in index.entries("a", "fault", "1970")] == ["4"]
     assert index.entries("c") == []
+
+
+def test_a_list_of_an_earlier_version_is_read_and_goes_on(index: Index, tmp_path: Path) -> None:
+    index.path.parent.mkdir(parents=True)
+    with contextlib.closing(sqlite3.connect(index.path)) as database, database:
+        database.execute(
+            "create table recordings (path text primary key, scenario text not null, title text not null, seed integer "
+            "not null, version text not null, began text not null, ended text not null, time_s real not null, "
+            "bytes integer not null)"
+        )
+        row = (str(tmp_path / "old.mcap"), "test", "test", 0, "0.0.1", "1969-12-31", "time", 1.0, 10)
+        database.execute("insert into recordings values (?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
+    record(MADE, tmp_path / "new.mcap", index=index, trial=Trial("P07", "A"))
+    told = [(Path(e.path).stem, e.participant, e.condition) for e in index.entries()]
+    assert told == [("new", "P07", "A"), ("old", "", "")]
 
 
 def test_forgetting_leaves_the_files(index: Index, tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from queue import Empty, SimpleQueue
 import msgspec
 import pytest
 
+from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.station import protocol as wire
 from aftdeck.station.session import Session
@@ -35,10 +36,15 @@ class Flown(Session):
 
 @contextmanager
 def flying(
-    *, demo: bool = False, name: str = "first-flight", record: Path | None = None, given: Scenario | None = None
+    *,
+    demo: bool = False,
+    name: str = "first-flight",
+    made: Scenario | None = None,
+    record: Path | None = None,
+    trial: Trial = NO_TRIAL,
 ) -> Iterator[Flown]:
     """A session in flight that has shown its first frame."""
-    session = Flown(given or scenario(name), demo=demo, record=record)
+    session = Flown(made or scenario(name), demo=demo, record=record, trial=trial)
     session.start(lambda: None)
     try:
         comes(session, lambda frame: frame.tick == 1, "the first frame")

@@ -10,6 +10,7 @@ from threading import Thread
 import msgspec
 
 from aftdeck.recording.records import ControllerRecord
+from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
@@ -27,10 +28,10 @@ CONTROLLERS = (
 NOTE = Event(0.5, "page", "caution", "a line of the station's")
 
 
-def recorded(path: Path, steps: int = 600, *, script: bool = True) -> list[Frame]:
+def recorded(path: Path, steps: int = 600, *, script: bool = True, trial: Trial = NO_TRIAL) -> list[Frame]:
     """Record a flight by hand: forward at first, then turning as well, at last the script's; its frames."""
     simulation = Simulation(scenario())
-    recorder = Recorder(path, simulation.scenario, 0)
+    recorder = Recorder(path, simulation.scenario, 0, trial=trial)
     recorder.controllers(0.0, CONTROLLERS)
     frames = []
     for i in range(steps):

@@ -108,7 +108,7 @@ def test_a_second_window_never_flies_and_is_no_watcher(station: Station) -> None
         window.say(wire.Hello(wire.PROTOCOL, shows=True))
         assert not window.wait_for(wire.Role).flying
         with station.page() as page:
-            assert page.wait_for(wire.Role) == wire.Role(True, 0, number=1, flier=1, asking=0)
+            assert page.wait_for(wire.Role) == wire.Role(True, 0, 1, 1, asking=0, name="", names=())
             assert page.flown(page.push((1.0, 0.0, 0.0))).translation == (1.0, 0.0, 0.0)
         window.push((1.0, 0.0, 0.0))
         assert window.refusal() == "you watch; another page flies"
@@ -355,6 +355,57 @@ def test_the_sticks_are_handed_over_at_rest_to_the_page_that_asks(station: Stati
         assert other.flown(other.push(rotation=(0.0, 0.0, 0.5))).rotation == (0.0, 0.0, 0.5)
     texts = [event.text for event in station.session.log_since(0)]
     assert "page 1 gives the sticks to page 2" in texts
+
+
+def test_a_name_goes_to_every_page_and_into_the_log(station: Station) -> None:
+    with station.page() as flier, station.page() as other:
+        flier.say(wire.SetName(flier.next_seq(), "Anna"))
+        anna = wire.NamedPage(1, "Anna")
+        assert other.wait_for(wire.Role, lambda role: role.names == (anna,)).name == ""
+        other.say(wire.SetName(other.next_seq(), "Ben"))  # who only watches has a name, too
+        both = flier.wait_for(wire.Role, lambda role: len(role.names) == 2)
+        assert both.names == (anna, wire.NamedPage(2, "Ben")) and both.name == "Anna"
+        other.say(wire.AskSticks(other.next_seq()))
+        flier.wait_for(wire.Role, lambda role: role.asking == 2)
+        flier.say(wire.KeepSticks(flier.next_seq()))
+        assert other.refusal() == "Anna keeps the sticks"
+        other.say(wire.AskSticks(other.next_seq()))
+        flier.wait_for(wire.Role, lambda role: role.asking == 2)
+        flier.say(wire.GiveSticks(flier.next_seq()))
+        other.wait_for(wire.Role, lambda role: role.flying)
+        other.say(wire.SetName(other.next_seq(), ""))
+        assert flier.wait_for(wire.Role, lambda role: len(role.names) == 1).names == (anna,)
+    until(lambda: "Anna gives the sticks to Ben" in [event.text for event in station.session.log_since(0)], "the line")
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("A" * 25, "a name has 24 characters at most, got 25"),
+        (" Anna", "a name begins and ends without a space, got ' Anna'"),
+        ("   ", "a name needs at least one letter or digit"),
+        ("Anna\nflies", "a name stands on one line"),
+        ("\u202eannA", "a name stands on one line"),
+    ],
+)
+def test_what_is_no_name_is_refused_in_a_sentence_and_not_repaired(station: Station, name: str, sentence: str) -> None:
+    with station.page() as page:
+        page.say(wire.SetName(page.next_seq(), "Anna"))
+        page.wait_for(wire.Role, lambda role: role.name == "Anna")
+        page.say(wire.SetName(page.next_seq(), name))
+        refused = page.wait_for(wire.Refused)
+        assert refused.seq == page.seq and sentence in refused.text
+        page.say(wire.AskSticks(page.next_seq()))
+        page.wait_for(wire.Refused)
+        with station.page() as other:
+            assert other.wait_for(wire.Role, lambda role: role.number == 2).names == (wire.NamedPage(1, "Anna"),)
+
+
+def test_a_second_window_has_no_name(station: Station) -> None:
+    with station.page(), station.stranger() as window:
+        window.say(wire.Hello(wire.PROTOCOL, shows=True))
+        window.say(wire.SetName(window.next_seq(), "Anna"))
+        assert window.refusal() == "you watch; another page flies"
 
 
 def test_sticks_that_are_kept_stay_where_they_are(station: Station) -> None:

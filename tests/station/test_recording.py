@@ -16,6 +16,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord, Input
 from aftdeck.recording.replay import verify
 from aftdeck.recording.sink import Sink
+from aftdeck.recording.trial import Trial
 from aftdeck.station import protocol as wire
 from aftdeck.station.reel import Reel
 from aftdeck.station.session import MOST_BEHIND, Session
@@ -64,6 +65,24 @@ def test_every_flight_has_its_file_and_repeats_itself(tmp_path: Path) -> None:
     assert {m.rate for m in flown} >= {"vernier"} and any(m.translation == (1.0, 0.0, 0.0) for m in flown)
     (note,) = Recording(second).notes()
     assert note.kind == "restart"
+
+
+def test_every_flight_says_who_took_part_and_no_page_is_told(tmp_path: Path) -> None:
+    trial = Trial("P07", "wrist camera off")
+    with flying(record=tmp_path, trial=trial) as session:
+        session.command(wire.Restart(0))
+        begins_anew(session)
+        goes_on(session)
+        told = (session.welcome, shown(session), session.log_since(0))
+        other = session.another(scenario("tutorial"))
+    other.start(lambda: None)
+    until(lambda: bool(other.newest), "the first frame of the other scenario")
+    other.close()
+    assert [Trial(o.participant, o.condition) for o in (Recording(path).opening for path in files(tmp_path))] == (
+        [trial] * 3
+    )
+    assert all(verify(path).equal for path in files(tmp_path))
+    assert not any(word in msgspec.json.encode(what) for what in told for word in (b"P07", b"wrist camera off"))
 
 
 def test_the_flights_are_listed(tmp_path: Path) -> None:

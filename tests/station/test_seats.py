@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from aftdeck.errors import CommandError
-from aftdeck.station.seats import ANSWER_WITHIN, Seats
+from aftdeck.errors import CommandError, InputError
+from aftdeck.station.seats import ANSWER_WITHIN, MOST_OF_A_NAME, Seats
 
 
 class Clock:
@@ -74,6 +74,41 @@ def test_a_question_is_over_after_its_time(seats: Seats[str], clock: Clock) -> N
         seats.answer(gives=True)
     seats.ask("c")
     assert seats.asking == "c"
+
+
+def test_a_page_is_called_by_its_name_and_without_one_by_its_number(seats: Seats[str]) -> None:
+    seats.give_name("b", "Ben")
+    assert [seats.called(page) for page in "abc"] == ["page 1", "Ben", "page 3"]
+    seats.ask("b")
+    with pytest.raises(CommandError, match="Ben has asked for the sticks already"):
+        seats.ask("c")
+    seats.give_name("b", "")
+    assert seats.called("b") == "page 2" and seats.named() == []
+
+
+def test_two_of_one_name_are_told_apart_while_both_are_there(seats: Seats[str]) -> None:
+    seats.give_name("a", "Anna")
+    seats.give_name("c", "Anna")
+    assert [seats.called(page) for page in "abc"] == ["Anna 1", "page 2", "Anna 3"]
+    assert seats.name("c") == "Anna"
+    seats.leave("c")
+    assert seats.called("a") == "Anna"
+
+
+def test_whoever_takes_a_free_number_has_not_the_name_that_went_with_it(seats: Seats[str]) -> None:
+    seats.give_name("b", "Ben")
+    seats.leave("b")
+    seats.come("d")
+    assert (seats.number("d"), seats.called("d")) == (2, "page 2")
+
+
+def test_a_name_that_was_refused_leaves_the_one_before(seats: Seats[str]) -> None:
+    seats.give_name("a", "Anna")
+    with pytest.raises(InputError, match="a name has 24 characters at most"):
+        seats.give_name("a", "A" * (MOST_OF_A_NAME + 1))
+    assert seats.called("a") == "Anna"
+    seats.give_name("a", "A" * MOST_OF_A_NAME)
+    assert seats.name("a") == "A" * MOST_OF_A_NAME
 
 
 def test_who_flies_asks_nobody(seats: Seats[str]) -> None:

@@ -66,6 +66,41 @@ def test_sticks_move_the_tip_and_letting_go_stops_it() -> None:
     assert held.actual.position[0] > before[0]
 
 
+def test_a_frame_tells_which_sticks_it_has_flown_after_the_command_delay() -> None:
+    late = dataclasses.replace(scenario(), delay=25)
+    with flying(made=late) as session:
+        session.steer(sticks(4, forward=1.0))
+        taken = comes(session, lambda frame: frame.stick_seq == 4, "sticks taken")
+        assert taken.flown_seq == -1 and taken.translation == STILL
+        flown = comes(session, lambda frame: frame.flown_seq == 4, "sticks flown")
+        assert flown.tick == taken.tick + 25 and flown.translation[0] == 1.0
+
+
+def test_sticks_under_way_are_not_told_to_the_page_that_flies_next() -> None:
+    late = dataclasses.replace(scenario(), delay=25)
+    with flying(made=late) as session:
+        session.steer(sticks(900))
+        taken = comes(session, lambda frame: frame.stick_seq == 900, "sticks taken")
+        session.hand_over("page 1 gives the sticks to page 2")
+        session.steer(sticks(5))
+        told = {taken.flown_seq}
+
+        def flies(frame: wire.Frame) -> bool:
+            told.add(frame.flown_seq)
+            return frame.flown_seq == 5
+
+        comes(session, flies, "the next page's sticks are flown")
+        assert told == {-1, 5}, "900 was the number of another page's sticks"
+
+
+def test_without_a_delay_the_sticks_taken_are_flown_and_a_script_flies_none() -> None:
+    with flying(demo=True) as session:
+        assert shown(session).flown_seq == -1
+        session.steer(sticks(7, forward=1.0))
+        frame = comes(session, lambda frame: frame.stick_seq == 7, "sticks taken")
+        assert frame.flown_seq == 7
+
+
 def test_whoever_leaves_leaves_the_arm_holding_its_position() -> None:
     with flying() as session:
         session.steer(sticks(1, forward=0.5))
@@ -134,7 +169,7 @@ def test_a_held_rate_that_is_let_go_through_a_delay_is_let_go_once(monkeypatch: 
     fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
     monkeypatch.setattr(station_session, "time", fake)
     delayed = dataclasses.replace(scenario(), delay=20)
-    with flying(given=delayed) as session:
+    with flying(made=delayed) as session:
         session.steer(sticks(1, forward=1.0))
         session.command(wire.RateHold(2))
         comes(session, lambda frame: frame.rate_hold, "RATE HOLD, delayed")

@@ -1,6 +1,6 @@
 /**
- * Stick to picture: from an input event until the first frame that has flown it is drawn on the page; and what of it is
- * the link's: until that frame is here.
+ * Stick to picture: from an input event until the first frame that has taken it is drawn on the page. And the command's
+ * way: until the frame is here that has flown it, after the delay that a scenario may set.
  */
 
 const WINDOW_MS = 10_000;
@@ -28,7 +28,7 @@ export class Latency {
     this.unanswered.push({ seq, at });
   }
 
-  /** A frame that has flown `stickSeq` is drawn at `now` [ms]. */
+  /** A frame that has taken `stickSeq` is drawn at `now` [ms]. */
   drawn(stickSeq: number, now: number): void {
     for (const { seq, at } of this.waiting) {
       if (seq <= stickSeq) this.samples.push({ drawn: now, ms: now - at });
@@ -36,12 +36,12 @@ export class Latency {
     this.waiting = this.waiting.filter(({ seq }) => seq > stickSeq);
   }
 
-  /** A frame that has flown `stickSeq` has come at `now` [ms]. */
-  answered(stickSeq: number, now: number): void {
+  /** A frame that has flown `flownSeq` has come at `now` [ms]. */
+  answered(flownSeq: number, now: number): void {
     for (const { seq, at } of this.unanswered) {
-      if (seq <= stickSeq) this.answers.push({ drawn: now, ms: now - at });
+      if (seq <= flownSeq) this.answers.push({ drawn: now, ms: now - at });
     }
-    this.unanswered = this.unanswered.filter(({ seq }) => seq > stickSeq);
+    this.unanswered = this.unanswered.filter(({ seq }) => seq > flownSeq);
   }
 
   /** What the inputs of the last 10 s took to their frame, the middle of them [s]; null where no stick moved. */

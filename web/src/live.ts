@@ -64,7 +64,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
         if (station instanceof LiveStrips) station.setRecent(received);
         break;
       case 'refused':
-        if (station instanceof Station) station.refuse(received.text);
+        if (station instanceof Station) station.refuse(received.text, received.seq);
         break;
       default:
         assertUnreachable(received);

@@ -16,7 +16,7 @@ export type Level = 'info' | 'caution' | 'warning';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
-export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type FromServer = Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -350,6 +350,14 @@ export interface GiveSticks {
 export interface KeepSticks {
   readonly type: 'keep_sticks';
   readonly seq: number;
+}
+
+/** What the person at this page is called from now on, to the other pages and in the log. */
+export interface SetName {
+  readonly type: 'set_name';
+  readonly seq: number;
+  /** One line of 24 characters at most; empty: the page goes by its number again. */
+  readonly name: string;
 }
 
 /** Nobody is at the controls: sticks at rest, RATE HOLD let go, POSITION HOLD on; a sequence goes on. */
@@ -715,6 +723,17 @@ export interface Role {
   readonly flier: number;
   /** The page that asks for the sticks; 0: none. */
   readonly asking: number;
+  /** As it was given at this page; empty: none was. */
+  readonly name: string;
+  /** Of all pages that have one, this one too. */
+  readonly names: readonly NamedPage[];
+}
+
+/** A page at which somebody has given a name. */
+export interface NamedPage {
+  readonly number: number;
+  /** As the others are told it: with the page's number behind it where two have given the same. */
+  readonly name: string;
 }
 
 /** All that the page shows of one instant; newest wins, frames may be skipped. */
@@ -722,8 +741,10 @@ export interface Frame {
   readonly type: 'frame';
   readonly tick: number;
   readonly time_s: number;
-  /** `seq` of the last `Sticks` that this step has flown; the page times stick-to-picture by it. */
+  /** `seq` of the last `Sticks` that this step has taken; the page times stick-to-picture by it. */
   readonly stick_seq: number;
+  /** `seq` of the last `Sticks` that this step has flown, after the command delay; -1: none, or the script flew. */
+  readonly flown_seq: number;
   /** How long the recording goes on already [s]; null: nothing is recorded. */
   readonly recording_s: number | null;
   /** Name of the script's phase; empty when flown by hand. */
@@ -1107,6 +1128,10 @@ export interface PlaybackIndex {
   readonly seed: number;
   /** KEY=VALUE, where a replay changed the scenario. */
   readonly changes: readonly string[];
+  /** Code of who took part; empty: none was given. */
+  readonly participant: string;
+  /** Of the trial; empty: none was given. */
+  readonly condition: string;
   /** A control step. */
   readonly period_s: number;
   /** Steps that the recording holds. */

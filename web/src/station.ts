@@ -10,6 +10,7 @@ import { reread } from './input/store';
 import { keeper } from './kept';
 import { Latency } from './latency';
 import { Operator } from './operator';
+import { calledFirst } from './panel/called';
 import { clearanceCause } from './panel/clearance';
 import { concernOf, outline } from './panel/concerns';
 import { ControlPage } from './panel/control-page';
@@ -22,6 +23,7 @@ import { KeyMap } from './panel/keys';
 import { lightSegments } from './panel/lamp-test';
 import { lightControl } from './panel/light';
 import { linkLamp } from './panel/link';
+import { naming } from './panel/naming';
 import type { Desk, View } from './panel/part';
 import { STALE_S } from './panel/picture';
 import { rail } from './panel/rail';
@@ -74,7 +76,16 @@ export class Station {
   private valuesAt = 0;
   private toldAt = 0;
   private toldOf = '';
-  private role: Role = { type: 'role', flying: false, watchers: 0, number: 0, flier: 0, asking: 0 };
+  private role: Role = {
+    type: 'role',
+    flying: false,
+    watchers: 0,
+    number: 0,
+    flier: 0,
+    asking: 0,
+    name: '',
+    names: [],
+  };
   private link: LinkState = { kind: 'open' };
   private units: UnitName;
   private refusal: { readonly text: string; readonly at: number } | null = null;
@@ -97,6 +108,7 @@ export class Station {
   private readonly touch;
   private readonly swap;
   private readonly handOver = handOver((command) => this.transmit(command));
+  private readonly naming = naming(keeper, (command) => this.transmit(command));
   /** What the station was told last of the controllers, and how many were gone. */
   private told = '';
   private lost = 0;
@@ -178,8 +190,15 @@ export class Station {
     this.scenarios = scenarioChoice(desk);
     this.tutorial = new Tutorial(desk, this.operator.controllers, (name) => this.scenarios.choose(name));
     this.light = lightControl(desk, this.pictures);
-    const { tones, light, scenarios, handOver } = this;
-    const parts = { tones, light, scenarios, ask: handOver.ask, appearance: this.pictures.appearance };
+    const { tones, light, scenarios, handOver, naming } = this;
+    const parts = {
+      tones,
+      light,
+      scenarios,
+      naming,
+      ask: handOver.ask,
+      appearance: this.pictures.appearance,
+    };
     this.rail = rail(desk, drawing.software && drawing.quality === 'low', parts, {
       units: () => {
         this.units = this.units === 'SI' ? 'ft-in' : 'SI';
@@ -210,6 +229,7 @@ export class Station {
     );
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => this.tones.wake(), { signal: this.ended.signal });
+    naming.tell();
     window.addEventListener('blur', () => this.pictures.release(), { signal: this.ended.signal });
     window.addEventListener('pagehide', () => this.windows.say({ kind: 'gone' }), {
       signal: this.ended.signal,
@@ -223,11 +243,14 @@ export class Station {
 
   /** A newer frame; the next picture shows it. */
   setFrame(frame: Frame): void {
-    if (this.frame && frame.tick < this.frame.tick) this.restarts += 1;
+    if (this.frame && frame.tick < this.frame.tick) {
+      this.restarts += 1;
+      this.latency.forget(); // what was under way is flown by nobody
+    }
     this.frame = frame;
     this.arrived = performance.now();
     this.operator.sticks.kept = frame.rate_hold;
-    this.latency.answered(frame.stick_seq, this.arrived);
+    this.latency.answered(frame.flown_seq, this.arrived);
     this.fresh = true;
     if (this.held) this.draw(this.arrived);
   }
@@ -236,6 +259,7 @@ export class Station {
     this.role = role;
     this.told = '';
     this.takeRole();
+    this.naming.set(role);
     setClass(document.body, 'watching', !role.flying);
     this.tellWindows();
   }
@@ -251,7 +275,8 @@ export class Station {
     this.link = link;
     this.told = '';
     this.takeRole();
-    if (link.kind !== 'open') this.latency.forget();
+    if (link.kind === 'open') this.naming.tell();
+    else this.latency.forget();
   }
 
   addEvents(events: readonly LogEvent[]): void {
@@ -268,7 +293,8 @@ export class Station {
   }
 
   /** A command was not taken: the log says why, and CHECK CRT sends the eye there. */
-  refuse(text: string): void {
+  refuse(text: string, number: number): void {
+    if (this.naming.refuse(number, text)) return;
     this.refusal = { text, at: performance.now() };
     this.say(text);
   }
@@ -330,7 +356,7 @@ export class Station {
       units: unitsOf(this.units),
       hand: this.operator.sticks.value,
       controllers: this.operator.controllers.shown,
-      flier: this.role.flier,
+      flier: calledFirst(this.role, this.role.flier),
       flying: this.role.flying,
       orbiting: this.operator.sticks.flyingOrbiter && this.role.flying,
     };
@@ -356,7 +382,8 @@ export class Station {
     this.spine.show([...inUnits(view), ...this.ownLamps(now, age)], test);
     const latency95 = this.latency.percentile95(now);
     this.tutorial.values(view);
-    this.rail.values(view, latency95, this.handOver.words(this.role, now), this.link);
+    const measured = { picture: latency95, command: this.latency.answer(now) };
+    this.rail.values(view, measured, this.handOver.words(this.role, now), this.link);
     this.sound(view.frame);
     const monitors = this.pictures.shown;
     const due = now - this.toldAt >= TOLD_MS || monitors.join('/') !== this.toldOf;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { Latency } from '../src/latency';
-import { linkLamp } from '../src/panel/link';
+import { delayWords, linkLamp } from '../src/panel/link';
 
 describe('stick to picture', () => {
   it('lasts from the input to the first picture that shows it', () => {
@@ -23,6 +23,16 @@ describe('stick to picture', () => {
     expect(latency.answer(800)).toBe(0.5);
     expect(latency.answer(720 + 10_001)).toBeNull();
     expect(latency.percentile95(800)).toBeNull();
+  });
+
+  it('the rail tells the delay that is set, and the measured one where they differ', () => {
+    expect(delayWords(0, null)).toBe('');
+    expect(delayWords(0, 0.09)).toBe('');
+    expect(delayWords(0, 0.31)).toBe('set 0.00, measured 0.31 s');
+    expect(delayWords(2, null)).toBe('2.00 s');
+    expect(delayWords(2, 2.09)).toBe('2.00 s');
+    expect(delayWords(2, 2.31)).toBe('set 2.00, measured 2.31 s');
+    expect(delayWords(2, 1.5)).toBe('set 2.00, measured 1.50 s');
   });
 
   it('LINK DELAY tells of a delay in force, of a longer one and of silence', () => {

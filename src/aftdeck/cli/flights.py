@@ -13,12 +13,21 @@ from aftdeck.cli.printing import Progress, print_complaint, print_json, print_su
 from aftdeck.errors import AftdeckError, InputError
 
 
-@app.command(epilog="Examples: aftdeck fly first-flight --port 8340; aftdeck fly loaded --record flights")
+@app.command(
+    epilog="Examples: aftdeck fly first-flight --port 8340; aftdeck fly loaded --record flights; "
+    "aftdeck fly loaded --record flights --participant P07 --condition 'delay 2 s'"
+)
 def fly(
     scenario: ScenarioName = "first-flight",
     host: Host = "127.0.0.1",
     port: Port = 8340,
     record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record each flight into this folder.")] = None,
+    participant: Annotated[
+        str | None, typer.Option(metavar="CODE", help="Who takes part; each recording says so. Goes with --record.")
+    ] = None,
+    condition: Annotated[
+        str | None, typer.Option(metavar="TEXT", help="The trial's condition; each recording says so, too.")
+    ] = None,
     foxglove: Annotated[
         int | None, typer.Option(metavar="PORT", help="Let Foxglove attach here and watch, usually 8765.")
     ] = None,
@@ -27,9 +36,14 @@ def fly(
     seed: Seed = None,
 ) -> None:
     """Fly a scenario by hand in the browser."""
+    from aftdeck.recording.trial import trial
     from aftdeck.scenario.load import load_scenario
     from aftdeck.station.serve import serve
 
+    for name, text in (("--participant", participant), ("--condition", condition)):
+        if text is not None and record is None:
+            raise InputError(f"{name} goes with --record DIR: it is written into each recording, and nowhere else")
+    taking_part = trial(participant, condition)
     serve(
         load_scenario(scenario),
         seed,
@@ -38,6 +52,7 @@ def fly(
         open_browser=not no_browser,
         demo=demo,
         record=record,
+        trial=taking_part,
         viewers=foxglove,
     )
 

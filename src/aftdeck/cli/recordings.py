@@ -97,6 +97,10 @@ def _verify(file: Path, as_json: bool) -> None:
 def _print_verdict(recording: Recording, v: Verdict) -> None:
     start = recording.opening
     print(f"{recording.path}: {start.title!r} ({start.scenario}), seed {start.seed}, began {start.began}")
+    if start.participant:
+        print(f"  participant  {start.participant}")
+    if start.condition:
+        print(f"  condition    {start.condition}")
     if start.changes:
         print(f"  changed      {', '.join(start.changes)}")
     if v.recorded_by != v.version:
@@ -172,6 +176,7 @@ def _print_outcome(file: Path, o: Outcome) -> None:
 @app.command(
     short_help="List, filter and clean the recordings made here.",
     epilog="Examples: aftdeck recordings --scenario first-flight --since 2026-11; "
+    "aftdeck recordings --participant P07 --json; "
     "aftdeck recordings --ended cut --delete",
 )
 def recordings(
@@ -179,6 +184,7 @@ def recordings(
     ended: Annotated[
         str, typer.Option(help="Only those that ended so: completed, time, fault, stopped, restarted, cut, recording.")
     ] = "",
+    participant: Annotated[str, typer.Option(metavar="CODE", help="Only those in which this one took part.")] = "",
     since: Annotated[str, typer.Option(metavar="DATE", help="Only those begun since (2026-11, 2026-11-21T14).")] = "",
     gone: Annotated[bool, typer.Option("--gone", help="Only those whose files are no longer there.")] = False,
     forget: Annotated[bool, typer.Option("--forget", help="Take those listed off the list; files stay.")] = False,
@@ -199,7 +205,7 @@ def recordings(
     if forget and delete:
         raise InputError("--forget and --delete are given one at a time")
     index = Index()
-    found = [entry for entry in index.entries(scenario, ended, since) if not gone or entry.state == "gone"]
+    found = [entry for entry in index.entries(scenario, ended, since, participant) if not gone or entry.state == "gone"]
     if as_json:
         print_json(found)
     else:
@@ -222,6 +228,9 @@ def _print_entries(found: list[Entry]) -> None:
         began = entry.began[:19].replace("T", " ")
         print(f"{began}  {entry.scenario:<{wide}}  {ended:<10}  {entry.time_s:>8.1f} s  {entry.bytes / 1e6:>7.2f} MB")
         print(f"  {entry.path}")
+        for name in ("participant", "condition", "changes"):
+            if text := getattr(entry, name):
+                print(f"  {name:<11}  {text}")
 
 
 def _files(found: list[Entry]) -> str:

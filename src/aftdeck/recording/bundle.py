@@ -15,6 +15,7 @@ from aftdeck.errors import InputError, RecordingError
 from aftdeck.files import Where
 from aftdeck.law import state_of_the_laws
 from aftdeck.recording.records import FORMAT, Opening
+from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.version import __version__
@@ -25,7 +26,9 @@ _WORKSITE = "worksite.toml"
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 
 
-def opening(scenario: Scenario, seed: int, began_ns: int, changes: tuple[str, ...] = ()) -> Opening:
+def opening(
+    scenario: Scenario, seed: int, began_ns: int, changes: tuple[str, ...] = (), trial: Trial = NO_TRIAL
+) -> Opening:
     """The first message of a recording.
 
     Args:
@@ -33,6 +36,7 @@ def opening(scenario: Scenario, seed: int, began_ns: int, changes: tuple[str, ..
         seed: with which seed.
         began_ns: wall time at which it begins, since 1970 [ns].
         changes: KEY=VALUE, where a replay changed the scenario.
+        trial: who takes part, and under which condition.
     """
     model = scenario.arm.model
     return Opening(
@@ -52,6 +56,8 @@ def opening(scenario: Scenario, seed: int, began_ns: int, changes: tuple[str, ..
         shapes_text=model.shapes.text if model.shapes else "",
         worksite_text=scenario.worksite.text,
         changes=changes,
+        participant=trial.participant,
+        condition=trial.condition,
     )
 
 

@@ -17,6 +17,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import Progress
 from aftdeck.recording.resample import resampled
+from aftdeck.recording.trial import Trial
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
@@ -74,7 +75,8 @@ def rerun(
     scenario = scenario_of(opening, dict(parsed))
     seed = scenario.seed if any(where == ("seed",) for where, _ in parsed) else opening.seed
     sim = Simulation(scenario, seed)
-    recorder = None if out is None else Recorder(out, scenario, seed, changes=(*opening.changes, *changes), index=index)
+    all_changes, trial = (*opening.changes, *changes), Trial(opening.participant, opening.condition)
+    recorder = None if out is None else Recorder(out, scenario, seed, changes=all_changes, trial=trial, index=index)
     frames = hashlib.sha256()
 
     def again() -> Iterator[FrameRecord]:

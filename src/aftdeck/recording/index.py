@@ -27,7 +27,9 @@ _TABLE = """
         version text not null, began text not null, ended text not null, time_s real not null, bytes integer not null
     )
 """
-_COLUMNS = "path, scenario, title, seed, version, began, ended, time_s, bytes"
+_ADDED = ("participant", "condition", "changes")
+"""Columns of text that lists of earlier versions do not have."""
+_COLUMNS = f"path, scenario, title, seed, version, began, ended, time_s, bytes, {', '.join(_ADDED)}"
 
 
 class Entry(msgspec.Struct, frozen=True):
@@ -46,6 +48,12 @@ class Entry(msgspec.Struct, frozen=True):
     time_s: float
     """Simulated time [s]."""
     bytes: int
+    participant: str = ""
+    """Code of who took part; empty: none was given."""
+    condition: str = ""
+    """Of the trial; empty: none was given."""
+    changes: str = ""
+    """``KEY=VALUE, KEY=VALUE``: what a replay changed; empty: it was flown so."""
     state: Literal["here", "gone", "unreadable"] = "here"
 
 
@@ -62,10 +70,11 @@ class Index:
     def begin(self, path: Path, opening: Opening) -> None:
         """A recording has begun."""
         row = (opening.scenario, opening.title, opening.seed, opening.version, opening.began, "recording", 0.0, 0)
+        said = (opening.participant, opening.condition, ", ".join(opening.changes))
         with self._open() as database:
             database.execute(
-                f"insert or replace into recordings ({_COLUMNS}) values (?, ?, ?, ?, ?, ?, ?, ?, ?)",
-                (str(path.absolute()), *row),
+                f"insert or replace into recordings ({_COLUMNS}) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                (str(path.absolute()), *row, *said),
             )
 
     def end(self, path: Path, ended: str, time_s: float) -> None:
@@ -79,13 +88,14 @@ class Index:
                 "update recordings set ended = ?, time_s = ?, bytes = ? where path = ?", (ended, time_s, size, path)
             )
 
-    def entries(self, scenario: str = "", ended: str = "", since: str = "") -> list[Entry]:
+    def entries(self, scenario: str = "", ended: str = "", since: str = "", participant: str = "") -> list[Entry]:
         """The recordings, newest first; those that never said how they ended are looked at.
 
         Args:
             scenario: only of this one.
             ended: only those that ended so.
             since: only those begun at or after this time, ISO 8601 or the beginning of one.
+            participant: only those in which this one took part.
         """
         with self._open() as database:
             rows = database.execute(f"select {_COLUMNS} from recordings order by began desc, path").fetchall()
@@ -95,6 +105,7 @@ class Index:
             for entry in found
             if (not scenario or entry.scenario == scenario)
             and (not ended or entry.ended == ended)
+            and (not participant or entry.participant == participant)
             and entry.began >= since
         ]
 
@@ -143,9 +154,23 @@ class Index:
             database = sqlite3.connect(self.path, timeout=BUSY_S)
             try:
                 with database:
-                    database.execute(_TABLE)
+                    _make_table(database)
                     yield database
             finally:
                 database.close()
         except (OSError, sqlite3.Error, UnicodeError) as error:
             raise RecordingError(f"{self.path}: the list of recordings cannot be used: {error}") from None
+
+
+def _make_table(database: sqlite3.Connection) -> None:
+    """The table, with the columns that an earlier version did not give it."""
+    database.execute(_TABLE)
+    if _missing(database):
+        database.execute("begin immediate")  # another program may be about to do the same
+        for column in _missing(database):
+            database.execute(f"alter table recordings add column {column} text not null default ''")
+
+
+def _missing(database: sqlite3.Connection) -> list[str]:
+    there = {name for _, name, *_ in database.execute("pragma table_info(recordings)")}
+    return [column for column in _ADDED if column not in there]

@@ -37,6 +37,8 @@ class Opening(Message, frozen=True):
     shapes_text: Annotated[str, told("the arm's shapes file, whole")]
     worksite_text: Annotated[str, told("the worksite's file, whole")]
     changes: Annotated[tuple[str, ...], told("KEY=VALUE: what a replay changed in the scenario")] = ()
+    participant: Annotated[str, told("code of who took part, as a study gave it; empty: none was given")] = ""
+    condition: Annotated[str, told("condition of the trial, as a study gave it; empty: none was given")] = ""
 
 
 class CameraRecord(Message, frozen=True, omit_defaults=True):

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from aftdeck.errors import RecordingError
 from aftdeck.recording.index import Index
+from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.recording.writer import Recorder
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
@@ -31,6 +32,7 @@ def record(
     out: str | Path,
     seed: int | None = None,
     *,
+    trial: Trial = NO_TRIAL,
     progress: Callable[[float], None] | None = None,
     index: Index | None = None,
     unlisted: Callable[[str], None] | None = None,
@@ -41,6 +43,7 @@ def record(
         scenario: a scenario, a built-in name or a path.
         out: the file to make; its folder is made where it is missing.
         seed: in place of the scenario's.
+        trial: who takes part, and under which condition.
         progress: told now and then how much of the longest duration has gone, 0 to 1.
         index: list to keep the file in.
         unlisted: told why the file is not in the list, where it could not be put there.
@@ -53,7 +56,7 @@ def record(
         UnrecordedRunError: a disk that became full; the file holds what was flown before, the error the run.
     """
     loaded = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
-    recorder = Recorder(Path(out), loaded, loaded.seed if seed is None else seed, index=index)
+    recorder = Recorder(Path(out), loaded, loaded.seed if seed is None else seed, trial=trial, index=index)
 
     def keep(frame: Frame) -> None:
         recorder.step(None, frame)

@@ -11,6 +11,7 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.records import ControllerRecord
+from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.recording.writer import Ended, Recorder
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
@@ -28,15 +29,18 @@ class Tape:
         file: of the present flight; None: it is not recorded.
     """
 
-    def __init__(self, folder: Path | None, index: Index | None, live: Live | None = None) -> None:
+    def __init__(
+        self, folder: Path | None, index: Index | None, live: Live | None = None, trial: Trial = NO_TRIAL
+    ) -> None:
         """Record into a folder.
 
         Args:
             folder: where to; None records nothing.
             index: list to keep the files in.
             live: where viewers attach.
+            trial: who takes part, and under which condition: every file says so.
         """
-        self._folder, self._index, self._live = folder, index, live
+        self._folder, self._index, self._live, self._trial = folder, index, live, trial
         self._recorder: Recorder | None = None
         self._ending: list[Recorder] = []
         self._complaints: list[str] = []
@@ -64,7 +68,9 @@ class Tape:
         before = self._ending[-1] if self._ending else None
         try:
             path = self._folder and _free_name(self._folder, scenario.name)
-            self._recorder = Recorder(path, scenario, seed, live=self._live, index=self._index, after=before)
+            self._recorder = Recorder(
+                path, scenario, seed, trial=self._trial, live=self._live, index=self._index, after=before
+            )
         except RecordingError as error:
             self._complain(f"nothing is recorded: {error}")
             if self._live is not None:

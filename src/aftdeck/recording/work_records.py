@@ -64,7 +64,10 @@ class WorkRecord(Message, frozen=True):
     """The worksite after one control step."""
 
     task: Annotated[int, told("the report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked")]
-    nearest: Annotated[NearRecord | None, told("watched pair with the least clearance, but for the hand and a payload that it is lined up with")]
+    nearest: Annotated[
+        NearRecord | None,
+        told("watched pair with the least clearance, but for the hand and a payload that it is lined up with"),
+    ]
     contacts: Annotated[tuple[NearRecord, ...], told("pairs that touch or overlap")]
     arm_inhibit: Annotated[bool, told("the arm is inhibited")]
     finger_inhibit: Annotated[bool, told("the finger is inhibited")]

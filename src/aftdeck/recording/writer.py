@@ -35,6 +35,7 @@ from aftdeck.recording.records import (
     Shown,
 )
 from aftdeck.recording.sink import Sink
+from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.recording.viewing import Viewing
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
@@ -91,6 +92,7 @@ class Recorder:
         seed: int,
         *,
         changes: tuple[str, ...] = (),
+        trial: Trial = NO_TRIAL,
         live: Live | None = None,
         index: Index | None = None,
         after: Recorder | None = None,
@@ -102,6 +104,7 @@ class Recorder:
             scenario: what is flown.
             seed: with which seed.
             changes: KEY=VALUE, where a replay changed the scenario.
+            trial: who takes part, and under which condition.
             live: where viewers attach; it outlives the run.
             index: list to keep the file in.
             after: the recorder of the run before, which is let finish before this one writes.
@@ -117,7 +120,7 @@ class Recorder:
         self._sink = Sink(path) if path else None
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
-        self._opening = opening(scenario, seed, self._began_ns, changes)
+        self._opening = opening(scenario, seed, self._began_ns, changes, trial)
         self._waiting: deque[_Step | Note | _Told | _End] = deque()
         self._over = threading.Event()
         self._live = live

@@ -20,7 +20,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from aftdeck.errors import AftdeckError, CommandError
+from aftdeck.errors import AftdeckError, CommandError, InputError
 from aftdeck.station import protocol as wire
 from aftdeck.station.choice import Choice
 from aftdeck.station.recent import Mark
@@ -130,7 +130,24 @@ class Pages:
         number, flier, asking = (
             0 if one is None or one.shows else seats.number(one) for one in (page, seats.flier, seats.asking)
         )
-        return wire.Role(page is seats.flier, max(0, len(seats) - 1), number, flier, asking)
+        return wire.Role(
+            flying=page is seats.flier,
+            watchers=max(0, len(seats) - 1),
+            number=number,
+            flier=flier,
+            asking=asking,
+            name=seats.name(page),
+            names=tuple(wire.NamedPage(*named) for named in seats.named()),
+        )
+
+    def name(self, page: Page, name: str) -> None:
+        """Somebody says who he is.
+
+        Raises:
+            InputError: what can be no name.
+        """
+        self.seats.give_name(page, name)
+        self.wake()
 
     def ask(self, page: Page) -> None:
         """A page asks for the sticks; when the time to answer is over, all are told.
@@ -149,11 +166,13 @@ class Pages:
             CommandError: nobody asks, or a stick is not at rest.
         """
         seats = self.seats
-        asked, flier = seats.who_asks(), self.role(seats.who_asks()).flier
+        asked = seats.who_asks()
+        assert seats.flier is not None, "it is the page that flies that answers"
+        flier = seats.called(seats.flier)
         if gives:
-            self.session.hand_over(f"page {flier} gives the sticks to page {seats.number(asked)}")
+            self.session.hand_over(f"{flier} gives the sticks to {seats.called(asked)}")
         else:
-            asked.answers.append(wire.Refused(asked.seq, f"page {flier} keeps the sticks"))
+            asked.answers.append(wire.Refused(asked.seq, f"{flier} keeps the sticks"))
         seats.answer(gives)
         self.wake()
 
@@ -255,10 +274,12 @@ class Page:
                 message.seq, f"message {message.seq} came after message {self.seq}; it was not taken"
             )
         self.seq = message.seq
-        if isinstance(message, wire.AskSticks) and not self.shows:
+        if isinstance(message, wire.AskSticks | wire.SetName) and not self.shows:
             try:
-                return self.pages.ask(self)
-            except CommandError as error:
+                if isinstance(message, wire.AskSticks):
+                    return self.pages.ask(self)
+                return self.pages.name(self, message.name)
+            except (CommandError, InputError) as error:
                 return await self.refuse(message.seq, str(error), counts=False)
         if self.pages.seats.flier is not self:
             return await self.refuse(message.seq, "you watch; another page flies", counts=False)

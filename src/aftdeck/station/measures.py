@@ -127,7 +127,12 @@ class Measures:
                 self._reversals / duration * _MINUTE,
                 "Times that a stick's axis went over to its other side.",
             ),
-            _figure("Alarms raised", "count", float(self._alarms), "Times that a lamp came on to caution or to warn, or rose from the one to the other."),
+            _figure(
+                "Alarms raised",
+                "count",
+                float(self._alarms),
+                "Times that a lamp came on to caution or to warn, or rose from the one to the other.",
+            ),
             _figure("Brakes used", "count", float(self._brakes), "Times that the brakes were put on."),
             *self._camera_figures(),
         )

@@ -61,6 +61,10 @@ class PlaybackIndex(msgspec.Struct, frozen=True):
     seed: int
     changes: tuple[str, ...]
     """KEY=VALUE, where a replay changed the scenario."""
+    participant: str
+    """Code of who took part; empty: none was given."""
+    condition: str
+    """Of the trial; empty: none was given."""
     period_s: float
     """A control step."""
     ticks: int

@@ -157,6 +157,14 @@ class KeepSticks(_Message, frozen=True, tag="keep_sticks"):
     seq: Seq
 
 
+class SetName(_Message, frozen=True, tag="set_name"):
+    """What the person at this page is called from now on, to the other pages and in the log."""
+
+    seq: Seq
+    name: str
+    """One line of 24 characters at most; empty: the page goes by its number again."""
+
+
 class HandsOff(_Message, frozen=True, tag="hands_off"):
     """Nobody is at the controls: sticks at rest, RATE HOLD let go, POSITION HOLD on; a sequence goes on."""
 
@@ -326,6 +334,7 @@ FromPage = (
     | AskSticks
     | GiveSticks
     | KeepSticks
+    | SetName
     | HandsOff
     | LookAhead
     | SetBrakes
@@ -512,6 +521,14 @@ class Scenarios(_Message, frozen=True, tag="scenarios"):
     """Number of the one that is made ready; the sticks rest meanwhile. Then every page is welcomed anew."""
 
 
+class NamedPage(msgspec.Struct, frozen=True):
+    """A page at which somebody has given a name."""
+
+    number: int
+    name: str
+    """As the others are told it: with the page's number behind it where two have given the same."""
+
+
 class Role(_Message, frozen=True, tag="role"):
     """Who flies: sent on connection and whenever it changes."""
 
@@ -524,6 +541,10 @@ class Role(_Message, frozen=True, tag="role"):
     """The page that flies."""
     asking: int
     """The page that asks for the sticks; 0: none."""
+    name: str
+    """As it was given at this page; empty: none was."""
+    names: tuple[NamedPage, ...]
+    """Of all pages that have one, this one too."""
 
 
 class Limit(msgspec.Struct, frozen=True):
@@ -724,7 +745,9 @@ class Frame(_Message, frozen=True, tag="frame"):
     tick: int
     time_s: float
     stick_seq: int
-    """`seq` of the last `Sticks` that this step has flown; the page times stick-to-picture by it."""
+    """`seq` of the last `Sticks` that this step has taken; the page times stick-to-picture by it."""
+    flown_seq: int
+    """`seq` of the last `Sticks` that this step has flown, after the command delay; -1: none, or the script flew."""
     recording_s: float | None
     """How long the recording goes on already [s]; null: nothing is recorded."""
     phase: str

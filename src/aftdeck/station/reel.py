@@ -154,6 +154,8 @@ class Reel:
             version=opening.version,
             seed=opening.seed,
             changes=opening.changes,
+            participant=opening.participant,
+            condition=opening.condition,
             period_s=period,
             ticks=ticks,
             stride=1,

@@ -1,4 +1,4 @@
-"""Who flies: the page that came first, the next one when it leaves, and whoever it gives the sticks to."""
+"""Who flies: the page that came first, the next one when it leaves, and whoever it gives the sticks to; their names."""
 
 from __future__ import annotations
 
@@ -8,9 +8,13 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from aftdeck.errors import CommandError
+from aftdeck.lines import one_line
 
 ANSWER_WITHIN = 10.0
 """The page that flies gives the sticks within this time of being asked, or keeps them [s]."""
+
+MOST_OF_A_NAME = 24
+"""Characters of a person's name."""
 
 P = TypeVar("P")
 
@@ -25,7 +29,7 @@ class Asked(Generic[P]):
 
 
 class Seats(Generic[P]):
-    """The pages of one flight, each with its number; one of them flies.
+    """The pages of one flight, each with its number and the name of who sits there; one of them flies.
 
     Attributes:
         flier: the page that flies; None: there is none.
@@ -34,6 +38,7 @@ class Seats(Generic[P]):
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self.flier: P | None = None
         self._numbers: dict[P, int] = {}
+        self._names: dict[P, str] = {}
         self._asked: Asked[P] | None = None
         self._clock = clock
 
@@ -41,8 +46,31 @@ class Seats(Generic[P]):
         return len(self._numbers)
 
     def number(self, page: P) -> int:
-        """What a page is called: the lowest number that was free when it came."""
+        """What a page is called without a name: the lowest number that was free when it came."""
         return self._numbers[page]
+
+    def give_name(self, page: P, name: str) -> None:
+        """Who sits at a page; empty: nobody in particular.
+
+        Raises:
+            InputError: too long, or not to be read on one line.
+        """
+        self._names[page] = one_line("a name", name, MOST_OF_A_NAME) if name else ""
+
+    def name(self, page: P) -> str:
+        """The name that was given at a page; empty: none."""
+        return self._names.get(page, "")
+
+    def named(self) -> list[tuple[int, str]]:
+        """Numbers and names of the pages that have one; of two alike each has its number behind it."""
+        given = [(self._numbers[page], name) for page, name in self._names.items() if name]
+        names = [name for _, name in given]
+        return [(number, name if names.count(name) == 1 else f"{name} {number}") for number, name in given]
+
+    def called(self, page: P) -> str:
+        """What a page is called in a sentence."""
+        number = self._numbers[page]
+        return dict(self.named()).get(number, f"page {number}")
 
     def come(self, page: P) -> None:
         """Take a seat; whoever finds none that flies, flies."""
@@ -54,6 +82,7 @@ class Seats(Generic[P]):
     def leave(self, page: P) -> None:
         """Leave the seat; the sticks go to the page longest here."""
         del self._numbers[page]
+        self._names.pop(page, None)
         if self.asking == page:
             self._asked = None
         if self.flier == page:
@@ -76,7 +105,7 @@ class Seats(Generic[P]):
         if page == self.flier:
             raise CommandError("you fly: there is nobody to ask for the sticks")
         if self.asking not in (None, page):
-            raise CommandError(f"page {self.number(self.who_asks())} has asked for the sticks already")
+            raise CommandError(f"{self.called(self.who_asks())} has asked for the sticks already")
         self._asked = Asked(page, self._clock() + ANSWER_WITHIN)
 
     def answer(self, gives: bool) -> None:

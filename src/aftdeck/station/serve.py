@@ -14,6 +14,7 @@ from starlette.applications import Starlette
 from aftdeck.errors import AftdeckError
 from aftdeck.law import compiled_before
 from aftdeck.recording.live import Live
+from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.station.app import STATIC, make_app
 from aftdeck.station.protocol import MAX_MESSAGE_BYTES
@@ -35,6 +36,7 @@ def serve(
     open_browser: bool,
     demo: bool,
     record: Path | None = None,
+    trial: Trial = NO_TRIAL,
     viewers: int | None = None,
 ) -> None:
     """Serve a flight until interrupted; prints the page's address first.
@@ -47,6 +49,7 @@ def serve(
         open_browser: open the page.
         demo: let the script fly until a stick moves.
         record: folder to record each flight into.
+        trial: who takes part, and under which condition: each recording says so, and nothing else.
         viewers: port at which Foxglove may attach; None: it may not.
 
     Raises:
@@ -63,7 +66,7 @@ def serve(
     live = None if viewers is None else Live(viewers)
     if live is not None:
         print(f"Foxglove attaches at {live.address}", flush=True)
-    session = Session(scenario, seed, demo=demo, record=record, live=live)
+    session = Session(scenario, seed, demo=demo, record=record, trial=trial, live=live)
     run_server(make_server(make_app(session, host)), listener, address if open_browser else None)
     if live is not None:
         live.close()

@@ -19,6 +19,7 @@ from aftdeck.errors import CommandError
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
 from aftdeck.recording.tape import Tape
+from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
@@ -102,6 +103,7 @@ class Session:
         *,
         demo: bool = False,
         record: Path | None = None,
+        trial: Trial = NO_TRIAL,
         live: Live | None = None,
     ) -> None:
         self.phase = Phase.READY
@@ -116,8 +118,8 @@ class Session:
         self.recent = RecentFlight(scenario)
         self._translator.frame(Simulation(scenario, seed).step(Inputs()), -1)  # its own laws too
         self._lock = threading.Lock()
-        self._record, self._live = record, live
-        self._tape = Tape(record, Index(), live)
+        self._record, self._trial, self._live = record, trial, live
+        self._tape = Tape(record, Index(), live, trial)
         self._latency_ms: float | None = None
         self._look_s = LOOK_S
         self._ahead: wire.Ahead | None = None
@@ -131,6 +133,7 @@ class Session:
         self._camera, self._camera_heard = STILL, 0.0
         self._commands: deque[wire.FromPage] = deque()
         self._sticks = HANDS_OFF
+        self._under_way = self._none_under_way()
         self._heard = self._left_until = 0.0
         self._left = self._handed = ""
         self._log: list[Event] = []
@@ -143,7 +146,9 @@ class Session:
 
     def another(self, scenario: Scenario) -> Session:
         """A session as this one was asked for, of another scenario; its recording goes into the same folder."""
-        return Session(scenario, self._seed, demo=self._start_demo, record=self._record, live=self._live)
+        return Session(
+            scenario, self._seed, demo=self._start_demo, record=self._record, trial=self._trial, live=self._live
+        )
 
     def start(self, told: Callable[[], None]) -> None:
         """Begin to fly; `told` is called from the simulation's thread after each step."""
@@ -238,6 +243,7 @@ class Session:
             self._sticks, self._camera = HANDS_OFF, STILL
             self._commands.clear()
             self._left = cause
+            self._under_way = self._none_under_way()  # whoever comes numbers its sticks anew
             self._controllers = NO_CONTROLLERS
         self._latency_ms, self._monitors = None, ()
 
@@ -253,6 +259,7 @@ class Session:
             self._sticks, self._camera = HANDS_OFF, STILL
             self._commands.clear()
             self._left, self._handed = "handed over", text
+            self._under_way = self._none_under_way()
             self._controllers = NO_CONTROLLERS
         self._latency_ms = None
 
@@ -320,7 +327,7 @@ class Session:
                 self._sticks = msgspec.structs.replace(HANDS_OFF, seq=self._sticks.seq)
                 self._left = self._left or "sticks silent"
                 self._left_until = now + self.scenario.delay * self.scenario.control_period + SILENCE
-            sticks = self._sticks
+            sticks, way = self._sticks, self._under_way
             camera = self._camera if time.monotonic() - self._camera_heard <= SILENCE else STILL
             message = self._commands.popleft() if self._commands else None
             left, handed, self._left, self._handed = self._left, self._handed, "", ""
@@ -340,6 +347,7 @@ class Session:
             self._demo = False
             self._note("hand", "you have the sticks")
         inputs = None if self._demo else self._inputs(sticks, message)
+        flown = -1 if inputs is None else _arriving(way, sticks.seq)
         if handed:
             self._note("hand-over", handed)
         if inputs is not None and left:
@@ -357,10 +365,16 @@ class Session:
         if frame.tick % LOOK_EVERY == 1:
             self._axis = _deflected(frame) or self._axis
             self._ahead = self._translator.ahead(self._sim.ahead(self._look_s, self._axis), frame)
-        shown = self._translator.frame(frame, sticks.seq, self._tape.running_s, self._ahead, self._lighting_kept)
+        shown = self._translator.frame(
+            frame, sticks.seq, self._tape.running_s, self._ahead, self._lighting_kept, flown_seq=flown
+        )
         self.recent.add(frame, shown.lamps, self._latency_ms, self._monitors)
         self._newest = _encoder.encode(shown)
         self._note_all(frame)
+
+    def _none_under_way(self) -> deque[int]:
+        """Numbers of the sticks that the command delay holds back, as the simulation does their inputs: nobody's."""
+        return deque([-1] * self.scenario.delay)
 
     def _keep_light(self, time_s: float) -> None:
         """Take over what was said of the light, with this step."""
@@ -419,6 +433,7 @@ class Session:
         self._sim = Simulation(self.scenario, self._seed)
         self.recent = RecentFlight(self.scenario)
         self._demo = self._start_demo
+        self._under_way = self._none_under_way()
         self._ahead = self._axis = None
         self._monitors_kept = ()
         self._lighting, self._lighting_kept = self.scenario.lighting, None
@@ -445,6 +460,12 @@ def _deflected(frame: SimFrame) -> Axis | None:
     if axes[most] == 0.0:
         return None
     return most, 1 if axes[most] > 0.0 else -1
+
+
+def _arriving(way: deque[int], number: int) -> int:
+    """Number of the sticks that arrive as these are taken."""
+    way.append(number)
+    return way.popleft()
 
 
 def _travel(sticks: wire.Sticks) -> tuple[float, ...]:

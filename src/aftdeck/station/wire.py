@@ -129,6 +129,7 @@ class Translator:
         recording_s: float | None = None,
         ahead: wire.Ahead | None = None,
         lighting: Lighting | None = None,
+        flown_seq: int = -1,
     ) -> wire.Frame:
         """A frame of the simulation as the page takes it; the light is the scenario's, where none is given."""
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
@@ -138,6 +139,7 @@ class Translator:
             tick=frame.tick,
             time_s=frame.time_s,
             stick_seq=stick_seq,
+            flown_seq=flown_seq,
             recording_s=recording_s,
             phase=frame.phase,
             by=frame.by,

@@ -83,7 +83,7 @@ export class Keyboard {
       if (action?.name === 'enter' && isControl(event.target)) return;
     }
     if (action) {
-      event.preventDefault();
+      if (!takesSpaces(event.target)) event.preventDefault();
       if (!event.repeat) this.listener.acted(action);
     } else if (does) {
       event.preventDefault();
@@ -118,6 +118,11 @@ function useOf(code: string): Use | undefined {
 /** Fields that take letters; a slider or a box to tick takes none. */
 export function isTyping(target: EventTarget | null): target is HTMLInputElement {
   return target instanceof HTMLInputElement && !/^(?:range|checkbox|radio|button)$/.test(target.type);
+}
+
+/** A field for words, in which Space is typed, too. */
+function takesSpaces(target: EventTarget | null): boolean {
+  return isTyping(target) && target.inputMode === 'text';
 }
 
 /** A slider or a list in focus has its arrows to itself. */

@@ -17,7 +17,7 @@ const CONCERNS: Readonly<Record<string, Concern>> = {
   'RATE LIM': { kinds: [], elements: '.joints tr.limited', group: '.limits' },
   DERIGIDIZE: { kinds: EFFECTOR, elements: '.flags', group: '.effector' },
   RELEASE: { kinds: EFFECTOR, elements: '.flags', group: '.effector' },
-  'LINK DELAY': { kinds: [], elements: '.rail .delay', group: '.events' },
+  'LINK DELAY': { kinds: [], elements: '.rail .delay:not(.absent)', group: '.events' },
   CAMERA: { kinds: [], elements: '.monitor', group: '.events' },
   CLEARANCE: { kinds: ['clearance', 'contact', 'inhibit'], elements: '.clearance .lit', group: '.clearance' },
   CONTROLLER: { kinds: [], elements: '.standing .device', group: '.rhc' },

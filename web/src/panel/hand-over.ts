@@ -2,6 +2,7 @@
 
 import type { Role } from '../protocol';
 import type { Command } from '../socket';
+import { called, calledFirst } from './called';
 import { button, el, setText } from './dom';
 
 /** What the other is called is seen beside one's own name this long [ms]. */
@@ -28,23 +29,31 @@ export function handOver(send: (command: Command) => void): HandOver {
   const ask = button({ title: 'Asks the page that flies to give you its sticks', hidden: '' }, ['Ask'], () =>
     send({ type: 'ask_sticks' }),
   );
-  let before = 0;
-  let given = { from: 0, at: Number.NEGATIVE_INFINITY };
+  let before = { flier: 0, first: '' };
+  let given = { from: '', at: Number.NEGATIVE_INFINITY };
   return {
     question,
     ask,
     words(role, now) {
-      const { flying, flier, number, asking, watchers } = role;
-      if (before !== 0 && flier !== before) given = { from: before, at: now };
-      before = flier;
+      const { flying, flier, number, asking } = role;
+      if (before.flier !== 0 && flier !== before.flier) given = { from: before.first, at: now };
+      before = { flier, first: calledFirst(role, flier) };
       if (question.hidden === (flying && asking !== 0)) question.hidden = !question.hidden;
-      setText(asked, asking === 0 ? '' : `Page ${asking} asks for the sticks.`);
+      setText(asked, asking === 0 ? '' : `${calledFirst(role, asking)} asks for the sticks.`);
       if (ask.hidden !== flying) ask.hidden = flying;
       ask.disabled = asking !== 0;
       setText(ask, asking === number ? 'Asked' : 'Ask for the sticks');
-      if (now - given.at < SEEN_MS) return `Page ${given.from} ▸ page ${flier}`;
-      if (!flying) return `You watch · page ${flier} flies`;
-      return watchers === 0 ? 'You fly' : `You fly · ${watchers} watch${watchers === 1 ? 'es' : ''}`;
+      if (now - given.at < SEEN_MS) return `${given.from} ▸ ${called(role, flier)}`;
+      if (!flying) return `You watch · ${called(role, flier)} flies`;
+      const watching = watched(role);
+      return watching === '' ? 'You fly' : `You fly · ${watching}`;
     },
   };
+}
+
+/** Who watches the one who flies: one by the name, more by their count. */
+function watched({ watchers, number, names }: Role): string {
+  if (watchers === 0) return '';
+  const other = names.find((each) => each.number !== number);
+  return watchers === 1 ? `${other?.name ?? 1} watches` : `${watchers} watch`;
 }

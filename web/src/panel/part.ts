@@ -14,8 +14,8 @@ export interface View {
   readonly hand: Deflection;
   /** What is told of the devices that move them. */
   readonly controllers: ControllersShown;
-  /** The number of the page that flies. */
-  readonly flier: number;
+  /** What the page that flies is called, at the beginning of a sentence; empty in a replay. */
+  readonly flier: string;
   /** This page holds the sticks. */
   readonly flying: boolean;
   /** This page's THC flies the orbiter. */

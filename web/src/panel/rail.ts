@@ -8,6 +8,8 @@ import { TASKS } from './cargo';
 import { button, el, setClass, setPressed, setText } from './dom';
 import { initialise } from './initialise';
 import type { LightControl } from './light';
+import { delayWords, differs } from './link';
+import type { Naming } from './naming';
 import type { Desk, View } from './part';
 import type { ScenarioChoice } from './scenarios';
 import { sound } from './sound';
@@ -29,13 +31,22 @@ export interface RailParts {
   readonly light: LightControl;
   readonly appearance: Appearance;
   readonly scenarios: ScenarioChoice;
+  readonly naming: Naming;
   /** Who watches asks for the sticks. */
   readonly ask: HTMLElement;
 }
 
+/** What the page measures of the last 10 s; null: no stick moved. */
+export interface Measured {
+  /** Stick to picture, 95th percentile [ms]. */
+  readonly picture: number | null;
+  /** From a stick to the frame that has flown it, the middle [s]. */
+  readonly command: number | null;
+}
+
 export interface Rail {
   readonly element: HTMLElement;
-  values(view: View, latency95: number | null, who: string, link: LinkState): void;
+  values(view: View, measured: Measured, who: string, link: LinkState): void;
   /** Closes what is open. */
   close(): void;
 }
@@ -43,7 +54,7 @@ export interface Rail {
 export function rail(
   desk: Desk,
   software: boolean,
-  { tones, light, ask, appearance, scenarios }: RailParts,
+  { tones, light, ask, appearance, scenarios, naming }: RailParts,
   listener: RailListener,
 ): Rail {
   const { welcome } = desk;
@@ -58,12 +69,10 @@ export function rail(
   const met = el('b');
   const rec = el('b');
   const recording = el('span', { class: 'rec', title: 'This flight is recorded' }, 'REC ', rec);
-  const who = el('span', { class: 'who', role: 'status' });
   const units = button({ title: 'Units of the read-outs' }, [], () => listener.units());
   const dim = button({ title: DIM }, ['Dim'], () => appearance.set({ night: !appearance.night }));
-  const delay = welcome.command_delay_s;
-  const delays =
-    delay > 0 ? [el('span', { class: 'delay' }, 'Command delay ', el('b', {}, `${delay.toFixed(2)} s`))] : [];
+  const [delayed, takes] = [el('span'), el('b')];
+  const delay = el('span', { class: 'delay', title: DELAY }, delayed, takes);
   const element = el(
     'header',
     { class: 'rail' },
@@ -72,11 +81,10 @@ export function rail(
     el('ol', { class: 'phases', 'aria-label': 'Phases' }, ...phases),
     el('span', { class: 'space' }),
     ...(software ? [el('span', { class: 'note', title: SOFTWARE }, 'Low detail')] : []),
-    el('span', { class: 'lag' }, 'Stick to picture ', lag),
-    ...delays,
+    el('span', { class: 'times' }, el('span', { class: 'lag' }, 'Stick to picture ', lag), delay),
     recording,
     el('span', { class: 'met' }, 'MET ', met),
-    who,
+    naming.element,
     ask,
     heard.element,
     el(
@@ -98,7 +106,7 @@ export function rail(
   );
   return {
     element,
-    values({ frame, flying, units: shown }, latency95, said, link) {
+    values({ frame, flying, units: shown }, { picture, command }, said, link) {
       light.values(frame);
       scenarios.values(frame);
       const at = scripted ? welcome.phases.indexOf(frame.phase) : frame.work.task - 1;
@@ -106,8 +114,14 @@ export function rail(
         setClass(phase, 'done', scripted && at >= 0 && i < at);
         setClass(phase, 'present', i === at);
       });
-      setText(lag, latency95 === null ? '–' : `${Math.round(latency95)} ms`);
-      setClass(lag, 'caution', latency95 !== null && latency95 > SLOW_MS);
+      setText(lag, picture === null ? '–' : `${Math.round(picture)} ms`);
+      setClass(lag, 'caution', picture !== null && picture > SLOW_MS);
+      const set = welcome.command_delay_s;
+      const words = delayWords(set, command);
+      setText(delayed, differs(set, command) ? 'Delay ' : 'Command delay ');
+      setClass(element, 'late', differs(set, command));
+      setText(takes, words);
+      setClass(delay, 'absent', words === '');
       setText(met, missionTime(frame.time_s));
       setClass(recording, 'absent', frame.recording_s === null);
       setText(rec, clock(frame.recording_s ?? 0));
@@ -115,17 +129,20 @@ export function rail(
       setPressed(dim, appearance.night);
       setText(units, shown.name === 'SI' ? 'SI' : 'ft · in');
       const lost = link.kind === 'lost';
-      setText(who, lost ? `No connection, try ${link.attempt}` : said);
-      setClass(who, 'lost', lost);
-      setClass(who, 'flying', flying && !lost);
+      naming.say(lost ? `No connection, try ${link.attempt}` : said);
+      setClass(naming.key, 'lost', lost);
+      setClass(naming.key, 'flying', flying && !lost);
     },
     close() {
       parts.close();
       light.close();
       scenarios.close();
+      naming.close();
     },
   };
 }
 
 const SOFTWARE = 'This browser draws without a graphics card; add ?quality=full to the address to insist.';
+const DELAY =
+  'From a stick to the frame that has flown it: as the scenario sets it, and as it took in the last 10 s where that differs';
 const DIM = 'For a dark room: the page at 55 % of its lightness, pictures at 75 %';

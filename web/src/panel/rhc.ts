@@ -67,10 +67,10 @@ export function rhc(): Part {
       tilt.set(own ? (hand[YAW] ?? 0) : yaw, own ? (hand[PITCH] ?? 0) : pitch);
       turn(roll, own ? (hand[ROLL] ?? 0) : rollNow);
     },
-    values({ frame, flying, controllers }) {
+    values({ frame, flying, flier, controllers }) {
       lost.set(element, controllers, 'rhc');
       const [rollNow, pitch, yaw] = frame.rotation;
-      setHand(element, 'right hand', frame, flying);
+      setHand(element, 'right hand', { frame, flying, flier });
       numbers.set([pitch, yaw, rollNow]);
       setClass(element, 'holding', frame.rate_hold);
     },

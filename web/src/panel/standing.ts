@@ -64,7 +64,7 @@ export function standing(desk: Desk): Standing {
     values({ frame, flying, flier, controllers }) {
       const lost = controllers.gone.thc ?? controllers.gone.rhc;
       const moved = frame.by === 'script' ? 'Move a stick to take over' : controllers.words;
-      const words = !flying ? `Page ${flier} flies` : lost === null ? moved : `✕ ${lost} is gone`;
+      const words = !flying ? flown(flier) : lost === null ? moved : `✕ ${lost} is gone`;
       setText(device, words);
       setAttribute(device, 'title', words);
       setClass(device, 'lost', flying && lost !== null);
@@ -82,3 +82,6 @@ export function standing(desk: Desk): Standing {
     },
   };
 }
+
+/** By whom; a recording does not tell. */
+const flown = (flier: string) => (flier === '' ? '' : `${flier} flies`);

@@ -6,8 +6,8 @@
 import { fixed } from '../format';
 import type { ControllersShown } from '../input/controllers';
 import type { Hand } from '../input/deflection';
-import type { Frame } from '../protocol';
 import { el, setAbout, setAttribute, setClass, setText, svg } from './dom';
+import type { View } from './part';
 
 const REACH = 40;
 
@@ -84,6 +84,10 @@ export function triple(letters: readonly [string, string, string]): {
 }
 
 /** The group's title says whose hand the sticks are in. */
-export function setHand(section: HTMLElement, hand: string, frame: Frame, flying: boolean): void {
-  setAbout(section, frame.by === 'script' ? 'script flies' : flying ? hand : 'you watch');
+export function setHand(
+  section: HTMLElement,
+  hand: string,
+  { frame, flying, flier }: Pick<View, 'frame' | 'flying' | 'flier'>,
+): void {
+  setAbout(section, frame.by === 'script' ? 'script flies' : flying ? hand : flier);
 }

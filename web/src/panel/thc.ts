@@ -83,7 +83,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
       plane.set(own ? (hand[Y] ?? 0) : y, own ? (hand[X] ?? 0) : x + frame.drive);
       height.set(0, own ? -(hand[Z] ?? 0) : -z);
     },
-    values({ frame, flying, hand, orbiting, units, controllers }) {
+    values({ frame, flying, flier, hand, orbiting, units, controllers }) {
       device.set(element, controllers, 'thc');
       const mode = desk.welcome.modes.find((each) => each.position === frame.mode);
       const driving = mode?.kind === 'single' && !orbiting;
@@ -93,7 +93,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
       setText(lift, driving ? '' : opposite(z));
       setText(drop, driving ? '' : z);
       setClass(element, 'driving', driving);
-      setHand(element, orbiting ? 'flies the orbiter' : 'left hand', frame, flying);
+      setHand(element, orbiting ? 'flies the orbiter' : 'left hand', { frame, flying, flier });
       setClass(element, 'orbiting', orbiting);
       setPressed(arm, !orbiting);
       setPressed(orbiter, orbiting);

@@ -18,6 +18,9 @@ export function replayRail(index: PlaybackIndex, changeUnits: () => void): Repla
   const units = button({ title: 'Units of the read-outs' }, [], changeUnits);
   const fact = (name: string, value: string | HTMLElement, title = '') =>
     el('span', { class: 'fact', title }, `${name} `, typeof value === 'string' ? el('b', {}, value) : value);
+  /** Words of any length, cut off where the rail has no room, told whole as the pointer rests on them. */
+  const words = (name: string, text: string) =>
+    text === '' ? [] : [el('span', { class: 'fact words', title: text }, `${name} `, el('b', {}, text))];
   const note = (text: string, title: string, kind = 'note') => el('span', { class: kind, title }, text);
   const notes: HTMLElement[] = [];
   if (!index.ended) notes.push(note('Cut short', CUT, 'note caution'));
@@ -32,6 +35,8 @@ export function replayRail(index: PlaybackIndex, changeUnits: () => void): Repla
     el('span', { class: 'scenario', title: index.welcome.text }, index.welcome.title),
     el('span', { class: 'space' }),
     ...notes,
+    ...words('Participant', index.participant),
+    ...words('Condition', index.condition),
     fact('Recorded', began(index.began), `Aftdeck ${index.version}, seed ${index.seed}`),
     fact('Recomputed', verdict, 'Whether its inputs, flown anew, give the same frames.'),
     units,

@@ -1,0 +1,74 @@
+"""Names of people in place of pages' numbers: in the rail, on the sticks, where sticks are handed over."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.browser.conftest import OpenPage
+from tests.browser.flight import NAMING, TYPING, WHO, Flight
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+HANDS = "['thc', 'rhc'].map((hand) => document.querySelector(`.${hand} h2 .about`).textContent).join()"
+
+
+def test_a_name_stands_where_the_pages_number_stood(flight: Flight, open_page: OpenPage) -> None:
+    watcher = open_page()
+    watcher.until(f"{WHO} === 'You watch · page 1 flies'")
+    flight.give_name("Wanda Berg")
+    watcher.until(f"{WHO} === 'You watch · Wanda Berg flies'")
+    watcher.until(f"{HANDS} === 'Wanda Berg,Wanda Berg'")
+    assert watcher.page.locator(".standing .device").inner_text() == "Wanda Berg flies"
+    flight.until(f"!({NAMING}) && !{TYPING}")
+    assert flight.frame().translation == (0, 0, 0), "letters that are typed do not fly"
+    flight.hold("w")
+    flight.until("frame.translation[0] === 1")
+    flight.release("w")
+    watcher.give_name("Ben")
+    flight.until(f"{WHO} === 'You fly · Ben watches'")
+    watcher.page.get_by_role("button", name="Ask for the sticks").click()
+    flight.page.get_by_text("Ben asks for the sticks.").wait_for()
+    with watcher.shows(f"{WHO} === 'Wanda Berg ▸ Ben'"):
+        flight.page.get_by_role("button", name="Give").click()
+    flight.until(f"{WHO} === 'You watch · Ben flies'")
+    for page in (flight, watcher):
+        page.until_logged("Wanda Berg gives the sticks to Ben")
+
+
+def test_the_browser_keeps_the_name_until_it_is_taken_away(flight: Flight, open_page: OpenPage) -> None:
+    other = open_page()
+    flight.give_name("Anna")
+    other.until(f"{WHO} === 'You watch · Anna flies'")
+    flight.page.reload()
+    other.until(f"{WHO} === 'You fly · Anna watches'")
+    flight.until(f"{WHO} === 'You watch · page 2 flies'")
+    flight.page.locator(".rail .who").click()
+    flight.press("Delete", "Enter")  # it stands there, marked
+    other.until(f"{WHO} === 'You fly · 1 watches'")
+    flight.page.reload()
+    flight.until(f"{WHO} === 'You watch · page 2 flies'")
+    other.until(f"{WHO} === 'You fly · 1 watches'")
+
+
+def test_what_is_no_name_is_refused_beside_the_field_and_escape_leaves_it(flight: Flight) -> None:
+    flight.give_name(" Anna")
+    wrong = flight.page.locator(".naming .wrong")
+    wrong.get_by_text("a name begins and ends without a space").wait_for()
+    assert flight.script(NAMING) and flight.script(TYPING)
+    flight.press("Escape")
+    flight.until(f"!({NAMING}) && !{TYPING} && {WHO} === 'You fly'")
+    flight.page.locator(".rail .who").click()
+    assert wrong.inner_text() == "" and flight.page.get_by_label("Your name").get_by_role("textbox").input_value() == ""
+
+
+def test_space_stops_while_a_name_is_typed_too(flight: Flight) -> None:
+    flight.hold("w")
+    flight.until("frame.translation[0] === 1")
+    flight.press("h")
+    flight.until("frame.rate_hold")
+    flight.release("w")
+    flight.give_name("A B")
+    flight.until("!frame.rate_hold")
+    flight.until(f"!({NAMING})")
+    flight.page.locator(".rail .who").click()
+    assert flight.page.get_by_label("Your name").get_by_role("textbox").input_value() == "A B"
