@@ -27,12 +27,14 @@ export class Link {
   private welcomed = false;
   private refused = false;
   private attempt = 0;
+  /** What the station knows of `shows`. */
+  private toldShows = false;
 
   constructor(
     private readonly url: string,
     private readonly listener: LinkListener,
-    /** A second window, which never flies. */
-    private readonly shows = false,
+    /** The page is nobody's hands now: a second window, or too narrow to fly from. */
+    private readonly shows: () => boolean,
   ) {
     listener.state({ kind: 'connecting' });
     this.socket = this.connect();
@@ -45,10 +47,22 @@ export class Link {
     return this.seq;
   }
 
+  /** Tells whether the page has hands, where that has changed. */
+  reseat(): void {
+    const shows = this.shows();
+    if (!this.welcomed || shows === this.toldShows) return;
+    this.toldShows = shows;
+    this.send({ type: shows ? 'leave_seat' : 'take_seat' });
+  }
+
   private connect(): WebSocket {
     const socket = new WebSocket(this.url);
-    socket.onopen = () =>
-      socket.send(JSON.stringify({ type: 'hello', protocol: PROTOCOL, shows: this.shows } satisfies Hello));
+    socket.onopen = () => {
+      this.toldShows = this.shows();
+      socket.send(
+        JSON.stringify({ type: 'hello', protocol: PROTOCOL, shows: this.toldShows } satisfies Hello),
+      );
+    };
     socket.onmessage = (event) => this.receive(event.data);
     socket.onclose = (event) => this.closed(event.reason);
     return socket;
@@ -73,6 +87,7 @@ export class Link {
       this.welcomed = true;
       this.attempt = 0;
       this.listener.state({ kind: 'open' });
+      this.reseat();
     } else if (message.type === 'refused' && !this.welcomed) {
       this.refuse(message.text);
       return;

@@ -36,6 +36,7 @@ import type { Command, LinkState } from './socket';
 import { Tones } from './tones';
 import { Tutorial } from './tutorial';
 import { type UnitName, unitsOf } from './units';
+import { TOO_NARROW_WORDS } from './width';
 import { tearOff, Windows } from './windows';
 
 /** Figures and legends change this often [ms]. */
@@ -75,6 +76,7 @@ export class Station {
   private toldOf = '';
   private role: Role = { type: 'role', flying: false, watchers: 0, number: 0, flier: 0, asking: 0 };
   private link: LinkState = { kind: 'open' };
+  private tooNarrow = false;
   private units: UnitName;
   private refusal: { readonly text: string; readonly at: number } | null = null;
   private request = 0;
@@ -196,6 +198,7 @@ export class Station {
       el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.groups.elements, this.tutorial.element),
       this.pictures.matrix.strip,
       this.rail.element,
+      el('p', { class: 'too-narrow', role: 'status' }, TOO_NARROW_WORDS),
       this.touch.element,
       this.swap.element,
       this.handOver.question,
@@ -240,6 +243,14 @@ export class Station {
     this.scenarios.set(told);
   }
 
+  /** Where the window is too narrow, the page watches only. */
+  setTooNarrow(tooNarrow: boolean): void {
+    this.tooNarrow = tooNarrow;
+    this.told = '';
+    this.operator.zero();
+    this.takeRole();
+  }
+
   setLink(link: LinkState): void {
     this.link = link;
     this.told = '';
@@ -281,7 +292,7 @@ export class Station {
 
   /** The sticks are this page's only while it flies what is flown. */
   private takeRole(): void {
-    this.operator.flying = this.role.flying && this.link.kind === 'open' && !this.leaving;
+    this.operator.flying = this.role.flying && this.link.kind === 'open' && !this.leaving && !this.tooNarrow;
   }
 
   private tick(): void {

@@ -93,20 +93,29 @@ class Pages:
         self.session.close()
 
     def come(self, page: Page) -> None:
-        """Take a page on: with hands it has a seat, a second window has none."""
+        """Take a page on: with hands it has a seat, one that only shows has none."""
         if page.shows:
             self.windows.add(page)
         else:
             self.seats.come(page)
 
-    def leave(self, page: Page) -> None:
-        """Take a page off; the sticks go to zero if it flew."""
+    def leave(self, page: Page, cause: str = "page gone") -> None:
+        """Take a page off, for one of `unattended.CAUSES`; the sticks go to zero if it flew."""
         if page.shows:
             self.windows.remove(page)
             return
         if page is self.seats.flier:
-            self.session.let_go()
+            self.session.let_go(cause)
         self.seats.leave(page)
+
+    def reseat(self, page: Page, *, seated: bool) -> None:
+        """A page has become wide enough to have hands, or too narrow for it."""
+        if seated is not page.shows:
+            return  # it is so already
+        self.leave(page, "page narrow")
+        page.shows = not seated
+        self.come(page)
+        self.wake()
 
     def role(self, page: Page) -> wire.Role:
         """What a page is told of who flies."""
@@ -234,6 +243,8 @@ class Page:
                 message.seq, f"message {message.seq} came after message {self.seq}; it was not taken"
             )
         self.seq = message.seq
+        if isinstance(message, wire.LeaveSeat | wire.TakeSeat):
+            return self.pages.reseat(self, seated=isinstance(message, wire.TakeSeat))
         if isinstance(message, wire.AskSticks) and not self.shows:
             try:
                 return self.pages.ask(self)

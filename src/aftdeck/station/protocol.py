@@ -52,7 +52,7 @@ class Hello(_Message, frozen=True, tag="hello"):
 
     protocol: int
     shows: bool = False
-    """A second window: it shows the flight, is nobody's hands, and never flies."""
+    """A second window, or a page too narrow to fly from: it shows the flight and is nobody's hands (`TakeSeat`)."""
 
 
 class Sticks(_Message, frozen=True, tag="sticks"):
@@ -150,6 +150,18 @@ class GiveSticks(_Message, frozen=True, tag="give_sticks"):
 
 class KeepSticks(_Message, frozen=True, tag="keep_sticks"):
     """Keep the sticks; the page that asks is told."""
+
+    seq: Seq
+
+
+class LeaveSeat(_Message, frozen=True, tag="leave_seat"):
+    """The page has become too narrow to fly from: it shows the flight from now on, and the next page flies."""
+
+    seq: Seq
+
+
+class TakeSeat(_Message, frozen=True, tag="take_seat"):
+    """The page is wide enough to fly from again: it flies if nobody else does, and else watches."""
 
     seq: Seq
 
@@ -323,6 +335,8 @@ FromPage = (
     | AskSticks
     | GiveSticks
     | KeepSticks
+    | LeaveSeat
+    | TakeSeat
     | HandsOff
     | LookAhead
     | SetBrakes

@@ -39,11 +39,12 @@ export function handOver(send: (command: Command) => void): HandOver {
       before = flier;
       if (question.hidden === (flying && asking !== 0)) question.hidden = !question.hidden;
       setText(asked, asking === 0 ? '' : `Page ${asking} asks for the sticks.`);
-      if (ask.hidden !== flying) ask.hidden = flying;
+      const asks = !flying && number !== 0; // a page without hands asks for none
+      if (ask.hidden === asks) ask.hidden = !asks;
       ask.disabled = asking !== 0;
       setText(ask, asking === number ? 'Asked' : 'Ask for the sticks');
       if (now - given.at < SEEN_MS) return `Page ${given.from} ▸ page ${flier}`;
-      if (!flying) return `You watch · page ${flier} flies`;
+      if (!flying) return flier === 0 ? 'You watch · nobody flies' : `You watch · page ${flier} flies`;
       return watchers === 0 ? 'You fly' : `You fly · ${watchers} watch${watchers === 1 ? 'es' : ''}`;
     },
   };

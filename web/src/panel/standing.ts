@@ -64,7 +64,8 @@ export function standing(desk: Desk): Standing {
     values({ frame, flying, flier, controllers }) {
       const lost = controllers.gone.thc ?? controllers.gone.rhc;
       const moved = frame.by === 'script' ? 'Move a stick to take over' : controllers.words;
-      const words = !flying ? `Page ${flier} flies` : lost === null ? moved : `✕ ${lost} is gone`;
+      const watched = flier === 0 ? 'Nobody flies' : `Page ${flier} flies`;
+      const words = !flying ? watched : lost === null ? moved : `✕ ${lost} is gone`;
       setText(device, words);
       setAttribute(device, 'title', words);
       setClass(device, 'lost', flying && lost !== null);
