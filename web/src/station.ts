@@ -407,6 +407,7 @@ export class Station {
     if (link) lamps.push(link);
     if (age > STALE_S)
       lamps.push({ name: 'CAMERA', level: 'caution', text: `pictures ${age.toFixed(0)} s old` });
+    if (this.tooNarrow) return lamps;
     const { lost, waiting } = this.operator.controllers;
     const text = lost[0]
       ? `${lost[0].short.slice(0, LAMP_NAME)} is gone`

@@ -5,8 +5,7 @@ const INSET = '(width < 1100px)';
 /** The arm is watched, not flown. */
 const TOO_NARROW = '(width < 720px)';
 
-export const TOO_NARROW_WORDS =
-  'Watching only: narrower than 720 px. Widen the window or turn the screen to fly.';
+export const TOO_NARROW_WORDS = 'Watching only: too narrow to fly from. Widen the window or turn the screen.';
 
 export const inset = () => matchMedia(INSET).matches;
 
