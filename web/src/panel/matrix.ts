@@ -56,7 +56,7 @@ export class Matrix {
       ...this.parts.map(({ tile }) => tile),
     );
     const across = Math.max(ACROSS, Math.ceil(cameras.length / DOWN));
-    setAttribute(this.element, 'style', `grid-template-columns: repeat(${across}, minmax(0, 1fr))`);
+    setAttribute(this.element, 'style', `--across: ${across}`);
     const views = group('views', 'Views', this.views);
     if (tearOff) {
       const off = button(
