@@ -19,8 +19,8 @@ ENDS = [(1099, 800), (720, 1024)]
 PHONE = (390, 844)
 TABLET = (768, 1024)
 
-GROUPS = "thc rhc mode resolution joints clearance effector look-ahead events singularity".split()
-RAIL_KEYS = "Restart Light Dim Tutorial Controllers".split()
+GROUPS = ["thc", "rhc", "mode", "resolution", "joints", "clearance", "effector", "look-ahead", "events", "singularity"]
+RAIL_KEYS = ["Restart", "Light", "Dim", "Tutorial", "Controllers"]
 FLIES = "document.querySelector('.who').textContent.startsWith('You fly')"
 WATCHES = "document.querySelector('.who').textContent.startsWith('You watch')"
 SAYS_SO = "document.querySelector('.too-narrow').checkVisibility()"
@@ -38,7 +38,8 @@ COVERED = """() => {
     const [host, inset] = [first.querySelector('.bezel'), second.querySelector('.bezel')];
     const [p, q] = [box(inset), box(host)];
     const found = [];
-    if (p.left < q.left || p.top < q.top || p.right > q.right || p.bottom > q.bottom) found.push('the inset leaves MON 1');
+    if (p.left < q.left || p.top < q.top || p.right > q.right || p.bottom > q.bottom)
+        found.push('the inset leaves MON 1');
     if (p.width * p.height < 0.15 * q.width * q.height) found.push('the inset is less than a quarter');
     for (const monitor of [first, second]) {
         const texts = [...monitor.querySelectorAll('.burned, .frame-axes, .round')]
