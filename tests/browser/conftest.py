@@ -45,6 +45,8 @@ PAD = """
 
 SIZES = [(1280, 720), (1440, 900), (1920, 1080)]
 """Windows that the page shall fit [px]."""
+NARROW = [(960, 900), (1024, 768), (768, 1024)]
+"""Narrow ones that are flown from: half a laptop's, an old screen, a tablet upright [px]."""
 
 OpenPage = Callable[..., Flight]
 

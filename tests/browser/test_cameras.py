@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.looks import assert_readable, assert_tidy
 
@@ -264,7 +264,7 @@ def test_all_cameras_stand_in_a_window_of_their_own(flight: Flight) -> None:
 
 
 def test_nothing_scrolls_overlaps_or_fades(flight: Flight) -> None:
-    for width, height in SIZES:
+    for width, height in [*SIZES, *NARROW]:
         flight.page.set_viewport_size({"width": width, "height": height})
         flight.until(f"innerWidth === {width} && innerHeight === {height}")
         for key in ("z", "c"):

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import aftdeck
-from tests.browser.conftest import SIZES, OpenPage, flown
+from tests.browser.conftest import NARROW, SIZES, OpenPage, flown
 from tests.browser.flight import WHO, Flight
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -62,7 +62,7 @@ def assert_whole(page: Flight) -> None:
     assert page.script(_CUT) == []
 
 
-@pytest.mark.parametrize(("width", "height"), SIZES)
+@pytest.mark.parametrize(("width", "height"), [*SIZES, *NARROW])
 def test_nothing_in_the_rail_leaves_the_page(open_page: OpenPage, width: int, height: int) -> None:
     pages = (open_page(width, height), open_page(width, height))  # one flies, one watches
     for page in pages:

@@ -11,7 +11,7 @@ from playwright.sync_api import Browser
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.trial import Trial
 from aftdeck.station.one_file import write_html
-from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.looks import assert_readable, assert_tidy
 from tests.station.recordings import playing, recorded
@@ -131,6 +131,22 @@ def test_the_rail_says_who_took_part_and_under_which_condition(replay: Flight) -
     for (name, text), fact in zip(TRIAL._asdict().items(), words.all(), strict=True):
         assert fact.inner_text().lower() == f"{name} {text}".lower()
         assert fact.get_attribute("title") == text, "it is told whole where the rail has no room"
+
+
+def test_a_narrow_window_has_room_for_the_run_and_for_the_desk_too(replay: Flight) -> None:
+    replay.press("End")
+    replay.until("frame.tick === 600")
+    for width, height in NARROW:
+        for change in ("size", "desk", "time"):
+            drawn = replay.script("window.__aftdeck.frames")
+            if change == "size":
+                replay.page.set_viewport_size({"width": width, "height": height})
+            else:
+                replay.press("d")
+            replay.until(f"innerWidth === {width} && window.__aftdeck.frames > {drawn}")
+            if change != "desk" or height > 768:  # lower, the desk scrolls
+                assert_tidy(replay)
+                assert_readable(replay)
 
 
 def test_the_html_file_plays_without_a_server_a_request_or_an_error(

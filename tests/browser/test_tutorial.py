@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from aftdeck.station.protocol import Frame
-from tests.browser.conftest import SIZES, OpenPage
+from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy
 
@@ -159,7 +159,7 @@ def test_another_mode_is_named_with_the_way_back(open_page: OpenPage) -> None:
     flight.until("frame.mode === 'END EFF' && !document.querySelector('.tutorial .elsewhere').checkVisibility()")
 
 
-@pytest.mark.parametrize(("width", "height"), SIZES)
+@pytest.mark.parametrize(("width", "height"), [*SIZES, *NARROW])
 @pytest.mark.parametrize("pad", [False, True])
 def test_each_step_covers_nothing_that_it_needs_and_can_be_read(
     open_page: OpenPage, width: int, height: int, pad: bool

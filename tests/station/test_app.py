@@ -114,6 +114,24 @@ def test_a_second_window_never_flies_and_is_no_watcher(station: Station) -> None
         assert window.refusal() == "you watch; another page flies"
 
 
+def test_a_page_too_narrow_leaves_its_seat_and_takes_it_again_behind_the_others(station: Station) -> None:
+    with station.page() as narrow, station.page() as other:
+        narrow.wait_for(wire.Role, lambda role: role.flying and role.watchers == 1)
+        narrow.push(translation=(1.0, 0.0, 0.0))
+        narrow.wait_for(wire.Frame, lambda frame: frame.translation[0] == 1.0)
+        narrow.say(wire.LeaveSeat(narrow.next_seq()))
+        assert narrow.wait_for(wire.Role, lambda role: not role.flying) == wire.Role(False, 0, 0, flier=2, asking=0)
+        assert narrow.wait_for(wire.Frame, lambda frame: frame.position_hold).translation == (0.0, 0.0, 0.0)
+        narrow.say(wire.AskSticks(narrow.next_seq()))
+        assert narrow.refusal() == "you watch; another page flies"
+        other.wait_for(wire.Role, lambda role: role.flying)
+        narrow.say(wire.TakeSeat(narrow.next_seq()))
+        assert narrow.wait_for(wire.Role, lambda role: role.number == 1).flier == 2, "whoever flies goes on"
+        other.say(wire.LeaveSeat(other.next_seq()))
+        narrow.wait_for(wire.Role, lambda role: role.flying)
+        assert narrow.flown(narrow.push((0.5, 0.0, 0.0))).translation == (0.5, 0.0, 0.0)
+
+
 # --- messages that are none -------------------------------------------------------------------------------
 
 

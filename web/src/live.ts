@@ -9,6 +9,7 @@ import type { FromServer, Role, Scenarios, Welcome } from './protocol';
 import type { Drawing } from './quality';
 import { Link, type LinkState } from './socket';
 import { Station } from './station';
+import { onTooNarrow, tooNarrow } from './width';
 import { tornHere } from './windows';
 
 export function fly(root: HTMLElement, drawing: Drawing): void {
@@ -35,6 +36,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
       return;
     }
     const own = new Station(root, message, drawing, (command) => link.send(command));
+    own.setTooNarrow(tooNarrow());
     if (role) own.setRole(role);
     if (scenarios) own.setScenarios(scenarios);
     station = own;
@@ -88,11 +90,14 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   }
 
   const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
-  const link = new Link(
-    `${scheme}://${location.host}/ws`,
-    { message, state },
-    { shows: torn !== null, strips: torn === 'strips' },
-  );
+  const link = new Link(`${scheme}://${location.host}/ws`, { message, state }, () => ({
+    shows: torn !== null || tooNarrow(),
+    strips: torn === 'strips',
+  }));
+  onTooNarrow(() => {
+    if (station instanceof Station) station.setTooNarrow(tooNarrow());
+    link.reseat();
+  });
   publish(drawing.renderer, () => ({
     frames: station?.drawn ?? 0,
     lastFrame: station?.shown.frame ?? null,

@@ -20,6 +20,8 @@ import './style/tutorial.css';
 import './style/replay.css';
 import './style/timeline.css';
 import './style/all-cameras.css';
+import './style/narrow.css';
+import './style/watching.css';
 import './style/night.css';
 import { present } from './assert';
 import { fly } from './live';

@@ -18,6 +18,7 @@ import type { Drawing } from './quality';
 import { type Rect, Scene, type View } from './scene';
 import type { DrawnBody } from './scene/bodies';
 import { pairWords, Survey } from './survey';
+import { inset } from './width';
 
 /** Colours of the gap's line, as `--caution` and `--ink`. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
@@ -284,11 +285,14 @@ export class Pictures {
     const panes = this.panes();
     const wiped = this.wipe(panes);
     const state = `${frame.tick} ${this.orbits} ${this.plane} ${this.appearance.early}`;
+    const look = ({ camera: { name } }: Pane) => `${name} ${this.scene.stops(name)}`;
+    // A picture that lies in another one is drawn whenever that is.
+    const looks = this.inset ? panes.map(look).join() : null;
     const due: (readonly [Pane, View])[] = [];
     let complete = true;
     panes.forEach((pane, i) => {
       const { name } = pane.camera;
-      const stamp = `${state} ${name} ${this.scene.stops(name)}`;
+      const stamp = `${state} ${looks ?? look(pane)}`;
       if (this.scene.metering(name)) complete = false;
       if (this.stamps.get(pane.element) === stamp && !wiped) return;
       if ((this.count + i) % pane.pace !== 0 && !wiped) {
@@ -349,6 +353,11 @@ export class Pictures {
     this.listener.changed?.();
   }
 
+  /** MON 2 lies in a corner of MON 1. */
+  private get inset(): boolean {
+    return inset() && !this.open && this.monitors.every(({ element }) => element.isConnected);
+  }
+
   /** The pictures on the page. */
   private panes(): readonly Pane[] {
     const [first, second, tile] = this.paces;
@@ -363,7 +372,8 @@ export class Pictures {
     return this.monitors.flatMap(({ element, pictures }, i) =>
       element.isConnected
         ? pictures.map((picture) => {
-            const pace = i === 0 || !this.monitors[0].element.isConnected ? first : second;
+            const alone = i === 0 || !this.monitors[0].element.isConnected;
+            const pace = alone || this.inset ? first : second;
             return { camera: picture.camera, element: picture.element, pace, picture };
           })
         : [],

@@ -16,7 +16,7 @@ export type Level = 'info' | 'caution' | 'warning';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
-export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type FromServer = Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -358,6 +358,18 @@ export interface SetName {
   readonly seq: number;
   /** One line of 24 characters at most; empty: the page goes by its number again. */
   readonly name: string;
+}
+
+/** The page has become too narrow to fly from: it shows the flight from now on, and the next page flies. */
+export interface LeaveSeat {
+  readonly type: 'leave_seat';
+  readonly seq: number;
+}
+
+/** The page is wide enough to fly from again: it flies if nobody else does, and else watches. */
+export interface TakeSeat {
+  readonly type: 'take_seat';
+  readonly seq: number;
 }
 
 /** Nobody is at the controls: sticks at rest, RATE HOLD let go, POSITION HOLD on; a sequence goes on. */
@@ -1083,7 +1095,7 @@ export interface Moment {
 export interface Hello {
   readonly type: 'hello';
   readonly protocol: number;
-  /** A second window: it shows the flight, is nobody's hands, and never flies. */
+  /** A second window, or a page too narrow to fly from: it shows the flight and is nobody's hands (`TakeSeat`). */
   readonly shows: boolean;
   /** It draws strips: it is sent the flight's last minutes, too. */
   readonly strips: boolean;

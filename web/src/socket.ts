@@ -27,12 +27,14 @@ export class Link {
   private welcomed = false;
   private refused = false;
   private attempt = 0;
+  /** What the station knows of `shows`. */
+  private toldShows = false;
 
   constructor(
     private readonly url: string,
     private readonly listener: LinkListener,
-    /** What a second window says of itself. */
-    private readonly window: Pick<Hello, 'shows' | 'strips'> = { shows: false, strips: false },
+    /** What it says of itself: it is nobody's hands now, as a second window or too narrow to fly from; it draws strips. */
+    private readonly itself: () => Pick<Hello, 'shows' | 'strips'>,
   ) {
     listener.state({ kind: 'connecting' });
     this.socket = this.connect();
@@ -45,10 +47,21 @@ export class Link {
     return this.seq;
   }
 
+  /** Tells whether the page has hands, where that has changed. */
+  reseat(): void {
+    const { shows } = this.itself();
+    if (!this.welcomed || shows === this.toldShows) return;
+    this.toldShows = shows;
+    this.send({ type: shows ? 'leave_seat' : 'take_seat' });
+  }
+
   private connect(): WebSocket {
     const socket = new WebSocket(this.url);
-    socket.onopen = () =>
-      socket.send(JSON.stringify({ type: 'hello', protocol: PROTOCOL, ...this.window } satisfies Hello));
+    socket.onopen = () => {
+      const { shows, strips } = this.itself();
+      this.toldShows = shows;
+      socket.send(JSON.stringify({ type: 'hello', protocol: PROTOCOL, shows, strips } satisfies Hello));
+    };
     socket.onmessage = (event) => this.receive(event.data);
     socket.onclose = (event) => this.closed(event.reason);
     return socket;
@@ -73,6 +86,7 @@ export class Link {
       this.welcomed = true;
       this.attempt = 0;
       this.listener.state({ kind: 'open' });
+      this.reseat();
     } else if (message.type === 'refused' && !this.welcomed) {
       this.refuse(message.text);
       return;

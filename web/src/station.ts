@@ -39,6 +39,7 @@ import type { Command, LinkState } from './socket';
 import { Tones } from './tones';
 import { Tutorial } from './tutorial';
 import { type UnitName, unitsOf } from './units';
+import { TOO_NARROW_WORDS } from './width';
 import { BLOCKED, type Torn, tearOff, Windows } from './windows';
 
 /** Figures and legends change this often [ms]. */
@@ -87,6 +88,7 @@ export class Station {
     names: [],
   };
   private link: LinkState = { kind: 'open' };
+  private tooNarrow = false;
   private units: UnitName;
   private refusal: { readonly text: string; readonly at: number } | null = null;
   private request = 0;
@@ -219,6 +221,7 @@ export class Station {
       el('section', { class: 'desk', 'aria-label': 'Desk' }, ...this.groups.elements, this.tutorial.element),
       this.pictures.matrix.strip,
       this.rail.element,
+      el('p', { class: 'too-narrow', role: 'status' }, TOO_NARROW_WORDS),
       this.touch.element,
       this.swap.element,
       this.handOver.question,
@@ -229,7 +232,6 @@ export class Station {
     );
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => this.tones.wake(), { signal: this.ended.signal });
-    naming.tell();
     window.addEventListener('blur', () => this.pictures.release(), { signal: this.ended.signal });
     window.addEventListener('pagehide', () => this.windows.say({ kind: 'gone' }), {
       signal: this.ended.signal,
@@ -271,12 +273,19 @@ export class Station {
     this.scenarios.set(told);
   }
 
+  /** Where the window is too narrow, the page watches only. */
+  setTooNarrow(tooNarrow: boolean): void {
+    this.tooNarrow = tooNarrow;
+    this.told = '';
+    this.operator.zero();
+    this.takeRole();
+  }
+
   setLink(link: LinkState): void {
     this.link = link;
     this.told = '';
     this.takeRole();
-    if (link.kind === 'open') this.naming.tell();
-    else this.latency.forget();
+    if (link.kind !== 'open') this.latency.forget();
   }
 
   addEvents(events: readonly LogEvent[]): void {
@@ -313,7 +322,7 @@ export class Station {
 
   /** The sticks are this page's only while it flies what is flown. */
   private takeRole(): void {
-    this.operator.flying = this.role.flying && this.link.kind === 'open' && !this.leaving;
+    this.operator.flying = this.role.flying && this.link.kind === 'open' && !this.leaving && !this.tooNarrow;
   }
 
   private tick(): void {
@@ -435,6 +444,7 @@ export class Station {
     if (link) lamps.push(link);
     if (age > STALE_S)
       lamps.push({ name: 'CAMERA', level: 'caution', text: `pictures ${age.toFixed(0)} s old` });
+    if (this.tooNarrow) return lamps;
     const { lost, waiting } = this.operator.controllers;
     const text = lost[0]
       ? `${lost[0].short.slice(0, LAMP_NAME)} is gone`

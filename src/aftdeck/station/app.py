@@ -108,21 +108,30 @@ class Pages:
         self.session.close()
 
     def come(self, page: Page) -> None:
-        """Take a page on: with hands it has a seat, a second window has none."""
+        """Take a page on: with hands it has a seat, one that only shows has none."""
         if page.shows:
             self.windows.add(page)
         else:
             self.seats.come(page)
 
-    def leave(self, page: Page) -> None:
-        """Take a page off; the sticks go to zero if it flew."""
+    def leave(self, page: Page, cause: str = "page gone") -> None:
+        """Take a page off, for one of `unattended.CAUSES`; the sticks go to zero if it flew."""
         if page.shows:
             self.windows.remove(page)
             return
         flew = page is self.seats.flier
         self.seats.leave(page)
         if flew:
-            self.session.let_go("page gone" if self.seats.flier is None else "page gone, another flies")
+            self.session.let_go(cause if self.seats.flier is None else f"{cause}, another flies")
+
+    def reseat(self, page: Page, *, seated: bool) -> None:
+        """A page has become wide enough to have hands, or too narrow for it."""
+        if seated is not page.shows:
+            return  # it is so already
+        self.leave(page, "page narrow")
+        page.shows = not seated
+        self.come(page)
+        self.wake()
 
     def role(self, page: Page) -> wire.Role:
         """What a page is told of who flies."""
@@ -274,6 +283,8 @@ class Page:
                 message.seq, f"message {message.seq} came after message {self.seq}; it was not taken"
             )
         self.seq = message.seq
+        if isinstance(message, wire.LeaveSeat | wire.TakeSeat):
+            return self.pages.reseat(self, seated=isinstance(message, wire.TakeSeat))
         if isinstance(message, wire.AskSticks | wire.SetName) and not self.shows:
             try:
                 if isinstance(message, wire.AskSticks):

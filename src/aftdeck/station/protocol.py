@@ -53,7 +53,7 @@ class Hello(_Message, frozen=True, tag="hello"):
 
     protocol: int
     shows: bool = False
-    """A second window: it shows the flight, is nobody's hands, and never flies."""
+    """A second window, or a page too narrow to fly from: it shows the flight and is nobody's hands (`TakeSeat`)."""
     strips: bool = False
     """It draws strips: it is sent the flight's last minutes, too."""
 
@@ -163,6 +163,18 @@ class SetName(_Message, frozen=True, tag="set_name"):
     seq: Seq
     name: str
     """One line of 24 characters at most; empty: the page goes by its number again."""
+
+
+class LeaveSeat(_Message, frozen=True, tag="leave_seat"):
+    """The page has become too narrow to fly from: it shows the flight from now on, and the next page flies."""
+
+    seq: Seq
+
+
+class TakeSeat(_Message, frozen=True, tag="take_seat"):
+    """The page is wide enough to fly from again: it flies if nobody else does, and else watches."""
+
+    seq: Seq
 
 
 class HandsOff(_Message, frozen=True, tag="hands_off"):
@@ -335,6 +347,8 @@ FromPage = (
     | GiveSticks
     | KeepSticks
     | SetName
+    | LeaveSeat
+    | TakeSeat
     | HandsOff
     | LookAhead
     | SetBrakes

@@ -12,6 +12,8 @@ CAUSES = {
     "device lost": "a hand controller is gone",
     "page gone": "the page that flew is gone",
     "page gone, another flies": "the page that flew is gone; another has the sticks",
+    "page narrow": "the page that flew is too narrow now",
+    "page narrow, another flies": "the page that flew is too narrow now; another has the sticks",
     "another scenario": "another scenario is made ready",
     "sticks silent": "the page that flies is silent",
     "handed over": "the sticks are handed over",
@@ -38,7 +40,7 @@ def left_alone(inputs: Inputs, frame: Frame | None, cause: str) -> tuple[Inputs,
     if not frame.position_hold:
         inputs = msgspec.structs.replace(inputs, position_hold=True)
         done.append("POSITION HOLD on")
-    if cause in ("page gone", "another scenario") and frame.sequence == "in progress":
+    if cause in ("page gone", "page narrow", "another scenario") and frame.sequence == "in progress":
         inputs = msgspec.structs.replace(inputs, stop=True)
         done.append("STOP")
     return inputs, f"{CAUSES[cause]}: {', '.join(done)}" if done else ""

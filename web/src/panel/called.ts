@@ -9,8 +9,9 @@ export function called({ names }: Names, page: number): string {
   return named(names, page) ?? `page ${page}`;
 }
 
-/** At its beginning: `Anna`, `Page 2`. */
+/** At its beginning: `Anna`, `Page 2`; empty for 0, which is no page. */
 export function calledFirst({ names }: Names, page: number): string {
+  if (page === 0) return '';
   return named(names, page) ?? `Page ${page}`;
 }
 

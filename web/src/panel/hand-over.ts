@@ -40,11 +40,13 @@ export function handOver(send: (command: Command) => void): HandOver {
       before = { flier, first: calledFirst(role, flier) };
       if (question.hidden === (flying && asking !== 0)) question.hidden = !question.hidden;
       setText(asked, asking === 0 ? '' : `${calledFirst(role, asking)} asks for the sticks.`);
-      if (ask.hidden !== flying) ask.hidden = flying;
+      const asks = !flying && number !== 0; // a page without hands asks for none
+      if (ask.hidden === asks) ask.hidden = !asks;
       ask.disabled = asking !== 0;
       setText(ask, asking === number ? 'Asked' : 'Ask for the sticks');
       if (now - given.at < SEEN_MS) return `${given.from} ▸ ${called(role, flier)}`;
-      if (!flying) return `You watch · ${called(role, flier)} flies`;
+      if (!flying)
+        return flier === 0 ? 'You watch · nobody flies' : `You watch · ${called(role, flier)} flies`;
       const watching = watched(role);
       return watching === '' ? 'You fly' : `You fly · ${watching}`;
     },

@@ -64,7 +64,7 @@ export class Matrix {
       places.style.gridColumn = `span ${left}`;
       this.element.append(places);
     }
-    setAttribute(this.element, 'style', `grid-template-columns: repeat(${across}, minmax(0, 1fr))`);
+    setAttribute(this.element, 'style', `--across: ${across}`);
     const views = group('views', 'Views', this.views);
     if (tearOff) {
       const off = button(

@@ -18,8 +18,7 @@ export interface Naming {
   /** Says who flies; pressed, it opens the field. */
   readonly key: HTMLButtonElement;
   say(text: string): void;
-  /** A station is there that may not know the name: it is told the one kept. */
-  tell(): void;
+  /** What the station says; where it knows no name of a page with a seat, it is told the one kept. */
   set(role: Role): void;
   /** Whether what the station refused is the name that was typed. */
   refuse(number: number, text: string): boolean;
@@ -82,13 +81,11 @@ export function naming(keeper: Keeper, send: (command: Command) => number): Nami
       setClass(drop.element, 'long', text.length > USUAL);
       setAttribute(drop.key, 'title', `${text}: ${OFFER}`);
     },
-    tell() {
-      const name = keeper.getItem(KEPT) ?? '';
-      if (name !== '') send({ type: 'set_name', name });
-    },
-    set({ name }) {
+    set({ name, number }) {
       now = name;
       if (asked?.name === name) taken();
+      const kept = keeper.getItem(KEPT) ?? '';
+      if (number !== 0 && name === '' && kept !== '') send({ type: 'set_name', name: kept });
     },
     refuse(number, text) {
       if (number !== asked?.number) return false;

@@ -4,6 +4,7 @@ import { timeCode } from '../format';
 import { CameraDrag, type Place } from '../input/camera-drag';
 import type { Turning } from '../input/camera-hand';
 import type { Camera, Frame, Vec3 } from '../protocol';
+import { inset } from '../width';
 import { axesOverlay } from './axes';
 import { el, setAttribute, setClass, setText, svg } from './dom';
 import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
@@ -138,8 +139,18 @@ export class Picture {
   private burnedIn(picture: Size): readonly Box[] {
     const { corners } = this;
     if (corners?.of.width === picture.width && corners.of.height === picture.height) return corners.boxes;
-    this.corners = { of: picture, boxes: cornersOf(picture) };
-    return this.corners.boxes;
+    const boxes =
+      inset() && !this.element.closest('.torn-off') ? this.narrowCorners(picture) : cornersOf(picture);
+    this.corners = { of: picture, boxes };
+    return boxes;
+  }
+
+  /** The same where MON 2 lies in a corner of MON 1. */
+  private narrowCorners(picture: Size): readonly Box[] {
+    const own = cornersOf(picture);
+    if (this.element.closest('.monitor + .monitor')) return own;
+    const { width, height } = picture;
+    return [...own, { left: 0.5 * width, top: 0, right: width, bottom: 0.5 * height }];
   }
 
   private followMouse(): void {

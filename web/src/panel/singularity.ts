@@ -36,7 +36,9 @@ export function singularity({ welcome: { singular } }: Desk): Part {
         const distance = Math.abs(frame.singularity[i] ?? 0);
         const near = distance < singular;
         const out = frame.ways_out.find(({ cause }) => cause === name.toLowerCase());
-        setText(label, near && out ? `${name}: ${out.text}` : name);
+        const words = near && out ? `${name}: ${out.text}` : name;
+        setText(label, words);
+        setAttribute(label, 'title', words);
         setText(value, fixed(distance, 2, false));
         setClass(row, 'caution', near);
       });

@@ -84,4 +84,4 @@ export function standing(desk: Desk): Standing {
 }
 
 /** By whom; a recording does not tell. */
-const flown = (flier: string) => (flier === '' ? '' : `${flier} flies`);
+const flown = (flier: string) => (flier === '' ? 'Nobody flies' : `${flier} flies`);

@@ -1,0 +1,189 @@
+"""Windows narrower than 1100 px: flown with MON 2 in a corner of MON 1; below 720 px, watched only."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from tests.browser.conftest import NARROW, OpenPage, flown
+from tests.browser.flight import Flight
+from tests.browser.looks import assert_readable, assert_tidy
+from tests.browser.test_cameras import shows
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+
+SCENARIO = "srms-deploy"
+ENDS = [(1099, 800), (720, 1024)]
+"""The widest window that is narrow, and the narrowest that flies [px]."""
+PHONE = (390, 844)
+TABLET = (768, 1024)
+
+GROUPS = ["thc", "rhc", "mode", "resolution", "joints", "clearance", "effector", "look-ahead", "events", "singularity"]
+RAIL_KEYS = ["Restart", "Light", "Dim", "Tutorial", "Controllers"]
+FLIES = "document.querySelector('.who').textContent.startsWith('You fly')"
+WATCHES = "document.querySelector('.who').textContent.startsWith('You watch')"
+SAYS_SO = "document.querySelector('.too-narrow').checkVisibility()"
+SCROLLS = "((desk) => desk.scrollHeight > desk.clientHeight)(document.querySelector('.desk'))"
+FORWARD = "frame.translation[0] > 0.9"
+
+COVERED = """() => {
+    const box = (node) => node.getBoundingClientRect();
+    const meet = (a, b) => {
+        const [p, q] = [box(a), box(b)];
+        return p.right > q.left + .5 && q.right > p.left + .5 && p.bottom > q.top + .5 && q.bottom > p.top + .5;
+    };
+    const name = (node) => node.textContent || node.getAttribute('class');
+    const [first, second] = document.querySelectorAll('.monitor');
+    const [host, inset] = [first.querySelector('.bezel'), second.querySelector('.bezel')];
+    const [p, q] = [box(inset), box(host)];
+    const found = [];
+    if (p.left < q.left || p.top < q.top || p.right > q.right || p.bottom > q.bottom)
+        found.push('the inset leaves MON 1');
+    if (p.width * p.height < 0.15 * q.width * q.height) found.push('the inset is less than a quarter');
+    for (const monitor of [first, second]) {
+        const texts = [...monitor.querySelectorAll('.burned, .frame-axes, .round')]
+            .filter((node) => node.checkVisibility({ visibilityProperty: true }) && box(node).width > 0);
+        for (const [i, text] of texts.entries()) {
+            for (const other of texts.slice(i + 1))
+                if (meet(text, other)) found.push(`“${name(text)}” lies on “${name(other)}”`);
+            if (monitor === first && meet(text, inset)) found.push(`MON 2 covers “${name(text)}”`);
+        }
+    }
+    for (const stick of document.querySelectorAll('.touch:not([hidden]) .knob'))
+        for (const text of [inset, ...document.querySelectorAll('.monitor:first-child .burned, .frame-axes, .spine')])
+            if (text.checkVisibility() && meet(stick, text)) found.push(`a touch stick covers “${name(text)}”`);
+    return found;
+}"""
+"""Texts of the pictures that lie on each other, under MON 2 or under a stick for fingers."""
+
+
+@pytest.fixture(scope="module")
+def station(request: pytest.FixtureRequest) -> Iterator[str]:
+    """Address of a flight of SCENARIO, or of the one that a test names."""
+    with flown(getattr(request, "param", SCENARIO)) as address:
+        yield address
+
+
+@pytest.mark.parametrize(("width", "height"), [*NARROW, *ENDS])
+def test_all_that_is_flown_with_is_there_and_tidy(open_page: OpenPage, width: int, height: int) -> None:
+    flight = open_page(width, height).from_the_start()
+    for name in GROUPS:
+        assert flight.page.locator(f".group.{name}").is_visible(), name
+    for name in RAIL_KEYS:
+        assert flight.page.get_by_role("button", name=name, exact=True).is_visible(), name
+    assert not flight.script(SAYS_SO)
+    _assert_looks(flight)
+    flight.press("z")
+    flight.until(shows(0, "A", "A").replace("=== 'A,A'", ".includes(',')"))
+    _assert_looks(flight)
+    flight.press("z")
+    flight.turn_to("AUTO 1")
+    flight.until("document.querySelector('.target').checkVisibility()")
+    _assert_looks(flight)
+
+
+@pytest.mark.parametrize("station", ["free-flyer"], indirect=True)
+def test_the_prong_and_the_concepts_arm_have_room_too(open_page: OpenPage) -> None:
+    flight = open_page().from_the_start()
+    for width, height in NARROW:
+        flight.page.set_viewport_size({"width": width, "height": height})
+        flight.until(f"innerWidth === {width} && innerHeight === {height}")
+        _assert_looks(flight)
+
+
+def test_mon_2_in_mon_1_is_taken_in_hand_and_shows_what_is_chosen(open_page: OpenPage) -> None:
+    flight = open_page(*TABLET).from_the_start()
+    flight.press("x", "4")
+    flight.until(shows(1, "D"))
+    flight.press("x", "1")
+    flight.until(f"{shows(0, 'A')} && {shows(1, 'D')}")
+    flight.page.locator(".monitor").nth(1).locator(".picture").click()
+    flight.page.get_by_role("group", name="Camera of MON 2").get_by_role("button", name="B", exact=True).click()
+    flight.until(f"{shows(0, 'A')} && {shows(1, 'B')}")
+    flight.page.get_by_role("button", name="MON 1", exact=False).first.click()
+    flight.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="C", exact=True).click()
+    flight.until(f"{shows(0, 'C')} && {shows(1, 'B')}")
+
+
+def test_sticks_for_fingers_cover_nothing_that_is_read(open_page: OpenPage) -> None:
+    flight = open_page(*TABLET).from_the_start()
+    flight.script("document.dispatchEvent(new PointerEvent('pointerdown', { pointerType: 'touch' }))")
+    flight.page.get_by_role("group", name="Touch sticks").wait_for(state="visible")
+    assert flight.script(COVERED) == []
+    assert_tidy(flight)
+
+
+def test_where_the_height_does_not_suffice_the_desk_scrolls_and_the_monitors_do_not(open_page: OpenPage) -> None:
+    flight = open_page(1024, 600).from_the_start()
+    assert flight.script(SCROLLS)
+    assert flight.script("document.scrollingElement.scrollHeight <= innerHeight")
+    assert flight.script(COVERED) == []
+    flight.page.locator(".events .more").scroll_into_view_if_needed()
+    flight.page.locator(".events .more").click()
+    flight.until("document.querySelector('.events.open .log').children.length > 1")
+
+
+def test_a_phone_watches_says_so_and_is_given_no_sticks(open_page: OpenPage) -> None:
+    phone = open_page(*PHONE)
+    phone.until(f"{WATCHES} && {SAYS_SO} && frame.time_s > 0.5")
+    assert phone.script("document.querySelector('.who').textContent") == "You watch · nobody flies"
+    assert "too narrow to fly" in phone.page.locator(".too-narrow").inner_text()
+    for shown in (".monitor .picture", ".clearance .gap-value", ".master", ".lamp", ".rail .met"):
+        assert phone.page.locator(shown).first.is_visible(), shown
+    assert not phone.page.locator(".thc").is_visible()
+    assert_readable(phone, least=30)
+    assert phone.script("document.scrollingElement.scrollWidth <= innerWidth")
+    before = phone.frame()
+    phone.hold("w")
+    phone.press("b")
+    after = phone.until(f"frame.tick > {before.tick + 40}")
+    phone.release("w")
+    assert after.translation == (0.0, 0.0, 0.0) and after.brakes == before.brakes
+    other = open_page()
+    other.until(FLIES)  # the phone, which came first, has no seat
+    phone.until("document.querySelector('.who').textContent === 'You watch · page 1 flies'")
+    assert not phone.page.get_by_role("button", name="Ask for the sticks").is_visible()
+
+
+def test_a_page_made_too_narrow_gives_the_sticks_up_and_gets_them_back(open_page: OpenPage) -> None:
+    flight = open_page(*TABLET).from_the_start()
+    flight.hold("w")
+    flight.until(FORWARD)
+    _resize(flight, PHONE)
+    flight.until(f"{WATCHES} && {SAYS_SO} && frame.translation[0] === 0 && frame.position_hold")
+    flight.until_logged("the page that flew is too narrow now")
+    flight.release("w")
+    _resize(flight, TABLET)
+    flight.until(FLIES)
+    flight.hold("w")
+    flight.until(FORWARD)
+    flight.release("w")
+    flight.until("frame.translation[0] === 0")
+
+
+def test_whoever_watches_flies_when_the_flier_is_made_too_narrow_and_goes_on(open_page: OpenPage) -> None:
+    first = open_page(*TABLET).from_the_start()
+    second = open_page()
+    second.until(WATCHES)
+    _resize(first, PHONE)
+    second.until(FLIES)
+    _resize(first, TABLET)
+    first.until(f"{WATCHES} && !({SAYS_SO})")
+    assert second.script(FLIES)
+    first.page.get_by_role("button", name="Ask for the sticks").wait_for(state="visible")
+
+
+def _resize(flight: Flight, size: tuple[int, int]) -> None:
+    width, height = size
+    flight.page.set_viewport_size({"width": width, "height": height})
+
+
+def _assert_looks(flight: Flight) -> None:
+    """Nothing scrolls, overlaps, is cut off or hard to read, in the pictures either."""
+    drawn = flight.script("window.__aftdeck.frames")
+    flight.until(f"window.__aftdeck.frames > {drawn + 1}")
+    assert not flight.script(SCROLLS)
+    assert_tidy(flight)
+    assert_readable(flight)
+    assert flight.script(COVERED) == []
