@@ -120,7 +120,9 @@ def test_a_page_too_narrow_leaves_its_seat_and_takes_it_again_behind_the_others(
         narrow.push(translation=(1.0, 0.0, 0.0))
         narrow.wait_for(wire.Frame, lambda frame: frame.translation[0] == 1.0)
         narrow.say(wire.LeaveSeat(narrow.next_seq()))
-        assert narrow.wait_for(wire.Role, lambda role: not role.flying) == wire.Role(False, 0, 0, flier=2, asking=0)
+        assert narrow.wait_for(wire.Role, lambda role: not role.flying) == wire.Role(
+            False, 0, 0, flier=2, asking=0, name="", names=()
+        )
         assert narrow.wait_for(wire.Frame, lambda frame: frame.position_hold).translation == (0.0, 0.0, 0.0)
         narrow.say(wire.AskSticks(narrow.next_seq()))
         assert narrow.refusal() == "you watch; another page flies"

@@ -61,7 +61,7 @@ export class Matrix {
     const left = across * DOWN - cameras.length;
     const among = left >= 2 && left < across;
     if (among) {
-      places.style.gridColumn = `span ${left}`;
+      setAttribute(places, 'style', `--left: ${left}`);
       this.element.append(places);
     }
     setAttribute(this.element, 'style', `--across: ${across}`);
