@@ -141,3 +141,9 @@ class Flight:
     def until_lit(self, lamp: str) -> None:
         """Waits for a lamp of the spine."""
         self.page.locator(".lamp.caution", has_text=lamp).wait_for()
+
+
+def shows(monitor: int, *names: str) -> str:
+    """In JavaScript: a monitor's pictures have these cameras' names, from the left."""
+    pictures = f"document.querySelectorAll('.monitor')[{monitor}].querySelectorAll('.picture .name b')"
+    return f"[...{pictures}].map((name) => name.textContent).join() === '{','.join(names)}'"

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Page
 
 from tests.browser.conftest import NARROW, SIZES, OpenPage
-from tests.browser.flight import WAIT_MS, Flight
+from tests.browser.flight import WAIT_MS, Flight, shows
 from tests.browser.looks import assert_readable, assert_tidy
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -18,12 +18,6 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 SCENARIO = "concept-1972"
 CAMERAS = [*"ABCDEFGHI", "P1", "P2", "CAE2", "W", "AFT", "ENG"]
 """Thirteen of the report, a window, and the engineering view: more than the first bank of digits holds."""
-
-
-def shows(monitor: int, *names: str) -> str:
-    """In JavaScript: a monitor's pictures have these cameras' names, from the left."""
-    pictures = f"document.querySelectorAll('.monitor')[{monitor}].querySelectorAll('.picture .name b')"
-    return f"[...{pictures}].map((name) => name.textContent).join() === '{','.join(names)}'"
 
 
 def lens(flight: Flight) -> str:

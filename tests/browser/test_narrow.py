@@ -7,9 +7,8 @@ from collections.abc import Iterator
 import pytest
 
 from tests.browser.conftest import NARROW, OpenPage, flown
-from tests.browser.flight import Flight
+from tests.browser.flight import Flight, shows
 from tests.browser.looks import assert_readable, assert_tidy
-from tests.browser.test_cameras import shows
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 

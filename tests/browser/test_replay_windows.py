@@ -9,9 +9,8 @@ import pytest
 from playwright.sync_api import Locator, Page
 
 from tests.browser.conftest import SIZES, OpenPage
-from tests.browser.flight import Flight
+from tests.browser.flight import Flight, shows
 from tests.browser.looks import assert_readable, assert_tidy
-from tests.browser.test_cameras import shows
 from tests.browser.test_windows import tag, torn_off, who
 from tests.station.recordings import playing, recorded
 

@@ -8,6 +8,7 @@ import pytest
 
 from aftdeck.scenario.load import built_in
 from tests.browser.conftest import OpenPage, flown
+from tests.browser.flight import shows
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -24,3 +25,17 @@ def test_a_built_in_scenario_opens_is_drawn_and_flies(open_page: OpenPage) -> No
     flight.until("frame.time_s > 0 && window.__aftdeck.frames > 5")
     bodies = flight.script("window.__aftdeck.bodies")
     assert bodies and all(body["triangles"] > 0 for body in bodies if "." not in body["name"])
+
+
+def test_every_camera_of_it_is_put_on_either_monitor(open_page: OpenPage) -> None:
+    flight = open_page()
+    flight.until("window.__aftdeck.frames > 5")
+    for monitor in (0, 1):
+        keys = flight.page.get_by_role("group", name=f"Camera of MON {monitor + 1}").get_by_role("button")
+        names = keys.all_inner_texts()
+        assert len(set(names)) == len(names) >= 2
+        for index, name in enumerate(names):
+            keys.nth(index).click()
+            flight.until(shows(monitor, name))
+            drawn = flight.script("window.__aftdeck.frames")
+            flight.until(f"window.__aftdeck.frames > {drawn + 2}")

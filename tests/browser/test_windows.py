@@ -8,9 +8,8 @@ import pytest
 from playwright.sync_api import Locator, Page
 
 from tests.browser.conftest import SIZES, OpenPage
-from tests.browser.flight import WAIT_MS, Flight
+from tests.browser.flight import WAIT_MS, Flight, shows
 from tests.browser.looks import assert_readable, assert_tidy
-from tests.browser.test_cameras import shows
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
