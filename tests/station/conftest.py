@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from aftdeck.station import app, session
+from aftdeck.station import page, session
 
 
 @pytest.fixture(autouse=True)
@@ -16,4 +16,4 @@ def patient_station(monkeypatch: pytest.MonkeyPatch) -> None:
     The tests of silent sticks and of pages that say no hello set how long the station waits.
     """
     monkeypatch.setattr(session, "SILENCE", math.inf)
-    monkeypatch.setattr(app, "HELLO_WITHIN", 1000.0)
+    monkeypatch.setattr(page, "HELLO_WITHIN", 1000.0)

@@ -15,9 +15,10 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.station import app as station_app
+from aftdeck.station import page as station_page
 from aftdeck.station import protocol as wire
 from aftdeck.station import session as station_session
-from aftdeck.station.app import MOST_PAGES, MOST_WRONG
+from aftdeck.station.page import MOST_PAGES, MOST_WRONG
 from aftdeck.station.session import MOST_WAITING, SILENCE, Phase, Session
 from tests.station.pages import STILL, WAIT_S, Page, Station, scenario, served, text_of, until
 
@@ -85,7 +86,7 @@ def test_a_wrong_first_message_gets_a_sentence_and_the_end(shared: Station, firs
 
 
 def test_a_page_that_says_no_hello_is_let_go(shared: Station, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(station_app, "HELLO_WITHIN", 0.1)
+    monkeypatch.setattr(station_page, "HELLO_WITHIN", 0.1)
     with shared.stranger() as page:
         assert page.refusal() == "no hello came within 0.1 s"
         closing(page)

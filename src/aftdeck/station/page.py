@@ -1,0 +1,209 @@
+"""One connected page: its handshake, what it asks for, and what it is told."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections import deque
+
+import msgspec
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from aftdeck.errors import CommandError, InputError
+from aftdeck.station import protocol as wire
+from aftdeck.station.pages import Pages
+from aftdeck.station.recent import Mark
+from aftdeck.station.session import Phase
+
+HELLO_WITHIN = 5.0
+"""How long a page may take to say hello [s]."""
+MOST_PAGES = 32
+"""Pages connected at once."""
+MOST_WRONG = 20
+"""Messages refused one after the other after which a connection is closed."""
+LONGEST_REASON = 123
+"""Longest reason in a WebSocket's close frame [bytes]; RFC 6455, 5.5."""
+
+_AT_REST = (
+    wire.Stop
+    | wire.SetBrakes
+    | wire.SetSafing
+    | wire.HandsOff
+    | wire.Shown
+    | wire.Controllers
+    | wire.SetLight
+    | wire.GiveSticks
+    | wire.KeepSticks
+    | wire.FlyScenario
+)
+"""What is looked at while another scenario is made ready: nothing that moves the arm."""
+
+_encoder = msgspec.json.Encoder()
+_hello = msgspec.json.Decoder(wire.Hello)
+_messages: msgspec.json.Decoder[wire.FromPage] = msgspec.json.Decoder(wire.FromPage)
+
+
+class Page:
+    """One connected page, from hello to goodbye.
+
+    Attributes:
+        answers: what others have it told; its own sender sends them, so that nobody waits for its connection.
+    """
+
+    def __init__(self, pages: Pages, socket: WebSocket) -> None:
+        self.pages, self.socket = pages, socket
+        self.welcomed, self.shows, self.strips = pages.session, False, False
+        self.seq = -1
+        self.wrong = 0
+        self.answers: deque[wire.Refused] = deque()
+
+    async def serve(self) -> None:
+        """Handshake, then receive and send until one side goes."""
+        if not await self._handshake():
+            return
+        self.pages.come(self)
+        sender = asyncio.create_task(self._send_news())
+        try:
+            self.pages.wake()
+            await self._receive()
+        finally:
+            sender.cancel()
+            with contextlib.suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError):
+                await sender
+            self.pages.leave(self)
+            self.pages.wake()
+
+    async def _handshake(self) -> bool:
+        try:
+            text = await asyncio.wait_for(self.socket.receive_text(), HELLO_WITHIN)
+            hello = _hello.decode(text)
+        except TimeoutError:
+            return await self._goodbye(f"no hello came within {HELLO_WITHIN:g} s")
+        except (msgspec.MsgspecError, KeyError, RecursionError) as error:
+            return await self._goodbye(f"the first message must be a hello with the protocol's number: {error}")
+        if hello.protocol != wire.PROTOCOL:
+            return await self._goodbye(
+                f"this page speaks protocol {hello.protocol}, the station {wire.PROTOCOL}: reload the page"
+            )
+        if len(self.pages.seats) + len(self.pages.windows) >= MOST_PAGES:
+            return await self._goodbye(f"{MOST_PAGES} pages are connected already")
+        self.welcomed, self.shows, self.strips = self.pages.session, hello.shows, hello.strips
+        await self._send(self.welcomed.welcome)
+        return True
+
+    async def _goodbye(self, text: str) -> bool:
+        await self._send(wire.Refused(-1, text))
+        await self.socket.close(1008, text.encode()[:LONGEST_REASON].decode(errors="ignore"))
+        return False
+
+    async def _send(self, message: wire.FromServer) -> None:
+        await self.socket.send_text(_encoder.encode(message).decode())
+
+    # --- from the page ------------------------------------------------------------------------------------
+
+    async def _receive(self) -> None:
+        while self.wrong < MOST_WRONG:
+            message = await self.socket.receive()
+            if message["type"] == "websocket.disconnect":
+                return
+            text = message.get("text")
+            if text is None:
+                await self.refuse(-1, "messages are JSON text; this one was binary")
+                continue
+            await self._take(text)
+        await self._goodbye(f"{MOST_WRONG} messages were refused; the connection is closed")
+
+    async def _take(self, text: str) -> None:
+        try:
+            message = _messages.decode(text)
+        except (msgspec.MsgspecError, RecursionError) as error:
+            return await self.refuse(-1, f"message not understood: {error}")
+        if message.seq <= self.seq:
+            return await self.refuse(
+                message.seq, f"message {message.seq} came after message {self.seq}; it was not taken"
+            )
+        self.seq = message.seq
+        if isinstance(message, wire.LeaveSeat | wire.TakeSeat):
+            return self.pages.reseat(self, seated=isinstance(message, wire.TakeSeat))
+        if isinstance(message, wire.AskSticks | wire.SetName) and not self.shows:
+            try:
+                if isinstance(message, wire.AskSticks):
+                    return self.pages.ask(self)
+                return self.pages.name(self, message.name)
+            except (CommandError, InputError) as error:
+                return await self.refuse(message.seq, str(error), counts=False)
+        if self.pages.seats.flier is not self:
+            return await self.refuse(message.seq, "you watch; another page flies", counts=False)
+        try:
+            self._do(message)
+        except CommandError as error:
+            return await self.refuse(message.seq, str(error))
+        self.wrong = 0
+
+    def _do(self, message: wire.FromPage) -> None:
+        session = self.pages.session
+        if self.pages.choice.coming is not None and not isinstance(message, _AT_REST):
+            if isinstance(message, wire.Sticks | wire.DriveCamera):
+                return  # on their way when the scenario was chosen
+            raise CommandError("another scenario is made ready; the arm rests meanwhile")
+        match message:
+            case wire.GiveSticks() | wire.KeepSticks():
+                self.pages.answer(isinstance(message, wire.GiveSticks))
+            case wire.Sticks():
+                session.steer(message)
+            case wire.Shown():
+                session.shown(message)
+            case wire.Controllers():
+                session.controllers_in_use(message)
+            case wire.DriveCamera():
+                session.turn(message)
+            case wire.SetLight():
+                session.light(message)
+            case wire.FlyScenario():
+                self.pages.fly(message.number, self)
+            case _:
+                session.command(message)
+
+    async def refuse(self, seq: int, text: str, *, counts: bool = True) -> None:
+        """Tell the page what was not taken; `counts`: among those after which the connection is closed."""
+        self.wrong += counts
+        await self._send(wire.Refused(seq, text))
+
+    # --- to the page --------------------------------------------------------------------------------------
+
+    async def _send_news(self) -> None:
+        """Send scenarios, role, log and newest frame whenever they change; frames that came meanwhile are skipped.
+
+        A window that draws strips gets a frame with every sample, and no others.
+        """
+        session = self.welcomed
+        scenarios, role, lines, sent = None, None, 0, b""
+        told: Mark | None = None
+        while self.pages.session.phase is not Phase.CLOSED:
+            fresh = self.pages.fresh  # taken before looking, so that nothing new is missed
+            if session is not self.pages.session:
+                session, lines, sent = self.pages.session, 0, b""
+                await self._send(session.welcome)
+            while self.answers:
+                await self._send(self.answers.popleft())
+            if (choice := self.pages.choice.message()) != scenarios:
+                scenarios = choice
+                await self._send(choice)
+            now = self.pages.role(self)
+            if now != role:
+                role = now
+                await self._send(now)
+            if news := session.log_since(lines):
+                lines += len(news)
+                await self._send(wire.Events(tuple(wire.Event(e.time_s, e.kind, e.level, e.text) for e in news)))
+            recent = session.recent.news(told) if self.strips else None
+            if recent:
+                message, told = recent
+                await self._send(message)
+            if (frame := session.newest) is not sent and (recent or not self.strips):
+                sent = frame
+                await self.socket.send_text(frame.decode())
+            if session.phase is Phase.FAILED:
+                await self._goodbye(session.failure)
+                return
+            await fresh.wait()
