@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 import aftdeck
@@ -90,3 +92,14 @@ def test_a_saved_flight_goes_on_with_the_same_nearest_pair() -> None:
         saved, now = sim.save(), sim.step(back)
         sim.restore(saved)
         assert sim.step(back).work.nearest == now.work.nearest
+
+
+def test_at_its_edge_the_alarm_comes_once() -> None:
+    sim = aftdeck.Simulation(srms(6.0, 7.0))
+    levels = [sim.step(Inputs()).work.clearance_level]
+    for k in range(400):
+        side = 0.25 if k // 10 % 2 else -0.25
+        levels.append(sim.step(Inputs(translation=(side, 0.0, 0.0), rate="vernier")).work.clearance_level)
+    assert set(levels) == {"info"}, "trembling within the room between coming and leaving"
+    out = [sim.step(Inputs(translation=(1.0, 0.0, 0.0))).work.clearance_level for _ in range(200)]
+    assert sum(one != other for one, other in pairwise(out)) == 1 and out[-1] != "info"

@@ -122,3 +122,11 @@ def test_a_question_ends_when_who_asked_or_who_was_asked_leaves(seats: Seats[str
     seats.leave(page)
     assert seats.asking is None
     assert seats.flier == ("b" if page == "a" else "a")
+
+
+def test_no_two_pages_are_called_alike(seats: Seats[str]) -> None:
+    for page, name in zip("abc", ("Anna", "Anna", "Anna 1"), strict=True):
+        seats.give_name(page, name)
+    assert len({name for _, name in seats.named()}) == 3
+    with pytest.raises(InputError, match="what a page without a name is called"):
+        seats.give_name("a", "Page 2")

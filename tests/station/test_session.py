@@ -180,6 +180,25 @@ def test_a_held_rate_that_is_let_go_through_a_delay_is_let_go_once(monkeypatch: 
         assert len([event for event in session.log_since(0) if event.kind == "hands off"]) == 1
 
 
+def test_a_hidden_page_that_falls_silent_lets_a_held_rate_go_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [100.0]
+    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
+    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
+    monkeypatch.setattr(station_session, "time", fake)
+    with flying(made=dataclasses.replace(scenario(), delay=40)) as session:
+        session.steer(sticks(1, forward=1.0))
+        session.command(wire.RateHold(2))
+        comes(session, lambda frame: frame.rate_hold, "RATE HOLD, delayed")
+        session.steer(sticks(3))
+        session.command(wire.HandsOff(4, "page hidden"))
+        goes_on(session, 5)
+        clock[0] += 1.1 * SILENCE
+        comes(session, lambda frame: not frame.rate_hold, "it is let go")
+        goes_on(session, 60)
+        told = [event for event in session.log_since(0) if event.kind in ("hands off", "refused")]
+        assert [event.text for event in told] == ["the page that flies is hidden: RATE HOLD let go, POSITION HOLD on"]
+
+
 def test_letting_go_forgets_the_commands_that_wait() -> None:
     session = Flown(scenario())
     session.command(wire.SelectJoint(0, 5))

@@ -322,7 +322,9 @@ export class Station {
 
   /** The sticks are this page's only while it flies what is flown. */
   private takeRole(): void {
+    const { flying } = this.operator;
     this.operator.flying = this.role.flying && this.link.kind === 'open' && !this.leaving && !this.tooNarrow;
+    if (flying && !this.operator.flying) this.latency.forget(); // what was under way is flown by nobody
   }
 
   private tick(): void {

@@ -21,26 +21,33 @@ from aftdeck.worksite.acquisition import AWAY, FIXED, FOUND, PALM, PRONG, acquir
 Array = NDArray[np.float64]
 Mask = NDArray[np.uint8]
 
-WIDER = 2.0
-"""Lined up is what stands within the envelope's radius and angles, this many times [1]; assumed."""
+WIDER, WIDEST = 2.0, 2.4
+"""Lined up is what comes within the envelope's radius and angles, so many times [1], until it leaves them so many
+times; assumed."""
 
 
-def counted(flight: Flight, held: int | None, placed: Array, frames: Array) -> Mask:
-    """The groups (g,) of which the nearest is told: those that should not touch, but the hand and what it may take.
+def counted(
+    flight: Flight, held: int | None, placed: Array, frames: Array, before: int | None
+) -> tuple[Mask, int | None]:
+    """Of which groups the nearest is told.
 
     Args:
         flight: what never changes.
         held: the cargo that the hand has; it takes no other.
         placed: (n, 52) solids in L.
         frames: (F, 12) in L.
+        before: the cargo that the hand was lined up with until now.
+
+    Returns:
+        (g,) those that should not touch, but the hand and the cargo that it is lined up with; and which that is.
     """
     site = flight.site
     k = None
     if held is None and site.bar is not None:
         k = _about_the_bar(site.bar, placed)
     elif held is None and site.snares is not None:
-        k = _before_the_snares(site, site.snares, frames)
-    return site.detrimental if k is None else site.detrimental & (1 - site.held[k])
+        k = _before_the_snares(site, site.snares, frames, before)
+    return (site.detrimental if k is None else site.detrimental & (1 - site.held[k])), k
 
 
 def _about_the_bar(bar: Bar, placed: Array) -> int | None:
@@ -55,7 +62,7 @@ def _about_the_bar(bar: Bar, placed: Array) -> int | None:
     return None
 
 
-def _before_the_snares(site: Site, snares: Snares, frames: Array) -> int | None:
+def _before_the_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:
     """The cargo whose pin stands on the end effector's axis, more or less, and the right way round."""
     envelope, effector, place, found = snares.envelope, np.empty(POSE), np.empty(POSE), np.empty(POSE)
     compose(frames[site.last_joint], site.effector, effector)
@@ -64,10 +71,11 @@ def _before_the_snares(site: Site, snares: Snares, frames: Array) -> int | None:
             continue
         compose(frames[site.cargo_row(k)], fixture, place)
         relative(effector, place, found)
+        wide = WIDEST if k == before else WIDER
         out, y, z = found[:3].tolist()
-        if hypot(y, z) > WIDER * envelope.radial or abs(out) > NEAR:
+        if hypot(y, z) > wide * envelope.radial or abs(out) > NEAR:
             continue
         roll, pitch, yaw = (abs(angle) for angle in oriend(pose_of(found).rotation))
-        if roll <= WIDER * envelope.roll and pitch <= WIDER * envelope.pitch and yaw <= WIDER * envelope.yaw:
+        if roll <= wide * envelope.roll and pitch <= wide * envelope.pitch and yaw <= wide * envelope.yaw:
             return k
     return None

@@ -103,11 +103,13 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         steering[RISE] += height - stand.after(driven, (sample - 1) * period)
         angles = steering[ANGLES : ANGLES + 6]
         frames = frames_at(flight, state, angles, height, things.prong.position)
-        counts = counted(flight, things.held, watch.placed, frames)
-        watch.look_near(frames, frames, period, counts, 0.0)
-        group, touching = watch.nearest(counts), watch.nearest(site.detrimental)
+        watch.look_near(frames, frames, period, site.detrimental, 0.0)
+        touching = watch.nearest(site.detrimental)
         if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
+    counts = counted(flight, things.held, watch.placed, frames, things.lined_up)[0]
+    watch.look_near(frames, frames, period, counts, 0.0)
+    group = watch.nearest(counts)
     a, b, c, d, e, f = angles.tolist()
     joint, room = _room(flight, (a, b, c, d, e, f))
     return Ahead(

@@ -66,6 +66,7 @@ class Things:
         rides: (c, 12) its pose in that frame; where it floats, in L as that stood at the start.
         nearest: the group of least clearance of those not made to touch, and not about to (`lined_up`); -1: none is
             watched.
+        lined_up: the cargo that the hand is about to take; None: none.
         orbiter: (3,) how far the orbiter has moved, forward, starboard, down [m].
         orbiter_velocity: (3,) how fast it does [m/s].
         prong: of the concept's hand: y2 of its inner face.
@@ -91,6 +92,7 @@ class Things:
         self.fast = False
         self.carrier, self.rides = np.full(len(site.cargo), -1), np.zeros((len(site.cargo), POSE))
         self.nearest = -1
+        self.lined_up: int | None = None
         self.orbiter, self.orbiter_velocity = np.zeros(3), np.zeros(3)
         source = scenario.arm.model.source
         self.prong = prong_of(source) if isinstance(source, HeadingArmFile) else Slide(0.0, 0.0, 0.0, 0.0)
@@ -174,6 +176,7 @@ class Things:
             self.refused_orbiter,
             self.waiting,
             self.nearest,
+            self.lined_up,
         )
 
     def restore(self, saved: SavedThings) -> None:
@@ -190,7 +193,7 @@ class Things:
         self.task = saved.task
         self.advice = saved.advice
         self.refused_orbiter, self.waiting = saved.refused_orbiter, saved.waiting
-        self.nearest = saved.nearest
+        self.nearest, self.lined_up = saved.nearest, saved.lined_up
 
 
 class SavedThings(msgspec.Struct, frozen=True):
@@ -215,3 +218,4 @@ class SavedThings(msgspec.Struct, frozen=True):
     refused_orbiter: bool
     waiting: bool
     nearest: int
+    lined_up: int | None

@@ -50,6 +50,8 @@ def _look_around(flight: Flight, state: State) -> None:
     """Where everything is now, what is near, and what that inhibits."""
     site, things, plant, period = flight.site, state.site, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, things.watch, things.contacts
+    # As the last step left them.
+    counts, things.lined_up = counted(flight, things.held, watch.placed, things.frames, things.lined_up)
     now = look_around(
         *things.places(site),
         plant.angles,
@@ -57,7 +59,7 @@ def _look_around(flight: Flight, state: State) -> None:
         things.prong.position,
         *layout.packed,
         watch.active,
-        counted(flight, things.held, watch.placed, things.frames),
+        counts,
         things.before,
         things.frames,
         period,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import time
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from aftdeck.errors import CommandError
+from aftdeck.errors import CommandError, InputError
 from aftdeck.lines import one_line
 
 ANSWER_WITHIN = 10.0
@@ -53,8 +55,10 @@ class Seats(Generic[P]):
         """Who sits at a page; empty: nobody in particular.
 
         Raises:
-            InputError: too long, or not to be read on one line.
+            InputError: too long, not to be read on one line, or what a page without a name is called.
         """
+        if re.fullmatch(r"page \d+", name, re.IGNORECASE):
+            raise InputError(f"{name!r} is what a page without a name is called")
         self._names[page] = one_line("a name", name, MOST_OF_A_NAME) if name else ""
 
     def name(self, page: P) -> str:
@@ -64,8 +68,10 @@ class Seats(Generic[P]):
     def named(self) -> list[tuple[int, str]]:
         """Numbers and names of the pages that have one; of two alike each has its number behind it."""
         given = [(self._numbers[page], name) for page, name in self._names.items() if name]
-        names = [name for _, name in given]
-        return [(number, name if names.count(name) == 1 else f"{name} {number}") for number, name in given]
+        shown = {number: name for number, name in given}
+        while alike := {name for name, pages in Counter(shown.values()).items() if pages > 1}:
+            shown = {number: f"{name} {number}" if name in alike else name for number, name in shown.items()}
+        return list(shown.items())
 
     def called(self, page: P) -> str:
         """What a page is called in a sentence."""

@@ -326,7 +326,6 @@ class Session:
             if now - self._heard > SILENCE and self._in_hand(now):
                 self._sticks = msgspec.structs.replace(HANDS_OFF, seq=self._sticks.seq)
                 self._left = self._left or "sticks silent"
-                self._left_until = now + self.scenario.delay * self.scenario.control_period + SILENCE
             sticks, way = self._sticks, self._under_way
             camera = self._camera if time.monotonic() - self._camera_heard <= SILENCE else STILL
             message = self._commands.popleft() if self._commands else None
@@ -388,7 +387,10 @@ class Session:
             self._note("light", f"light: {lighting.condition}; lamps lit: {lit}")
 
     def _left_alone(self, inputs: Inputs, cause: str) -> Inputs:
-        inputs, text = left_alone(inputs, self._sim.frame, cause)
+        now, frame = time.monotonic(), self._sim.frame
+        inputs, text = left_alone(inputs, frame, cause, under_way=now < self._left_until)
+        if inputs.rate_hold and frame is not None and frame.rate_hold:
+            self._left_until = now + self.scenario.delay * self.scenario.control_period + SILENCE
         if text:
             self._note("hands off", text, "caution")
         return inputs

@@ -21,7 +21,7 @@ CAUSES = {
 """Why nobody is there, as the log says it."""
 
 
-def left_alone(inputs: Inputs, frame: Frame | None, cause: str) -> tuple[Inputs, str]:
+def left_alone(inputs: Inputs, frame: Frame | None, cause: str, *, under_way: bool) -> tuple[Inputs, str]:
     """Inputs that let RATE HOLD go and set POSITION HOLD, and what the log says; no text: nothing had to change.
 
     Without a page that could stop it, a sequence is stopped, too.
@@ -30,11 +30,12 @@ def left_alone(inputs: Inputs, frame: Frame | None, cause: str) -> tuple[Inputs,
         inputs: what is flown in this step otherwise.
         frame: the step before; None: there was none.
         cause: one of `CAUSES`.
+        under_way: RATE HOLD was let go already, through the command delay.
     """
     if frame is None:
         return inputs, ""
     done = []
-    if frame.rate_hold:
+    if frame.rate_hold and not under_way:
         inputs = msgspec.structs.replace(inputs, rate_hold=True)  # pressed again
         done.append("RATE HOLD let go")
     if not frame.position_hold:

@@ -36,7 +36,8 @@ export function handOver(send: (command: Command) => void): HandOver {
     ask,
     words(role, now) {
       const { flying, flier, number, asking } = role;
-      if (before.flier !== 0 && flier !== before.flier) given = { from: before.first, at: now };
+      if (before.flier !== 0 && flier !== 0 && flier !== before.flier)
+        given = { from: before.first, at: now };
       before = { flier, first: calledFirst(role, flier) };
       if (question.hidden === (flying && asking !== 0)) question.hidden = !question.hidden;
       setText(asked, asking === 0 ? '' : `${calledFirst(role, asking)} asks for the sticks.`);

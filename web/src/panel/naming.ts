@@ -29,6 +29,8 @@ export interface Naming {
 export function naming(keeper: Keeper, send: (command: Command) => number): Naming {
   let asked: { readonly number: number; readonly name: string } | null = null;
   let now = '';
+  /** What the person here is called; another page of the browser may keep another. */
+  let mine = keeper.getItem(KEPT) ?? '';
   const field = el('input', {
     type: 'text',
     inputmode: 'text',
@@ -66,6 +68,7 @@ export function naming(keeper: Keeper, send: (command: Command) => number): Nami
   /** The station has the name: the browser keeps it. */
   const taken = () => {
     asked = null;
+    mine = now;
     keeper.setItem(KEPT, now);
     close();
   };
@@ -84,8 +87,9 @@ export function naming(keeper: Keeper, send: (command: Command) => number): Nami
     set({ name, number }) {
       now = name;
       if (asked?.name === name) taken();
-      const kept = keeper.getItem(KEPT) ?? '';
-      if (number !== 0 && name === '' && kept !== '') send({ type: 'set_name', name: kept });
+      drop.key.disabled = number === 0; // a page without a seat has no name
+      if (drop.key.disabled) close();
+      else if (name === '' && mine !== '') send({ type: 'set_name', name: mine });
     },
     refuse(number, text) {
       if (number !== asked?.number) return false;

@@ -14,8 +14,8 @@ export interface View {
   readonly hand: Deflection;
   /** What is told of the devices that move them. */
   readonly controllers: ControllersShown;
-  /** What the page that flies is called, at the beginning of a sentence; empty in a replay. */
-  readonly flier: string;
+  /** What the page that flies is called, at the beginning of a sentence; empty: no page flies; null: a recording, which does not tell. */
+  readonly flier: string | null;
   /** This page holds the sticks. */
   readonly flying: boolean;
   /** This page's THC flies the orbiter. */

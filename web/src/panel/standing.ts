@@ -84,4 +84,5 @@ export function standing(desk: Desk): Standing {
 }
 
 /** By whom; a recording does not tell. */
-const flown = (flier: string) => (flier === '' ? 'Nobody flies' : `${flier} flies`);
+const flown = (flier: string | null) =>
+  flier === '' ? 'Nobody flies' : flier === null ? '' : `${flier} flies`;

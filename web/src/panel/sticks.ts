@@ -89,5 +89,5 @@ export function setHand(
   hand: string,
   { frame, flying, flier }: Pick<View, 'frame' | 'flying' | 'flier'>,
 ): void {
-  setAbout(section, frame.by === 'script' ? 'script flies' : flying ? hand : flier);
+  setAbout(section, frame.by === 'script' ? 'script flies' : flying ? hand : (flier ?? ''));
 }

@@ -48,5 +48,5 @@ function viewOf(frame: Frame, units: Units): View {
   const [x, y, z] = frame.translation;
   const [roll, pitch, yaw] = frame.rotation;
   const hand = [x, y, z, roll, pitch, yaw, 0];
-  return { frame, units, hand, controllers: NO_CONTROLLERS, flying: false, orbiting: false, flier: '' };
+  return { frame, units, hand, controllers: NO_CONTROLLERS, flying: false, orbiting: false, flier: null };
 }

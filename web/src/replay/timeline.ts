@@ -40,7 +40,8 @@ export class Timeline {
       this.firsts.set(name, first);
       first += curves.length;
     }
-    this.span = { from: 0, to: this.duration };
+    // What has no end yet is drawn anew at once, over the time that is there.
+    this.span = { from: 0, to: Number.isFinite(this.duration) ? this.duration : 1 };
     this.slider = el(
       'div',
       {

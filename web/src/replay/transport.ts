@@ -8,7 +8,7 @@ import { StripChoice } from './strip-choice';
 
 const SPEED_NAMES: Readonly<Record<number, string>> = { 0.25: '¼', 0.5: '½' };
 /** Strips that there is room for. */
-export const MOST_STRIPS = 4;
+const MOST_STRIPS = 4;
 
 export interface TransportListener {
   /** To the event before or after the playhead. */
