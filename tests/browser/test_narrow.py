@@ -181,7 +181,7 @@ def _resize(flight: Flight, size: tuple[int, int]) -> None:
 def _assert_looks(flight: Flight) -> None:
     """Nothing scrolls, overlaps, is cut off or hard to read, in the pictures either."""
     drawn = flight.script("window.__aftdeck.frames")
-    flight.until(f"window.__aftdeck.frames > {drawn + 1}")
+    flight.until(f"window.__aftdeck.frames > {drawn + 4}")
     assert not flight.script(SCROLLS)
     assert_tidy(flight)
     assert_readable(flight)

@@ -53,7 +53,7 @@ def test_the_focus_goes_from_the_monitors_over_the_spine_to_the_desk(flight: Fli
         "document.activeElement.closest('.monitor, .spine, .group, .rail')?.classList[1] ?? "
         "document.activeElement.closest('.monitor, .spine, .standing, .rail')?.classList[0] ?? ''"
     )
-    for _ in range(80):
+    for _ in range(90):
         flight.press("Tab")
         where = flight.script(place)
         if where and where not in visited:

@@ -213,9 +213,9 @@ def test_the_separating_plane_is_shown_on_demand(sited: Sited) -> None:
     flight, _ = sited(Worksite(info(), work(nearest=near("lower boom", "bay wall port", 0.38))))
     key = flight.page.get_by_role("button", name="Plane")
     flight.press("f")
-    flight.until("document.querySelector('.clearance .more').ariaPressed === 'true'")
+    flight.page.get_by_role("button", name="Plane", pressed=True).wait_for()
     key.click()
-    flight.until("document.querySelector('.clearance .more').ariaPressed === 'false'")
+    flight.page.get_by_role("button", name="Plane", pressed=False).wait_for()
 
 
 @pytest.mark.parametrize("mode", ["ORB UNL", "OPR CMD", "SINGLE", "MASTER"])
