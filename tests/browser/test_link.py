@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, Page, WebSocketRoute
 
+from aftdeck.station.protocol import PROTOCOL
 from tests.browser.flight import WAIT_MS, Flight
 
 pytestmark = pytest.mark.browser
@@ -32,7 +33,7 @@ def test_a_station_that_refuses_the_page_is_quoted(page: Page, station: str) -> 
 def test_a_station_of_another_protocol_is_not_flown(page: Page, station: str) -> None:
     answer(page, {"type": "welcome", "protocol": 99})
     page.goto(station)
-    page.get_by_text("This page speaks protocol 2, the station speaks 99: reload the page.").wait_for()
+    page.get_by_text(f"This page speaks protocol {PROTOCOL}, the station speaks 99: reload the page.").wait_for()
 
 
 def test_a_message_that_the_page_does_not_know_is_not_passed_over(page: Page, station: str) -> None:

@@ -19,7 +19,13 @@ FLIGHTS = {
     "the report's script": ("concept-1972-script", "--demo"),
     "delayed script": ("srms-deploy", "--demo"),
     "a command delay, recorded": ("late", "--record"),
+    "three delays, recorded": ("later", "--record"),
 }
+LATE_BY = {
+    "late": 'command_delay = "2 s"',
+    "later": 'command_delay = "2 s"\ntelemetry_delay = "1.25 s"\ncamera_delay = "1.5 s"',
+}
+"""Delays of the scenarios that have some."""
 NAME = "Maximiliana Alexandrina"
 LATE = """
     const send = WebSocket.prototype.send;
@@ -45,14 +51,15 @@ def station(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     scenario, option = request.param
     folder = tmp_path_factory.mktemp("rail")
     file = (str(folder / "flights"),) if option == "--record" else ()
-    with flown(late(folder) if scenario == "late" else scenario, option, *file) as address:
+    given = late(folder, LATE_BY[scenario]) if scenario in LATE_BY else scenario
+    with flown(given, option, *file) as address:
         yield address
 
 
-def late(folder: Path) -> str:
-    """A scenario with many tasks and a command delay of 2 s."""
+def late(folder: Path, delays: str) -> str:
+    """A scenario with many tasks and these delays."""
     berth = Path(aftdeck.__file__).parent / "scenario" / "builtin" / "srms-berth.toml"
-    (folder / "late.toml").write_text(f'command_delay = "2 s"\n{berth.read_text(encoding="utf-8")}', encoding="utf-8")
+    (folder / "late.toml").write_text(f"{delays}\n{berth.read_text(encoding='utf-8')}", encoding="utf-8")
     return str(folder / "late.toml")
 
 
@@ -88,11 +95,11 @@ def test_a_delay_stands_as_set_and_as_measured_where_commands_take_longer(
     told = "document.querySelector('.rail .delay').textContent"
     page = open_page(width, height, prepare=lambda page: page.add_init_script(LATE))
     page.until(f"{WHO} === 'You fly'")
-    assert page.script(told).strip() == ("Command delay 2.00 s" if delay else "Command delay")
+    page.until(f"{told}.trim() === '{'Command delay 2.00 s' if delay else 'Delay'}'")
     page.hold("w")
     page.until("frame.translation[0] === 1")
     page.release("w")
-    page.until(f"/^Delay set {delay}.00, measured {delay}\\.[4-9]/.test({told})")
+    page.until(f"/^Command set {delay}.00, measured {delay}\\.[4-9]/.test({told})")
     page.until_lit("LINK")
     assert_whole(page)
     open_page(width, height)

@@ -1,10 +1,10 @@
 /** A second window with pictures: one monitor or all cameras, of what its page flies or plays. */
 
+import { DelayLine, isStale } from './delay-line';
 import { missionTime } from './format';
 import { Keyboard } from './input/keyboard';
 import type { Action } from './input/keymap';
 import { el } from './panel/dom';
-import { STALE_S } from './panel/picture';
 import { Pictures } from './pictures';
 import type { Frame, Welcome } from './protocol';
 import type { Drawing } from './quality';
@@ -28,9 +28,9 @@ export class Display {
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
   /** What the figures are of. */
   private told = this.shown;
-  private frame: Frame | null = null;
+  private newest: Frame | null = null;
   private restarts = 0;
-  private arrived = 0;
+  private readonly line: DelayLine;
   private valuesAt = 0;
   private request = 0;
   /** Others are not told of what they told. */
@@ -50,6 +50,7 @@ export class Display {
   ) {
     const name = what === 'matrix' ? 'All cameras' : `MON ${what + 1}`;
     this.units = welcome.units;
+    this.line = new DelayLine(played ? 0 : welcome.camera_delay_s);
     this.tether = new Tether(
       { ...(played ? { ...PLAYED, file: played.file } : FLOWN), name, title: welcome.title },
       {
@@ -80,9 +81,9 @@ export class Display {
   }
 
   setFrame(frame: Frame): void {
-    if (this.frame && frame.tick < this.frame.tick) this.restarts += 1;
-    this.frame = frame;
-    this.arrived = performance.now();
+    if (this.newest && frame.tick < this.newest.tick) this.restarts += 1;
+    this.newest = frame;
+    this.line.put({ frame, at: performance.now() });
   }
 
   dispose(): void {
@@ -94,7 +95,7 @@ export class Display {
 
   private tick(): void {
     this.request = requestAnimationFrame(() => this.tick());
-    const { frame } = this;
+    const frame = this.line.at(performance.now())?.frame;
     if (!frame || this.pictures.drawing) return;
     this.hearing = true; // what it shows at first is its page's choice
     this.pictures.draw(frame, frame.work.clearance_level, () => {
@@ -105,9 +106,9 @@ export class Display {
     const now = performance.now();
     if (now - this.valuesAt < VALUES_MS) return;
     this.valuesAt = now;
-    const age = this.played ? null : (now - this.arrived) / 1000;
+    const age = this.played ? null : this.line.age(now);
     this.pictures.setTime({ frame, units: unitsOf(this.units) }, age);
-    this.tether.show(missionTime(frame.time_s), age !== null && age > STALE_S ? 'Lost' : '');
+    this.tether.show(missionTime(frame.time_s), age !== null && isStale(age) ? 'Lost' : '');
     this.told = { frame, restarts: this.restarts };
     if (!this.pictures.drawing) this.shown = this.told;
   }

@@ -15,6 +15,7 @@ export class LastMinutes {
   private lanes: readonly Lane[] = [];
   private samples: Sample[] = [];
   private events: LogEvent[] = [];
+  private until = Infinity;
 
   take({ strips, samples, lanes }: Recent): void {
     if (strips.length > 0) {
@@ -24,9 +25,15 @@ export class LastMinutes {
     }
     if (lanes.length > 0) this.lanes = lanes;
     this.samples.push(...samples);
-    const kept = this.samples.findIndex(({ time_s }) => time_s >= this.now - KEPT_S);
+    const before = this.now - KEPT_S;
+    const kept = this.samples.findIndex(({ time_s }) => time_s >= before);
     this.samples.splice(0, kept);
-    this.forgetEvents(this.now - KEPT_S);
+    this.forgetEvents(before);
+  }
+
+  /** What is later than `time` [s] is kept, and not shown yet. */
+  reach(time: number): void {
+    this.until = time;
   }
 
   /** Lines of the log; time that goes back begins a flight anew. */
@@ -44,9 +51,9 @@ export class LastMinutes {
     this.events = [];
   }
 
-  /** The newest sample; null: there is none yet. */
+  /** The newest sample that is shown; null: there is none yet. */
   get newest(): Sample | null {
-    return this.samples.at(-1) ?? null;
+    return this.samples.findLast(({ time_s }) => time_s <= this.until) ?? null;
   }
 
   /** Its time [s]. */
@@ -65,14 +72,14 @@ export class LastMinutes {
       0,
       this.samples.findIndex(({ time_s }) => time_s >= span.from),
     );
-    const samples = this.samples.slice(begin);
+    const samples = this.samples.slice(begin).filter(({ time_s }) => time_s <= this.until);
     let first = 0;
     const strips = this.strips.map((strip) => {
       const from = first;
       first += strip.curves.length;
       return chosen.includes(strip.name) ? drawn(strip, samples, from, units) : strip;
     });
-    const events = this.events.filter(({ time_s }) => time_s >= span.from);
+    const events = this.events.filter(({ time_s }) => time_s >= span.from && time_s <= this.until);
     return { lanes: this.lanes.map((lane) => goingOn(lane, span, this.now)), events, strips };
   }
 
@@ -81,9 +88,10 @@ export class LastMinutes {
   }
 }
 
-/** A lane whose last stretch goes on until now, without what ended before the span. */
+/** A lane until now, up to which its last stretch goes on, without what ended before the span. */
 function goingOn({ name, stretches }: Lane, span: Span, now: number): Lane {
-  const until = stretches.map((each, i) => (i === stretches.length - 1 ? { ...each, end_s: now } : each));
+  const begun = stretches.filter(({ start_s }) => start_s <= now);
+  const until = begun.map((each, i) => (i === begun.length - 1 ? { ...each, end_s: now } : each));
   return { name, stretches: until.filter(({ end_s }) => end_s >= span.from) };
 }
 

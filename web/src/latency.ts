@@ -3,24 +3,23 @@
  * way: until the frame is here that has flown it, after the delay that a scenario may set.
  */
 
-const WINDOW_MS = 10_000;
+import { Samples } from './samples';
+
 /** A station that is well answers within this time, a control period and the way there and back [ms]. */
 const ANSWERED_MS = 40;
 /** Pictures wait for an input so seldom [ms]. */
 const HELD_MS = 150;
 
-interface Sample {
-  readonly drawn: number;
-  readonly ms: number;
-}
-
 export class Latency {
   private waiting: { seq: number; at: number }[] = [];
-  private samples: Sample[] = [];
+  private readonly samples = new Samples();
   private unanswered: { seq: number; at: number }[] = [];
-  private answers: Sample[] = [];
+  private readonly answers = new Samples();
   /** The input that pictures waited for last. */
   private heldFor = Number.NEGATIVE_INFINITY;
+
+  /** `cameraDelay`: pictures are late by this much, which is not counted [s]. */
+  constructor(private readonly cameraDelay = 0) {}
 
   /** A sticks message went out, caused by an input event at `at` [ms, as performance.now()]. */
   sent(seq: number, at: number): void {
@@ -31,7 +30,7 @@ export class Latency {
   /** A frame that has taken `stickSeq` is drawn at `now` [ms]. */
   drawn(stickSeq: number, now: number): void {
     for (const { seq, at } of this.waiting) {
-      if (seq <= stickSeq) this.samples.push({ drawn: now, ms: now - at });
+      if (seq <= stickSeq) this.samples.add(now - at - 1000 * this.cameraDelay, now);
     }
     this.waiting = this.waiting.filter(({ seq }) => seq > stickSeq);
   }
@@ -39,15 +38,14 @@ export class Latency {
   /** A frame that has flown `flownSeq` has come at `now` [ms]. */
   answered(flownSeq: number, now: number): void {
     for (const { seq, at } of this.unanswered) {
-      if (seq <= flownSeq) this.answers.push({ drawn: now, ms: now - at });
+      if (seq <= flownSeq) this.answers.add(now - at, now);
     }
     this.unanswered = this.unanswered.filter(({ seq }) => seq > flownSeq);
   }
 
   /** What the inputs of the last 10 s took to their frame, the middle of them [s]; null where no stick moved. */
   answer(now: number): number | null {
-    this.answers = this.answers.filter(({ drawn }) => now - drawn <= WINDOW_MS);
-    const ms = part(this.answers, 0.5);
+    const ms = this.answers.part(0.5, now);
     return ms === null ? null : ms / 1000;
   }
 
@@ -56,6 +54,7 @@ export class Latency {
    * Where inputs never end, not each of them is waited for.
    */
   due(stickSeq: number, now: number): boolean {
+    if (this.cameraDelay > 0) return false;
     const input = this.waiting.find(({ seq, at }) => seq > stickSeq && now - at < ANSWERED_MS);
     if (!input || (input.at > this.heldFor && input.at < this.heldFor + HELD_MS)) return false;
     this.heldFor = input.at;
@@ -70,13 +69,6 @@ export class Latency {
 
   /** 95th percentile of the last 10 s [ms], or null where no stick moved. */
   percentile95(now: number): number | null {
-    this.samples = this.samples.filter(({ drawn }) => now - drawn <= WINDOW_MS);
-    return part(this.samples, 0.95);
+    return this.samples.part(0.95, now);
   }
-}
-
-/** The time within which that part of them lies [ms]. */
-function part(samples: readonly Sample[], share: number): number | null {
-  const sorted = samples.map(({ ms }) => ms).sort((a, b) => a - b);
-  return sorted[Math.ceil(share * sorted.length) - 1] ?? null;
 }

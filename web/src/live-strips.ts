@@ -1,9 +1,9 @@
 /** A second window with the last minutes of what its page flies, as lanes and strips; time runs at its right end. */
 
+import { DelayLine, isStale } from './delay-line';
 import { missionTime } from './format';
 import { KEPT_S, LastMinutes } from './last-minutes';
 import { setClass } from './panel/dom';
-import { STALE_S } from './panel/picture';
 import type { Frame, Event as LogEvent, Recent, Welcome } from './protocol';
 import { minutes } from './replay/quantity';
 import type { Span } from './replay/span';
@@ -23,9 +23,9 @@ export class LiveStrips {
   readonly drawn = 0;
   readonly bodies = [];
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  private frame: Frame | null = null;
+  private newest: Frame | null = null;
   private restarts = 0;
-  private arrived = 0;
+  private readonly line: DelayLine;
   private window: StripWindow | null = null;
   private choice = FIRST;
   private span: Span = { from: 0, to: 0 };
@@ -38,6 +38,7 @@ export class LiveStrips {
     private readonly root: HTMLElement,
     private readonly welcome: Welcome,
   ) {
+    this.line = new DelayLine(welcome.telemetry_delay_s);
     this.tether = new Tether({ ...FLOWN, name: 'Strips', title: welcome.title }, { heard() {} });
     root.classList.add('torn-off', 'strips-live');
     root.replaceChildren(this.tether.rail);
@@ -45,9 +46,9 @@ export class LiveStrips {
   }
 
   setFrame(frame: Frame): void {
-    if (this.frame && frame.tick < this.frame.tick) this.restarts += 1;
-    this.frame = frame;
-    this.arrived = performance.now();
+    if (this.newest && frame.tick < this.newest.tick) this.restarts += 1;
+    this.newest = frame;
+    this.line.put({ frame, at: performance.now() });
   }
 
   setRecent(told: Recent): void {
@@ -81,11 +82,15 @@ export class LiveStrips {
   }
 
   private draw(): void {
-    const { frame, window: shown, minutes: last, choice } = this;
-    if (!frame || !shown || !last.newest) return;
-    const age = (performance.now() - this.arrived) / 1000;
-    this.tether.show(missionTime(frame.time_s), age > STALE_S ? 'Lost' : '');
-    setClass(document.body, 'stale', age > STALE_S);
+    const { window: shown, minutes: last, choice } = this;
+    const now = performance.now();
+    const frame = this.line.at(now)?.frame;
+    if (!frame || !shown) return;
+    last.reach(this.welcome.telemetry_delay_s > 0 ? frame.time_s : Infinity);
+    if (!last.newest) return;
+    const stale = isStale(this.line.age(now));
+    this.tether.show(missionTime(frame.time_s), stale ? 'Lost' : '');
+    setClass(document.body, 'stale', stale);
     const units = unitsOf(this.tether.page?.units ?? this.welcome.units);
     const asked = [this.length, units.name, ...shown.chosen].join();
     const moved = last.now - this.span.to;

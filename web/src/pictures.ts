@@ -2,6 +2,7 @@
 
 import { TARGETS, type Target } from './advice';
 import { Appearance } from './appearance';
+import type { Age } from './delay-line';
 import { small } from './format';
 import type { Turning } from './input/camera-hand';
 import { keeper } from './kept';
@@ -326,8 +327,8 @@ export class Pictures {
     finish();
   }
 
-  /** Time codes and figures; `age` of the picture in seconds, null where it is a recorded one. */
-  setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: number | null): void {
+  /** Time codes and figures; `age` of the picture, null where it is a recorded one. */
+  setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: Age | null): void {
     const { nearest } = frame.work;
     for (const picture of this.monitors.flatMap(({ pictures }) => pictures)) {
       picture.setTime(frame, age);

@@ -1,7 +1,7 @@
 // Generated from station/protocol.py and station/playback.py by `make generate`; do not edit.
 // All quantities are SI and radians; see there for frames.
 
-export const PROTOCOL = 2;
+export const PROTOCOL = 3;
 
 export type Vec2 = readonly [number, number];
 export type Vec3 = readonly [number, number, number];
@@ -493,6 +493,10 @@ export interface Welcome {
   readonly control_period_s: number;
   /** How long a command is under way before the arm has it [s]. */
   readonly command_delay_s: number;
+  /** So late the page shows figures, lamps and log [s]. */
+  readonly telemetry_delay_s: number;
+  /** So late it shows pictures [s]. */
+  readonly camera_delay_s: number;
   /** The arm file's preference for the panel's read-outs. */
   readonly units: 'ft-in' | 'SI';
   readonly joints: readonly JointInfo[];

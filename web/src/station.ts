@@ -1,6 +1,7 @@
 /** The operator's station: monitors, spine and desk, drawn from the last frame alone. */
 
 import { assertUnreachable } from './assert';
+import { DelayLine, isStale, type Seen } from './delay-line';
 import { pageName } from './identity';
 import { CameraHand, together } from './input/camera-hand';
 import { RelayedKeys } from './input/key-relay';
@@ -22,10 +23,9 @@ import { handOver } from './panel/hand-over';
 import { KeyMap } from './panel/keys';
 import { lightSegments } from './panel/lamp-test';
 import { lightControl } from './panel/light';
-import { linkLamp } from './panel/link';
+import { type Delays, linkLamp } from './panel/link';
 import { naming } from './panel/naming';
 import type { Desk, View } from './panel/part';
-import { STALE_S } from './panel/picture';
 import { rail } from './panel/rail';
 import { type ScenarioChoice, scenarioChoice } from './panel/scenarios';
 import { Spine } from './panel/spine';
@@ -34,6 +34,7 @@ import { touchView } from './panel/touch';
 import { Pictures } from './pictures';
 import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Scenarios, Welcome } from './protocol';
 import type { Drawing } from './quality';
+import { Samples } from './samples';
 import type { DrawnBody } from './scene/bodies';
 import type { Command, LinkState } from './socket';
 import { Tones } from './tones';
@@ -62,15 +63,22 @@ export class Station {
   /** Pictures drawn so far, what the whole page shows of the flight, and the latencies measured. */
   drawn = 0;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  readonly latency = new Latency();
+  readonly latency: Latency;
   private readonly tones = new Tones(keeper, () => new AudioContext());
   /** What the last frame showed, for the clicks. */
   private heard = { mode: '', held: 0 };
   /** What the figures are of. */
   private figures = this.shown;
-  private frame: Frame | null = null;
+  /** What came last, and what figures, lamps and log, and the pictures, are of: as late as the scenario has them. */
+  private newest: Seen | null = null;
+  private readonly telemetry: DelayLine;
+  private readonly camera: DelayLine;
+  /** What was shown of them last, and how old it was then [s]. */
+  private readonly measured = { telemetry: new Samples(), camera: new Samples() };
+  private seen: { telemetry: Seen | null; camera: Seen | null } = { telemetry: null, camera: null };
+  /** Lines of the log that are on their way. */
+  private underWay: LogEvent[] = [];
   private restarts = 0;
-  private arrived = 0;
   private fresh = false;
   /** The next picture waits for the frame that answers a stick. */
   private held = false;
@@ -114,7 +122,6 @@ export class Station {
   /** What the station was told last of the controllers, and how many were gone. */
   private told = '';
   private lost = 0;
-  private readonly commandDelay: number;
   private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
   /** There is something that the orbiter can move against. */
   private readonly movable: boolean;
@@ -128,14 +135,16 @@ export class Station {
 
   constructor(
     root: HTMLElement,
-    welcome: Welcome,
+    private readonly welcome: Welcome,
     drawing: Drawing,
     private readonly transmit: (command: Command) => number,
   ) {
+    this.latency = new Latency(welcome.camera_delay_s);
+    this.telemetry = new DelayLine(welcome.telemetry_delay_s);
+    this.camera = new DelayLine(welcome.camera_delay_s);
     this.units = welcome.units;
     this.barPace = BAR_PACE[drawing.quality];
     this.events = new EventsGroup([welcome.text, ...reread(), keysHint()]);
-    this.commandDelay = welcome.command_delay_s;
     this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
     this.movable = welcome.work.cargo.length > 0;
     this.pictures = new Pictures(welcome, drawing, {
@@ -243,18 +252,21 @@ export class Station {
     return this.pictures.bodies;
   }
 
-  /** A newer frame; the next picture shows it. */
+  /** A newer frame; figures and pictures show it when they are due. */
   setFrame(frame: Frame): void {
-    if (this.frame && frame.tick < this.frame.tick) {
+    if (this.newest && frame.tick < this.newest.frame.tick) {
       this.restarts += 1;
       this.latency.forget(); // what was under way is flown by nobody
+      this.log(this.underWay.splice(0));
     }
-    this.frame = frame;
-    this.arrived = performance.now();
+    const now = performance.now();
+    this.newest = { frame, at: now };
+    this.telemetry.put(this.newest);
+    this.camera.put(this.newest);
     this.operator.sticks.kept = frame.rate_hold;
-    this.latency.answered(frame.flown_seq, this.arrived);
+    this.latency.answered(frame.flown_seq, now);
     this.fresh = true;
-    if (this.held) this.draw(this.arrived);
+    if (this.held) this.draw(now);
   }
 
   setRole(role: Role): void {
@@ -288,7 +300,20 @@ export class Station {
     if (link.kind !== 'open') this.latency.forget();
   }
 
+  /** Lines of the log come with the figures of their time. */
   addEvents(events: readonly LogEvent[]): void {
+    this.underWay.push(...events);
+    this.tellEvents();
+  }
+
+  private tellEvents(): void {
+    if (this.underWay.length === 0) return;
+    const until = this.telemetry.delay > 0 ? (this.frame?.time_s ?? 0) : Infinity;
+    const later = this.underWay.findIndex(({ time_s }) => time_s > until);
+    this.log(this.underWay.splice(0, later < 0 ? Infinity : later));
+  }
+
+  private log(events: readonly LogEvent[]): void {
     const recent = (this.frame?.time_s ?? 0) - RECENT_S;
     for (const { kind, text, time_s } of events) {
       if (kind === 'refused' && this.frame && time_s >= recent)
@@ -298,6 +323,7 @@ export class Station {
   }
 
   forgetEvents(): void {
+    this.underWay = [];
     this.events.clear();
   }
 
@@ -332,27 +358,33 @@ export class Station {
     const now = performance.now();
     this.operator.tick(now);
     this.watchDevices();
+    this.tellEvents();
     this.draw(now);
   }
 
-  /** Draws the newest frame, once the pictures of the one before are on the page. */
+  /** What figures, lamps and log are of. */
+  private get frame(): Frame | null {
+    return this.telemetry.at(performance.now())?.frame ?? null;
+  }
+
+  /** Draws what is due, once the pictures of the frame before are on the page. */
   private draw(now: number): void {
-    const { frame } = this;
-    if (!frame) return;
+    const [told, seen] = [this.telemetry.at(now), this.camera.at(now)];
+    if (!told || !seen) return;
+    const view = this.viewOf(told.frame);
     if (this.pictures.drawing) {
       // Figures, lamps and tones do not wait for a picture that is long under way.
-      if (now - this.valuesAt >= OVERDUE_MS) this.values(this.viewOf(frame), now);
+      if (now - this.valuesAt >= OVERDUE_MS) this.values(view, now);
       return;
     }
-    this.held = this.latency.due(frame.stick_seq, now);
+    this.held = this.latency.due(seen.frame.stick_seq, now);
     if (this.held) return;
-    const view = this.viewOf(frame);
-    this.operator.sticks.driving = this.modes.get(frame.mode) === 'single';
+    this.operator.sticks.driving = this.modes.get(told.frame.mode) === 'single';
     // Where bars wait for a picture, it is not one with MON 2 in it.
     const barsMove = (this.drawn + 1) % this.barPace === 0;
     this.fresh = false;
     // The pictures first: they read the page's places, which the desk's bars unsettle.
-    this.pictures.draw(frame, frame.work.clearance_level, () => this.pictured(frame));
+    this.pictures.draw(seen.frame, seen.frame.work.clearance_level, () => this.pictured(seen));
     if (barsMove) this.groups.bars(view);
     this.keys.light(this.operator.controllers.keyboard.held);
     this.sheet.tick();
@@ -374,26 +406,28 @@ export class Station {
   }
 
   /** The pictures of a frame are on the page. */
-  private pictured(frame: Frame): void {
+  private pictured(seen: Seen): void {
     const now = performance.now();
     this.drawn += 1;
     this.shown = this.figures;
-    this.latency.drawn(frame.stick_seq, now);
+    this.latency.drawn(seen.frame.stick_seq, now);
+    this.measure('camera', seen, now);
     if (this.fresh) this.draw(now);
   }
 
   private values(view: View, now: number): void {
     this.valuesAt = now;
-    const age = (now - this.arrived) / 1000;
-    this.pictures.setTime(view, age);
-    setClass(document.body, 'stale', age > STALE_S);
+    const [told, seen] = [this.telemetry.at(now), this.camera.at(now)];
+    if (told) this.measure('telemetry', told, now);
+    this.pictures.setTime({ ...view, frame: seen?.frame ?? view.frame }, this.camera.age(now));
+    setClass(document.body, 'stale', isStale(this.telemetry.age(now)));
     this.groups.values(view);
     this.controlPage.values(view);
     const test = view.frame.mode === 'TEST';
-    this.spine.show([...inUnits(view), ...this.ownLamps(now, age)], test);
+    this.spine.show([...inUnits(view), ...this.ownLamps(now)], test);
     const latency95 = this.latency.percentile95(now);
     this.tutorial.values(view);
-    const measured = { picture: latency95, command: this.latency.answer(now) };
+    const measured = { picture: latency95, delays: this.delays(now) };
     this.rail.values(view, measured, this.handOver.words(this.role, now), this.link);
     this.sound(view.frame);
     const monitors = this.pictures.shown;
@@ -405,6 +439,22 @@ export class Station {
     if (test) lightSegments();
     this.figures = { frame: view.frame, restarts: this.restarts };
     if (!this.pictures.drawing) this.shown = this.figures;
+  }
+
+  /** How old what is shown first at `now` [ms] is; what was shown before it had to come is not so old. */
+  private measure(what: 'telemetry' | 'camera', seen: Seen, now: number): void {
+    const age = (now - seen.at) / 1000;
+    if (this.seen[what] !== seen && age >= this[what].delay) this.measured[what].add(age, now);
+    this.seen[what] = seen;
+  }
+
+  private delays(now: number): Delays {
+    const { welcome, measured } = this;
+    return {
+      command: { set: welcome.command_delay_s, measured: this.latency.answer(now) },
+      telemetry: { set: welcome.telemetry_delay_s, measured: measured.telemetry.part(0.5, now) },
+      camera: { set: welcome.camera_delay_s, measured: measured.camera.part(0.5, now) },
+    };
   }
 
   /** Alarms until they are acknowledged, and clicks for a mode entered and a payload captured. */
@@ -437,15 +487,16 @@ export class Station {
   }
 
   /** The lamps that only the page can light. */
-  private ownLamps(now: number, age: number): readonly Lamp[] {
+  private ownLamps(now: number): readonly Lamp[] {
     const lamps: Lamp[] = [];
     if (this.refusal && now - this.refusal.at < REFUSAL_MS) {
       lamps.push({ name: 'CHECK CRT', level: 'caution', text: 'see the log' });
     }
-    const link = linkLamp(age, this.commandDelay, this.latency.answer(now));
+    const link = linkLamp((now - (this.newest?.at ?? now)) / 1000, this.delays(now));
     if (link) lamps.push(link);
-    if (age > STALE_S)
-      lamps.push({ name: 'CAMERA', level: 'caution', text: `pictures ${age.toFixed(0)} s old` });
+    const age = this.camera.age(now);
+    if (isStale(age))
+      lamps.push({ name: 'CAMERA', level: 'caution', text: `pictures ${age.s.toFixed(0)} s old` });
     if (this.tooNarrow) return lamps;
     const { lost, waiting } = this.operator.controllers;
     const text = lost[0]

@@ -126,3 +126,23 @@ test('no time before the run is marked', () => {
   expect(marks({ from: -100, to: 20 })).toEqual([0, 15]);
   expect(marks({ from: -30, to: 0 })).toEqual([]);
 });
+
+test('what is later than figures are shown of is kept back, and comes with its time', () => {
+  const made = begun(20);
+  const stretch = { label: 'ORB UNL', level: 'info' } as const;
+  const lane = [0, 5, 15].map((start_s) => ({ ...stretch, start_s, end_s: start_s + 5 }));
+  made.take(told(20, 20, { lanes: [{ name: 'Mode', stretches: lane }] }));
+  made.note([line(4), line(16)]);
+  for (const [until, events, stretches] of [
+    [12, 1, 2],
+    [17, 2, 3],
+  ] as const) {
+    made.reach(until);
+    expect(made.now).toBeCloseTo(until);
+    const timed = made.over({ from: 0, to: made.now }, ['Clearance'], UNITS);
+    expect(timed.strips[0]?.curves[0]?.times_s.at(-1)).toBe(made.now);
+    expect(timed.events.length).toBe(events);
+    expect(timed.lanes[0]?.stretches.length).toBe(stretches);
+    expect(timed.lanes[0]?.stretches.at(-1)?.end_s).toBe(made.now);
+  }
+});

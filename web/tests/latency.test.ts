@@ -1,6 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { Latency } from '../src/latency';
-import { delayWords, linkLamp } from '../src/panel/link';
+import { type Delay, type Delays, delayWords, linkLamp } from '../src/panel/link';
+
+const NONE: Delay = { set: 0, measured: null };
+const delays = (command: Delay, others: Partial<Delays> = {}): Delays => ({
+  command,
+  telemetry: NONE,
+  camera: NONE,
+  ...others,
+});
 
 describe('stick to picture', () => {
   it('lasts from the input to the first picture that shows it', () => {
@@ -25,25 +33,58 @@ describe('stick to picture', () => {
     expect(latency.percentile95(800)).toBeNull();
   });
 
-  it('the rail tells the delay that is set, and the measured one where they differ', () => {
-    expect(delayWords(0, null)).toBe('');
-    expect(delayWords(0, 0.09)).toBe('');
-    expect(delayWords(0, 0.31)).toBe('set 0.00, measured 0.31 s');
-    expect(delayWords(2, null)).toBe('2.00 s');
-    expect(delayWords(2, 2.09)).toBe('2.00 s');
-    expect(delayWords(2, 2.31)).toBe('set 2.00, measured 2.31 s');
-    expect(delayWords(2, 1.5)).toBe('set 2.00, measured 1.50 s');
+  it('does not count the delay that the scenario sets for pictures', () => {
+    const latency = new Latency(2);
+    latency.sent(1, 100);
+    expect(latency.due(0, 110)).toBe(false); // no picture waits for a frame that is long under way
+    latency.drawn(1, 2160);
+    expect(latency.percentile95(2160)).toBe(60);
+  });
+
+  it('the rail tells a delay that is set, and the measured one where they differ', () => {
+    const told = (set: number, measured: number | null) => {
+      const { label, text } = delayWords(delays({ set, measured }));
+      return `${label} ${text}`;
+    };
+    expect(told(0, null)).toBe('Delay ');
+    expect(told(0, 0.09)).toBe('Delay ');
+    expect(told(0, 0.31)).toBe('Command set 0.00, measured 0.31 s');
+    expect(told(2, null)).toBe('Command delay 2.00 s');
+    expect(told(2, 2.09)).toBe('Command delay 2.00 s');
+    expect(told(2, 2.31)).toBe('Command set 2.00, measured 2.31 s');
+    expect(told(2, 1.5)).toBe('Command set 2.00, measured 1.50 s');
+  });
+
+  it('the rail tells those of three delays that there are', () => {
+    const camera = { set: 1.5, measured: 1.52 };
+    const telemetry = { set: 1, measured: 1.31 };
+    expect(delayWords(delays(NONE, { camera }))).toEqual({ label: 'Camera delay', text: '1.50 s' });
+    expect(delayWords(delays(NONE, { telemetry }))).toEqual({
+      label: 'Telemetry',
+      text: 'set 1.00, measured 1.31 s',
+    });
+    expect(delayWords(delays({ set: 2, measured: null }, { telemetry, camera }))).toEqual({
+      label: 'Delay',
+      text: 'CMD 2.00 · TLM 1.00 (1.31) · CAM 1.50 s',
+    });
   });
 
   it('LINK DELAY tells of a delay in force, of a longer one and of silence', () => {
-    expect(linkLamp(0.1, 0, 0.05)).toBeNull();
-    expect(linkLamp(0.1, 0, null)).toBeNull();
-    expect(linkLamp(0.1, 0.5, 0.55)).toMatchObject({ level: 'info', text: 'commands take 0.50 s' });
-    expect(linkLamp(0.1, 0.5, 0.9)).toMatchObject({
+    const lamp = (silence: number, set: number, measured: number | null) =>
+      linkLamp(silence, delays({ set, measured }));
+    expect(lamp(0.1, 0, 0.05)).toBeNull();
+    expect(lamp(0.1, 0, null)).toBeNull();
+    expect(lamp(0.1, 0.5, 0.55)).toMatchObject({ level: 'info', text: 'commands take 0.50 s' });
+    expect(lamp(0.1, 0.5, 0.9)).toMatchObject({
       level: 'caution',
       text: 'commands take 0.90 s, 0.50 s set',
     });
-    expect(linkLamp(3.2, 0.5, 0.55)).toMatchObject({ level: 'caution', text: 'silent for 3 s' });
+    expect(lamp(3.2, 0.5, 0.55)).toMatchObject({ level: 'caution', text: 'silent for 3 s' });
+    const old = { set: 1, measured: null };
+    expect(linkLamp(0.1, delays(NONE, { telemetry: old, camera: old }))).toMatchObject({
+      level: 'info',
+      text: 'figures are 1.00 s old, pictures are 1.00 s old',
+    });
   });
 
   it('lets no picture be begun without an input that is about to be answered', () => {

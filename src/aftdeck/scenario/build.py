@@ -28,7 +28,7 @@ SHORTEST_PERIOD = 0.001
 WHOLE = 1e-6
 """How far from a whole number of control periods a duration may be [1]."""
 LONGEST_DELAY = 30.0
-"""Longest command delay taken [s]: ten times the way to the Moon and back."""
+"""Longest delay taken [s]: ten times the way to the Moon and back."""
 LONGEST_RUN = 86_400.0
 """Longest duration taken [s]."""
 
@@ -81,6 +81,8 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         ticks=round(spec.duration / spec.control_period),
         control_period=float(spec.control_period),
         delay=round(spec.command_delay / spec.control_period),
+        telemetry_delay=float(spec.telemetry_delay),
+        camera_delay=float(spec.camera_delay),
         start=begin,
         parts=begun,
         cargo=cargo,
@@ -135,14 +137,14 @@ def _check_times(problems: Problems, spec: ScenarioFile) -> None:
             ("duration",),
             f"is a whole number of control periods: {duration:g} s is {duration / period:g} of {period:g} s",
         )
-    delay = spec.command_delay
-    if not 0.0 <= delay <= LONGEST_DELAY:
-        problems.wrong(("command_delay",), f"lies between 0 and {LONGEST_DELAY:g} s, got {delay:g} s")
-    elif whole and abs(delay / period - round(delay / period)) > WHOLE:
-        problems.wrong(
-            ("command_delay",),
-            f"is a whole number of control periods: {delay:g} s is {delay / period:g} of {period:g} s",
-        )
+    delays = {"command_delay": spec.command_delay, "telemetry_delay": spec.telemetry_delay}
+    for key, delay in (delays | {"camera_delay": spec.camera_delay}).items():
+        if not 0.0 <= delay <= LONGEST_DELAY:
+            problems.wrong((key,), f"lies between 0 and {LONGEST_DELAY:g} s, got {delay:g} s")
+        elif key == "command_delay" and whole and abs(delay / period - round(delay / period)) > WHOLE:
+            problems.wrong(
+                (key,), f"is a whole number of control periods: {delay:g} s is {delay / period:g} of {period:g} s"
+            )
 
 
 def _check_clearance(problems: Problems, spec: ScenarioFile) -> None:

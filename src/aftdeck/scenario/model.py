@@ -128,6 +128,8 @@ class Scenario:
         ticks: the same, in control periods.
         control_period: [s].
         delay: steps that a person's inputs are under way before they are flown.
+        telemetry_delay: how late the station's figures, lamps and log are [s].
+        camera_delay: how late its pictures are [s].
         start: how the arm starts.
         parts: where the parts of the problem begin anew; "full problem" is `start`.
         cargo: the worksite's payloads that are there.
@@ -164,6 +166,8 @@ class Scenario:
     ticks: int
     control_period: float
     delay: int
+    telemetry_delay: float
+    camera_delay: float
     start: Start
     parts: dict[Part, Start]
     cargo: tuple[Cargo, ...]

@@ -17,7 +17,7 @@ from aftdeck.scenario.light import LightCondition, Lighting
 from aftdeck.shapes import Shape
 from aftdeck.station.curves import Lane, Strip
 
-PROTOCOL = 2
+PROTOCOL = 3
 """Version of this protocol; a page that speaks another one is refused in the handshake."""
 
 MAX_MESSAGE_BYTES = 16_384
@@ -492,6 +492,10 @@ class Welcome(_Message, frozen=True, tag="welcome"):
     control_period_s: float
     command_delay_s: float
     """How long a command is under way before the arm has it [s]."""
+    telemetry_delay_s: float
+    """So late the page shows figures, lamps and log [s]."""
+    camera_delay_s: float
+    """So late it shows pictures [s]."""
     units: Literal["ft-in", "SI"]
     """The arm file's preference for the panel's read-outs."""
     joints: tuple[JointInfo, ...]

@@ -79,6 +79,8 @@ class Translator:
             arm=model.title,
             control_period_s=scenario.control_period,
             command_delay_s=scenario.delay * scenario.control_period,
+            telemetry_delay_s=scenario.telemetry_delay,
+            camera_delay_s=scenario.camera_delay,
             units=model.units,
             joints=joints,
             modes=modes,

@@ -1,9 +1,10 @@
 /** All cameras at once: a tile each, what it sees, and below them what is needed to fly on. */
 
 import type { Target } from '../advice';
+import { type Age, isStale } from '../delay-line';
 import type { Camera } from '../protocol';
 import { button, el, group, setAttribute, setClass, setText } from './dom';
-import { fitPane, STALE_S } from './picture';
+import { fitPane } from './picture';
 import { type Plan, plan } from './plan';
 
 /** Tiles beside and below each other; one size, whatever there are. */
@@ -123,11 +124,11 @@ export class Matrix {
   }
 
   /** How old the pictures are [s]; null: they are recorded ones. */
-  setAge(age: number | null): void {
-    const lost = age !== null && age > STALE_S;
+  setAge(age: Age | null): void {
+    const lost = age !== null && isStale(age);
     for (const { tile, lost: words } of this.parts) {
       setClass(tile, 'is-lost', lost);
-      if (lost) setText(words.lastElementChild ?? words, `no frame for ${age.toFixed(1)} s`);
+      if (lost) setText(words.lastElementChild ?? words, `no frame for ${(age.s - age.set).toFixed(1)} s`);
     }
   }
 

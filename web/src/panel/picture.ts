@@ -1,5 +1,6 @@
 /** One picture: a hole over the scene's canvas, and what is burned into it. */
 
+import { type Age, isStale } from '../delay-line';
 import { timeCode } from '../format';
 import { CameraDrag, type Place } from '../input/camera-drag';
 import type { Turning } from '../input/camera-hand';
@@ -11,8 +12,6 @@ import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
 import type { Box, Size } from './label-place';
 import { lensWords } from './lens';
 
-/** A picture older than this is stale [s]. */
-export const STALE_S = 0.5;
 /** Dragging across a whole picture goes round by this much [rad]; a turn of the wheel comes nearer by this much. */
 const DRAGGED = Math.PI;
 const WHEEL = 1.15;
@@ -125,14 +124,15 @@ export class Picture {
     this.gap.setText(text);
   }
 
-  /** Time code of the picture and its age [s]; null: it is a recorded one. */
-  setTime(frame: Frame, age: number | null): void {
-    const stale = age !== null && age > STALE_S;
+  /** Time code of the picture and its age; null: it is a recorded one. */
+  setTime(frame: Frame, age: Age | null): void {
+    const stale = age !== null && isStale(age);
     setText(this.time, timeCode(frame.time_s));
-    const how = age === null ? 'recorded' : stale ? `${age.toFixed(1)} s old` : 'live';
+    const old = age === null ? '' : `${age.s.toFixed(1)} s old`;
+    const how = age === null ? 'recorded' : stale || age.set > 0 ? old : 'live';
     const locked = frame.lighting.locked.some(({ camera }) => camera === this.shown.name);
     setText(this.age, locked ? `EXP LOCK  ${how}` : how);
-    setText(this.stale, stale ? `${age.toFixed(1)} s old` : '');
+    setText(this.stale, stale ? old : '');
     setClass(this.element, 'is-stale', stale);
   }
 

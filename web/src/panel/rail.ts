@@ -8,7 +8,7 @@ import { TASKS } from './cargo';
 import { button, el, setClass, setPressed, setText } from './dom';
 import { initialise } from './initialise';
 import type { LightControl } from './light';
-import { delayWords, differs } from './link';
+import { areLong, type Delays, delayWords } from './link';
 import type { Naming } from './naming';
 import type { Desk, View } from './part';
 import type { ScenarioChoice } from './scenarios';
@@ -40,8 +40,7 @@ export interface RailParts {
 export interface Measured {
   /** Stick to picture, 95th percentile [ms]. */
   readonly picture: number | null;
-  /** From a stick to the frame that has flown it, the middle [s]. */
-  readonly command: number | null;
+  readonly delays: Delays;
 }
 
 export interface Rail {
@@ -106,7 +105,7 @@ export function rail(
   );
   return {
     element,
-    values({ frame, flying, units: shown }, { picture, command }, said, link) {
+    values({ frame, flying, units: shown }, { picture, delays }, said, link) {
       light.values(frame);
       scenarios.values(frame);
       const at = scripted ? welcome.phases.indexOf(frame.phase) : frame.work.task - 1;
@@ -116,12 +115,11 @@ export function rail(
       });
       setText(lag, picture === null ? '–' : `${Math.round(picture)} ms`);
       setClass(lag, 'caution', picture !== null && picture > SLOW_MS);
-      const set = welcome.command_delay_s;
-      const words = delayWords(set, command);
-      setText(delayed, differs(set, command) ? 'Delay ' : 'Command delay ');
-      setClass(element, 'late', differs(set, command));
-      setText(takes, words);
-      setClass(delay, 'absent', words === '');
+      const { label, text } = delayWords(delays);
+      setText(delayed, `${label} `);
+      setText(takes, text);
+      setClass(delay, 'absent', text === '');
+      setClass(element, 'late', areLong(delays));
       setText(met, missionTime(frame.time_s));
       setClass(recording, 'absent', frame.recording_s === null);
       setText(rec, clock(frame.recording_s ?? 0));
@@ -144,5 +142,6 @@ export function rail(
 
 const SOFTWARE = 'This browser draws without a graphics card; add ?quality=full to the address to insist.';
 const DELAY =
-  'From a stick to the frame that has flown it: as the scenario sets it, and as it took in the last 10 s where that differs';
+  'CMD: from a stick to the frame that has flown it. TLM: how old figures, lamps and log are. CAM: how old pictures are. ' +
+  'As the scenario sets them; in brackets as they were in the last 10 s, where that differs.';
 const DIM = 'For a dark room: the page at 55 % of its lightness, pictures at 75 %';

@@ -1,7 +1,8 @@
 /** The top rail of a replay: what is played, how it was recorded, and whether it was recomputed. */
 
 import { button, el, setClass, setText } from '../panel/dom';
-import type { PlaybackIndex, Verdict } from '../protocol';
+import { delayWords } from '../panel/link';
+import type { PlaybackIndex, Verdict, Welcome } from '../protocol';
 import type { Units } from '../units';
 
 export interface ReplayRail {
@@ -25,6 +26,8 @@ export function replayRail(index: PlaybackIndex, changeUnits: () => void): Repla
   const notes: HTMLElement[] = [];
   if (!index.ended) notes.push(note('Cut short', CUT, 'note caution'));
   if (index.changes.length > 0) notes.push(note('Changed', index.changes.join('\n')));
+  const late = delayed(index.welcome);
+  if (late) notes.push(note('Flown late', late));
   if (index.stride > 1) notes.push(note(drawnRate(index), THINNED));
   const element = el(
     'header',
@@ -50,6 +53,17 @@ export function replayRail(index: PlaybackIndex, changeUnits: () => void): Repla
     },
     setUnits: ({ name }) => setText(units, name === 'SI' ? 'SI' : 'ft · in'),
   };
+}
+
+/** The delays that the operator flew with; empty where there was none. */
+function delayed(welcome: Welcome): string {
+  const delay = (set: number) => ({ set, measured: null });
+  const { label, text } = delayWords({
+    command: delay(welcome.command_delay_s),
+    telemetry: delay(welcome.telemetry_delay_s),
+    camera: delay(welcome.camera_delay_s),
+  });
+  return text && `${label} ${text}. What is shown here is not delayed.`;
 }
 
 /** `2026-03-01 14:05 UTC` of an ISO time. */

@@ -1,0 +1,130 @@
+"""Delays of telemetry and of pictures: what the desk tells, and what cameras show, is as old as the scenario says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser
+
+import aftdeck
+from tests.browser.conftest import OpenPage, flown
+from tests.browser.flight import Flight
+
+pytestmark = pytest.mark.browser
+
+TELEMETRY_S, CAMERA_S = 1.0, 3.0
+SOON_S = 1.0
+"""A page that draws in software shows a frame within this time of its being due."""
+
+NOTE = """
+    window.arrived = [];
+    const Socket = window.WebSocket;
+    window.WebSocket = class extends Socket {
+        constructor(...given) {
+            super(...given);
+            this.addEventListener('message', ({ data }) => {
+                const said = JSON.parse(data);
+                if (said.type === 'frame') window.arrived.push({ ...said, came: performance.now() });
+            });
+        }
+    };
+"""
+"""Keeps what comes to a page, as it comes."""
+
+AGES = """() => {
+    const [hours, minutes, seconds] = document.querySelector('.picture .code').textContent.split(':').map(Number);
+    const age = (time_s) => {
+        const { came } = window.arrived.findLast((frame) => Math.abs(frame.time_s - time_s) < 0.0101);
+        return (performance.now() - came) / 1000;
+    };
+    return {
+        figures: age(window.__aftdeck.lastFrame.time_s),
+        picture: age(3600 * hours + 60 * minutes + seconds),
+        stale: document.querySelector('.is-stale, body.stale') !== null,
+    };
+}"""
+"""How old what a page shows is [s], and whether it says that it is too old."""
+
+
+@pytest.fixture(scope="module")
+def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Address of a station whose telemetry and pictures are late."""
+    first = Path(aftdeck.__file__).parent / "scenario" / "builtin" / "first-flight.toml"
+    file = tmp_path_factory.mktemp("late") / "late.toml"
+    delays = f"telemetry_delay = {TELEMETRY_S}\ncamera_delay = {CAMERA_S}\n"
+    file.write_text(delays + first.read_text(encoding="utf-8"), encoding="utf-8")
+    with flown(str(file)) as address:
+        yield address
+
+
+@pytest.fixture
+def page(open_page: OpenPage) -> Flight:
+    """A page that has shown late frames already."""
+    page = open_page(1280, 720, prepare=lambda page: page.add_init_script(NOTE))
+    page.until(f"frame.time_s > {CAMERA_S + 1.0}")
+    return page
+
+
+def ages(page: Flight, count: int = 20) -> list[dict[str, float]]:
+    """How old all that a page shows is, some times, a picture or more apart."""
+    found = []
+    for _ in range(count):
+        found.append(page.script(AGES))
+        page.polled()
+    return found
+
+
+def test_figures_and_pictures_are_each_as_old_as_set_and_not_called_stale(page: Flight) -> None:
+    for age in ages(page):
+        assert TELEMETRY_S <= age["figures"] <= TELEMETRY_S + SOON_S
+        assert CAMERA_S <= age["picture"] <= CAMERA_S + SOON_S
+        assert not age["stale"]
+    page.page.locator(".burned.time", has_text="3.0 s old").first.wait_for()
+
+
+@pytest.mark.slow
+def test_the_log_and_the_mode_come_with_the_telemetry(page: Flight) -> None:
+    page.script("""() => new MutationObserver(() => {
+        const line = [...document.querySelectorAll('.log li')].some((line) => line.textContent.includes('END EFF'));
+        window.logged ??= line ? performance.now() : undefined;
+    }).observe(document.querySelector('.log'), { childList: true, subtree: true, characterData: true })""")
+    page.enter("END EFF")
+    page.until("window.logged")
+    entered = page.script("window.arrived.find(({ mode }) => mode === 'END EFF').came")
+    for shown in (page.script("window.logged"), page.script("performance.now()")):
+        assert shown >= entered + 1000 * TELEMETRY_S
+    page.enter("ORB UNL")
+
+
+def test_the_rail_and_the_lamp_tell_the_delays_and_stick_to_picture_leaves_them_out(page: Flight) -> None:
+    assert page.script("document.querySelector('.rail .delay').textContent") == "Delay TLM 1.00 · CAM 3.00 s"
+    link = page.page.locator(".lamp.info", has_text="LINK DELAY")
+    assert link.get_attribute("title") == "figures are 1.00 s old, pictures are 3.00 s old"
+    page.hold("w")
+    page.until("frame.translation[0] === 1")
+    page.release("w")
+    page.until("window.__aftdeck.latency95 !== null")
+    assert 0 < page.script("window.__aftdeck.latency95") < 1000 * SOON_S
+
+
+@pytest.mark.slow
+def test_a_restart_is_shown_at_once_and_what_follows_as_late_as_before(page: Flight) -> None:
+    page.from_the_start()
+    assert page.script("window.__aftdeck.lastFrame.time_s") < TELEMETRY_S
+    page.until(f"frame.time_s > {CAMERA_S}")
+    for age in ages(page, 5):
+        assert TELEMETRY_S <= age["figures"] <= TELEMETRY_S + SOON_S
+
+
+@pytest.mark.slow
+def test_a_second_window_shows_its_pictures_as_late(page: Flight, browser: Browser, station: str) -> None:
+    other = browser.new_page(viewport={"width": 900, "height": 600})
+    other.add_init_script(NOTE)
+    other.goto(f"{station}?view=mon1&quality=low")
+    second = Flight(other)
+    second.until(f"frame.time_s > {page.frame().time_s + CAMERA_S}")
+    for age in ages(second, 5):
+        assert CAMERA_S <= age["picture"] <= CAMERA_S + SOON_S
+    other.close()
