@@ -183,7 +183,7 @@ def test_an_automatic_motion_that_a_contact_stops_is_given_up() -> None:
         phases = f'[[phase]]\nname = "down"\nmode = "OPR CMD"\nlaw = "{law}"\ntarget = {{ {goal} }}'
         done = aftdeck.run(scenario(ABOVE_BAR, cargo=f'name = "payload"\n{phases}'))
         lines = log_of(done.frames)
-        assert "automatic motion given up: a limit holds the arm at a standstill" in lines
+        assert "automatic motion given up: a contact holds the arm at a standstill" in lines
         assert done.summary.ended == "fault" and min(frame.ratio for frame in done.frames) == 0.0
         assert done.summary.time_s < 30.0
 

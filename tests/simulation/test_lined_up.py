@@ -84,6 +84,20 @@ def test_what_is_lined_up_and_touched_is_told_and_foreseen() -> None:
     assert frame.work.contacts and contact and contact[0] < frame.time_s
 
 
+def test_a_touch_that_inhibits_the_arm_is_a_warning_until_it_is_relieved() -> None:
+    sim = aftdeck.Simulation(srms(6.0, 0.0, 7.0, UPRIGHT))
+    frames = fly(sim, 12.0, Inputs(translation=(0.0, 0.0, 1.0)))
+    inhibited = [frame for frame in frames if frame.work.arm_inhibit]
+    assert inhibited and inhibited[-1] is frames[-1]
+    for frame in inhibited[2:]:
+        assert pair(frame) == HAND
+        assert frame.work.clearance_level == "warning"
+        assert frame.work.nearest is not None and frame.work.nearest.clearance <= 0.0
+    off = fly(sim, 12.0, Inputs(translation=(0.0, 0.0, -1.0)))[-1]
+    assert not off.work.arm_inhibit
+    assert off.work.clearance_level == "info"
+
+
 def test_a_saved_flight_goes_on_with_the_same_nearest_pair() -> None:
     sim = aftdeck.Simulation(srms(6.0, 9.0, 0.0, UPRIGHT))
     back = Inputs(translation=(1.0, 0.0, 0.0))

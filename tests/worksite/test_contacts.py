@@ -41,11 +41,11 @@ def after(watched: Contacts, mode: int, *frames: np.ndarray) -> tuple[bool, bool
 def test_one_frame_raises_the_flag_and_the_second_inhibits() -> None:
     watched = contacts()
     assert after(watched, 1, frame(PALM_CAN)) == (False, False)
-    assert [c.inhibits for c in watched.standing(frame(PALM_CAN))] == [False]
+    assert [c.inhibits for c in watched.standing(frame(PALM_CAN), "SI")] == [False]
     assert after(watched, 1, frame(PALM_CAN)) == (True, False)
-    assert [c.inhibits for c in watched.standing(frame(PALM_CAN))] == [True]
+    assert [c.inhibits for c in watched.standing(frame(PALM_CAN), "SI")] == [True]
     assert after(watched, 1, frame()) == (False, False)
-    assert watched.standing(frame()) == ()
+    assert watched.standing(frame(), "SI") == ()
 
 
 @pytest.mark.parametrize(
@@ -95,7 +95,7 @@ def test_motion_is_inhibited_just_where_a_detrimental_contact_of_the_arm_is_in_t
         prong = both[PRONG_CAN]
         expected = (palm, prong) if mode == 1 else (palm or prong,) * 2
         assert (inhibit.arm, inhibit.finger) == expected
-        assert {c.group for c in watched.standing(frame())} == set(np.flatnonzero(now).tolist())
+        assert {c.group for c in watched.standing(frame(), "SI")} == set(np.flatnonzero(now).tolist())
         before = now
 
 
@@ -109,10 +109,10 @@ def test_contacts_are_told_deepest_first_with_what_they_are() -> None:
     watched, found = contacts(holding=True), frame(PRONG_BAR, clearance=0.0)
     found[CAN_WALL, CLEARANCE], found[PALM_CAN, CLEARANCE] = -0.3, -0.0213
     after(watched, 2, found, found)
-    told = watched.standing(found)
+    told = watched.standing(found, "SI")
     assert [c.text for c in told] == [
-        "can touches wall: 0.3 m deep",
-        "palm touches can: 0.021 m deep",
+        "can touches wall: 300 mm deep",
+        "palm touches can: 21.3 mm deep",
         "prong touches bar, as it is made to",
     ]
     assert [(c.a, c.b, c.depth, c.essential, c.inhibits) for c in told] == [

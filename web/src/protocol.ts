@@ -850,7 +850,7 @@ export interface Resolution {
 
 /** A limit that acted in this step. */
 export interface Limit {
-  readonly kind: 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'POR translation' | 'POR rotation' | 'POR acceleration';
+  readonly kind: 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
   /** 0 to 5, or -1 where no single joint is concerned. */
   readonly joint: number;
   /** For people: `elbow pitch at its rate limit`. */

@@ -48,6 +48,8 @@ const VALUES_MS = 100;
 /** So long may they wait for a picture [ms]. */
 const OVERDUE_MS = 300;
 const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'];
+/** A page that did nothing for so long, or heard nothing, takes its sticks to zero; the station does as well [ms]. */
+const STOOD_MS = 500;
 /** The station is told this often what the page measures [ms]. */
 const TOLD_MS = 1000;
 /** Bars move each so many times that the pictures do. */
@@ -79,6 +81,7 @@ export class Station {
   /** Lines of the log that are on their way. */
   private underWay: LogEvent[] = [];
   private restarts = 0;
+  private ticked = 0;
   private fresh = false;
   /** The next picture waits for the frame that answers a stick. */
   private held = false;
@@ -121,7 +124,7 @@ export class Station {
   private readonly naming = naming(keeper, (command) => this.transmit(command));
   /** What the station was told last of the controllers, and how many were gone. */
   private told = '';
-  private lost = 0;
+  private lost: ReadonlySet<string> = new Set();
   private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
   /** There is something that the orbiter can move against. */
   private readonly movable: boolean;
@@ -356,10 +359,19 @@ export class Station {
   private tick(): void {
     this.request = requestAnimationFrame(() => this.tick());
     const now = performance.now();
+    this.watchLink(now);
     this.operator.tick(now);
     this.watchDevices();
     this.tellEvents();
     this.draw(now);
+  }
+
+  /** A page that stood still, or a station that is silent: what the hands do meanwhile is flown by nobody. */
+  private watchLink(now: number): void {
+    const stood = this.ticked > 0 && now - this.ticked > STOOD_MS;
+    const silent = this.newest !== null && now - this.newest.at > STOOD_MS;
+    this.ticked = now;
+    if (stood || silent) this.operator.zero();
   }
 
   /** What figures, lamps and log are of. */
@@ -472,8 +484,12 @@ export class Station {
   private watchDevices(): void {
     const { controllers } = this.operator;
     this.swap.show();
-    const lost = controllers.lost.length;
-    if (lost > this.lost && this.role.flying) this.transmit({ type: 'hands_off', cause: 'device lost' });
+    const lost = new Set(controllers.lost.map(({ short }) => short));
+    const gone = [...lost].filter((short) => !this.lost.has(short));
+    if (gone.length > 0 && this.role.flying) this.transmit({ type: 'hands_off', cause: 'device lost' });
+    for (const short of gone) this.say(`${short} is gone: sticks at zero`, 'controller');
+    for (const short of this.lost)
+      if (!lost.has(short)) this.say(`${short} is no longer missed`, 'controller');
     this.lost = lost;
     const { revision } = controllers;
     if (!this.operator.flying || revision === this.told) return;
@@ -513,8 +529,8 @@ export class Station {
     else this.say('You watch; only the one who flies can do that.');
   }
 
-  private say(text: string): void {
-    this.events.add([{ time_s: this.frame?.time_s ?? 0, kind: 'page', level: 'caution', text }]);
+  private say(text: string, kind = 'page'): void {
+    this.events.add([{ time_s: this.frame?.time_s ?? 0, kind, level: 'caution', text }]);
   }
 
   private acknowledge(): void {

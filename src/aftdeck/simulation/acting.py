@@ -6,13 +6,20 @@ from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Limit
 from aftdeck.simulation.log import spoken
+from aftdeck.simulation.standstill import held_fast, standing
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import CAUSE, CULPRIT, POR_CAUSE
 from aftdeck.steering.limiters import CAUSES
 
 
 def acting_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
-    """The limits that acted, named."""
+    """The limits that acted, named; where the arm may not move at all, what keeps it."""
+    if state.site.halt == "seat":
+        return (Limit("seat", -1, held_fast(flight, state)),)
+    if state.site.halt == "contact":
+        return (Limit("contact", -1, "contact: only motion that relieves it is flown"),)
+    if why := standing(state.panel):
+        return (Limit("switch", -1, why),) if state.site.halt == "switch" else ()
     report = state.report
     cause, por_cause = int(report[CAUSE]), int(report[POR_CAUSE])
     if cause == 0 and por_cause == 0:

@@ -119,6 +119,6 @@ def _put(flight: Flight, state: State, start: Start) -> None:
     things.before[:] = frames
     things.watch.look(frames, frames, scenario.control_period)
     things.contacts.look(things.watch.found, things.task)
-    counts, things.lined_up = counted(flight, things.held, things.watch.placed, frames, None)
+    counts, things.lined_up = counted(flight, things.held, things.watch.placed, frames, None, things.contacts)
     things.nearest = things.watch.nearest(counts)
     change_task(flight, state)

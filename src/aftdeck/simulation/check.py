@@ -15,6 +15,7 @@ from aftdeck.simulation.frame import Check
 from aftdeck.simulation.inputs import AGREED
 from aftdeck.simulation.log import spoken
 from aftdeck.simulation.miss import THERE, THERE_TURN, miss
+from aftdeck.simulation.standstill import held_fast
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import ANGLES, COMMAND, DT, GO, LAW, MASTER, NEAR, NEAR_TURN, PLAN, REPORT, TARGET
 from aftdeck.steering.limiters import BY_SINGULARITY, CAUSES
@@ -56,11 +57,13 @@ def _final_angles(state: State, target: Target) -> Array:
 
 
 def command_check(flight: Flight, state: State, target: Target) -> Check:
-    """GOOD with the time the motion takes, or FAIL with what is in its way: reach, a stop, a singularity.
+    """GOOD with the time the motion takes, or FAIL with what is in its way: a seat, reach, a stop, a singularity.
 
     A motion that ends beside its target fails, for it is asked to go there. With `strict` it may be flown: what the
     source's own clock misses is what that setting is there to show, and the text says how much.
     """
+    if fast := held_fast(flight, state):
+        return Check(False, f"FAIL: {fast}")
     command, steering = np.zeros(COMMAND), state.steering.copy()
     rules = state.carried.rules["OPR CMD", state.panel.rate].copy()
     rules[DT] = max(rules[DT], COARSE_STEP)

@@ -38,6 +38,9 @@ class Limit(msgspec.Struct, frozen=True, gc=False):
         "POR translation",
         "POR rotation",
         "POR acceleration",
+        "seat",
+        "contact",
+        "switch",
     ]
     joint: int
     """0 to 5; -1 where no single joint is concerned."""

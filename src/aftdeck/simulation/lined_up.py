@@ -1,6 +1,6 @@
 """A payload that the hand is lined up with: how near the two are is judged by the conditions of capture alone.
 
-Else every capture would be an alarm. Whether they touch is watched as ever.
+Else every capture would be an alarm. Whether they touch is watched as ever, and a touch that inhibits the arm is told.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from aftdeck.simulation.grasp import NEAR
 from aftdeck.simulation.hand import Bar, Snares
 from aftdeck.simulation.site import Site
 from aftdeck.worksite.acquisition import AWAY, FIXED, FOUND, PALM, PRONG, acquire
+from aftdeck.worksite.contacts import FRAMES, Contacts
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.uint8]
@@ -27,7 +28,7 @@ times; assumed."""
 
 
 def counted(
-    flight: Flight, held: int | None, placed: Array, frames: Array, before: int | None
+    flight: Flight, held: int | None, placed: Array, frames: Array, before: int | None, contacts: Contacts
 ) -> tuple[Mask, int | None]:
     """Of which groups the nearest is told.
 
@@ -37,6 +38,7 @@ def counted(
         placed: (n, 52) solids in L.
         frames: (F, 12) in L.
         before: the cargo that the hand was lined up with until now.
+        contacts: as of the step before; where hand and cargo inhibit the arm, the two are told of after all.
 
     Returns:
         (g,) those that should not touch, but the hand and the cargo that it is lined up with; and which that is.
@@ -47,7 +49,14 @@ def counted(
         k = _about_the_bar(site.bar, placed)
     elif held is None and site.snares is not None:
         k = _before_the_snares(site, site.snares, frames, before)
-    return (site.detrimental if k is None else site.detrimental & (1 - site.held[k])), k
+    if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
+        return site.detrimental, k
+    return site.detrimental & (1 - site.held[k]), k
+
+
+def _inhibited(contacts: Contacts, among: Mask) -> bool:
+    """Whether one of these groups' contacts inhibits the arm."""
+    return bool(np.any((contacts.count == FRAMES) & (contacts.essential == 0) & (contacts.arm != 0) & (among != 0)))
 
 
 def _about_the_bar(bar: Bar, placed: Array) -> int | None:

@@ -19,7 +19,8 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Six
 from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.look_work import near_of
-from aftdeck.simulation.panel import law_of, standing
+from aftdeck.simulation.panel import law_of
+from aftdeck.simulation.standstill import standing
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import ANGLES, DRIVE, GO, LAW, REPORT, RISE, STICKS, TWIST
 from aftdeck.steering.mode import MODES
@@ -107,7 +108,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         touching = watch.nearest(site.detrimental)
         if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
-    counts = counted(flight, things.held, watch.placed, frames, things.lined_up)[0]
+    counts = counted(flight, things.held, watch.placed, frames, things.lined_up, things.contacts)[0]
     watch.look_near(frames, frames, period, counts, 0.0)
     group = watch.nearest(counts)
     a, b, c, d, e, f = angles.tolist()

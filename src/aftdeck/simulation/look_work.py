@@ -32,7 +32,7 @@ def look_work(flight: Flight, state: State) -> Work:
     contacts: tuple[Near, ...] = ()
     reasons: tuple[str, ...] = ()
     if things.told:
-        standing = things.contacts.standing(things.watch.found)
+        standing = things.contacts.standing(things.watch.found, flight.scenario.arm.model.units)
         contacts = tuple(near_of(flight, state, things.watch.found, contact.group) for contact in standing)
         reasons = tuple(contact.text for contact in standing if contact.inhibits)
         reasons += (things.advice,) if things.advice and reasons else ()

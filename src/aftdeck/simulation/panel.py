@@ -13,6 +13,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.master import turn_master
 from aftdeck.simulation.sequence import begin, finish, next_target
+from aftdeck.simulation.standstill import standing
 from aftdeck.simulation.state import Panel, State
 from aftdeck.steering.course import may_start, set_off
 from aftdeck.steering.layout import DRIVE, GO, JOINT, LAW, MASTER, STICKS
@@ -58,13 +59,6 @@ def law_of(panel: Panel) -> int:
     return mode.laws[-1] if panel.payload_axes else mode.laws[0]
 
 
-def standing(panel: Panel) -> str:
-    """What keeps the joints from moving, whatever is commanded; empty: nothing does."""
-    if panel.brakes:
-        return "BRAKES are on"
-    return "SAFING is on; CANCEL it first" if panel.safing else ""
-
-
 def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
     panel = state.panel
     if inputs.joint is not None:
@@ -83,7 +77,7 @@ def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
     if inputs.rigid is not None:
         hand.rigid = inputs.rigid
     if inputs.position_hold is not None:
-        panel.position_hold, panel.holding = inputs.position_hold, None
+        _hold_position(flight, state, inputs.position_hold)
     if inputs.brakes is not None and inputs.brakes != panel.brakes:
         panel.brakes = inputs.brakes
         text = "BRAKES on: every joint stands" if panel.brakes else "BRAKES off"
@@ -102,6 +96,13 @@ def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
         else:
             panel.law = inputs.law
             make_ready(flight, state)
+
+
+def _hold_position(flight: Flight, state: State, on: bool) -> None:
+    panel = state.panel
+    if on != panel.position_hold:
+        log(flight, state, "position hold", "info", f"POSITION HOLD {'on' if on else 'off'}")
+    panel.position_hold, panel.holding = on, None
 
 
 def _enter(flight: Flight, state: State, position: str) -> None:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.panel import standing
 from aftdeck.simulation.sliding import slide_along
+from aftdeck.simulation.standstill import standing
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import CLOCK, PACE, RATES, RATIO, TWIST
 from aftdeck.steering.mode import MODES
@@ -28,16 +28,21 @@ def restrain(flight: Flight, state: State, telescope: float) -> float:
         How the stand is driven.
     """
     things = state.site
+    things.halt = ""
     sliding = slider(state)
     things.contacts.essential = flight.site.essential_while(sliding)
     rates = state.steering[RATES : RATES + 6]
+    moved = telescope or any(rates.tolist())
     if things.fast or standing(state.panel):
+        if moved:
+            things.halt = "seat" if things.fast else "switch"
         return _halted(flight, state)
-    if not (telescope or any(rates.tolist())):
+    if not moved:
         return 0.0
     if sliding is not None:
         slides = slide_along(flight, state, telescope, sliding)
         if slides is None:
+            things.halt = "contact"
             return _halted(flight, state)
         telescope = slides
     if not things.contacts.inhibit.arm:
@@ -45,6 +50,7 @@ def restrain(flight: Flight, state: State, telescope: float) -> float:
     after = frames_after(flight, state, rates, telescope)
     if allowed(things.watch, things.contacts.arm & (1 - things.contacts.essential), after):
         return telescope
+    things.halt = "contact"
     return _halted(flight, state)
 
 

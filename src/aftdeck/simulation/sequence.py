@@ -11,9 +11,15 @@ from aftdeck.simulation.check import command_check, set_course
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.log import log
 from aftdeck.simulation.miss import miss
+from aftdeck.simulation.standstill import held_fast, standing
 from aftdeck.simulation.state import Panel, State
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, RATIO
 from aftdeck.steering.rehearsal import GIVEN_UP, STANDSTILL
+
+_STANDSTILLS = {
+    "": "a limit holds the arm at a standstill",
+    "contact": "a contact holds the arm at a standstill",
+}
 
 
 def next_target(flight: Flight, panel: Panel) -> Target | None:
@@ -51,7 +57,9 @@ def finish(flight: Flight, state: State) -> None:
     panel.blocked = panel.blocked + 1 if state.report[RATIO] < STANDSTILL else 0
     if panel.blocked * flight.scenario.control_period >= GIVEN_UP:
         panel.sequence, panel.blocked = "ready", 0
-        log(flight, state, "blocked", "caution", "automatic motion given up: a limit holds the arm at a standstill")
+        halt = state.site.halt
+        why = held_fast(flight, state) if halt == "seat" else standing(state.panel) or _STANDSTILLS[halt]
+        log(flight, state, "blocked", "caution", f"automatic motion given up: {why}")
 
 
 def _arrive(flight: Flight, state: State, passing: bool) -> None:

@@ -24,6 +24,7 @@ from aftdeck.worksite.watch import SavedWatch, Watch
 
 Array = NDArray[np.float64]
 Switch = Literal["stop", "close", "open"]
+Halt = Literal["", "seat", "contact", "switch"]
 
 
 class Thing(msgspec.Struct):
@@ -78,6 +79,8 @@ class Things:
         advice: the way out of the contacts that was found last.
         refused_orbiter: whether the orbiter's translation was asked for and refused in the last step.
         waiting: whether carriage or latches wait before a contact.
+        halt: what kept the arm from what it was commanded in the last step: a seat that has what it holds, a contact
+            that it would deepen, a switch (BRAKES, SAFING), or nothing.
     """
 
     def __init__(self, scenario: Scenario, site: Site) -> None:
@@ -104,6 +107,7 @@ class Things:
         self.advice = ""
         self.refused_orbiter = False
         self.waiting = False
+        self.halt: Halt = ""
 
     @property
     def _meant(self) -> list[Thing]:
@@ -177,6 +181,7 @@ class Things:
             self.waiting,
             self.nearest,
             self.lined_up,
+            self.halt,
         )
 
     def restore(self, saved: SavedThings) -> None:
@@ -193,7 +198,7 @@ class Things:
         self.task = saved.task
         self.advice = saved.advice
         self.refused_orbiter, self.waiting = saved.refused_orbiter, saved.waiting
-        self.nearest, self.lined_up = saved.nearest, saved.lined_up
+        self.nearest, self.lined_up, self.halt = saved.nearest, saved.lined_up, saved.halt
 
 
 class SavedThings(msgspec.Struct, frozen=True):
@@ -219,3 +224,4 @@ class SavedThings(msgspec.Struct, frozen=True):
     waiting: bool
     nearest: int
     lined_up: int | None
+    halt: Halt

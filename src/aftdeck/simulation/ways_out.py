@@ -22,6 +22,8 @@ LEAST = 1e-3
 """A stick that takes the arm away more slowly than this [1/s] or [rad/s] is no way out."""
 NEARLY = 0.6
 """Advice stays while its stick leads away at least this much as fast as the fastest one [1]."""
+JOINT_BY_JOINT = ("SINGLE", "DIRECT", "MASTER")
+"""Modes in which an axis of the sticks moves a joint."""
 _STICKS = ("RHC +roll", "RHC −roll", "RHC +pitch", "RHC −pitch", "RHC +yaw", "RHC −yaw",
            "THC +X", "THC −X", "THC +Y", "THC −Y", "THC +Z", "THC −Z")  # fmt: skip
 
@@ -68,8 +70,12 @@ def way_out_of_contact(flight: Flight, state: State) -> str:
     afters = np.array([frames_after(flight, state, one, 0.0) for one in rates])
     out = ways_out_of(things.watch, things.contacts.arm & (1 - things.contacts.essential), afters)
     best = int(out.argmax())
-    enter = "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL, "
-    return f"way out: {enter}{_STICKS[best]}" if out[best] > 0.0 else ""
+    return f"way out: {_enter(state)}{_STICKS[best]}" if out[best] > 0.0 else ""
+
+
+def _enter(state: State) -> str:
+    """The mode to enter before a stick moves the point; empty where it does."""
+    return "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL, "
 
 
 def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:
@@ -83,14 +89,14 @@ def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:
         best = before
     advice[cause] = best
     stick, sign = best // 2, 1 if best % 2 == 0 else -1
-    return WayOut(cause, _STICKS[best], "rotation" if stick in range(3) else "translation", stick % 3, sign)
+    return WayOut(
+        cause, f"{_enter(state)}{_STICKS[best]}", "rotation" if stick in range(3) else "translation", stick % 3, sign
+    )
 
 
 def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int, ...]) -> WayOut:
     name = NAMES[which]
-    if state.panel.mode not in ("SINGLE", "DIRECT") and (
-        out := _best(state, name, _tried(flight, state, which, -1, 0.0))
-    ):
+    if state.panel.mode not in JOINT_BY_JOINT and (out := _best(state, name, _tried(flight, state, which, -1, 0.0))):
         return out
     arm = flight.scenario.arm
     joint, sign = joint_out(arm.model.links, state.plant.angles, arm.limits.reach, which, arm.model.singular)
@@ -100,9 +106,7 @@ def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int
 def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
     name = flight.scenario.arm.joints[joint]
     inward = _inward(flight, state, joint)
-    if state.panel.mode not in ("SINGLE", "DIRECT") and (
-        out := _best(state, name, _tried(flight, state, -1, joint, inward))
-    ):
+    if state.panel.mode not in JOINT_BY_JOINT and (out := _best(state, name, _tried(flight, state, -1, joint, inward))):
         return out
     return _by_joint(flight, state, name, joint, inward)
 
@@ -114,6 +118,6 @@ def _inward(flight: Flight, state: State, joint: int) -> int:
 
 
 def _by_joint(flight: Flight, state: State, cause: str, joint: int, sign: int) -> WayOut:
-    position = state.panel.mode if state.panel.mode in ("SINGLE", "DIRECT") else "SINGLE"
+    position = state.panel.mode if state.panel.mode in JOINT_BY_JOINT else "SINGLE"
     named = spoken(flight.scenario.arm.joints[joint])
     return WayOut(cause, f"{position} {named} {'+' if sign > 0 else '−'}", "joint", joint, sign)

@@ -51,7 +51,7 @@ def _look_around(flight: Flight, state: State) -> None:
     site, things, plant, period = flight.site, state.site, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, things.watch, things.contacts
     # As the last step left them.
-    counts, things.lined_up = counted(flight, things.held, watch.placed, things.frames, things.lined_up)
+    counts, things.lined_up = counted(flight, things.held, watch.placed, things.frames, things.lined_up, contacts)
     now = look_around(
         *things.places(site),
         plant.angles,
@@ -125,7 +125,7 @@ def _tell_contacts(flight: Flight, state: State, before: Inhibit) -> None:
     things = state.site
     now = things.contacts.inhibit
     if now.changed:
-        standing = things.contacts.standing(things.watch.found)
+        standing = things.contacts.standing(things.watch.found, flight.scenario.arm.model.units)
         for contact in standing:
             if contact.group not in things.told:
                 log(flight, state, "contact", "info" if contact.essential else "caution", contact.text)

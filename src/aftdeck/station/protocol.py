@@ -576,6 +576,9 @@ class Limit(msgspec.Struct, frozen=True):
         "POR translation",
         "POR rotation",
         "POR acceleration",
+        "seat",
+        "contact",
+        "switch",
     ]
     joint: int
     """0 to 5, or -1 where no single joint is concerned."""

@@ -12,6 +12,7 @@ from collections import deque
 from collections.abc import Callable
 from enum import Enum
 from pathlib import Path
+from typing import Literal
 
 import msgspec
 
@@ -135,6 +136,7 @@ class Session:
         self._sticks = HANDS_OFF
         self._under_way = self._none_under_way()
         self._heard = self._left_until = 0.0
+        self._silent: Literal["", "untold", "told"] = ""
         self._left = self._handed = ""
         self._log: list[Event] = []
         self._newest = b""
@@ -177,13 +179,22 @@ class Session:
     def steer(self, sticks: wire.Sticks) -> None:
         """Where the sticks of the page that flies stand.
 
+        Sticks that were silent are flown again when they have been at rest.
+
         Raises:
-            CommandError: a stick beyond its travel.
+            CommandError: a stick beyond its travel, or one that was silent and is still deflected, told once.
         """
         if not all(-1.0 <= s <= 1.0 for s in _travel(sticks)):
             raise CommandError("sticks lie between -1 and 1; this message was not flown")
         with self._lock:
-            self._sticks, self._heard = sticks, time.monotonic()
+            self._heard, deflected = time.monotonic(), any(_travel(sticks))
+            if self._silent and deflected:
+                self._sticks = msgspec.structs.replace(HANDS_OFF, seq=sticks.seq)
+                if self._silent == "untold":
+                    self._silent = "told"
+                    raise CommandError("the sticks were silent: let go of them first")
+                return
+            self._sticks, self._silent = sticks, ""
 
     def turn(self, message: wire.DriveCamera) -> None:
         """How the switches stand that turn a camera.
@@ -240,7 +251,7 @@ class Session:
     def let_go(self, cause: str = "page gone") -> None:
         """Sticks to zero and commands forgotten: nobody is at the controls, for one of `unattended.CAUSES`."""
         with self._lock:
-            self._sticks, self._camera = HANDS_OFF, STILL
+            self._sticks, self._camera, self._silent = HANDS_OFF, STILL, ""
             self._commands.clear()
             self._left = cause
             self._under_way = self._none_under_way()  # whoever comes numbers its sticks anew
@@ -256,7 +267,7 @@ class Session:
         with self._lock:
             if any(_travel(self._sticks)):
                 raise CommandError("let go of the sticks first: they are given at rest")
-            self._sticks, self._camera = HANDS_OFF, STILL
+            self._sticks, self._camera, self._silent = HANDS_OFF, STILL, ""
             self._commands.clear()
             self._left, self._handed = "handed over", text
             self._under_way = self._none_under_way()
@@ -324,6 +335,7 @@ class Session:
         with self._lock:
             now = time.monotonic()
             if now - self._heard > SILENCE and self._in_hand(now):
+                self._silent = self._silent or "untold"
                 self._sticks = msgspec.structs.replace(HANDS_OFF, seq=self._sticks.seq)
                 self._left = self._left or "sticks silent"
             sticks, way = self._sticks, self._under_way

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.law import law
+from aftdeck.worksite.conditions import Units, shown
 from aftdeck.worksite.found import CLEARANCE
 from aftdeck.worksite.layout import Indices, Layout, Mask
 
@@ -115,17 +116,19 @@ class Contacts:
         self.inhibit = Inhibit(*two_frames(found, self.essential, self.arm, self.prong, mode, self.count))
         return self.inhibit
 
-    def standing(self, found: Array) -> tuple[Contact, ...]:
-        """Every contact of the frame that was looked at last, deepest first."""
+    def standing(self, found: Array, units: Units) -> tuple[Contact, ...]:
+        """Every contact of the frame that was looked at last, deepest first, told in the operator's units."""
         groups = np.flatnonzero(self.count)
-        return tuple(self._contact(int(g), found) for g in groups[np.argsort(found[groups, CLEARANCE], kind="stable")])
+        return tuple(
+            self._contact(int(g), found, units) for g in groups[np.argsort(found[groups, CLEARANCE], kind="stable")]
+        )
 
-    def _contact(self, group: int, found: Array) -> Contact:
+    def _contact(self, group: int, found: Array, units: Units) -> Contact:
         a, b = self.layout.named(group)
         depth = max(0.0, -float(found[group, CLEARANCE]))
         essential = bool(self.essential[group])
         inhibits = not essential and bool(self.arm[group]) and self.count[group] == FRAMES
-        return Contact(group, a, b, depth, essential, inhibits, told(a, b, depth, essential))
+        return Contact(group, a, b, depth, essential, inhibits, told(a, b, depth, essential, units))
 
     def save(self) -> tuple[list[int], list[bool]]:
         """Everything that the next frame depends on."""
@@ -137,14 +140,14 @@ class Contacts:
         self.inhibit = Inhibit(*saved[1])
 
 
-def told(a: str, b: str, depth: float, essential: bool) -> str:
+def told(a: str, b: str, depth: float, essential: bool, units: Units) -> str:
     """A contact as a sentence.
 
     Examples:
-        >>> told("lower boom", "bay wall port", 0.0213, False)
-        'lower boom touches bay wall port: 0.021 m deep'
-        >>> told("prong", "receptacle", 0.0, True)
+        >>> told("lower boom", "bay wall port", 0.0213, False, "ft-in")
+        'lower boom touches bay wall port: 0.839 in deep'
+        >>> told("prong", "receptacle", 0.0, True, "SI")
         'prong touches receptacle, as it is made to'
     """
-    deep = f": {depth:.2g} m deep" if depth >= _TOLD else ""
+    deep = f": {shown(depth, 'm', units)} deep" if depth >= _TOLD else ""
     return f"{a} touches {b}{', as it is made to' if essential else ''}{deep}"

@@ -20,7 +20,11 @@ const CONCERNS: Readonly<Record<string, Concern>> = {
   'LINK DELAY': { kinds: [], elements: '.rail .delay:not(.absent)', group: '.events' },
   CAMERA: { kinds: [], elements: '.monitor', group: '.events' },
   CLEARANCE: { kinds: ['clearance', 'contact', 'inhibit'], elements: '.clearance .lit', group: '.clearance' },
-  CONTROLLER: { kinds: [], elements: '.standing .device', group: '.rhc' },
+  CONTROLLER: {
+    kinds: ['controller', 'hands off', 'position hold'],
+    elements: '.standing .device',
+    group: '.rhc',
+  },
 };
 const REST: Concern = {
   kinds: ['refused', 'blocked', 'fault', 'page'],

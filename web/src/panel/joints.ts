@@ -99,4 +99,7 @@ const SHORT: Readonly<Record<Limit['kind'], string>> = {
   'POR translation': '',
   'POR rotation': '',
   'POR acceleration': '',
+  seat: '',
+  contact: '',
+  switch: '',
 };

@@ -77,6 +77,9 @@ function level(kind: Limit['kind']): Line['level'] {
     case 'soft stop':
     case 'hard stop':
     case 'singularity':
+    case 'seat':
+    case 'contact':
+    case 'switch':
       return 'caution';
   }
 }

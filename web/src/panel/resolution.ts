@@ -150,6 +150,11 @@ export function limitTags(frame: Frame, joints: readonly JointInfo[]): readonly 
       case 'singularity':
         put(largest(commanded, moving), 'singular', true);
         break;
+      case 'seat':
+      case 'contact':
+      case 'switch':
+        put(largest(commanded, moving), limit.kind, true);
+        break;
     }
   }
   return tags;
