@@ -31,7 +31,7 @@ const LOOKS: Record<Material, Look> = {
   dark: look('#101113', 0.35, 0.3),
   glass: look('#07090c', 0.12, 0.4),
   metal: look('#b9bcbf', 0.38, 0.85),
-  foil: look('#c9973f', 0.3, 0.9, 'plain', 2.4),
+  foil: look('#c9973f', 0.3, 0.9, 'quilt', 2.4),
   structure: look('#9a978e', 0.75, 0.2),
   glow: look('#fff4de', 1),
 };

@@ -8,13 +8,7 @@ import type { Cameras } from './cameras';
 /** A picture's width over its height, for what counts as within it. */
 export const ASPECT = 1.5;
 /** Points of a picture, from -1 to 1 to the right and upwards. */
-const MIDDLE = [
-  [0, 0],
-  [-0.5, -0.5],
-  [0.5, -0.5],
-  [-0.5, 0.5],
-  [0.5, 0.5],
-] as const;
+const SPREAD = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [-0.7, 0, 0.7].map((y) => [x, y] as const));
 /** Nothing farther away is looked for [m]. */
 const FARTHEST = 400;
 /** Where a line is looked at, from one end to the other. */
@@ -38,11 +32,11 @@ export class Sight {
     );
   }
 
-  /** The bodies in the middle of its picture and halfway to its corners: what is too near for its box to be in it. */
+  /** The bodies at places all over its picture: what is too near for its box to be in it, or shows a part alone. */
   ahead(camera: Camera): ReadonlySet<string> {
     const seen = this.cameras.at(camera.name, ASPECT);
     const found = new Set<string>();
-    for (const [x, y] of MIDDLE) {
+    for (const [x, y] of SPREAD) {
       lens.setFromMatrixPosition(seen.matrixWorld);
       way.set(x, y, 0.5).unproject(seen).sub(lens).normalize();
       const [first] = this.cast(seen, FARTHEST);
