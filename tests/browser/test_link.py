@@ -70,6 +70,25 @@ def test_a_lost_connection_shows_and_comes_back_with_the_sticks_at_zero(page: Pa
     flight.until("frame.translation[0] === 0 && frame.position_hold && !frame.rate_hold")
 
 
+STALL = "() => { const begun = performance.now(); while (performance.now() - begun < 3000); }"
+
+
+@pytest.mark.slow
+def test_a_page_that_stood_still_flies_no_key_that_was_held_meanwhile(page: Page, station: str) -> None:
+    page.goto(f"{station}?quality=low")
+    flight = Flight(page).from_the_start()
+    flight.hold("w")
+    flight.until("frame.translation[0] === 1")
+    flight.script(STALL)
+    flight.until("frame.translation[0] === 0 && frame.position_hold")
+    stood = flight.frame().time_s
+    assert flight.until(f"frame.time_s > {stood + 2.0}").translation[0] == 0.0
+    flight.release("w")
+    flight.hold("w")
+    flight.until("frame.translation[0] === 1")
+    flight.release("w")
+
+
 def answer(page: Page, message: dict[str, object]) -> None:
     """Lets the page's socket answer every message with this one."""
 

@@ -225,6 +225,26 @@ def test_silent_sticks_go_to_zero_and_no_sooner(monkeypatch: pytest.MonkeyPatch)
         assert shown(session).stick_seq == 4
 
 
+def test_sticks_that_were_lost_are_flown_again_once_they_were_at_rest(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [100.0]
+    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
+    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
+    monkeypatch.setattr(station_session, "time", fake)
+    with flying() as session:
+        session.steer(sticks(4, forward=1.0))
+        comes(session, lambda frame: frame.translation[0] == 1.0, "the sticks")
+        clock[0] += max(1.02 * SILENCE, 1.02 * station_session.LOST)
+        comes(session, lambda frame: frame.translation == STILL and frame.position_hold, "nobody flies")
+        with pytest.raises(CommandError, match="the sticks were silent: let go of them first"):
+            session.steer(sticks(5, forward=1.0))
+        session.steer(sticks(6, forward=1.0))  # told once
+        comes(session, lambda frame: frame.stick_seq == 6, "heard")
+        assert goes_on(session, 20).translation == STILL
+        session.steer(sticks(7))
+        session.steer(sticks(8, forward=1.0))
+        comes(session, lambda frame: frame.translation[0] == 1.0, "flown again")
+
+
 def test_a_restart_begins_anew() -> None:
     with flying() as session:
         session.steer(sticks(0, forward=1.0))

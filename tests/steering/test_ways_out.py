@@ -155,11 +155,18 @@ def test_from_many_poses_near_them_every_mode_keeps_its_promises(kind: str, seed
     flight(seed, first=near(kind, np.random.default_rng([225, KINDS.index(kind), seed])))
 
 
-def test_in_single_and_direct_the_advice_is_for_the_joint_and_names_the_position() -> None:
+def test_where_an_axis_moves_a_joint_the_advice_is_for_the_joint_and_names_the_position() -> None:
     sim = aftdeck.Simulation(scenario((0, 60, -80, 20, 85, 0)))
-    for mode in ("SINGLE", "DIRECT"):
+    for mode in ("SINGLE", "DIRECT", "MASTER"):
         (way,) = sim.step(aftdeck.Inputs(mode=mode)).ways_out
         assert (way.cause, way.text) == ("wrist", f"{mode} wrist yaw −")
+
+
+def test_where_no_stick_moves_the_point_the_advice_names_the_mode_to_enter() -> None:
+    sim = aftdeck.Simulation(scenario((0, 60, -80, 20, 85, 0)))
+    (by_hand,) = sim.step(aftdeck.Inputs(mode="ORB UNL")).ways_out
+    (way,) = sim.step(aftdeck.Inputs(mode="OPR CMD")).ways_out
+    assert way.text == f"ORB UNL, {by_hand.text}"
 
 
 def test_far_from_everything_there_is_no_advice() -> None:

@@ -13,6 +13,9 @@ import type { Command } from './socket';
 /** Devices are read this often, even where pictures are drawn more slowly [ms]. */
 const TICK_MS = 15;
 
+/** A page that did nothing for so long, or heard nothing, asks for its sticks at zero; the station does as well [ms]. */
+export const LOST_MS = 2000;
+
 /** What keys and buttons do even while controllers are looked at and changed. */
 const always = (action: Action) =>
   action.name === 'stop' || action.name === 'leave' || (action.name === 'grip' && action.grip === 'brakes');
@@ -29,6 +32,7 @@ export class Operator {
   readonly sticks: Sticks;
   /** Only the page that flies moves the sticks. */
   flying = false;
+  private ticked = 0;
   private readonly timer: number;
   private readonly ended = new AbortController();
 
@@ -60,6 +64,8 @@ export class Operator {
 
   /** Reads the devices; a page that nobody sees or that only watches has its sticks at zero. */
   tick(now: number): void {
+    if (this.ticked > 0 && now - this.ticked > LOST_MS) this.sticks.zero();
+    this.ticked = now;
     if ((this.flying || this.controllers.paused) && !document.hidden) this.sticks.tick(now);
     else this.sticks.zero();
   }

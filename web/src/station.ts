@@ -10,7 +10,7 @@ import { keyOf } from './input/layout';
 import { reread } from './input/store';
 import { keeper } from './kept';
 import { Latency } from './latency';
-import { Operator } from './operator';
+import { LOST_MS, Operator } from './operator';
 import { calledFirst } from './panel/called';
 import { clearanceCause } from './panel/clearance';
 import { concernOf, outline } from './panel/concerns';
@@ -48,8 +48,6 @@ const VALUES_MS = 100;
 /** So long may they wait for a picture [ms]. */
 const OVERDUE_MS = 300;
 const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'];
-/** A page that did nothing for so long, or heard nothing, takes its sticks to zero; the station does as well [ms]. */
-const STOOD_MS = 500;
 /** The station is told this often what the page measures [ms]. */
 const TOLD_MS = 1000;
 /** Bars move each so many times that the pictures do. */
@@ -81,7 +79,6 @@ export class Station {
   /** Lines of the log that are on their way. */
   private underWay: LogEvent[] = [];
   private restarts = 0;
-  private ticked = 0;
   private fresh = false;
   /** The next picture waits for the frame that answers a stick. */
   private held = false;
@@ -359,19 +356,11 @@ export class Station {
   private tick(): void {
     this.request = requestAnimationFrame(() => this.tick());
     const now = performance.now();
-    this.watchLink(now);
+    if (this.newest && now - this.newest.at > LOST_MS) this.operator.zero();
     this.operator.tick(now);
     this.watchDevices();
     this.tellEvents();
     this.draw(now);
-  }
-
-  /** A page that stood still, or a station that is silent: what the hands do meanwhile is flown by nobody. */
-  private watchLink(now: number): void {
-    const stood = this.ticked > 0 && now - this.ticked > STOOD_MS;
-    const silent = this.newest !== null && now - this.newest.at > STOOD_MS;
-    this.ticked = now;
-    if (stood || silent) this.operator.zero();
   }
 
   /** What figures, lamps and log are of. */

@@ -11,6 +11,7 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.panel import make_ready
 from aftdeck.simulation.seating import seat
 from aftdeck.simulation.state import State
 from aftdeck.simulation.tasks import change_task
@@ -38,11 +39,13 @@ def work(flight: Flight, state: State, inputs: Inputs) -> None:
         if floating is not None:
             floating.move(period)
             things.rides[k] = floating.pose
-    before = things.contacts.inhibit
+    before, fast = things.contacts.inhibit, things.fast
     _look_around(flight, state)
     _tell_contacts(flight, state, before)
     capture(flight, state, pressed=inputs.effector is not None)
     seat(flight, state, inputs.latch)
+    if things.fast != fast and state.panel.sequence != "in progress":
+        make_ready(flight, state)  # CMD CK told of the seat, or did not know of it
     change_task(flight, state)
 
 

@@ -36,6 +36,8 @@ from aftdeck.station.recent import RecentFlight
 from aftdeck.station.unattended import left_alone
 from aftdeck.station.wire import Translator, controller_records
 
+LOST = 2.0
+"""Deflected sticks that are silent for longer than this are seen at rest before they are flown again [s]."""
 SILENCE = 0.5
 """Sticks not heard of for this long [s] go to zero."""
 MOST_WAITING = 32
@@ -136,7 +138,8 @@ class Session:
         self._sticks = HANDS_OFF
         self._under_way = self._none_under_way()
         self._heard = self._left_until = 0.0
-        self._silent: Literal["", "untold", "told"] = ""
+        self._zeroed = False
+        self._lost: Literal["", "untold", "told"] = ""
         self._left = self._handed = ""
         self._log: list[Event] = []
         self._newest = b""
@@ -179,22 +182,25 @@ class Session:
     def steer(self, sticks: wire.Sticks) -> None:
         """Where the sticks of the page that flies stand.
 
-        Sticks that were silent are flown again when they have been at rest.
+        Those that were deflected and silent for longer than `LOST` are flown again when they have been at rest.
 
         Raises:
-            CommandError: a stick beyond its travel, or one that was silent and is still deflected, told once.
+            CommandError: a stick beyond its travel, or one that was lost and is still deflected, told once.
         """
         if not all(-1.0 <= s <= 1.0 for s in _travel(sticks)):
             raise CommandError("sticks lie between -1 and 1; this message was not flown")
         with self._lock:
-            self._heard, deflected = time.monotonic(), any(_travel(sticks))
-            if self._silent and deflected:
+            now, deflected = time.monotonic(), any(_travel(sticks))
+            if self._zeroed and now - self._heard > LOST:
+                self._lost = "untold"
+            self._heard, self._zeroed = now, False
+            if self._lost and deflected:
                 self._sticks = msgspec.structs.replace(HANDS_OFF, seq=sticks.seq)
-                if self._silent == "untold":
-                    self._silent = "told"
+                if self._lost == "untold":
+                    self._lost = "told"
                     raise CommandError("the sticks were silent: let go of them first")
                 return
-            self._sticks, self._silent = sticks, ""
+            self._sticks, self._lost = sticks, ""
 
     def turn(self, message: wire.DriveCamera) -> None:
         """How the switches stand that turn a camera.
@@ -251,7 +257,7 @@ class Session:
     def let_go(self, cause: str = "page gone") -> None:
         """Sticks to zero and commands forgotten: nobody is at the controls, for one of `unattended.CAUSES`."""
         with self._lock:
-            self._sticks, self._camera, self._silent = HANDS_OFF, STILL, ""
+            self._sticks, self._camera, self._zeroed, self._lost = HANDS_OFF, STILL, False, ""
             self._commands.clear()
             self._left = cause
             self._under_way = self._none_under_way()  # whoever comes numbers its sticks anew
@@ -267,7 +273,7 @@ class Session:
         with self._lock:
             if any(_travel(self._sticks)):
                 raise CommandError("let go of the sticks first: they are given at rest")
-            self._sticks, self._camera, self._silent = HANDS_OFF, STILL, ""
+            self._sticks, self._camera, self._zeroed, self._lost = HANDS_OFF, STILL, False, ""
             self._commands.clear()
             self._left, self._handed = "handed over", text
             self._under_way = self._none_under_way()
@@ -335,7 +341,7 @@ class Session:
         with self._lock:
             now = time.monotonic()
             if now - self._heard > SILENCE and self._in_hand(now):
-                self._silent = self._silent or "untold"
+                self._zeroed = True
                 self._sticks = msgspec.structs.replace(HANDS_OFF, seq=self._sticks.seq)
                 self._left = self._left or "sticks silent"
             sticks, way = self._sticks, self._under_way
