@@ -11,8 +11,8 @@ import msgspec
 import pytest
 
 from aftdeck.errors import RecordingError
+from aftdeck.station import built as station_built
 from aftdeck.station import one_file
-from aftdeck.station import serve as station_serve
 from aftdeck.station.one_file import write_html
 from aftdeck.station.playback import Block, PlaybackIndex
 from aftdeck.station.reel import Reel
@@ -43,7 +43,7 @@ def page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (assets / "a.js").write_text(SCRIPT, encoding="utf-8")
     (assets / "a.css").write_text(STYLE, encoding="utf-8")
     (assets / "f.woff2").write_bytes(b"font")
-    monkeypatch.setattr(station_serve, "STATIC", assets.parent)
+    monkeypatch.setattr(station_built, "STATIC", assets.parent)
     monkeypatch.setattr(one_file, "STATIC", assets.parent)
 
 

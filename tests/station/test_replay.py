@@ -14,8 +14,8 @@ import pytest
 import uvicorn
 
 from aftdeck.errors import RecordingError
-from aftdeck.station import replay as station_replay
-from aftdeck.station import serve as station_serve
+from aftdeck.station import built as station_built
+from aftdeck.station import player as station_player
 from aftdeck.station.playback import BLOCK, Block, PlaybackIndex, Verdict
 from aftdeck.station.replay import serve_recording
 from tests.station.pages import WAIT_S, until
@@ -35,8 +35,8 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def built(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A page, whether or not the real one was built."""
     (tmp_path / "index.html").write_text(PAGE, encoding="utf-8")
-    monkeypatch.setattr(station_serve, "STATIC", tmp_path)
-    monkeypatch.setattr(station_replay, "STATIC", tmp_path)
+    monkeypatch.setattr(station_built, "STATIC", tmp_path)
+    monkeypatch.setattr(station_player, "STATIC", tmp_path)
 
 
 @pytest.fixture
@@ -79,7 +79,7 @@ def test_another_sites_page_is_turned_away(address: str) -> None:
 
 
 def test_the_verdict_comes_when_it_is_known(recording: Path, built: None, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(station_replay, "verdict", lambda _: Verdict("equal", "all 300 frames equal"))
+    monkeypatch.setattr(station_player, "verdict", lambda _: Verdict("equal", "all 300 frames equal"))
     with playing(recording) as address:
         until(lambda: json.loads(get(f"{address}recording/verdict.json"))["state"] == "equal", "the verdict")
         index = msgspec.json.decode(get(f"{address}recording/index.json"), type=PlaybackIndex)

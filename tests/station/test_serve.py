@@ -11,9 +11,11 @@ from pathlib import Path
 import pytest
 from websockets.sync.client import connect
 
+from aftdeck.station import built as station_built
 from aftdeck.station import serve as station_serve
 from aftdeck.station.app import make_app
-from aftdeck.station.serve import StationError, listen, make_server, serve
+from aftdeck.station.built import StationError
+from aftdeck.station.serve import listen, make_server, serve
 from aftdeck.station.session import Session
 from tests.station.pages import WAIT_S, Page, scenario, served
 
@@ -107,7 +109,7 @@ def test_an_address_of_another_machine_is_refused() -> None:
 
 
 def test_a_missing_page_is_told_with_what_to_do(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(station_serve, "STATIC", tmp_path)
+    monkeypatch.setattr(station_built, "STATIC", tmp_path)
     with pytest.raises(StationError, match=r"the station's page is missing \(.*index\.html\): build it with"):
         serve(scenario(), None, host="127.0.0.1", port=0, open_browser=False, demo=False)
 
@@ -135,7 +137,7 @@ def test_the_browser_is_opened_where_wanted(
             raise KeyboardInterrupt
 
     (tmp_path / "index.html").write_text("the page", encoding="utf-8")
-    monkeypatch.setattr(station_serve, "STATIC", tmp_path)
+    monkeypatch.setattr(station_built, "STATIC", tmp_path)
     monkeypatch.setattr(station_serve, "make_server", Idle)
     monkeypatch.setattr(webbrowser, "open", opened.append)
     serve(scenario(), None, host="127.0.0.1", port=0, open_browser=wanted, demo=False)

@@ -1123,6 +1123,8 @@ export interface Measure {
   readonly about: string;
   /** What belongs to a distance: how far the two are turned against each other [rad]. */
   readonly angle: number | null;
+  /** The worst alarm that it stands for. */
+  readonly level: Level;
 }
 
 /** Whether the recomputed frames are equal to the recorded ones. */
@@ -1130,6 +1132,16 @@ export interface Verdict {
   readonly state: 'checking' | 'equal' | 'different' | 'impossible';
   /** For people: `all 2002 frames equal`. */
   readonly text: string;
+}
+
+/** A recording in the folder of a station that records. */
+export interface Recorded {
+  /** The file's name, without its folder. */
+  readonly file: string;
+  /** Wall time at which it was written to last, ISO 8601, UTC. */
+  readonly changed: string;
+  /** The present flight goes on in it. */
+  readonly now: boolean;
 }
 
 /** All that is known of a recording before its first frame is drawn. */

@@ -270,6 +270,7 @@ test('a figure of a distance and an angle says both', () => {
     text: '',
     about: '',
     angle: Math.PI / 180,
+    level: 'info',
   } as const;
   expect(figure(measure, unitsOf('SI'))).toBe('2.1 cm, 1.0°');
   expect(figure({ ...measure, angle: null }, unitsOf('ft-in'))).toBe('0.8 in');

@@ -14,6 +14,7 @@ from aftdeck.station.strips import worst_rate
 from aftdeck.worksite.alarm import Level
 
 _MINUTE = 60.0
+_AXES = ("X", "Y", "Z", "roll", "pitch", "yaw")
 _RANK: dict[Level, int] = {"info": 0, "caution": 1, "warning": 2}
 
 
@@ -27,7 +28,10 @@ class Measures:
         self._signs = [0] * 6
         self._ticks = self._by_hand = self._vernier = 0
         self._deflected = self._both_hands = self._several_axes = 0
-        self._reversals = self._alarms = 0
+        self._reversals = [0] * 6
+        self._alarms = 0
+        self._worst_clearance: Level = "info"
+        self._worst_lamp: Level = "info"
         self._path = self._fastest = self._worst = 0.0
         self._used: dict[str, ControllerRecord] = {}
         self._nearest: tuple[float, str, float] | None = None
@@ -50,6 +54,8 @@ class Measures:
         self._fastest = max(self._fastest, math.hypot(*frame.twist[3:]))
         self._worst = max(self._worst, worst_rate(frame.rates_commanded, frame.rate_limits)[0])
         lit = {lamp.name: lamp.level for lamp in lamps}
+        self._worst_lamp = _worse(self._worst_lamp, *lit.values())
+        self._worst_clearance = _worse(self._worst_clearance, frame.work.clearance_level)
         self._alarms += sum(_RANK[level] > _RANK[self._lit.get(name, "info")] for name, level in lit.items())
         self._lit = lit
         self._sticks(frame)
@@ -83,7 +89,7 @@ class Measures:
         for i, axis in enumerate(axes):
             sign = (axis > 0) - (axis < 0)
             if sign:
-                self._reversals += sign == -self._signs[i]
+                self._reversals[i] += sign == -self._signs[i]
                 self._signs[i] = sign
 
     def measures(self, ended: str) -> tuple[Measure, ...]:
@@ -105,7 +111,7 @@ class Measures:
         if self._nearest is not None:
             least, pair, when = self._nearest
             about = f"Of all watched pairs that are not made to touch: {pair}, at {when:.1f} s."
-            figures.append(_figure("Smallest clearance", "gap", least, about))
+            figures.append(Measure("Smallest clearance", "gap", least, "", about, level=self._worst_clearance))
         if self._captures:
             figures += self._capture_figures()
         moved = max(self._deflected, 1)
@@ -124,17 +130,27 @@ class Measures:
             _figure(
                 "Reversals a minute",
                 "count",
-                self._reversals / duration * _MINUTE,
+                sum(self._reversals) / duration * _MINUTE,
                 "Times that a stick's axis went over to its other side.",
             ),
-            _figure(
+            self._worst_axis(),
+            Measure(
                 "Alarms raised",
                 "count",
                 float(self._alarms),
+                "",
                 "Times that a lamp came on to caution or to warn, or rose from the one to the other.",
+                level=self._worst_lamp,
             ),
             _figure("Brakes used", "count", float(self._brakes), "Times that the brakes were put on."),
             *self._camera_figures(),
+        )
+
+    def _worst_axis(self) -> Measure:
+        most = max(self._reversals)
+        which = f"{_AXES[self._reversals.index(most)]}, {most}" if most else "none"
+        return Measure(
+            "Reversals, worst axis", "words", None, which, "Of a stick's axes, in the control frame of the mode."
         )
 
     def _capture_figures(self) -> list[Measure]:
@@ -157,6 +173,10 @@ class Measures:
 
 def _figure(name: str, quantity: Quantity, value: float, about: str) -> Measure:
     return Measure(name, quantity, value, "", about)
+
+
+def _worse(*levels: Level) -> Level:
+    return max(levels, key=lambda level: _RANK[level])
 
 
 def _told(used: ControllerRecord) -> str:

@@ -20,10 +20,9 @@ from typing import cast
 import msgspec
 
 from aftdeck.errors import RecordingError
-from aftdeck.station.app import STATIC
+from aftdeck.station.built import STATIC, built_page
 from aftdeck.station.playback import BLOCK
 from aftdeck.station.reel import Reel
-from aftdeck.station.serve import built_page
 from aftdeck.station.verdict import verdict
 
 LIMIT = 4_950_000

@@ -12,7 +12,7 @@ from typing import Literal
 import msgspec
 
 from aftdeck.station.curves import Lane, Quantity, Strip
-from aftdeck.station.protocol import Event, Frame, Welcome
+from aftdeck.station.protocol import Event, Frame, Level, Welcome
 
 BLOCK = 256
 """Moments in a block, but the last one: 5 s of a recording at 50 steps a second."""
@@ -38,6 +38,8 @@ class Measure(msgspec.Struct, frozen=True):
     """How it is reckoned, in a sentence."""
     angle: float | None = None
     """What belongs to a distance: how far the two are turned against each other [rad]."""
+    level: Level = "info"
+    """The worst alarm that it stands for."""
 
 
 class Verdict(msgspec.Struct, frozen=True):
@@ -46,6 +48,17 @@ class Verdict(msgspec.Struct, frozen=True):
     state: Literal["checking", "equal", "different", "impossible"]
     text: str
     """For people: ``all 2002 frames equal``."""
+
+
+class Recorded(msgspec.Struct, frozen=True):
+    """A recording in the folder of a station that records."""
+
+    file: str
+    """The file's name, without its folder."""
+    changed: str
+    """Wall time at which it was written to last, ISO 8601, UTC."""
+    now: bool
+    """The present flight goes on in it."""
 
 
 class PlaybackIndex(msgspec.Struct, frozen=True):

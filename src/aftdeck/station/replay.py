@@ -1,26 +1,19 @@
-"""Playing a recording in the page: the page as built, the recording's index, and its frames block by block."""
+"""Playing a recording in the page, by a server of its own."""
 
 from __future__ import annotations
 
 import contextlib
 from collections.abc import AsyncIterator
 from pathlib import Path
-from threading import Thread
 
-import msgspec
 from starlette.applications import Starlette
-from starlette.requests import Request
-from starlette.responses import HTMLResponse, PlainTextResponse, Response
-from starlette.routing import Mount, Route
-from starlette.staticfiles import StaticFiles
 
-from aftdeck.station.app import STATIC, keep_to_own
+from aftdeck.station.built import built_page
+from aftdeck.station.own import keep_to_own
+from aftdeck.station.player import Player
 from aftdeck.station.reel import Reel
-from aftdeck.station.serve import address_of, built_page, listen, make_server, run_server
-from aftdeck.station.verdict import CHECKING, verdict
+from aftdeck.station.serve import address_of, listen, make_server, run_server
 
-WHERE = '<meta name="recording" content="recording/" />'
-"""Tells the page that it plays, and where from."""
 LARGE = 10_000_000
 """A longer recording [bytes] takes more than a few seconds to read."""
 
@@ -44,44 +37,12 @@ def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> 
 
 
 def replay_app(reel: Reel, path: Path, host: str = "127.0.0.1") -> Starlette:
-    """The server of a recording; it checks the recomputed frames beside, in a thread of its own."""
-    found = CHECKING
-    encode = msgspec.json.Encoder().encode
-
-    def check() -> None:
-        nonlocal found
-        found = verdict(path)
+    """The server of a recording."""
+    player = Player(reel, path)
 
     @contextlib.asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:
-        Thread(target=check, name="recomputing", daemon=True).start()  # the end of the server does not wait for it
+        player.check()
         yield
 
-    def page(_: Request) -> Response:
-        return HTMLResponse(built_page().replace("</head>", f"{WHERE}\n</head>", 1))
-
-    def index(_: Request) -> Response:
-        return _json(encode(reel.index(found)))
-
-    def block(request: Request) -> Response:
-        try:
-            return _json(encode(reel.block(request.path_params["number"])))
-        except IndexError as error:
-            return PlainTextResponse(f"{error}\n", 404)
-
-    def judged(_: Request) -> Response:
-        return _json(encode(found))
-
-    routes = [
-        Route("/", page),
-        Route("/index.html", page),
-        Route("/recording/index.json", index),
-        Route("/recording/blocks/{number:int}", block),
-        Route("/recording/verdict.json", judged),
-        Mount("/", StaticFiles(directory=STATIC)),
-    ]
-    return keep_to_own(Starlette(routes=routes, lifespan=lifespan), host)
-
-
-def _json(body: bytes) -> Response:
-    return Response(body, media_type="application/json", headers={"Cache-Control": "no-store"})
+    return keep_to_own(Starlette(routes=player.routes(), lifespan=lifespan), host)

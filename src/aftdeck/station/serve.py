@@ -11,20 +11,16 @@ from pathlib import Path
 import uvicorn
 from starlette.applications import Starlette
 
-from aftdeck.errors import AftdeckError
 from aftdeck.law import compiled_before
 from aftdeck.recording.live import Live
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
-from aftdeck.station.app import STATIC, make_app
+from aftdeck.station.app import make_app
+from aftdeck.station.built import StationError, built_page
 from aftdeck.station.protocol import MAX_MESSAGE_BYTES
 from aftdeck.station.session import Session
 
 LAST_PORT = 65535
-
-
-class StationError(AftdeckError):
-    """The station cannot be started."""
 
 
 def serve(
@@ -70,21 +66,6 @@ def serve(
     run_server(make_server(make_app(session, host)), listener, address if open_browser else None)
     if live is not None:
         live.close()
-
-
-def built_page() -> str:
-    """The page's HTML as built.
-
-    Raises:
-        StationError: it was not built.
-    """
-    page = STATIC / "index.html"
-    if not page.is_file():
-        raise StationError(
-            f"the station's page is missing ({page}): build it with `make fly` in the source tree, or install "
-            "Aftdeck from a wheel, which brings it"
-        )
-    return page.read_text(encoding="utf-8")
 
 
 def address_of(listener: socket.socket, host: str) -> str:

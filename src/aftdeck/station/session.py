@@ -170,6 +170,16 @@ class Session:
         self.phase = Phase.CLOSED
 
     @property
+    def folder(self) -> Path | None:
+        """Where its flights are recorded; None: nowhere."""
+        return self._record
+
+    @property
+    def file(self) -> Path | None:
+        """What the present flight is recorded into; None: nothing."""
+        return self._tape.file
+
+    @property
     def newest(self) -> bytes:
         """The newest frame, encoded; empty before the first."""
         return self._newest

@@ -1,7 +1,7 @@
 /** The top rail: what is flown, how long, how quickly the picture answers, and who flies. */
 
 import type { Appearance } from '../appearance';
-import { clock, missionTime } from '../format';
+import { missionTime } from '../format';
 import type { LinkState } from '../socket';
 import type { Tones } from '../tones';
 import { TASKS } from './cargo';
@@ -11,6 +11,7 @@ import type { LightControl } from './light';
 import { areLong, type Delays, delayWords } from './link';
 import type { Naming } from './naming';
 import type { Desk, View } from './part';
+import { recordings } from './recordings';
 import type { ScenarioChoice } from './scenarios';
 import { sound } from './sound';
 
@@ -66,8 +67,7 @@ export function rail(
   const heard = sound(tones);
   const lag = el('b');
   const met = el('b');
-  const rec = el('b');
-  const recording = el('span', { class: 'rec', title: 'This flight is recorded' }, 'REC ', rec);
+  const recorded = recordings();
   const units = button({ title: 'Units of the read-outs' }, [], () => listener.units());
   const dim = button({ title: DIM }, ['Dim'], () => appearance.set({ night: !appearance.night }));
   const [delayed, takes] = [el('span'), el('b')];
@@ -81,7 +81,7 @@ export function rail(
     el('span', { class: 'space' }),
     ...(software ? [el('span', { class: 'note', title: SOFTWARE }, 'Low detail')] : []),
     el('span', { class: 'times' }, el('span', { class: 'lag' }, 'Stick to picture ', lag), delay),
-    recording,
+    recorded.element,
     el('span', { class: 'met' }, 'MET ', met),
     naming.element,
     ask,
@@ -121,8 +121,7 @@ export function rail(
       setClass(delay, 'absent', text === '');
       setClass(element, 'late', areLong(delays));
       setText(met, missionTime(frame.time_s));
-      setClass(recording, 'absent', frame.recording_s === null);
-      setText(rec, clock(frame.recording_s ?? 0));
+      recorded.values(frame);
       heard.values();
       setPressed(dim, appearance.night);
       setText(units, shown.name === 'SI' ? 'SI' : 'ft · in');
@@ -135,6 +134,7 @@ export function rail(
       parts.close();
       light.close();
       scenarios.close();
+      recorded.close();
       naming.close();
     },
   };

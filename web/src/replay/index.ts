@@ -14,7 +14,7 @@ import { Player } from './player';
 import { replayRail } from './rail';
 import { RunColumn } from './run';
 import { follow } from './second';
-import type { Source } from './source';
+import { flyingHere, type Source } from './source';
 import { STEP } from './span';
 import { Timeline } from './timeline';
 import { Transport } from './transport';
@@ -97,7 +97,7 @@ class Replay {
     });
     this.run = new RunColumn(index);
     this.desk = new FlownDesk(index);
-    this.rail = replayRail(index, () => {
+    this.rail = replayRail(index, flyingHere(document), () => {
       this.units = this.units === 'SI' ? 'ft-in' : 'SI';
       this.windows.tell();
     });

@@ -14,7 +14,8 @@ export interface ReplayRail {
 const CUT = 'The recording ends before the run did; it plays as far as it goes.';
 const THINNED = 'So that the file stays small; lanes, strips and log are complete.';
 
-export function replayRail(index: PlaybackIndex, changeUnits: () => void): ReplayRail {
+/** `flying`: address of the station that plays; null: it does nothing else. */
+export function replayRail(index: PlaybackIndex, flying: string | null, changeUnits: () => void): ReplayRail {
   const verdict = el('b', { role: 'status' });
   const units = button({ title: 'Units of the read-outs' }, [], changeUnits);
   const fact = (name: string, value: string | HTMLElement, title = '') =>
@@ -43,6 +44,7 @@ export function replayRail(index: PlaybackIndex, changeUnits: () => void): Repla
     fact('Recorded', began(index.began), `Aftdeck ${index.version}, seed ${index.seed}`),
     fact('Recomputed', verdict, 'Whether its inputs, flown anew, give the same frames.'),
     units,
+    ...(flying === null ? [] : [el('a', { class: 'key', href: flying }, 'Back to flying')]),
   );
   return {
     element,

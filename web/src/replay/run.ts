@@ -27,6 +27,7 @@ export class RunColumn {
     this.figures = index.measures.map((measure) => {
       const value = el('td');
       const row = el('tr', { title: measure.about }, el('th', { scope: 'row' }, measure.name), value);
+      setClass(value, measure.level, measure.level !== 'info');
       return { measure, row, value };
     });
     const table = el('table', {}, el('tbody', {}, ...this.figures.map(({ row }) => row)));

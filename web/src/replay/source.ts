@@ -9,6 +9,11 @@ export interface Source {
   verdict(): Promise<Verdict> | null;
 }
 
+/** Address of the station that plays, where it flies, too. */
+export function flyingHere(page: Document): string | null {
+  return page.querySelector<HTMLMetaElement>('meta[name=flying]')?.content ?? null;
+}
+
 /** The recording that this page was made for; null: the page flies. */
 export function recordingHere(page: Document): Source | null {
   const served = page.querySelector<HTMLMetaElement>('meta[name=recording]');

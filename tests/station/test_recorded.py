@@ -1,0 +1,94 @@
+"""A station that records lists its recordings, and plays each of them in its own page."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from aftdeck.station import app as station_app
+from aftdeck.station import built as station_built
+from aftdeck.station import player as station_player
+from aftdeck.station.playback import Block, PlaybackIndex, Recorded
+from aftdeck.station.session import Session
+from tests.station.pages import Station, scenario, served, until
+from tests.station.recordings import recorded
+
+PAGE = "<html><head><title>Aftdeck</title></head><body></body></html>"
+
+
+@pytest.fixture(autouse=True)
+def built(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A page, whether or not the real one was built."""
+    folder = tmp_path_factory.mktemp("static")
+    (folder / "index.html").write_text(PAGE, encoding="utf-8")
+    for module in (station_app, station_built, station_player):
+        monkeypatch.setattr(module, "STATIC", folder)
+
+
+def listed(station: Station) -> tuple[Recorded, ...]:
+    status, body = station.get("/recordings.json")
+    assert status == 200
+    return msgspec.json.decode(body, type=tuple[Recorded, ...])
+
+
+def index(station: Station, file: str) -> PlaybackIndex:
+    status, body = station.get(f"/replay/{file}/recording/index.json")
+    assert status == 200, body
+    return msgspec.json.decode(body, type=PlaybackIndex)
+
+
+def test_recordings_are_listed_newest_first_and_the_present_flight_is_among_them(tmp_path: Path) -> None:
+    recorded(tmp_path / "before.mcap", 60)
+    os.utime(tmp_path / "before.mcap", (1e9, 1e9))
+    (tmp_path / "notes.txt").write_text("no recording", encoding="utf-8")
+    with served(Session(scenario(), record=tmp_path)) as station:
+        until(lambda: len(listed(station)) == 2 and listed(station)[0].now, "the present flight's file")
+        now, before = listed(station)
+    assert (before.file, before.now, before.changed) == ("before.mcap", False, "2001-09-09T01:46:40+00:00")
+    assert now.now and now.file.startswith(scenario().name)
+
+
+def test_each_is_played_in_a_page_that_knows_the_way_back(tmp_path: Path) -> None:
+    recorded(tmp_path / "before.mcap", 300)
+    with served(Session(scenario(), record=tmp_path)) as station:
+        status, page = station.get("/replay/before.mcap/")
+        assert status == 200
+        assert '<meta name="recording" content="recording/" />' in page
+        assert '<meta name="flying" content="../../" />' in page
+        assert index(station, "before.mcap").ticks == 300
+        block = msgspec.json.decode(station.get("/replay/before.mcap/recording/blocks/1")[1], type=Block)
+        assert block[-1].frame.tick == 300
+        assert station.get("/replay/before.mcap/recording/verdict.json")[0] == 200
+        assert station.get("/") == (200, PAGE)
+
+
+def test_the_present_flight_is_played_as_far_as_it_has_come_and_anew_when_it_has_gone_on(tmp_path: Path) -> None:
+    with served(Session(scenario(), record=tmp_path)) as station:
+        until(lambda: bool(listed(station)), "the present flight's file")
+        (now,) = listed(station)
+        until(lambda: station.get(f"/replay/{now.file}/recording/index.json")[0] == 200, "the first steps on disk")
+        first = index(station, now.file)
+        until(lambda: index(station, now.file).ticks > first.ticks, "more steps on disk")
+        assert not first.ended
+
+
+@pytest.mark.parametrize("file", ["none.mcap", "notes.txt", "broken.mcap", "..%2fsecret.mcap", "%2e%2e"])
+def test_what_cannot_be_played_is_told(tmp_path: Path, file: str) -> None:
+    folder = tmp_path / "flights"
+    folder.mkdir()
+    recorded(tmp_path / "secret.mcap", 10)
+    for name in ("notes.txt", "broken.mcap"):
+        (folder / name).write_text("no recording", encoding="utf-8")
+    with served(Session(scenario(), record=folder)) as station:
+        status, told = station.get(f"/replay/{file}/")
+        assert status == 404
+        assert "secret" not in told or "cannot be played" in told
+
+
+def test_a_station_that_records_nothing_lists_nothing() -> None:
+    with served(Session(scenario())) as station:
+        assert station.get("/recordings.json")[0] == 404
+        assert station.get("/replay/before.mcap/")[0] == 404
