@@ -161,13 +161,30 @@ test('an axis counts as held to the side that is meant, past its deadband', () =
   expect(isDown({ reading: null, mapping: DEFAULTS.pad }, 'b3', 1)).toBe(false);
 });
 
-test('who has skipped steps is not told that all is flown', () => {
-  for (const now of [frame(), frame({ held: true }), frame({ seat: '' })])
-    expect(farewell(now)[0]).toBe('To be flown yet');
+test('who has skipped steps is not told that all is flown until it is', () => {
+  let progress: Progress = { ...BEGIN, at: STEPS.length };
+  for (const now of [frame(), frame({ held: true }), frame({ seat: '' })]) {
+    progress = seen(progress, now, 0);
+    expect(farewell(progress.flown)[0]).toBe('To be flown yet');
+  }
+  progress = seen(progress, { ...frame({ held: true, seat: '' }), time_s: 90 }, 0);
+  expect(farewell(progress.flown)[0]).toBe('Well flown');
+});
+
+test('the closing time stands, whatever is flown afterwards, until a step is gone back to', () => {
+  const later = (progress: Progress, flown: Flown, time_s: number) =>
+    seen(progress, { ...frame(flown), time_s }, 2 * LIFTED);
+  let progress: Progress = { ...at('lift'), seat: 0 };
+  progress = later(progress, { held: true, seat: '' }, 376);
+  expect(progress.flown).toBe(376);
+  progress = later(progress, { held: true, seat: '' }, 394);
+  progress = later(progress, { seat: '' }, 400);
+  expect(progress.flown).toBe(376);
+  expect(back(progress).flown).toBeNull();
 });
 
 test('the closing words tell the time', () => {
-  const told = (time_s: number) => farewell({ ...frame({ held: true, seat: '' }), time_s }).join();
+  const told = (flown: number) => farewell(flown).join();
   expect(told(59.9)).toMatch(/^Well flown.*, 59 s after/);
   expect(told(185)).toMatch(/, 3 min 5 s after/);
 });

@@ -10,7 +10,7 @@ import type { Frame } from '../protocol';
 import { Card } from './card';
 import { InHand } from './in-hand';
 import { BEGIN, back, looked, type Progress, seen, skip } from './progress';
-import { held, STEPS } from './steps';
+import { STEPS } from './steps';
 
 /** The built-in scenario that it is flown in, and the mode. */
 export const SCENARIO = 'tutorial';
@@ -126,21 +126,21 @@ export class Tutorial {
     const astray = frame.mode === MODE ? '' : frame.mode;
     if (step) this.card.set(progress, step.words(frame), step.title, astray);
     else {
-      const [title, words] = farewell(frame);
+      const [title, words] = farewell(progress.flown);
       this.card.set(progress, words, title, astray);
     }
   }
 }
 
-/** The closing title and words: whether all was flown, or some of it skipped. */
-export function farewell(now: Frame): readonly [title: string, words: string] {
-  if (!held(now) || now.work.cargo.some((cargo) => cargo.held && cargo.seat !== ''))
+/** The closing title and words: when the payload came free [s], or that it has not (null). */
+export function farewell(flown: number | null): readonly [title: string, words: string] {
+  if (flown === null)
     return [
       'To be flown yet',
       'That was the whole way, but the payload still stands in the bay. Go back to where you left off, or put everything ' +
         'back with *Restart* and fly it from the start.',
     ];
-  const [minutes, seconds] = [Math.floor(now.time_s / 60), Math.floor(now.time_s % 60)];
+  const [minutes, seconds] = [Math.floor(flown / 60), Math.floor(flown % 60)];
   const took = minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`;
   return [
     'Well flown',

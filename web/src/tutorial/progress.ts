@@ -1,7 +1,7 @@
 /** How far a beginner has come: plain data, taken on by what the frames show. */
 
 import type { Frame, Vec3 } from '../protocol';
-import { held, STEPS } from './steps';
+import { held, isFree, STEPS } from './steps';
 
 export interface Progress {
   /** The present step; as many as there are: all are done. */
@@ -13,11 +13,21 @@ export interface Progress {
   readonly again: boolean;
   /** Height of the payload in its seat, or where it was first seen [m]; null: not seen yet. */
   readonly seat: number | null;
+  /** When everything was flown [s]; null: not yet. */
+  readonly flown: number | null;
   /** The frame seen last. */
   readonly tick: number;
 }
 
-export const BEGIN: Progress = { at: 0, from: null, looked: false, again: false, seat: null, tick: -1 };
+export const BEGIN: Progress = {
+  at: 0,
+  from: null,
+  looked: false,
+  again: false,
+  seat: null,
+  flown: null,
+  tick: -1,
+};
 const LIFT = STEPS.length - 1;
 
 export function isOver({ at }: Progress): boolean {
@@ -34,8 +44,8 @@ export function seen(before: Progress, now: Frame, height: number): Progress {
   const at = first ? LIFT : before.at;
   const after = { ...before, at, from, seat, tick: now.tick };
   const done = STEPS[at]?.done(now, { from, looked: before.looked, lifted: height - seat }) ?? false;
-  if (!done) return { ...after, again: false };
-  return before.again ? after : enter(after, at + 1);
+  if (!done) return ended({ ...after, again: false }, now);
+  return before.again ? after : ended(enter(after, at + 1), now);
 }
 
 /** The operator has changed a picture. */
@@ -51,6 +61,12 @@ export function back(before: Progress): Progress {
   return { ...enter(before, Math.max(0, before.at - 1)), again: true };
 }
 
+/** The time stands once all steps are behind and the payload is free. */
+function ended(progress: Progress, now: Frame): Progress {
+  const { flown } = progress;
+  return flown === null && isOver(progress) && isFree(now) ? { ...progress, flown: now.time_s } : progress;
+}
+
 function enter(before: Progress, at: number): Progress {
-  return { ...before, at, from: null, looked: false, again: false };
+  return { ...before, at, from: null, looked: false, again: false, flown: null };
 }

@@ -141,6 +141,11 @@ export function held({ work }: Frame): boolean {
   return work.cargo.some((cargo) => cargo.held);
 }
 
+/** The payload is held and out of its latches. */
+export function isFree(now: Frame): boolean {
+  return held(now) && !now.work.cargo.some((cargo) => cargo.held && cargo.seat !== '');
+}
+
 /** Only the way to the pin is left. */
 function lined({ work: { conditions } }: Frame): boolean {
   return conditions.length > 0 && conditions.every(({ name, holds }) => holds || name === 'pin depth');
