@@ -143,6 +143,16 @@ test('skipping goes on to the end and no farther', () => {
   for (const _ of STEPS) progress = skip(progress);
   expect(isOver(progress)).toBe(true);
   expect(skip(progress)).toEqual(progress);
+  expect(progress.skipped.size).toBe(STEPS.length);
+});
+
+test('a step that was skipped and then flown is done', () => {
+  const skipped = skip(at('move'));
+  expect([...skipped.skipped]).toEqual([1]);
+  let progress = seen(back(skipped), frame({ tick: 1, x: 0 }), 0);
+  expect(progress.skipped.size).toBe(1);
+  progress = seen(progress, frame({ tick: 2, x: 1.01 * MOVED }), 0);
+  expect([STEPS[progress.at]?.name, progress.skipped.size]).toEqual(['line up', 0]);
 });
 
 test('an axis counts as held to the side that is meant, past its deadband', () => {

@@ -4,7 +4,7 @@ import type { Controllers } from '../input/controllers';
 import type { Action } from '../input/keymap';
 import { revision } from '../input/store';
 import { keeper } from '../kept';
-import { setAttribute, setClass } from '../panel/dom';
+import { button, setAttribute, setClass, setPressed } from '../panel/dom';
 import type { Desk, View } from '../panel/part';
 import type { Frame } from '../protocol';
 import { Card } from './card';
@@ -27,6 +27,8 @@ const LOOKS: ReadonlySet<Action['name']> = new Set([
 ]);
 
 export class Tutorial {
+  /** For the rail: goes to the tutorial's scenario, or opens and closes its guide there. */
+  readonly key: HTMLButtonElement;
   private readonly card: Card;
   private readonly inHand: InHand;
   private readonly ended = new AbortController();
@@ -44,6 +46,8 @@ export class Tutorial {
   ) {
     const { welcome } = desk;
     this.unasked = this.offered && keeper.getItem(KEY) !== OPENED;
+    const name = this.offered ? 'Guide' : 'Tutorial';
+    this.key = button({ title: 'A first capture, in six steps' }, [name], () => this.toggle());
     this.payload = welcome.bodies.findIndex(({ name }) => name === welcome.work.cargo[0]);
     this.inHand = new InHand(controllers);
     this.card = new Card(this.inHand, {
@@ -64,13 +68,11 @@ export class Tutorial {
     return this.card.element;
   }
 
-  /** Opens or closes it; where another scenario is flown, goes to its own, where it opens. */
-  toggle(): void {
-    if (this.offered) this.show(!this.open);
-    else {
-      keeper.setItem(KEY, 'asked');
-      this.flyIt(SCENARIO);
-    }
+  /** A scenario is asked for: with the tutorial's own comes its guide, at once where that is flown already. */
+  chosen(scenario: string): void {
+    if (scenario !== SCENARIO) return;
+    if (this.offered) this.show(true);
+    else keeper.setItem(KEY, 'asked');
   }
 
   /** What the operator does besides flying. */
@@ -99,6 +101,11 @@ export class Tutorial {
     return this.desk.welcome.scenario === SCENARIO;
   }
 
+  private toggle(): void {
+    if (this.offered) this.show(!this.open);
+    else this.flyIt(SCENARIO);
+  }
+
   private go(progress: Progress): void {
     this.progress = progress;
   }
@@ -111,6 +118,7 @@ export class Tutorial {
     }
     this.open = open;
     this.card.element.hidden = !open;
+    if (this.offered) setPressed(this.key, open);
     setClass(document.body, 'guided', open);
   }
 

@@ -11,6 +11,8 @@ export interface Progress {
   readonly looked: boolean;
   /** Gone back to: this step was done before, and ends only once it is done anew. */
   readonly again: boolean;
+  /** Steps skipped, and not done since. */
+  readonly skipped: ReadonlySet<number>;
   /** Height of the payload in its seat, or where it was first seen [m]; null: not seen yet. */
   readonly seat: number | null;
   /** When everything was flown [s]; null: not yet. */
@@ -24,6 +26,7 @@ export const BEGIN: Progress = {
   from: null,
   looked: false,
   again: false,
+  skipped: new Set(),
   seat: null,
   flown: null,
   tick: -1,
@@ -45,7 +48,9 @@ export function seen(before: Progress, now: Frame, height: number): Progress {
   const after = { ...before, at, from, seat, tick: now.tick };
   const done = STEPS[at]?.done(now, { from, looked: before.looked, lifted: height - seat }) ?? false;
   if (!done) return ended({ ...after, again: false }, now);
-  return before.again ? after : ended(enter(after, at + 1), now);
+  if (before.again) return after;
+  const skipped = new Set([...before.skipped].filter((step) => step !== at));
+  return ended({ ...enter(after, at + 1), skipped }, now);
 }
 
 /** The operator has changed a picture. */
@@ -54,7 +59,8 @@ export function looked(before: Progress): Progress {
 }
 
 export function skip(before: Progress): Progress {
-  return isOver(before) ? before : enter(before, before.at + 1);
+  if (isOver(before)) return before;
+  return { ...enter(before, before.at + 1), skipped: new Set([...before.skipped, before.at]) };
 }
 
 export function back(before: Progress): Progress {
