@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Hold } from '../src/input/hold';
+import { inUnits } from '../src/measured';
 import { whereIs } from '../src/panel/cargo';
 import { figures, whatNow } from '../src/panel/conditions';
 import { graspWords } from '../src/panel/effector';
@@ -167,6 +168,24 @@ test('figures are in the operator’s small units', () => {
   expect(figures(condition({ value: 0.1, unit: 'rad' }), SI)).toEqual({ value: '5.7', unit: '°' });
   expect(figures(condition({ value: 0.03, unit: 'm/s' }), SI)).toEqual({ value: '3.0', unit: 'cm/s' });
   expect(figures(condition({ value: null as never }), SI).value).toBe('–');
+});
+
+test('words about a condition are told in the operator’s units', () => {
+  const palm = 'palm 4.04 ft above the bar, 0 to 0.75 in allowed';
+  expect(inUnits(palm, SI)).toBe('palm 123 cm above the bar, 0 to 1.91 cm allowed');
+  expect(inUnits(palm, FEET)).toBe('palm 48.5 in above the bar, 0 to 0.75 in allowed');
+  expect(inUnits('bar 1.2 m clear of the palm, −20 to 35 mm allowed', FEET)).toBe(
+    'bar 47.2 in clear of the palm, −0.787 to 1.38 in allowed',
+  );
+  expect(inUnits('0.2 ft/s, at most 0.1 ft/s allowed', SI)).toBe('6.1 cm/s, at most 3.05 cm/s allowed');
+  const other = 'pitch −12.5°, at most 10° allowed; beacon 2 is in it';
+  expect(inUnits(other, SI)).toBe(other);
+});
+
+test('what words tell apart stays apart in other units', () => {
+  const [value, limit] =
+    inUnits('palm 0.7502 in above the bar, 0 to 0.75 in allowed', SI).match(/1\.\d+/g) ?? [];
+  expect(Number(value)).toBeGreaterThan(Number(limit));
 });
 
 test('once all is met the title says what to do, or nothing where it happens by itself', () => {

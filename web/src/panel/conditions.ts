@@ -2,6 +2,7 @@
 
 import { degrees, fixed, small } from '../format';
 import { keyOf } from '../input/layout';
+import { inUnits } from '../measured';
 import type { Condition, WorkFrame } from '../protocol';
 import type { Units } from '../units';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
@@ -44,7 +45,7 @@ export function conditionsGroup(): Part {
       setClass(element, 'met', met);
       setAbout(
         element,
-        met ? `all met${whatNow(frame.work)}` : (shown.find(({ holds }) => !holds)?.text ?? ''),
+        met ? `all met${whatNow(frame.work)}` : inUnits(shown.find(({ holds }) => !holds)?.text ?? '', units),
       );
     },
   };
@@ -91,7 +92,7 @@ function cell() {
       setText(value, shown.value);
       setText(unit, shown.unit);
       setClass(element, 'holds', condition.holds);
-      setAttribute(element, 'title', condition.text);
+      setAttribute(element, 'title', inUnits(condition.text, units));
     },
   };
 }

@@ -4,9 +4,11 @@ import type { Controllers } from '../input/controllers';
 import type { Action } from '../input/keymap';
 import { revision } from '../input/store';
 import { keeper } from '../kept';
+import { inUnits } from '../measured';
 import { button, setAttribute, setClass, setPressed } from '../panel/dom';
 import type { Desk, View } from '../panel/part';
 import type { Frame } from '../protocol';
+import type { Units } from '../units';
 import { Card } from './card';
 import { InHand } from './in-hand';
 import { BEGIN, back, looked, type Progress, seen, skip } from './progress';
@@ -80,12 +82,12 @@ export class Tutorial {
     if (LOOKS.has(name)) this.progress = looked(this.progress);
   }
 
-  values({ frame, flying }: View): void {
+  values({ frame, flying, units }: View): void {
     if (this.unasked && flying) this.show(true);
     if (!this.open) return;
     this.progress = seen(this.progress, frame, frame.poses[7 * this.payload + 2] ?? 0);
     this.inHand.look();
-    this.draw(frame);
+    this.draw(frame, units);
   }
 
   light(): void {
@@ -122,7 +124,7 @@ export class Tutorial {
     setClass(document.body, 'guided', open);
   }
 
-  private draw(frame: Frame): void {
+  private draw(frame: Frame, units: Units): void {
     const { progress } = this;
     const step = STEPS[progress.at];
     const drawn = `${progress.at} ${this.inHand.kinds.join()} ${revision()}`;
@@ -132,7 +134,7 @@ export class Tutorial {
       setAttribute(document.body, 'data-step', step?.groups.join(' ') ?? '');
     }
     const astray = frame.mode === MODE ? '' : frame.mode;
-    if (step) this.card.set(progress, step.words(frame), step.title, astray);
+    if (step) this.card.set(progress, inUnits(step.words(frame), units), step.title, astray);
     else {
       const [title, words] = farewell(progress.flown);
       this.card.set(progress, words, title, astray);
