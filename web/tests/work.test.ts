@@ -2,6 +2,7 @@ import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Hold } from '../src/input/hold';
 import { inUnits } from '../src/measured';
 import { whereIs } from '../src/panel/cargo';
+import { ConditionBars } from '../src/panel/condition-bar';
 import { figures, whatNow } from '../src/panel/conditions';
 import { graspWords } from '../src/panel/effector';
 import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/gap-scale';
@@ -10,8 +11,8 @@ import { clipped, labelPlace } from '../src/panel/label-place';
 import { replaced } from '../src/panel/master';
 import { isMoving } from '../src/panel/orbiter';
 import { Paced } from '../src/panel/paced';
+import { Places } from '../src/panel/places';
 import { isMoving as onItsWay } from '../src/panel/prong';
-import { Ranking } from '../src/panel/ranking';
 import { seatNow } from '../src/panel/seat';
 import { counted } from '../src/panel/spine';
 import { linesOf } from '../src/panel/touching';
@@ -100,49 +101,39 @@ test('a wide gap is not drawn, nor one that is closed', () => {
   ]);
 });
 
-test('conditions stand worst first, what fails before what holds', () => {
-  const ranking = new Ranking();
-  const all = [
-    condition({ name: 'roll', unit: 'rad', limit: 0.2, margin: 0.15 }),
-    condition({ name: 'distance', margin: -0.9 }),
-    condition({ name: 'tilt', unit: 'rad', limit: 0.2, margin: 0.01 }),
-    condition({ name: 'off axis', margin: -0.01 }),
-    condition({ name: 'far', value: Number.NaN, margin: Number.NaN }),
-  ];
-  ranking.learn(all);
-  expect(ranking.order(all, 0).map(({ name }) => name)).toEqual([
-    'distance',
-    'far',
-    'off axis',
-    'tilt',
-    'roll',
-  ]);
+test('conditions that all find room keep the order given, whatever holds', () => {
+  const places = new Places(3);
+  const names = (...margins: number[]) =>
+    places
+      .order(margins.map((margin, i) => condition({ name: 'abc'.charAt(i), margin })))
+      .map(({ name }) => name);
+  expect(names(0.1, -0.9, 0)).toEqual(['a', 'b', 'c']);
+  expect(names(0.1, -0.1, -0.9)).toEqual(['a', 'b', 'c']);
+  expect(names(0.1, 0.1)).toEqual(['a', 'b']);
 });
 
-test('conditions keep their places for a while, unless one begins or ceases to hold', () => {
-  const ranking = new Ranking();
-  const at = (a: number, b: number) => [
-    condition({ name: 'a', margin: a }),
-    condition({ name: 'b', margin: b }),
-  ];
-  const order = (conditions: Condition[], time: number) =>
-    ranking
-      .order(conditions, time)
+test('where not all find room what fails is shown, and takes the place of one that holds alone', () => {
+  const places = new Places(3);
+  const shown = (failing: string) =>
+    places
+      .order([...'abcde'].map((name) => condition({ name, margin: failing.includes(name) ? -1 : 1 })))
       .map(({ name }) => name)
       .join('');
-  expect(order(at(-0.3, -0.2), 0)).toBe('ab');
-  expect(order(at(-0.1, -0.2), 1)).toBe('ab');
-  expect(order(at(-0.1, -0.2), 3)).toBe('ba');
-  expect(order(at(-0.3, 0.2), 3.5)).toBe('ab');
-  expect(ranking.order(at(-0.3, 0.2), 3.6)[1]?.holds).toBe(true);
+  expect(shown('ce')).toBe('ace');
+  expect(shown('ace')).toBe('ace');
+  expect(shown('cde')).toBe('dce');
+  expect(shown('')).toBe('dce');
+  expect(shown('bc')).toBe('bce');
+  expect(shown('abcde')).toBe('bce');
+  expect(shown('acde')).toBe('ace');
 });
 
 test('a condition’s limit is at the middle of its bar, what holds is short of it', () => {
-  const ranking = new Ranking();
+  const bars = new ConditionBars();
   const part = (value: number, limit: number) => {
     const one = condition({ value, limit, margin: limit - value });
-    ranking.learn([one]);
-    return ranking.part(one);
+    bars.learn([one]);
+    return bars.part(one);
   };
   expect(part(0.05, 0.1)).toBeCloseTo(0.25);
   expect(part(0.1, 0.1)).toBeCloseTo(0.5);
@@ -151,12 +142,12 @@ test('a condition’s limit is at the middle of its bar, what holds is short of 
 });
 
 test('a window’s bar does not leap where the nearer bound changes', () => {
-  const ranking = new Ranking();
+  const bars = new ConditionBars();
   const within = (value: number) => {
     const [limit, margin] = value > 0.05 ? [0.1, 0.1 - value] : [0, value];
     const one = condition({ value, limit, margin });
-    ranking.learn([one]);
-    return ranking.part(one);
+    bars.learn([one]);
+    return bars.part(one);
   };
   within(0.2);
   expect(within(0.0501)).toBeCloseTo(within(0.0499), 2);

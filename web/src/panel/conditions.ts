@@ -1,13 +1,14 @@
-/** What has to hold before something is captured, docked or latched: each with its limit, the worst first. */
+/** What has to hold before something is captured, docked or latched: each with its limit, in its own place. */
 
 import { degrees, fixed, small } from '../format';
 import { keyOf } from '../input/layout';
 import { inUnits } from '../measured';
 import type { Condition, WorkFrame } from '../protocol';
 import type { Units } from '../units';
+import { ConditionBars } from './condition-bar';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
 import type { Part } from './part';
-import { Ranking } from './ranking';
+import { Places } from './places';
 
 /** Cells that there is room for. */
 const MOST = 6;
@@ -22,17 +23,17 @@ export function conditionsGroup(): Part {
     el('ol', { class: 'cells' }, ...cells.map((each) => each.element)),
   );
   const title = element.querySelector('h2 b');
-  const ranking = new Ranking();
+  const [places, lengths] = [new Places(MOST), new ConditionBars()];
   let shown: readonly Condition[] = [];
   return {
     element,
     bars({ frame }) {
       const { conditions } = frame.work;
-      ranking.learn(conditions);
-      shown = ranking.order(conditions, frame.time_s).slice(0, MOST);
+      lengths.learn(conditions);
+      shown = places.order(conditions);
       cells.forEach((each, i) => {
         const condition = shown[i];
-        if (condition) each.fill(ranking.part(condition));
+        if (condition) each.fill(lengths.part(condition));
       });
     },
     values({ frame, units }) {
