@@ -27,6 +27,8 @@ PIN_X = -903.7323 * INCH
 LATCHES_MS = 120_000
 """The latches take 30 s; a busy machine is slower."""
 MOST_TRIES = 20
+MIDDLE = 1.5 * INCH
+"""Well within the middle of the wrist camera's picture: the step asks for 2 in."""
 
 CLASHES = """() => {
     const box = (node) => node.getBoundingClientRect();
@@ -194,11 +196,12 @@ def _line_up(flight: Flight) -> None:
     flown = -2
     for _ in range(MOST_TRIES):
         frame = flight.until(f"frame.stick_seq > {flown} && {AT_REST}")
-        if _wanting(frame) <= {"pin depth"}:
+        (aside,) = [each.value for each in frame.work.conditions if each.name == "pin off axis"]
+        if _wanting(frame) <= {"pin depth"} and aside < MIDDLE:
             break
         flown = frame.stick_seq
         aft, starboard = frame.actual.position[0] - PIN_X, frame.actual.position[1]
-        if abs(starboard) > 0.05:
+        if abs(starboard) > 0.025:
             side = 1 if starboard > 0.0 else -1
             flight.pad_axes(-side, 0.0, 0.0, 0.0)
             flight.until(f"frame.actual.position[1] * {side} < 0.02")

@@ -4,7 +4,6 @@ import type { Controllers } from '../input/controllers';
 import type { Action } from '../input/keymap';
 import { revision } from '../input/store';
 import { keeper } from '../kept';
-import { inUnits } from '../measured';
 import { button, setAttribute, setClass, setPressed } from '../panel/dom';
 import type { Desk, View } from '../panel/part';
 import type { Frame } from '../protocol';
@@ -127,14 +126,15 @@ export class Tutorial {
   private draw(frame: Frame, units: Units): void {
     const { progress } = this;
     const step = STEPS[progress.at];
-    const drawn = `${progress.at} ${this.inHand.kinds.join()} ${revision()}`;
+    const caps = step?.caps(frame) ?? [];
+    const drawn = `${progress.at} ${caps.join()} ${this.inHand.kinds.join()} ${revision()}`;
     if (drawn !== this.drawn) {
       this.drawn = drawn;
-      this.card.setCaps(step?.caps ?? []);
+      this.card.setCaps(caps);
       setAttribute(document.body, 'data-step', step?.groups.join(' ') ?? '');
     }
     const astray = frame.mode === MODE ? '' : frame.mode;
-    if (step) this.card.set(progress, inUnits(step.words(frame), units), step.title, astray);
+    if (step) this.card.set(progress, step.words(frame, units), step.title, astray);
     else {
       const [title, words] = farewell(progress.flown);
       this.card.set(progress, words, title, astray);
