@@ -17,6 +17,8 @@ import { seatNow } from '../src/panel/seat';
 import { counted } from '../src/panel/spine';
 import { linesOf } from '../src/panel/touching';
 import { SPAN_S, Trend } from '../src/panel/trend';
+import { wayParts } from '../src/panel/way-to-fixture';
+import { withKeys } from '../src/panel/with-keys';
 import { drawnGap } from '../src/pictures';
 import type { CargoFrame, Condition, Frame, Near, WorkFrame } from '../src/protocol';
 import { unitsOf } from '../src/units';
@@ -88,7 +90,7 @@ test('what inhibits stands above what is made to touch, the deepest contact firs
   );
   expect(lines.map(({ level }) => level)).toEqual(['warning', 'warning', 'caution', 'info']);
   expect(lines[0]?.text).toBe('Palm touches payload top, 2.0 cm deep');
-  expect(lines[2]?.text).toBe('Way out: THC −Z');
+  expect(lines[2]?.text).toBe('Way out: THC −Z (Q)');
   expect(lines[3]?.text).toBe('Made to touch: prong – bar');
 });
 
@@ -151,6 +153,28 @@ test('a window’s bar does not leap where the nearer bound changes', () => {
   };
   within(0.2);
   expect(within(0.0501)).toBeCloseTo(within(0.0499), 2);
+});
+
+test('the way to the pin names the stick and the key that shorten it', () => {
+  expect(wayParts([1.99, 0.3, -0.254], FEET)).toEqual([
+    { stick: '+X', key: 'W', value: '78' },
+    { stick: '+Y', key: 'D', value: '12' },
+    { stick: '−Z', key: 'Q', value: '10' },
+  ]);
+  expect(wayParts([0.004, -0.05, 0], SI)).toEqual([
+    { stick: 'X', key: '', value: '0.4' },
+    { stick: '−Y', key: 'A', value: '5.0' },
+    { stick: 'Z', key: '', value: '0.0' },
+  ]);
+});
+
+test('a stick’s direction in words comes with its key', () => {
+  expect(withKeys('way out: ORB UNL, THC −Z')).toBe('way out: ORB UNL, THC −Z (Q)');
+  expect(withKeys('RHC +roll')).toBe('RHC +roll (O)');
+  expect(withKeys('THC −Z or the telescope longer frees it')).toBe(
+    'THC −Z (Q) or the telescope longer frees it',
+  );
+  expect(withKeys('SINGLE elbow −')).toBe('SINGLE elbow −');
 });
 
 test('figures are in the operator’s small units', () => {

@@ -9,6 +9,7 @@ import { ConditionBars } from './condition-bar';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
 import type { Part } from './part';
 import { Places } from './places';
+import { wayToFixture } from './way-to-fixture';
 
 /** Cells that there is room for. */
 const MOST = 6;
@@ -17,10 +18,11 @@ const LENGTH = 100;
 
 export function conditionsGroup(): Part {
   const cells = Array.from({ length: MOST }, cell);
+  const way = wayToFixture();
   const element = group(
     'conditions',
     'Conditions',
-    el('ol', { class: 'cells' }, ...cells.map((each) => each.element)),
+    el('ol', { class: 'cells' }, ...cells.map((each) => each.element), way.element),
   );
   const title = element.querySelector('h2 b');
   const [places, lengths] = [new Places(MOST), new ConditionBars()];
@@ -37,11 +39,12 @@ export function conditionsGroup(): Part {
       });
     },
     values({ frame, units }) {
-      const { pursuit, conditions } = frame.work;
+      const { pursuit, conditions, to_fixture } = frame.work;
       if (title) setText(title, pursuit || 'Conditions');
       cells.forEach((each, i) => {
         each.set(shown[i], units);
       });
+      way.set(conditions.length > 0 ? to_fixture : null, units);
       const met = conditions.length > 0 && conditions.every(({ holds }) => holds);
       setClass(element, 'met', met);
       setAbout(

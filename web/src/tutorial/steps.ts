@@ -81,7 +81,7 @@ export const STEPS: readonly Step[] = [
       const near = off ? `under ${small(MIDDLE * off.limit, units.gap)} ${units.gap.name}` : 'small';
       return (
         'Slide until the ball on the dark target stands in the middle of *WR*, and let go once *pin off axis* below is ' +
-        `${near}. {rate} changes to slow rates, and back.`
+        `${near}; *to pin* beside it tells the way. {rate} changes to slow rates, and back.`
       );
     },
     caps: () => [
