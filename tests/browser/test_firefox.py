@@ -47,7 +47,7 @@ def firefox(station: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[
         browser.resize(1280, 720)
         browser.until("frame?.time_s > 1 && document.querySelector('.who').textContent.startsWith('You fly')")
         browser.until(TUTORIAL)  # it opens by itself for who has not seen it
-        press_rail(browser, "Tutorial")
+        press_rail(browser, "Guide")
         browser.until(f"!{TUTORIAL}")
         yield browser
         assert browser.errors == []
@@ -95,10 +95,10 @@ def test_a_sheet_opens_can_be_read_and_closes(firefox: Firefox, name: str, key: 
 
 
 def test_the_tutorial_opens_and_closes(firefox: Firefox) -> None:
-    press_rail(firefox, "Tutorial")
+    press_rail(firefox, "Guide")
     firefox.until(TUTORIAL)
     assert_readable(firefox, ".tutorial", least=5)
-    press_rail(firefox, "Tutorial")
+    press_rail(firefox, "Guide")
     firefox.until(f"!{TUTORIAL}")
 
 

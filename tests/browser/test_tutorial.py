@@ -27,6 +27,8 @@ PIN_X = -903.7323 * INCH
 LATCHES_MS = 120_000
 """The latches take 30 s; a busy machine is slower."""
 MOST_TRIES = 20
+MIDDLE = 1.5 * INCH
+"""Well within the middle of the wrist camera's picture: the step asks for 2 in."""
 
 CLASHES = """() => {
     const box = (node) => node.getBoundingClientRect();
@@ -124,9 +126,9 @@ def test_it_opens_by_itself_once_and_by_its_key_whenever_asked(open_page: OpenPa
     flight = Flight(flight.page)
     flight.until("document.querySelector('.who').textContent.startsWith('You fly') && window.__aftdeck.frames > 20")
     assert not flight.script(OPEN)
-    flight.press_key("Tutorial")
+    flight.press_key("Guide")
     flight.until(f"{OPEN} && {STEP} === '1 of 6'")
-    flight.press_key("Tutorial")
+    flight.press_key("Guide")
     flight.until(f"!({OPEN})")
 
 
@@ -176,7 +178,8 @@ def test_each_step_covers_nothing_that_it_needs_and_can_be_read(
         assert flight.script(CLASHES) == []
         assert_readable(flight, ".tutorial", least=8)
         flight.press_key("Skip step")
-    flight.until(f"{STEP} === 'All six done' && {TITLE} === 'To be flown yet'")
+    flight.until(f"{STEP} === 'All skipped' && {TITLE} === 'To be flown yet'")
+    assert flight.script("document.querySelectorAll('.tutorial li.done').length") == 0
     assert flight.script(CLASHES) == []
     flight.press_key("Back")
     flight.until(f"{STEP} === '6 of 6'")
@@ -193,11 +196,12 @@ def _line_up(flight: Flight) -> None:
     flown = -2
     for _ in range(MOST_TRIES):
         frame = flight.until(f"frame.stick_seq > {flown} && {AT_REST}")
-        if _wanting(frame) <= {"pin depth"}:
+        (aside,) = [each.value for each in frame.work.conditions if each.name == "pin off axis"]
+        if _wanting(frame) <= {"pin depth"} and aside < MIDDLE:
             break
         flown = frame.stick_seq
         aft, starboard = frame.actual.position[0] - PIN_X, frame.actual.position[1]
-        if abs(starboard) > 0.05:
+        if abs(starboard) > 0.025:
             side = 1 if starboard > 0.0 else -1
             flight.pad_axes(-side, 0.0, 0.0, 0.0)
             flight.until(f"frame.actual.position[1] * {side} < 0.02")

@@ -110,16 +110,17 @@ def test_a_contact_is_marked_and_what_it_inhibits_says_what_frees_it(sited: Site
     flight.until(f"{marks}.length === 0 && !document.querySelector('.inhibits .lit')")
 
 
-def test_conditions_stand_worst_first_and_say_when_all_are_met(sited: Sited) -> None:
+def test_conditions_keep_their_places_and_say_when_all_are_met(sited: Sited) -> None:
     flight, site = sited(Worksite(info(), work(pursuit="capture payload", conditions=BEFORE_CAPTURE)))
     names = "[...document.querySelectorAll('.cells li:not([hidden]) .name')].map((name) => name.textContent).join()"
-    flight.until(f"{names} === 'distance,off axis,roll,tilt'")
+    flight.until(f"{names} === 'off axis,distance,tilt,roll'")
     title = "document.querySelector('.conditions h2').textContent"
-    flight.until(f"{title} === 'capture payloadfixture 45 in away, at most 4 in allowed'")
+    flight.until(f"{title} === 'capture payload4.9 in off the axis, at most 4 in allowed'")
     flight.until("document.querySelectorAll('.cells .holds').length === 2")
     met = tuple(condition(each.name, 0.3 * each.limit, each.limit, "", each.unit) for each in BEFORE_CAPTURE)
     site.work = work(pursuit="capture payload", conditions=met)
     flight.until(f"{title} === 'capture payloadall met: squeeze, hold G'")
+    assert flight.script(names) == "off axis,distance,tilt,roll"
 
 
 def test_without_a_pursuit_the_payloads_are_told(sited: Sited) -> None:

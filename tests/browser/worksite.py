@@ -68,6 +68,7 @@ def work(**changes: Any) -> wire.WorkFrame:
         cargo=cargo,
         master=None,
         fixture=None,
+        to_fixture=None,
     )
     return msgspec.structs.replace(still, **changes)
 

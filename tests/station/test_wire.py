@@ -166,6 +166,24 @@ def test_an_empty_end_effector_is_told_how_far_the_next_fixture_is() -> None:
     assert frame.work.fixture == pytest.approx(depth.value, abs=1e-3)
 
 
+def test_the_way_to_the_fixture_is_along_the_axes_that_the_sticks_move_along() -> None:
+    sim = Simulation(scenario("tutorial"))
+    translator = Translator(sim.scenario, demo=False)
+    for mode, axis in (("END EFF", 0), ("ORB UNL", 2)):  # the hand looks straight down
+        sim.step(Inputs(mode=mode))
+        before = translator.frame(sim.step(Inputs()), 0).work.to_fixture
+        assert before is not None
+        assert max(before) == before[axis] == pytest.approx(2.0, abs=0.1)
+        for _ in range(100):
+            sim.step(Inputs(translation=(0.0, 1.0, 0.0)))
+        after = translator.frame(sim.step(Inputs()), 0).work.to_fixture
+        assert after is not None
+        assert after[1] < before[1] - 0.05
+        assert (after[0], after[2]) == pytest.approx((before[0], before[2]), abs=0.01)
+    sim.step(Inputs(mode="SINGLE"))
+    assert translator.frame(sim.step(Inputs()), 0).work.to_fixture is None
+
+
 def test_a_frame_and_the_welcome_come_back_from_json_as_they_went() -> None:
     _, shown = flown(Inputs(translation=(1.0, 0.0, 0.0)))
     welcome = Translator(scenario(), demo=True).welcome

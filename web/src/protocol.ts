@@ -916,6 +916,8 @@ export interface WorkFrame {
   readonly master: Six | null;
   /** From the empty snares to where they would be at the nearest grapple fixture [m]; null: there is none for them. */
   readonly fixture: number | null;
+  /** The same way, along the axes that the sticks move the end effector along [m]; null in modes without sticks. */
+  readonly to_fixture: Vec3 | null;
 }
 
 /** Two watched parts; points and directions in the scene. */

@@ -198,7 +198,7 @@ export class Station {
       flyOrbiter: (on) => this.flyOrbiter(on),
       strips: () => this.tearOff('strips'),
     });
-    this.scenarios = scenarioChoice(desk);
+    this.scenarios = scenarioChoice(desk, (name) => this.tutorial.chosen(name));
     this.tutorial = new Tutorial(desk, this.operator.controllers, (name) => this.scenarios.choose(name));
     this.light = lightControl(desk, this.pictures);
     const { tones, light, scenarios, handOver, naming } = this;
@@ -208,6 +208,7 @@ export class Station {
       scenarios,
       naming,
       ask: handOver.ask,
+      tutorial: this.tutorial.key,
       appearance: this.pictures.appearance,
     };
     this.rail = rail(desk, drawing.software && drawing.quality === 'low', parts, {
@@ -216,7 +217,6 @@ export class Station {
         this.tellWindows();
       },
       restart: () => this.send({ type: 'restart' }),
-      tutorial: () => this.tutorial.toggle(),
       keys: () => this.keys.toggle(),
       controllers: () => this.changeControllers(),
     });

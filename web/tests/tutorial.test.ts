@@ -8,21 +8,28 @@ import { isDown } from '../src/tutorial/in-hand';
 import { BEGIN, back, isOver, looked, type Progress, seen, skip } from '../src/tutorial/progress';
 import { LIFTED, MOVED, STEPS } from '../src/tutorial/steps';
 import { pieces } from '../src/tutorial/words';
+import { unitsOf } from '../src/units';
+
+const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
 
 interface Flown {
   readonly tick?: number;
   readonly x?: number;
   readonly stick?: number;
   readonly offAxis?: boolean;
+  /** How far off, where that is within what capture allows. */
+  readonly aside?: number;
   readonly depth?: boolean;
   readonly held?: boolean;
   readonly seat?: string;
   readonly flags?: readonly string[];
   readonly closing?: boolean;
+  readonly rate?: Frame['rate'];
+  readonly warns?: boolean;
 }
 
-function condition(name: string, holds: boolean): Condition {
-  return { name, holds, value: 0, limit: 0.1, unit: 'm', margin: 0, text: `${name} fails` };
+function condition(name: string, holds: boolean, value = 0): Condition {
+  return { name, holds, value, limit: 0.1, unit: 'm', margin: 0, text: `${name} fails` };
 }
 
 /** A frame: over the payload in its seat, nothing right yet, nothing held. */
@@ -31,11 +38,22 @@ function frame(flown: Flown = {}): Frame {
   const work = {
     conditions: held
       ? []
-      : [condition('pin off axis', flown.offAxis ?? false), condition('pin depth', flown.depth ?? false)],
+      : [
+          condition('pin off axis', flown.offAxis ?? false, flown.aside),
+          condition('pin depth', flown.depth ?? false),
+        ],
     hand: { flags, switch: flown.closing ? 'close' : 'stop' },
     cargo: [{ name: 'payload', held, seat, speed: 0 }],
+    clearance_level: flown.warns ? 'warning' : 'info',
   } as unknown as WorkFrame;
-  return { tick, translation: [stick, 0, 0], actual: { position: [x, 0, 0] }, work } as unknown as Frame;
+  const { rate = 'coarse' } = flown;
+  return {
+    tick,
+    rate,
+    translation: [stick, 0, 0],
+    actual: { position: [x, 0, 0] },
+    work,
+  } as unknown as Frame;
 }
 
 function at(name: string): Progress {
@@ -53,6 +71,7 @@ const STATES: readonly Frame[] = [
   frame({ held: true }),
   frame({ held: true, flags: ['RIGID'] }),
   frame({ held: true, flags: ['RIGID'], seat: '' }),
+  frame({ held: true, flags: ['RIGID'], seat: '', rate: 'vernier', warns: true }),
 ];
 
 test('there are six steps, each of which something ends and nothing at rest does', () => {
@@ -67,16 +86,36 @@ test('there are six steps, each of which something ends and nothing at rest does
 
 test('words and caps name only what can be done, by keys and by pad, and the words are short', () => {
   for (const step of STEPS) {
-    const named = STATES.flatMap((now) => pieces(step.words(now)))
+    const named = STATES.flatMap((now) => pieces(step.words(now, FEET)))
       .filter(({ kind }) => kind === 'use')
       .map(({ text }) => text);
-    for (const use of [...named, ...step.caps.map(([name]) => name), 'stop']) {
+    for (const use of [...named, ...STATES.flatMap((now) => step.caps(now).map(([name]) => name)), 'stop']) {
       expect(USES.has(use), use).toBe(true);
       expect(movers(DEFAULTS.keyboard, use).length, `${use} by keys`).toBeGreaterThan(0);
       expect(movers(DEFAULTS.pad, use).length, `${use} by pad`).toBeGreaterThan(0);
     }
-    for (const now of STATES) expect(step.words(now).length).toBeLessThan(240);
+    for (const now of STATES)
+      for (const units of [FEET, SI]) expect(step.words(now, units).length).toBeLessThan(260);
   }
+});
+
+test('words are in the operator’s units', () => {
+  const told = (name: string, flown: Flown, units = SI) =>
+    STEPS.find((step) => step.name === name)?.words(frame(flown), units) ?? '';
+  expect(told('line up', {})).toContain('under 5.0 cm');
+  expect(told('line up', {}, FEET)).toContain('under 2.0 in');
+  expect(told('close in', { offAxis: true })).toContain('the last 30 cm');
+  expect(told('lift', { held: true, flags: ['RIGID'], seat: '' })).toContain('stands 1 m above');
+});
+
+test('once the latches have let go the lift names what lifts, and an alarm that its seat sets off', () => {
+  const lift = STEPS.at(-1);
+  const free = { held: true, flags: ['RIGID'], seat: '' };
+  expect(lift?.caps(frame({ ...free, seat: 'bay' }))).toEqual([['latch', 'unlatch']]);
+  expect(lift?.caps(frame(free)).map(([use]) => use)).toEqual(['-X', 'rate']);
+  expect(lift?.words(frame({ ...free, rate: 'vernier' }), SI)).toContain('{rate} changes to fast');
+  expect(lift?.words(frame({ ...free, warns: true }), SI)).toContain('*CLEARANCE* warns');
+  expect(lift?.words(frame(free), SI)).not.toMatch(/rate|CLEARANCE/);
 });
 
 test('marks in words become pieces', () => {
@@ -103,6 +142,7 @@ test('a flight from the first look to the lift goes through every step in turn',
   expect(fly({ x: 5 - 1.01 * MOVED })).toBe('line up');
   expect(fly({ depth: true })).toBe('line up');
   expect(fly({ offAxis: true, stick: 1 })).toBe('line up');
+  expect(fly({ offAxis: true, aside: 0.099 })).toBe('line up');
   expect(fly({ offAxis: true })).toBe('close in');
   expect(fly({ offAxis: true })).toBe('close in');
   expect(fly({ offAxis: true, depth: true, stick: 1 })).toBe('capture');
@@ -143,6 +183,16 @@ test('skipping goes on to the end and no farther', () => {
   for (const _ of STEPS) progress = skip(progress);
   expect(isOver(progress)).toBe(true);
   expect(skip(progress)).toEqual(progress);
+  expect(progress.skipped.size).toBe(STEPS.length);
+});
+
+test('a step that was skipped and then flown is done', () => {
+  const skipped = skip(at('move'));
+  expect([...skipped.skipped]).toEqual([1]);
+  let progress = seen(back(skipped), frame({ tick: 1, x: 0 }), 0);
+  expect(progress.skipped.size).toBe(1);
+  progress = seen(progress, frame({ tick: 2, x: 1.01 * MOVED }), 0);
+  expect([STEPS[progress.at]?.name, progress.skipped.size]).toEqual(['line up', 0]);
 });
 
 test('an axis counts as held to the side that is meant, past its deadband', () => {
@@ -161,13 +211,30 @@ test('an axis counts as held to the side that is meant, past its deadband', () =
   expect(isDown({ reading: null, mapping: DEFAULTS.pad }, 'b3', 1)).toBe(false);
 });
 
-test('who has skipped steps is not told that all is flown', () => {
-  for (const now of [frame(), frame({ held: true }), frame({ seat: '' })])
-    expect(farewell(now)[0]).toBe('To be flown yet');
+test('who has skipped steps is not told that all is flown until it is', () => {
+  let progress: Progress = { ...BEGIN, at: STEPS.length };
+  for (const now of [frame(), frame({ held: true }), frame({ seat: '' })]) {
+    progress = seen(progress, now, 0);
+    expect(farewell(progress.flown)[0]).toBe('To be flown yet');
+  }
+  progress = seen(progress, { ...frame({ held: true, seat: '' }), time_s: 90 }, 0);
+  expect(farewell(progress.flown)[0]).toBe('Well flown');
+});
+
+test('the closing time stands, whatever is flown afterwards, until a step is gone back to', () => {
+  const later = (progress: Progress, flown: Flown, time_s: number) =>
+    seen(progress, { ...frame(flown), time_s }, 2 * LIFTED);
+  let progress: Progress = { ...at('lift'), seat: 0 };
+  progress = later(progress, { held: true, seat: '' }, 376);
+  expect(progress.flown).toBe(376);
+  progress = later(progress, { held: true, seat: '' }, 394);
+  progress = later(progress, { seat: '' }, 400);
+  expect(progress.flown).toBe(376);
+  expect(back(progress).flown).toBeNull();
 });
 
 test('the closing words tell the time', () => {
-  const told = (time_s: number) => farewell({ ...frame({ held: true, seat: '' }), time_s }).join();
+  const told = (flown: number) => farewell(flown).join();
   expect(told(59.9)).toMatch(/^Well flown.*, 59 s after/);
   expect(told(185)).toMatch(/, 3 min 5 s after/);
 });

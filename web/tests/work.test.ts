@@ -1,6 +1,8 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Hold } from '../src/input/hold';
+import { inUnits } from '../src/measured';
 import { whereIs } from '../src/panel/cargo';
+import { ConditionBars } from '../src/panel/condition-bar';
 import { figures, whatNow } from '../src/panel/conditions';
 import { graspWords } from '../src/panel/effector';
 import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/gap-scale';
@@ -9,12 +11,14 @@ import { clipped, labelPlace } from '../src/panel/label-place';
 import { replaced } from '../src/panel/master';
 import { isMoving } from '../src/panel/orbiter';
 import { Paced } from '../src/panel/paced';
+import { Places } from '../src/panel/places';
 import { isMoving as onItsWay } from '../src/panel/prong';
-import { Ranking } from '../src/panel/ranking';
 import { seatNow } from '../src/panel/seat';
 import { counted } from '../src/panel/spine';
 import { linesOf } from '../src/panel/touching';
 import { SPAN_S, Trend } from '../src/panel/trend';
+import { wayParts } from '../src/panel/way-to-fixture';
+import { withKeys } from '../src/panel/with-keys';
 import { drawnGap } from '../src/pictures';
 import type { CargoFrame, Condition, Frame, Near, WorkFrame } from '../src/protocol';
 import { unitsOf } from '../src/units';
@@ -86,7 +90,7 @@ test('what inhibits stands above what is made to touch, the deepest contact firs
   );
   expect(lines.map(({ level }) => level)).toEqual(['warning', 'warning', 'caution', 'info']);
   expect(lines[0]?.text).toBe('Palm touches payload top, 2.0 cm deep');
-  expect(lines[2]?.text).toBe('Way out: THC −Z');
+  expect(lines[2]?.text).toBe('Way out: THC −Z (Q)');
   expect(lines[3]?.text).toBe('Made to touch: prong – bar');
 });
 
@@ -99,49 +103,39 @@ test('a wide gap is not drawn, nor one that is closed', () => {
   ]);
 });
 
-test('conditions stand worst first, what fails before what holds', () => {
-  const ranking = new Ranking();
-  const all = [
-    condition({ name: 'roll', unit: 'rad', limit: 0.2, margin: 0.15 }),
-    condition({ name: 'distance', margin: -0.9 }),
-    condition({ name: 'tilt', unit: 'rad', limit: 0.2, margin: 0.01 }),
-    condition({ name: 'off axis', margin: -0.01 }),
-    condition({ name: 'far', value: Number.NaN, margin: Number.NaN }),
-  ];
-  ranking.learn(all);
-  expect(ranking.order(all, 0).map(({ name }) => name)).toEqual([
-    'distance',
-    'far',
-    'off axis',
-    'tilt',
-    'roll',
-  ]);
+test('conditions that all find room keep the order given, whatever holds', () => {
+  const places = new Places(3);
+  const names = (...margins: number[]) =>
+    places
+      .order(margins.map((margin, i) => condition({ name: 'abc'.charAt(i), margin })))
+      .map(({ name }) => name);
+  expect(names(0.1, -0.9, 0)).toEqual(['a', 'b', 'c']);
+  expect(names(0.1, -0.1, -0.9)).toEqual(['a', 'b', 'c']);
+  expect(names(0.1, 0.1)).toEqual(['a', 'b']);
 });
 
-test('conditions keep their places for a while, unless one begins or ceases to hold', () => {
-  const ranking = new Ranking();
-  const at = (a: number, b: number) => [
-    condition({ name: 'a', margin: a }),
-    condition({ name: 'b', margin: b }),
-  ];
-  const order = (conditions: Condition[], time: number) =>
-    ranking
-      .order(conditions, time)
+test('where not all find room what fails is shown, and takes the place of one that holds alone', () => {
+  const places = new Places(3);
+  const shown = (failing: string) =>
+    places
+      .order([...'abcde'].map((name) => condition({ name, margin: failing.includes(name) ? -1 : 1 })))
       .map(({ name }) => name)
       .join('');
-  expect(order(at(-0.3, -0.2), 0)).toBe('ab');
-  expect(order(at(-0.1, -0.2), 1)).toBe('ab');
-  expect(order(at(-0.1, -0.2), 3)).toBe('ba');
-  expect(order(at(-0.3, 0.2), 3.5)).toBe('ab');
-  expect(ranking.order(at(-0.3, 0.2), 3.6)[1]?.holds).toBe(true);
+  expect(shown('ce')).toBe('ace');
+  expect(shown('ace')).toBe('ace');
+  expect(shown('cde')).toBe('dce');
+  expect(shown('')).toBe('dce');
+  expect(shown('bc')).toBe('bce');
+  expect(shown('abcde')).toBe('bce');
+  expect(shown('acde')).toBe('ace');
 });
 
 test('a condition’s limit is at the middle of its bar, what holds is short of it', () => {
-  const ranking = new Ranking();
+  const bars = new ConditionBars();
   const part = (value: number, limit: number) => {
     const one = condition({ value, limit, margin: limit - value });
-    ranking.learn([one]);
-    return ranking.part(one);
+    bars.learn([one]);
+    return bars.part(one);
   };
   expect(part(0.05, 0.1)).toBeCloseTo(0.25);
   expect(part(0.1, 0.1)).toBeCloseTo(0.5);
@@ -150,15 +144,37 @@ test('a condition’s limit is at the middle of its bar, what holds is short of 
 });
 
 test('a window’s bar does not leap where the nearer bound changes', () => {
-  const ranking = new Ranking();
+  const bars = new ConditionBars();
   const within = (value: number) => {
     const [limit, margin] = value > 0.05 ? [0.1, 0.1 - value] : [0, value];
     const one = condition({ value, limit, margin });
-    ranking.learn([one]);
-    return ranking.part(one);
+    bars.learn([one]);
+    return bars.part(one);
   };
   within(0.2);
   expect(within(0.0501)).toBeCloseTo(within(0.0499), 2);
+});
+
+test('the way to the pin names the stick and the key that shorten it', () => {
+  expect(wayParts([1.99, 0.3, -0.254], FEET)).toEqual([
+    { stick: '+X', key: 'W', value: '78' },
+    { stick: '+Y', key: 'D', value: '12' },
+    { stick: '−Z', key: 'Q', value: '10' },
+  ]);
+  expect(wayParts([0.004, -0.05, 0], SI)).toEqual([
+    { stick: 'X', key: '', value: '0.4' },
+    { stick: '−Y', key: 'A', value: '5.0' },
+    { stick: 'Z', key: '', value: '0.0' },
+  ]);
+});
+
+test('a stick’s direction in words comes with its key', () => {
+  expect(withKeys('way out: ORB UNL, THC −Z')).toBe('way out: ORB UNL, THC −Z (Q)');
+  expect(withKeys('RHC +roll')).toBe('RHC +roll (O)');
+  expect(withKeys('THC −Z or the telescope longer frees it')).toBe(
+    'THC −Z (Q) or the telescope longer frees it',
+  );
+  expect(withKeys('SINGLE elbow −')).toBe('SINGLE elbow −');
 });
 
 test('figures are in the operator’s small units', () => {
@@ -167,6 +183,24 @@ test('figures are in the operator’s small units', () => {
   expect(figures(condition({ value: 0.1, unit: 'rad' }), SI)).toEqual({ value: '5.7', unit: '°' });
   expect(figures(condition({ value: 0.03, unit: 'm/s' }), SI)).toEqual({ value: '3.0', unit: 'cm/s' });
   expect(figures(condition({ value: null as never }), SI).value).toBe('–');
+});
+
+test('words about a condition are told in the operator’s units', () => {
+  const palm = 'palm 4.04 ft above the bar, 0 to 0.75 in allowed';
+  expect(inUnits(palm, SI)).toBe('palm 123 cm above the bar, 0 to 1.91 cm allowed');
+  expect(inUnits(palm, FEET)).toBe('palm 48.5 in above the bar, 0 to 0.75 in allowed');
+  expect(inUnits('bar 1.2 m clear of the palm, −20 to 35 mm allowed', FEET)).toBe(
+    'bar 47.2 in clear of the palm, −0.787 to 1.38 in allowed',
+  );
+  expect(inUnits('0.2 ft/s, at most 0.1 ft/s allowed', SI)).toBe('6.1 cm/s, at most 3.05 cm/s allowed');
+  const other = 'pitch −12.5°, at most 10° allowed; beacon 2 is in it';
+  expect(inUnits(other, SI)).toBe(other);
+});
+
+test('what words tell apart stays apart in other units', () => {
+  const [value, limit] =
+    inUnits('palm 0.7502 in above the bar, 0 to 0.75 in allowed', SI).match(/1\.\d+/g) ?? [];
+  expect(Number(value)).toBeGreaterThan(Number(limit));
 });
 
 test('once all is met the title says what to do, or nothing where it happens by itself', () => {

@@ -732,6 +732,8 @@ class WorkFrame(msgspec.Struct, frozen=True):
     """Where the master arm stands [rad]; null in other modes than MASTER."""
     fixture: float | None
     """From the empty snares to where they would be at the nearest grapple fixture [m]; null: there is none for them."""
+    to_fixture: Vec3 | None
+    """The same way, along the axes that the sticks move the end effector along [m]; null in modes without sticks."""
 
 
 class Ahead(msgspec.Struct, frozen=True):

@@ -137,6 +137,7 @@ class Translator:
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         resolution, axes = np.array(frame.resolution), self._shown_axes(frame, tip, loaded)
+        control = self._control_axes(frame, tip)
         return wire.Frame(
             tick=frame.tick,
             time_s=frame.time_s,
@@ -178,9 +179,9 @@ class Translator:
             ways_out=tuple(wire.WayOut(w.cause, w.text, w.stick, w.axis, w.sign) for w in frame.ways_out),
             lamps=self.lamps(frame),
             aim=self._aim(frame.goal),
-            work=self._work.frame(frame.work, tip.position),
+            work=self._work.frame(frame.work, tip.position, control if MODES[frame.mode].kind == "manual" else None),
             ahead=ahead,
-            axes=quaternion(SCENE_FROM_PANEL_AXES @ self._control_axes(frame, tip)),
+            axes=quaternion(SCENE_FROM_PANEL_AXES @ control),
             poses=tuple(self._poses.at(frame)),
             views=self._shortened(frame.views),
             lighting=lighting or self._scenario.lighting,

@@ -62,9 +62,15 @@ class WorkTranslator:
         self._fixtures = {cargo.name: cargo.grapple.position for cargo in scenario.cargo if cargo.grapple is not None}
         self._origin = SCENE_FROM_PANEL_AXES @ mount.origin - scenario.worksite.origin
 
-    def frame(self, work: Work, tip: Array) -> wire.WorkFrame:
-        """The worksite in a frame; `tip`: (3,) the end effector's, in L."""
-        hand = work.hand
+    def frame(self, work: Work, tip: Array, control: Array | None) -> wire.WorkFrame:
+        """The worksite in a frame.
+
+        Args:
+            work: as it is.
+            tip: (3,) the end effector's, in L [m].
+            control: (3, 3) the axes that the sticks act along, in panel components; None: the mode takes none.
+        """
+        hand, way = work.hand, self._to_fixture(work, tip)
         return wire.WorkFrame(
             task=work.task,
             nearest=None if work.nearest is None else self._near(work.nearest),
@@ -88,18 +94,21 @@ class WorkTranslator:
                 for cargo in work.cargo
             ),
             master=work.master,
-            fixture=self._fixture(work, tip),
+            fixture=None if way is None else math.hypot(*way.tolist()),
+            to_fixture=None if way is None or control is None else _vec3(way @ control),
         )
 
-    def _fixture(self, work: Work, tip: Array) -> float | None:
+    def _to_fixture(self, work: Work, tip: Array) -> Array | None:
+        """(3,) from the empty snares to the nearest fixture, panel components [m]."""
         if work.hand.carriage is None or any(cargo.held for cargo in work.cargo):
             return None
-        places = (
-            np.array(cargo.position) + np.array(cargo.orientation) @ self._fixtures[cargo.name]
+        ways = (
+            np.array(cargo.position) + np.array(cargo.orientation) @ self._fixtures[cargo.name] - tip
             for cargo in work.cargo
             if cargo.name in self._fixtures
         )
-        return min((math.dist(place, tip) for place in places), default=None)
+        nearest = min(ways, key=lambda way: math.hypot(*way.tolist()), default=None)
+        return None if nearest is None else self._panel_axes @ nearest
 
     def _near(self, near: Near) -> wire.Near:
         a, b = self._point(near.point_a), self._point(near.point_b)

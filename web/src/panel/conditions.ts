@@ -1,12 +1,15 @@
-/** What has to hold before something is captured, docked or latched: each with its limit, the worst first. */
+/** What has to hold before something is captured, docked or latched: each with its limit, in its own place. */
 
 import { degrees, fixed, small } from '../format';
 import { keyOf } from '../input/layout';
+import { inUnits } from '../measured';
 import type { Condition, WorkFrame } from '../protocol';
 import type { Units } from '../units';
+import { ConditionBars } from './condition-bar';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
 import type { Part } from './part';
-import { Ranking } from './ranking';
+import { Places } from './places';
+import { wayToFixture } from './way-to-fixture';
 
 /** Cells that there is room for. */
 const MOST = 6;
@@ -15,36 +18,38 @@ const LENGTH = 100;
 
 export function conditionsGroup(): Part {
   const cells = Array.from({ length: MOST }, cell);
+  const way = wayToFixture();
   const element = group(
     'conditions',
     'Conditions',
-    el('ol', { class: 'cells' }, ...cells.map((each) => each.element)),
+    el('ol', { class: 'cells' }, ...cells.map((each) => each.element), way.element),
   );
   const title = element.querySelector('h2 b');
-  const ranking = new Ranking();
+  const [places, lengths] = [new Places(MOST), new ConditionBars()];
   let shown: readonly Condition[] = [];
   return {
     element,
     bars({ frame }) {
       const { conditions } = frame.work;
-      ranking.learn(conditions);
-      shown = ranking.order(conditions, frame.time_s).slice(0, MOST);
+      lengths.learn(conditions);
+      shown = places.order(conditions);
       cells.forEach((each, i) => {
         const condition = shown[i];
-        if (condition) each.fill(ranking.part(condition));
+        if (condition) each.fill(lengths.part(condition));
       });
     },
     values({ frame, units }) {
-      const { pursuit, conditions } = frame.work;
+      const { pursuit, conditions, to_fixture } = frame.work;
       if (title) setText(title, pursuit || 'Conditions');
       cells.forEach((each, i) => {
         each.set(shown[i], units);
       });
+      way.set(conditions.length > 0 ? to_fixture : null, units);
       const met = conditions.length > 0 && conditions.every(({ holds }) => holds);
       setClass(element, 'met', met);
       setAbout(
         element,
-        met ? `all met${whatNow(frame.work)}` : (shown.find(({ holds }) => !holds)?.text ?? ''),
+        met ? `all met${whatNow(frame.work)}` : inUnits(shown.find(({ holds }) => !holds)?.text ?? '', units),
       );
     },
   };
@@ -91,7 +96,7 @@ function cell() {
       setText(value, shown.value);
       setText(unit, shown.unit);
       setClass(element, 'holds', condition.holds);
-      setAttribute(element, 'title', condition.text);
+      setAttribute(element, 'title', inUnits(condition.text, units));
     },
   };
 }

@@ -3,6 +3,7 @@
 import type { Frame, Limit, WayOut } from '../protocol';
 import { el, group, setAbout } from './dom';
 import type { Desk, Part } from './part';
+import { withKeys } from './with-keys';
 
 const LINES = 3;
 /** A limit stays readable this long after it last acted [s]. */
@@ -33,7 +34,7 @@ export function limits({ welcome }: Desk): Part {
       const acting = [...seen].map(([text, { kind }]): Line => ({ text, level: level(kind) }));
       const ways = frame.ways_out
         .filter(({ cause }) => joints.has(cause))
-        .map((way): Line => ({ text: leadsAway(way), level: 'caution' }));
+        .map((way): Line => ({ text: withKeys(leadsAway(way)), level: 'caution' }));
       const all = [
         ...acting.filter((line) => line.level === 'caution'),
         ...ways,

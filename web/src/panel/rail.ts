@@ -21,7 +21,6 @@ const SLOW_MS = 100;
 export interface RailListener {
   units(): void;
   restart(): void;
-  tutorial(): void;
   keys(): void;
   controllers(): void;
 }
@@ -33,6 +32,8 @@ export interface RailParts {
   readonly appearance: Appearance;
   readonly scenarios: ScenarioChoice;
   readonly naming: Naming;
+  /** Opens and closes the tutorial. */
+  readonly tutorial: HTMLElement;
   /** Who watches asks for the sticks. */
   readonly ask: HTMLElement;
 }
@@ -54,7 +55,7 @@ export interface Rail {
 export function rail(
   desk: Desk,
   software: boolean,
-  { tones, light, ask, appearance, scenarios, naming }: RailParts,
+  { tones, light, ask, appearance, scenarios, naming, tutorial }: RailParts,
   listener: RailListener,
 ): Rail {
   const { welcome } = desk;
@@ -96,7 +97,7 @@ export function rail(
       parts.element,
       light.element,
       dim,
-      button({ title: 'A first capture, in six steps' }, ['Tutorial'], () => listener.tutorial()),
+      tutorial,
       button({ title: 'The devices that fly, their keys and axes' }, ['Controllers'], () =>
         listener.controllers(),
       ),

@@ -23,7 +23,8 @@ export interface ScenarioChoice {
   close(): void;
 }
 
-export function scenarioChoice({ welcome, send }: Desk): ScenarioChoice {
+/** `chosen`: a built-in scenario by its name, which may be the one that is flown. */
+export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) => void): ScenarioChoice {
   let told: Scenarios | null = null;
   let first: Frame | null = null;
   let flown = false;
@@ -50,7 +51,9 @@ export function scenarioChoice({ welcome, send }: Desk): ScenarioChoice {
   const take = (number: number) => {
     const info = told?.scenarios[number];
     drop.open(false);
-    if (!info || number === told?.flown) return;
+    if (!info) return;
+    if (!info.given) chosen(info.name);
+    if (number === told?.flown) return;
     asked = number;
     if (!flown) {
       send({ type: 'fly_scenario', number });

@@ -3,6 +3,7 @@
 import { fixed } from '../format';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
 import type { Desk, Part } from './part';
+import { withKeys } from './with-keys';
 
 const LENGTH = 200;
 
@@ -36,7 +37,7 @@ export function singularity({ welcome: { singular } }: Desk): Part {
         const distance = Math.abs(frame.singularity[i] ?? 0);
         const near = distance < singular;
         const out = frame.ways_out.find(({ cause }) => cause === name.toLowerCase());
-        const words = near && out ? `${name}: ${out.text}` : name;
+        const words = near && out ? `${name}: ${withKeys(out.text)}` : name;
         setText(label, words);
         setAttribute(label, 'title', words);
         setText(value, fixed(distance, 2, false));

@@ -4,6 +4,7 @@ import { small } from '../format';
 import type { WorkFrame } from '../protocol';
 import type { Units } from '../units';
 import { el } from './dom';
+import { withKeys } from './with-keys';
 
 export interface Line {
   readonly text: string;
@@ -51,7 +52,7 @@ export function linesOf({ contacts, inhibits }: WorkFrame, { gap }: Units): read
   const essential = contacts.filter((each) => each.essential).map(({ a, b }) => `${a} – ${b}`);
   return [
     ...harmful.map(({ touch, deep }): Line => ({ text: sentence(touch + deep), level: 'warning' })),
-    ...rest.map((text): Line => ({ text: sentence(text), level: 'caution' })),
+    ...rest.map((text): Line => ({ text: withKeys(sentence(text)), level: 'caution' })),
     ...essential
       .slice(0, 1)
       .map((): Line => ({ text: `Made to touch: ${essential.join(', ')}`, level: 'info' })),

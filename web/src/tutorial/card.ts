@@ -66,13 +66,14 @@ export class Card {
 
   /** `words`: of the present step as the flight stands; `astray`: the mode, where it is another one. */
   set(progress: Progress, words: string, title: string, astray: string): void {
-    const { at } = progress;
+    const { at, skipped } = progress;
     const over = isOver(progress);
     this.marks.forEach((mark, i) => {
-      setClass(mark, 'done', i < at);
+      setClass(mark, 'done', i < at && !skipped.has(i));
+      setClass(mark, 'skipped', i < at && skipped.has(i));
       setClass(mark, 'present', i === at);
     });
-    setText(this.count, over ? 'All six done' : `${at + 1} of ${STEPS.length}`);
+    setText(this.count, over ? doneWords(skipped.size) : `${at + 1} of ${STEPS.length}`);
     setText(this.title, title);
     this.write(words, over);
     this.mode.hidden = over || astray === '';
@@ -119,4 +120,9 @@ export class Card {
       return kind === 'use' ? el('b', {}, this.inHand.name(text) || '–') : el('em', {}, text);
     });
   }
+}
+
+function doneWords(skipped: number): string {
+  if (skipped === 0) return 'All six done';
+  return skipped === STEPS.length ? 'All skipped' : `${STEPS.length - skipped} done, ${skipped} skipped`;
 }

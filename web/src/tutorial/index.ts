@@ -4,13 +4,14 @@ import type { Controllers } from '../input/controllers';
 import type { Action } from '../input/keymap';
 import { revision } from '../input/store';
 import { keeper } from '../kept';
-import { setAttribute, setClass } from '../panel/dom';
+import { button, setAttribute, setClass, setPressed } from '../panel/dom';
 import type { Desk, View } from '../panel/part';
 import type { Frame } from '../protocol';
+import type { Units } from '../units';
 import { Card } from './card';
 import { InHand } from './in-hand';
 import { BEGIN, back, looked, type Progress, seen, skip } from './progress';
-import { held, STEPS } from './steps';
+import { STEPS } from './steps';
 
 /** The built-in scenario that it is flown in, and the mode. */
 export const SCENARIO = 'tutorial';
@@ -27,6 +28,8 @@ const LOOKS: ReadonlySet<Action['name']> = new Set([
 ]);
 
 export class Tutorial {
+  /** For the rail: goes to the tutorial's scenario, or opens and closes its guide there. */
+  readonly key: HTMLButtonElement;
   private readonly card: Card;
   private readonly inHand: InHand;
   private readonly ended = new AbortController();
@@ -44,6 +47,8 @@ export class Tutorial {
   ) {
     const { welcome } = desk;
     this.unasked = this.offered && keeper.getItem(KEY) !== OPENED;
+    const name = this.offered ? 'Guide' : 'Tutorial';
+    this.key = button({ title: 'A first capture, in six steps' }, [name], () => this.toggle());
     this.payload = welcome.bodies.findIndex(({ name }) => name === welcome.work.cargo[0]);
     this.inHand = new InHand(controllers);
     this.card = new Card(this.inHand, {
@@ -64,13 +69,11 @@ export class Tutorial {
     return this.card.element;
   }
 
-  /** Opens or closes it; where another scenario is flown, goes to its own, where it opens. */
-  toggle(): void {
-    if (this.offered) this.show(!this.open);
-    else {
-      keeper.setItem(KEY, 'asked');
-      this.flyIt(SCENARIO);
-    }
+  /** A scenario is asked for: with the tutorial's own comes its guide, at once where that is flown already. */
+  chosen(scenario: string): void {
+    if (scenario !== SCENARIO) return;
+    if (this.offered) this.show(true);
+    else keeper.setItem(KEY, 'asked');
   }
 
   /** What the operator does besides flying. */
@@ -78,12 +81,12 @@ export class Tutorial {
     if (LOOKS.has(name)) this.progress = looked(this.progress);
   }
 
-  values({ frame, flying }: View): void {
+  values({ frame, flying, units }: View): void {
     if (this.unasked && flying) this.show(true);
     if (!this.open) return;
     this.progress = seen(this.progress, frame, frame.poses[7 * this.payload + 2] ?? 0);
     this.inHand.look();
-    this.draw(frame);
+    this.draw(frame, units);
   }
 
   light(): void {
@@ -99,6 +102,11 @@ export class Tutorial {
     return this.desk.welcome.scenario === SCENARIO;
   }
 
+  private toggle(): void {
+    if (this.offered) this.show(!this.open);
+    else this.flyIt(SCENARIO);
+  }
+
   private go(progress: Progress): void {
     this.progress = progress;
   }
@@ -111,36 +119,38 @@ export class Tutorial {
     }
     this.open = open;
     this.card.element.hidden = !open;
+    if (this.offered) setPressed(this.key, open);
     setClass(document.body, 'guided', open);
   }
 
-  private draw(frame: Frame): void {
+  private draw(frame: Frame, units: Units): void {
     const { progress } = this;
     const step = STEPS[progress.at];
-    const drawn = `${progress.at} ${this.inHand.kinds.join()} ${revision()}`;
+    const caps = step?.caps(frame) ?? [];
+    const drawn = `${progress.at} ${caps.join()} ${this.inHand.kinds.join()} ${revision()}`;
     if (drawn !== this.drawn) {
       this.drawn = drawn;
-      this.card.setCaps(step?.caps ?? []);
+      this.card.setCaps(caps);
       setAttribute(document.body, 'data-step', step?.groups.join(' ') ?? '');
     }
     const astray = frame.mode === MODE ? '' : frame.mode;
-    if (step) this.card.set(progress, step.words(frame), step.title, astray);
+    if (step) this.card.set(progress, step.words(frame, units), step.title, astray);
     else {
-      const [title, words] = farewell(frame);
+      const [title, words] = farewell(progress.flown);
       this.card.set(progress, words, title, astray);
     }
   }
 }
 
-/** The closing title and words: whether all was flown, or some of it skipped. */
-export function farewell(now: Frame): readonly [title: string, words: string] {
-  if (!held(now) || now.work.cargo.some((cargo) => cargo.held && cargo.seat !== ''))
+/** The closing title and words: when the payload came free [s], or that it has not (null). */
+export function farewell(flown: number | null): readonly [title: string, words: string] {
+  if (flown === null)
     return [
       'To be flown yet',
       'That was the whole way, but the payload still stands in the bay. Go back to where you left off, or put everything ' +
         'back with *Restart* and fly it from the start.',
     ];
-  const [minutes, seconds] = [Math.floor(now.time_s / 60), Math.floor(now.time_s % 60)];
+  const [minutes, seconds] = [Math.floor(flown / 60), Math.floor(flown % 60)];
   const took = minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`;
   return [
     'Well flown',

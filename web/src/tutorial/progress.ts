@@ -1,7 +1,7 @@
 /** How far a beginner has come: plain data, taken on by what the frames show. */
 
 import type { Frame, Vec3 } from '../protocol';
-import { held, STEPS } from './steps';
+import { held, isFree, STEPS } from './steps';
 
 export interface Progress {
   /** The present step; as many as there are: all are done. */
@@ -11,13 +11,26 @@ export interface Progress {
   readonly looked: boolean;
   /** Gone back to: this step was done before, and ends only once it is done anew. */
   readonly again: boolean;
+  /** Steps skipped, and not done since. */
+  readonly skipped: ReadonlySet<number>;
   /** Height of the payload in its seat, or where it was first seen [m]; null: not seen yet. */
   readonly seat: number | null;
+  /** When everything was flown [s]; null: not yet. */
+  readonly flown: number | null;
   /** The frame seen last. */
   readonly tick: number;
 }
 
-export const BEGIN: Progress = { at: 0, from: null, looked: false, again: false, seat: null, tick: -1 };
+export const BEGIN: Progress = {
+  at: 0,
+  from: null,
+  looked: false,
+  again: false,
+  skipped: new Set(),
+  seat: null,
+  flown: null,
+  tick: -1,
+};
 const LIFT = STEPS.length - 1;
 
 export function isOver({ at }: Progress): boolean {
@@ -34,8 +47,10 @@ export function seen(before: Progress, now: Frame, height: number): Progress {
   const at = first ? LIFT : before.at;
   const after = { ...before, at, from, seat, tick: now.tick };
   const done = STEPS[at]?.done(now, { from, looked: before.looked, lifted: height - seat }) ?? false;
-  if (!done) return { ...after, again: false };
-  return before.again ? after : enter(after, at + 1);
+  if (!done) return ended({ ...after, again: false }, now);
+  if (before.again) return after;
+  const skipped = new Set([...before.skipped].filter((step) => step !== at));
+  return ended({ ...enter(after, at + 1), skipped }, now);
 }
 
 /** The operator has changed a picture. */
@@ -44,13 +59,20 @@ export function looked(before: Progress): Progress {
 }
 
 export function skip(before: Progress): Progress {
-  return isOver(before) ? before : enter(before, before.at + 1);
+  if (isOver(before)) return before;
+  return { ...enter(before, before.at + 1), skipped: new Set([...before.skipped, before.at]) };
 }
 
 export function back(before: Progress): Progress {
   return { ...enter(before, Math.max(0, before.at - 1)), again: true };
 }
 
+/** The time stands once all steps are behind and the payload is free. */
+function ended(progress: Progress, now: Frame): Progress {
+  const { flown } = progress;
+  return flown === null && isOver(progress) && isFree(now) ? { ...progress, flown: now.time_s } : progress;
+}
+
 function enter(before: Progress, at: number): Progress {
-  return { ...before, at, from: null, looked: false, again: false };
+  return { ...before, at, from: null, looked: false, again: false, flown: null };
 }

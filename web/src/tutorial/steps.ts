@@ -3,7 +3,10 @@
  * done. `{+X}` in words stands for whatever moves +X on the device in use; `*…*` is something that the desk shows.
  */
 
+import { small } from '../format';
+import { inUnits } from '../measured';
 import type { Condition, Frame, Vec3 } from '../protocol';
+import type { Units } from '../units';
 
 /** What is known of the flight since a step began. */
 export interface Since {
@@ -19,9 +22,9 @@ export interface Step {
   readonly name: string;
   readonly title: string;
   /** What to do, as the flight stands now. */
-  words(now: Frame): string;
-  /** Uses that matter, and what each does here. */
-  readonly caps: readonly Cap[];
+  words(now: Frame, units: Units): string;
+  /** Uses that matter now, and what each does here. */
+  caps(now: Frame): readonly Cap[];
   /** The desk's groups concerned. */
   readonly groups: readonly ('thc' | 'conditions' | 'effector')[];
   done(now: Frame, since: Since): boolean;
@@ -33,6 +36,8 @@ export type Cap = readonly [use: string, does: string];
 export const MOVED = 0.3;
 /** The payload is lifted when it stands so high above its seat [m]. */
 export const LIFTED = 1;
+/** Lined up means as near to the axis as this part of what capture allows. */
+export const MIDDLE = 0.5;
 
 /** By place on the keyboard, as the left hand has them. */
 const MOVERS: readonly Cap[] = [
@@ -51,7 +56,7 @@ export const STEPS: readonly Step[] = [
     words: () =>
       'Each monitor shows a camera. *WR*, the wrist camera, looks along the end effector, at the pin that it shall take. ' +
       'Put another camera on the monitor in hand: press {cameraStep +} or click one under a picture.',
-    caps: [
+    caps: () => [
       ['cameraStep +', 'next camera'],
       ['otherMonitor', 'other monitor'],
     ],
@@ -64,17 +69,22 @@ export const STEPS: readonly Step[] = [
     words: () =>
       'The end effector goes where its own camera looks: {+X} into the picture of *WR*, {-X} back out of it, the others ' +
       'across it. Hold one for some seconds and watch both pictures.',
-    caps: MOVERS,
+    caps: () => MOVERS,
     groups: ['thc'],
     done: (now, { from }) => distance(now.actual.position, from) >= MOVED,
   },
   {
     name: 'line up',
     title: 'Line up with the pin',
-    words: () =>
-      'Slide until the ball on the dark target stands in the middle of *WR*, and let go once *pin off axis* has its ' +
-      'tick below. {rate} changes to slow rates, and back.',
-    caps: [
+    words: (now, units) => {
+      const off = offAxis(now);
+      const near = off ? `under ${small(MIDDLE * off.limit, units.gap)} ${units.gap.name}` : 'small';
+      return (
+        'Slide until the ball on the dark target stands in the middle of *WR*, and let go once *pin off axis* below is ' +
+        `${near}; *to pin* beside it tells the way. {rate} changes to slow rates, and back.`
+      );
+    },
+    caps: () => [
       ['-Z', 'up'],
       ['rate', 'slow, fast'],
       ['+Z', 'down'],
@@ -83,34 +93,32 @@ export const STEPS: readonly Step[] = [
       ['+Y', 'right'],
     ],
     groups: ['thc', 'conditions'],
-    done: (now) => held(now) || (lined(now) && now.translation.every((value) => value === 0)),
+    done: (now) => held(now) || (centred(now) && now.translation.every((value) => value === 0)),
   },
   {
     name: 'close in',
     title: 'Close in',
-    words: (now) =>
+    words: (now, units) =>
       lined(now)
-        ? 'Hold {+X} until *pin depth* has its tick too. Go slowly over the last foot: {rate}. Too far? {-X} takes you back.'
-        : `Off the line again: ${wanting(now)}. Slide back until every condition but *pin depth* has its tick.`,
-    caps: [
-      ['+X', 'closer'],
-      ['-X', 'back'],
-      ['rate', 'slow, fast'],
-    ],
+        ? `Hold {+X} until *pin depth* has its tick too. Go slowly over the last ${units.name === 'SI' ? '30 cm' : 'foot'}: {rate}. ` +
+          'Too far? {-X} takes you back.'
+        : `Off the line again: ${wanting(now, units)}. Slide back until every condition but *pin depth* has its tick.`,
+    caps: () => MOVERS,
     groups: ['thc', 'conditions'],
     done: (now) => held(now) || met(now),
   },
   {
     name: 'capture',
     title: 'Capture it',
-    words: (now) => {
+    words: (now, units) => {
       if (now.work.hand.flags.includes('CLOSE'))
         return 'The snares have closed on nothing. Hold {open} for a second to open them, then try again.';
       if (now.work.hand.switch === 'close') return 'The snares close round the pin.';
-      if (!met(now)) return `Not yet: ${wanting(now)}. Bring it back until every condition has its tick.`;
+      if (!met(now))
+        return `Not yet: ${wanting(now, units)}. Bring it back until every condition has its tick.`;
       return 'The pin stands between the snares. Hold {close} until its bar is full: they close round it.';
     },
-    caps: [
+    caps: () => [
       ['close', 'capture'],
       ['open', 'release'],
     ],
@@ -120,18 +128,26 @@ export const STEPS: readonly Step[] = [
   {
     name: 'lift',
     title: 'Lift it out',
-    words: (now) => {
+    words: (now, units) => {
       if (!held(now)) return 'The payload is no longer held. Go back, and capture it once more.';
       if (!now.work.hand.flags.includes('RIGID'))
         return 'You have it. The end effector draws the pin in and pulls tight: wait for *RIGID*.';
-      if (now.work.cargo.some((cargo) => cargo.held && cargo.seat !== ''))
+      if (!isFree(now))
         return 'Latches still hold the payload. Hold {latch} for a second: they let go, which takes half a minute.';
-      return 'Free. Hold {-X}: the end effector backs up, and the payload comes with it. One metre will do.';
+      const high = units.name === 'SI' ? '1 m' : '40 in';
+      const fast = now.rate === 'vernier' ? ' {rate} changes to fast rates.' : '';
+      return (
+        'Free. Hold {-X}: the end effector backs up, and the payload comes with it, until it stands ' +
+        `${high} above its seat.${fast}${besides(now)}`
+      );
     },
-    caps: [
-      ['latch', 'unlatch'],
-      ['-X', 'back, up'],
-    ],
+    caps: (now) =>
+      isFree(now)
+        ? [
+            ['-X', 'back, up'],
+            ['rate', 'slow, fast'],
+          ]
+        : [['latch', 'unlatch']],
     groups: ['thc', 'effector'],
     done: (now, { lifted }) => held(now) && lifted >= LIFTED,
   },
@@ -139,6 +155,11 @@ export const STEPS: readonly Step[] = [
 
 export function held({ work }: Frame): boolean {
   return work.cargo.some((cargo) => cargo.held);
+}
+
+/** The payload is held and out of its latches. */
+export function isFree(now: Frame): boolean {
+  return held(now) && !now.work.cargo.some((cargo) => cargo.held && cargo.seat !== '');
 }
 
 /** Only the way to the pin is left. */
@@ -150,11 +171,28 @@ function met({ work: { conditions } }: Frame): boolean {
   return conditions.length > 0 && conditions.every(({ holds }) => holds);
 }
 
+/** Lined up, and well within the bound: what drifts on the way in has room. */
+function centred(now: Frame): boolean {
+  const off = offAxis(now);
+  return lined(now) && off !== undefined && off.value <= MIDDLE * off.limit;
+}
+
+function offAxis({ work: { conditions } }: Frame): Condition | undefined {
+  return conditions.find(({ name }) => name === 'pin off axis');
+}
+
+/** What the desk shows of the seat just left, where that would mislead. */
+function besides(now: Frame): string {
+  if (now.work.clearance_level === 'warning')
+    return ' *CLEARANCE* warns while the seat is so close: press *MASTER ALARM*, and lift on.';
+  return met(now) ? ' The panel offers to latch it again: not now.' : '';
+}
+
 /** What stands against a capture, in the panel's own words. */
-function wanting({ work: { conditions } }: Frame): string {
+function wanting({ work: { conditions } }: Frame, units: Units): string {
   const fails = ({ holds, name }: Condition) => !holds && name !== 'pin depth';
   const first = conditions.find(fails) ?? conditions.find(({ holds }) => !holds);
-  return first?.text ?? 'no pin is near';
+  return first ? inUnits(first.text, units) : 'no pin is near';
 }
 
 function distance([ax, ay, az]: Vec3, [bx, by, bz]: Vec3): number {

@@ -1,0 +1,61 @@
+/** The way from the empty snares to the grapple fixture, along the sticks' axes, with the key that flies each part. */
+
+import { small } from '../format';
+import { keyOf } from '../input/layout';
+import type { Vec3 } from '../protocol';
+import type { Units } from '../units';
+import { el, setAttribute, setText } from './dom';
+
+/** Shorter than this nothing has to be flown [m]. */
+const LEAST = 0.005;
+const AXES = ['X', 'Y', 'Z'] as const;
+
+export interface WayPart {
+  /** `−Z`: which way the stick goes. */
+  readonly stick: string;
+  /** The key that does it; empty: nothing to fly. */
+  readonly key: string;
+  readonly value: string;
+}
+
+export function wayParts(way: Vec3, { gap }: Units): readonly WayPart[] {
+  return AXES.map((axis, i) => {
+    const length = way[i] ?? 0;
+    const value = small(Math.abs(length), gap);
+    if (Math.abs(length) < LEAST) return { stick: axis, key: '', value };
+    const [sign, use] = length > 0 ? ['+', `+${axis}`] : ['−', `-${axis}`];
+    return { stick: sign + axis, key: keyOf(use), value };
+  });
+}
+
+export function wayToFixture() {
+  const rows = AXES.map(() => ({ stick: el('span'), key: el('b'), value: el('span') }));
+  const head = el('span', { class: 'head' });
+  const element = el(
+    'li',
+    { class: 'way' },
+    head,
+    ...rows.map(({ stick, key, value }) => el('div', {}, stick, key, value)),
+  );
+  return {
+    element,
+    set(way: Vec3 | null, units: Units) {
+      element.hidden = way === null;
+      if (!way) return;
+      setText(head, `to pin, ${units.gap.name}`);
+      const parts = wayParts(way, units);
+      rows.forEach(({ stick, key, value }, i) => {
+        setText(stick, parts[i]?.stick ?? '');
+        setText(key, parts[i]?.key ?? '');
+        setText(value, parts[i]?.value ?? '');
+      });
+      setAttribute(element, 'title', told(parts, units));
+    },
+  };
+}
+
+function told(parts: readonly WayPart[], { gap }: Units): string {
+  const flown = parts.filter(({ key }) => key !== '');
+  const words = flown.map(({ stick, key, value }) => `${stick} (${key}) ${value} ${gap.name}`).join(', ');
+  return `From the end effector to the pin: ${words || 'it is there'}`;
+}
