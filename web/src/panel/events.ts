@@ -1,4 +1,4 @@
-/** The log, newest first; three lines, opened upwards to twenty; a lamp pressed keeps it to its cause. */
+/** The log, newest first: three lines of it, and opened twenty whole entries beside; a lamp pressed keeps it to its cause. */
 
 import { clock } from '../format';
 import type { Event as LogEvent } from '../protocol';
@@ -12,6 +12,8 @@ const KEPT = 200;
 export class EventsGroup {
   readonly element: HTMLElement;
   private readonly list = el('ol', { class: 'log' });
+  /** Opened: each entry whole. It lies over read-outs, never over what is pressed. */
+  private readonly whole = el('ol', { class: 'log wrapped', 'aria-label': 'Events, whole', tabindex: '0' });
   private readonly more: HTMLButtonElement;
   private readonly all: HTMLButtonElement;
   private events: readonly LogEvent[] = [];
@@ -22,7 +24,7 @@ export class EventsGroup {
   constructor(private readonly hints: readonly string[]) {
     this.more = button({ class: 'more', 'aria-expanded': 'false' }, ['more'], () => this.toggle());
     this.all = button({ class: 'all', hidden: '' }, ['show all'], () => this.keepTo('', []));
-    this.element = group('events', 'Events', this.list);
+    this.element = group('events', 'Events', this.list, this.whole);
     this.element.querySelector('h2')?.append(this.all, this.more);
     this.draw();
   }
@@ -60,22 +62,35 @@ export class EventsGroup {
   }
 
   private draw(): void {
-    const lines = this.open ? OPEN_LINES : LINES;
     const { keptTo } = this;
     setAbout(this.element, keptTo ? `${keptTo.name} only` : '');
     this.all.hidden = keptTo === null;
     const under = keptTo ? [`No older line is about ${keptTo.name}.`] : this.hints;
-    const hints = under.map((text) => el('li', { class: 'hint' }, el('span', { title: text }, text)));
-    const shown = this.events.filter((event) => this.shows(event));
-    const events = shown.map(({ time_s, level, text }) =>
-      el(
-        'li',
-        { class: level },
-        el('time', {}, clock(time_s)),
-        el('i', { class: 'sign', 'aria-label': level }),
-        el('span', { title: text }, text),
-      ),
-    );
-    this.list.replaceChildren(...[...events, ...hints].slice(0, lines));
+    const events = this.events.filter((event) => this.shows(event));
+    const entries = (count: number) =>
+      [...events.slice(0, count).map(entry), ...under.map(hint)].slice(0, count);
+    const lines = entries(LINES);
+    // Two lines are the least that is worth wrapping into.
+    const told = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
+    const place = Math.max(0, told);
+    lines[place]?.classList.add('whole');
+    lines[place]?.style.setProperty('--lines', String(LINES - place));
+    this.list.replaceChildren(...lines);
+    this.whole.hidden = !this.open;
+    this.whole.replaceChildren(...(this.open ? entries(OPEN_LINES) : []));
   }
+}
+
+function entry({ time_s, level, text }: LogEvent): HTMLElement {
+  return el(
+    'li',
+    { class: level },
+    el('time', {}, clock(time_s)),
+    el('i', { class: 'sign', 'aria-label': level }),
+    el('span', { title: text }, text),
+  );
+}
+
+function hint(text: string): HTMLElement {
+  return el('li', { class: 'hint' }, el('span', { title: text }, text));
 }
