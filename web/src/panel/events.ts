@@ -1,12 +1,11 @@
-/** The log, newest first: three lines of it, and opened twenty whole entries beside; a lamp pressed keeps it to its cause. */
+/** The log, newest first: three lines of it, and opened every entry whole, over the read-outs beside; a lamp pressed keeps it to its cause. */
 
 import { clock } from '../format';
 import type { Event as LogEvent } from '../protocol';
 import { button, el, group, setAbout, setText } from './dom';
 
 const LINES = 3;
-const OPEN_LINES = 20;
-/** Lines kept, so that a filter finds older ones. */
+/** Entries kept: opened, it is scrolled through them, and a filter finds older ones. */
 const KEPT = 200;
 
 export class EventsGroup {
@@ -53,6 +52,10 @@ export class EventsGroup {
     return this.keptTo === null || this.keptTo.kinds.includes(kind);
   }
 
+  private get bottom(): number {
+    return this.list.offsetTop + this.list.offsetHeight + 1;
+  }
+
   private toggle(): void {
     this.open = !this.open;
     this.element.classList.toggle('open', this.open);
@@ -67,17 +70,19 @@ export class EventsGroup {
     this.all.hidden = keptTo === null;
     const under = keptTo ? [`No older line is about ${keptTo.name}.`] : this.hints;
     const events = this.events.filter((event) => this.shows(event));
-    const entries = (count: number) =>
-      [...events.slice(0, count).map(entry), ...under.map(hint)].slice(0, count);
-    const lines = entries(LINES);
+    const entries = (count = KEPT) => [...events.slice(0, count).map(entry), ...under.map(hint)];
+    const lines = entries(LINES).slice(0, LINES);
     // Two lines are the least that is worth wrapping into.
     const told = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
     const place = Math.max(0, told);
     lines[place]?.classList.add('whole');
     lines[place]?.style.setProperty('--lines', String(LINES - place));
     this.list.replaceChildren(...lines);
+    // Those that the whole one leaves no room for are read out, and not seen.
+    const over = lines.filter((line) => line.offsetTop + line.offsetHeight > this.bottom);
+    for (const line of over) line.classList.add('unseen');
     this.whole.hidden = !this.open;
-    this.whole.replaceChildren(...(this.open ? entries(OPEN_LINES) : []));
+    this.whole.replaceChildren(...(this.open ? entries() : []));
   }
 }
 
