@@ -25,8 +25,8 @@ export interface GapOverlay {
   readonly elements: readonly [SVGSVGElement, HTMLElement];
   /** At picture rate; `line` null: no gap is seen here. */
   show(line: GapLine | null, touches: readonly Touch[], picture: Size): void;
-  /** How wide the gap is. */
-  setText(text: string): void;
+  /** How wide the gap is, and of each end whether nothing stands before it. */
+  setText(text: string, seen: readonly [boolean, boolean]): void;
 }
 
 /** So many contacts are marked, each with a mark of this radius [px]. */
@@ -96,7 +96,14 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
       const place = labelPlace(seen, sizeOf(), picture, [...taken(picture), ...marked]);
       setAttribute(label, 'style', `translate: ${place.x.toFixed(0)}px ${place.y.toFixed(0)}px`);
     },
-    setText: (text) => setText(label, text),
+    setText(text, seen) {
+      const behind = !seen.includes(true);
+      setText(label, behind ? `${text} behind` : text);
+      setClass(label, 'behind', behind);
+      ends.forEach((end, i) => {
+        setClass(end, 'hidden', !seen[i]);
+      });
+    },
   };
 }
 
