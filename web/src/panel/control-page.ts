@@ -150,7 +150,7 @@ function labelled(name: string, title: string, keys: readonly HTMLElement[]): HT
   return el(
     'div',
     { class: 'setting' },
-    el('span', {}, name),
+    el('span', { title }, name),
     el('div', { class: 'switch plain', role: 'group', 'aria-label': title }, ...keys),
   );
 }
