@@ -144,6 +144,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
       // What was typed stays until the station has another target; a refused one is there to be mended.
       const { aim } = frame;
       const key = aim ? JSON.stringify([aim.position, aim.attitude]) : '';
+      if (!aim && aimed && !edited) follows = true; // begun anew
       if (aim && !edited && (follows || key !== aimed)) {
         write(aim.position, aim.attitude, shown);
         follows = false;
