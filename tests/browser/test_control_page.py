@@ -39,6 +39,20 @@ def test_a_pose_keyed_in_is_the_target_and_its_check_says_why_not(flight: Flight
     sheet.wait_for(state="hidden")
 
 
+def test_until_one_is_keyed_in_page_and_desk_show_the_present_point(flight: Flight) -> None:
+    flight.turn_to("OPR CMD")
+    start = flight.frame().actual.position[0]
+    flight.hold("w")
+    flight.until(f"Math.abs(frame.actual.position[0] - {start}) > 0.05")
+    flight.release("w")
+    flight.until("Math.hypot(...frame.actual.velocity) < 1e-4")
+    sheet = opened(flight)
+    expect(sheet.locator(".to-go")).to_have_text("None keyed in: this is the present point.")
+    present = flight.script("document.querySelector('.resolution td.actual').textContent")
+    for name in ("End X", "Target X"):
+        expect(flight.page.get_by_label(name, exact=True)).to_have_value(present)
+
+
 def test_position_hold_and_the_reference_of_orb_ld_are_switched_there(flight: Flight) -> None:
     sheet = opened(flight)
     sheet.get_by_role("group", name="Position hold").get_by_role("button", name="Ena").click()

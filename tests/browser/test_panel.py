@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.browser.conftest import SIZES
+from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy, collisions
 
@@ -99,3 +99,24 @@ def test_everything_in_the_sheets_is_in_reach_of_tab(flight: Flight) -> None:
     flight.press("Escape")
     flight.page.get_by_role("button", name="Controllers", exact=True).click()
     assert_all_in_reach(flight)
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES)
+def test_a_refusal_and_the_task_can_be_read_whole_in_the_log(open_page: OpenPage, width: int, height: int) -> None:
+    cut_off = """[...document.querySelectorAll('LINES')]
+        .filter((line) => line.scrollWidth > line.clientWidth + 1 || line.scrollHeight > line.clientHeight + 1)
+        .map((line) => line.textContent)"""
+    flight = open_page(width, height).from_the_start()
+    flight.hold("g")
+    flight.until("document.querySelector('.log li.whole').textContent.includes('CAPTURE refused: ')")
+    flight.release("g")
+    assert flight.script(cut_off.replace("LINES", ".events > .log li.whole > span")) == []
+    flight.press_key("more")
+    flight.until("document.querySelector('.log.wrapped').textContent.includes('draw the arm clear.')")
+    assert flight.script(cut_off.replace("LINES", ".log.wrapped span")) == []
+    pressed = flight.script("""[...document.querySelectorAll('.desk button:not(:disabled)')].filter((key) => {
+        const { left, right, top, bottom } = key.getBoundingClientRect();
+        const at = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+        return right > left && !key.contains(at);
+    }).map((key) => key.textContent)""")
+    assert pressed == []  # nothing lies over a key

@@ -329,10 +329,12 @@ export class Pictures {
 
   /** Time codes and figures; `age` of the picture, null where it is a recorded one. */
   setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: Age | null): void {
-    const { nearest } = frame.work;
+    const nearest = drawnGap(frame.work.nearest);
     for (const picture of this.monitors.flatMap(({ pictures }) => pictures)) {
       picture.setTime(frame, age);
-      if (nearest) picture.setGapText(`${small(nearest.clearance, units.gap)} ${units.gap.name}`);
+      if (!nearest) continue;
+      const seen = this.scene.sight.ends(picture.camera, nearest.point_a, nearest.point_b);
+      picture.setGapText(`${small(nearest.clearance, units.gap)} ${units.gap.name}`, seen);
     }
     if (this.open) this.matrix.setAge(age);
   }

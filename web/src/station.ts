@@ -112,7 +112,7 @@ export class Station {
     pressed: (lamp) => this.explain(lamp),
   });
   private readonly events: EventsGroup;
-  private readonly keys = new KeyMap(() => this.changeControllers());
+  private readonly keys: KeyMap;
   private readonly sheet: ControllersSheet;
   private readonly controlPage: ControlPage;
   private readonly touch;
@@ -142,6 +142,7 @@ export class Station {
     this.latency = new Latency(welcome.camera_delay_s);
     this.telemetry = new DelayLine(welcome.telemetry_delay_s);
     this.camera = new DelayLine(welcome.camera_delay_s);
+    this.keys = new KeyMap(welcome, () => this.changeControllers());
     this.units = welcome.units;
     this.barPace = BAR_PACE[drawing.quality];
     this.events = new EventsGroup([welcome.text, ...reread(), keysHint()]);

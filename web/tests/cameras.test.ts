@@ -162,6 +162,9 @@ test('a gap is seen where any of it lies open', () => {
   expect(place().sight.line(bay, a, b)).toBe(true);
   expect(place(body('post', [5, 0, 0], [0.2, 0.5, 8])).sight.line(bay, a, b)).toBe(true);
   expect(place(body('wall', [5, 0, 0], [0.2, 8, 8])).sight.line(bay, a, b)).toBe(false);
+  expect(place().sight.ends(bay, a, b)).toEqual([true, true]);
+  expect(place(body('post', [5, -1.5, 0], [0.2, 2, 8])).sight.ends(bay, a, b)).toEqual([false, true]);
+  expect(place(body('wall', [5, 0, 0], [0.2, 8, 8])).sight.ends(bay, a, b)).toEqual([false, false]);
 });
 
 test('through a window is seen what its pane leaves, and what stands before the pane hides nothing', () => {

@@ -3,10 +3,11 @@ import { Hold } from '../src/input/hold';
 import { inUnits } from '../src/measured';
 import { whereIs } from '../src/panel/cargo';
 import { ConditionBars } from '../src/panel/condition-bar';
-import { figures, whatNow } from '../src/panel/conditions';
+import { figures, shortened, whatNow } from '../src/panel/conditions';
 import { graspWords } from '../src/panel/effector';
 import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/gap-scale';
 import { angleAt, BAR, place } from '../src/panel/joint-scale';
+import { working } from '../src/panel/keys';
 import { clipped, labelPlace } from '../src/panel/label-place';
 import { replaced } from '../src/panel/master';
 import { isMoving } from '../src/panel/orbiter';
@@ -357,4 +358,36 @@ test('a label stands on the side away from the middle, inside the picture, and c
     const { x: left, y: top } = at(x, 2);
     expect(left >= 0 && top >= 0 && left + label.width <= 600 && top + label.height <= 400).toBe(true);
   }
+});
+
+test('a label beside a slanting line keeps near to it, and clear of it', () => {
+  const label = { width: 40, height: 20 };
+  const [a, b] = [
+    { x: 300, y: 100 },
+    { x: 500, y: 200 },
+  ];
+  const { x, y } = labelPlace([a, b], label, { width: 600, height: 400 }, []);
+  const corners = [x, x + label.width].flatMap((u) => [y, y + label.height].map((v) => ({ u, v })));
+  const off = corners.map(({ u, v }) => (100 * (u - a.x) - 200 * (v - a.y)) / Math.hypot(200, 100));
+  expect(Math.min(...off.map(Math.abs))).toBeCloseTo(12, 6);
+  expect(new Set(off.map(Math.sign)).size).toBe(1);
+});
+
+test('a cell holds the words that tell a trunnion from a latch, and each from the others', () => {
+  const guides = ['forward port', 'forward starboard', 'aft port', 'aft starboard', 'keel'];
+  const names = guides.flatMap((guide) => [`${guide} trunnion in guide`, `${guide} latch ready`]);
+  const shown = names.map(shortened);
+  expect(new Set(shown).size).toBe(names.length);
+  expect(shown[2]).toBe('fwd stbd in guide');
+  expect(Math.max(...shown.map((name) => name.length))).toBeLessThan(21);
+});
+
+test('the key map lists what this arm has, and no more', () => {
+  const told = (hand: 'prong' | 'snares', stand: object | null) =>
+    working({ work: { hand, stand } } as Parameters<typeof working>[0])
+      .map(([, does]) => does)
+      .join();
+  expect(told('snares', null)).not.toMatch(/prong|telescope/);
+  expect(told('prong', {})).toMatch(/prong.*telescope/);
+  expect(told('prong', {})).not.toMatch(/capture/);
 });

@@ -10,6 +10,9 @@ const CROSSED = Math.PI / 2 + 0.04;
 /** An axis shorter than this in the picture points at the viewer or away. */
 const END_ON = 0.2;
 
+const ABOUT =
+  'Axes that the sticks move along, as this camera sees them. Dashed, with an angle: the picture is turned by so much against the sticks.';
+
 export interface AxesOverlay {
   readonly element: SVGSVGElement;
   /** Axes as the camera sees them: x right, y up, z towards the viewer. */
@@ -28,6 +31,7 @@ export function axesOverlay(): AxesOverlay {
   const element = svg(
     'svg',
     { class: 'frame-axes', viewBox: '-50 -50 100 100', 'aria-hidden': 'true' },
+    svg('title', {}, ABOUT),
     ring,
     ...axes.map(({ element: axis }) => axis),
     svg('circle', { class: 'origin', r: '3' }),

@@ -13,6 +13,8 @@ import { wayToFixture } from './way-to-fixture';
 
 /** Cells that there is room for. */
 const MOST = 6;
+/** Words as the flown panels shorten them, so that a cell holds what tells it from the others. */
+const SHORT = { forward: 'fwd', starboard: 'stbd', 'trunnion in guide': 'in guide' } as const;
 /** Length of a bar; its limit stands in the middle. */
 const LENGTH = 100;
 
@@ -24,7 +26,10 @@ export function conditionsGroup(): Part {
     'Conditions',
     el('ol', { class: 'cells' }, ...cells.map((each) => each.element), way.element),
   );
+  // What it is done to stands in the title whole, or not at all.
+  const [deed, object] = [el('span'), el('span')];
   const title = element.querySelector('h2 b');
+  title?.replaceChildren(deed, object);
   const [places, lengths] = [new Places(MOST), new ConditionBars()];
   let shown: readonly Condition[] = [];
   return {
@@ -40,7 +45,11 @@ export function conditionsGroup(): Part {
     },
     values({ frame, units }) {
       const { pursuit, conditions, to_fixture } = frame.work;
-      if (title) setText(title, pursuit || 'Conditions');
+      const said = pursuit || 'Conditions';
+      const [first = ''] = said.split(' ', 1);
+      setText(deed, first);
+      setText(object, said.slice(first.length));
+      if (title) setAttribute(title, 'title', said);
       cells.forEach((each, i) => {
         each.set(shown[i], units);
       });
@@ -92,13 +101,18 @@ function cell() {
       element.hidden = condition === undefined;
       if (!condition) return;
       const shown = figures(condition, units);
-      setText(name, condition.name);
+      setText(name, shortened(condition.name));
       setText(value, shown.value);
       setText(unit, shown.unit);
       setClass(element, 'holds', condition.holds);
-      setAttribute(element, 'title', inUnits(condition.text, units));
+      setAttribute(element, 'title', `${condition.name}: ${inUnits(condition.text, units)}`);
     },
   };
+}
+
+/** A condition's name as a cell holds it. */
+export function shortened(name: string): string {
+  return Object.entries(SHORT).reduce((text, [long, short]) => text.replace(long, short), name);
 }
 
 /** A condition's value in the operator's units. */

@@ -127,7 +127,8 @@ export class ControlPage {
     this.keyed.set(frame, units);
     this.check.set(frame.check);
     this.checked.hidden = frame.check === null;
-    setText(this.togo, this.keyed.edited() ? 'Not keyed in yet.' : remaining(frame, units));
+    const none = this.keyed.follows() ? 'None keyed in: this is the present point.' : remaining(frame, units);
+    setText(this.togo, this.keyed.edited() ? 'Not keyed in yet.' : none);
     this.points.set(frame, units);
     this.payloads.set(frame, units);
     setAttribute(this.done, 'title', `${keyOf('control page')} or Esc`);
@@ -149,7 +150,7 @@ function labelled(name: string, title: string, keys: readonly HTMLElement[]): HT
   return el(
     'div',
     { class: 'setting' },
-    el('span', {}, name),
+    el('span', { title }, name),
     el('div', { class: 'switch plain', role: 'group', 'aria-label': title }, ...keys),
   );
 }

@@ -117,7 +117,10 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
 
 function pageKey(pressed: () => void): HTMLElement {
   return button(
-    { class: 'more', title: 'PDRS control: target, stored points, payloads' },
+    {
+      class: 'more',
+      title: 'PDRS control, number 94 of the flown displays: target, stored points, payloads',
+    },
     ['SPEC 94'],
     pressed,
   );

@@ -13,6 +13,8 @@ export interface Entry {
   readonly element: HTMLElement;
   /** Something was typed that is not keyed in yet. */
   edited(): boolean;
+  /** Nothing was typed or keyed in: the fields go with the present point. */
+  follows(): boolean;
   /** Sends the fields as the target; false where one holds no number. */
   keyIn(): boolean;
   set(frame: Frame, units: Units): void;
@@ -24,7 +26,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
   let units: Units | null = null;
   let aimed = '';
   let latest: Frame | null = null;
-  let filled = false;
+  let follows = true;
 
   const heads = NAMES.map(() => el('i'));
   const fields = NAMES.map((name, i) => {
@@ -37,6 +39,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     field.setAttribute('aria-label', `${label} ${i < 3 ? name : name.toLowerCase()}`);
     field.addEventListener('input', () => {
       edited = true;
+      follows = false;
       field.removeAttribute('aria-invalid');
     });
     field.addEventListener('focus', () => field.select());
@@ -65,15 +68,23 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
   }
 
   function write(position: Vec3, angles: Vec3, shown: Units): void {
-    position.forEach((value, i) => {
-      const field = fields[i];
-      if (field) field.value = fixed(value * shown.length.perSi, shown.length.decimals);
+    const lengths = position.map((value) => fixed(value * shown.length.perSi, shown.length.decimals));
+    fill([...lengths, ...angles.map(attitude)]);
+  }
+
+  function fill(texts: readonly string[]): void {
+    fields.forEach((field, i) => {
+      const text = texts[i] ?? '';
+      if (field.value !== text) field.value = text;
+      field.removeAttribute('aria-invalid');
     });
-    angles.forEach((value, i) => {
-      const field = fields[3 + i];
-      if (field) field.value = attitude(value);
-    });
-    for (const field of fields) field.removeAttribute('aria-invalid');
+  }
+
+  /** The present point, as long as no field is about to be typed into; none where it is the payload's. */
+  function follow(frame: Frame, shown: Units): void {
+    if (element.contains(document.activeElement)) return;
+    if (showsTip(frame)) write(frame.actual.position, frame.actual.attitude, shown);
+    else fill([]);
   }
 
   /** Whether the point of resolution is the tip, which OPR CMD moves. */
@@ -98,6 +109,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     }
     write(latest.actual.position, latest.actual.attitude, units);
     edited = true;
+    follows = false;
   }
 
   function keyIn(): boolean {
@@ -124,6 +136,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
   return {
     element,
     edited: () => edited,
+    follows: () => follows,
     keyIn,
     set(frame, shown) {
       latest = frame;
@@ -131,11 +144,11 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
       // What was typed stays until the station has another target; a refused one is there to be mended.
       const { aim } = frame;
       const key = aim ? JSON.stringify([aim.position, aim.attitude]) : '';
-      if (aim && key !== aimed && !edited) write(aim.position, aim.attitude, shown);
-      else if (!filled && !edited && showsTip(frame)) {
-        write(frame.actual.position, frame.actual.attitude, shown);
-        filled = true;
-      }
+      if (!aim && aimed && !edited) follows = true; // begun anew
+      if (aim && !edited && (follows || key !== aimed)) {
+        write(aim.position, aim.attitude, shown);
+        follows = false;
+      } else if (follows) follow(frame, shown);
       aimed = key;
       units = shown;
       heads.forEach((head, i) => {

@@ -1,17 +1,18 @@
-/** The log, newest first; three lines, opened upwards to twenty; a lamp pressed keeps it to its cause. */
+/** The log, newest first: three lines of it, and opened every entry whole, over the read-outs beside; a lamp pressed keeps it to its cause. */
 
 import { clock } from '../format';
 import type { Event as LogEvent } from '../protocol';
 import { button, el, group, setAbout, setText } from './dom';
 
 const LINES = 3;
-const OPEN_LINES = 20;
-/** Lines kept, so that a filter finds older ones. */
+/** Entries kept: opened, it is scrolled through them, and a filter finds older ones. */
 const KEPT = 200;
 
 export class EventsGroup {
   readonly element: HTMLElement;
   private readonly list = el('ol', { class: 'log' });
+  /** Opened: each entry whole. It lies over read-outs, never over what is pressed. */
+  private readonly whole = el('ol', { class: 'log wrapped', 'aria-label': 'Events, whole', tabindex: '0' });
   private readonly more: HTMLButtonElement;
   private readonly all: HTMLButtonElement;
   private events: readonly LogEvent[] = [];
@@ -22,7 +23,7 @@ export class EventsGroup {
   constructor(private readonly hints: readonly string[]) {
     this.more = button({ class: 'more', 'aria-expanded': 'false' }, ['more'], () => this.toggle());
     this.all = button({ class: 'all', hidden: '' }, ['show all'], () => this.keepTo('', []));
-    this.element = group('events', 'Events', this.list);
+    this.element = group('events', 'Events', this.list, this.whole);
     this.element.querySelector('h2')?.append(this.all, this.more);
     this.draw();
   }
@@ -51,6 +52,10 @@ export class EventsGroup {
     return this.keptTo === null || this.keptTo.kinds.includes(kind);
   }
 
+  private get bottom(): number {
+    return this.list.offsetTop + this.list.offsetHeight + 1;
+  }
+
   private toggle(): void {
     this.open = !this.open;
     this.element.classList.toggle('open', this.open);
@@ -60,22 +65,37 @@ export class EventsGroup {
   }
 
   private draw(): void {
-    const lines = this.open ? OPEN_LINES : LINES;
     const { keptTo } = this;
     setAbout(this.element, keptTo ? `${keptTo.name} only` : '');
     this.all.hidden = keptTo === null;
     const under = keptTo ? [`No older line is about ${keptTo.name}.`] : this.hints;
-    const hints = under.map((text) => el('li', { class: 'hint' }, el('span', { title: text }, text)));
-    const shown = this.events.filter((event) => this.shows(event));
-    const events = shown.map(({ time_s, level, text }) =>
-      el(
-        'li',
-        { class: level },
-        el('time', {}, clock(time_s)),
-        el('i', { class: 'sign', 'aria-label': level }),
-        el('span', { title: text }, text),
-      ),
-    );
-    this.list.replaceChildren(...[...events, ...hints].slice(0, lines));
+    const events = this.events.filter((event) => this.shows(event));
+    const entries = (count = KEPT) => [...events.slice(0, count).map(entry), ...under.map(hint)];
+    const lines = entries(LINES).slice(0, LINES);
+    // Two lines are the least that is worth wrapping into.
+    const told = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
+    const place = Math.max(0, told);
+    lines[place]?.classList.add('whole');
+    lines[place]?.style.setProperty('--lines', String(LINES - place));
+    this.list.replaceChildren(...lines);
+    // Those that the whole one leaves no room for are read out, and not seen.
+    const over = lines.filter((line) => line.offsetTop + line.offsetHeight > this.bottom);
+    for (const line of over) line.classList.add('unseen');
+    this.whole.hidden = !this.open;
+    this.whole.replaceChildren(...(this.open ? entries() : []));
   }
+}
+
+function entry({ time_s, level, text }: LogEvent): HTMLElement {
+  return el(
+    'li',
+    { class: level },
+    el('time', {}, clock(time_s)),
+    el('i', { class: 'sign', 'aria-label': level }),
+    el('span', { title: text }, text),
+  );
+}
+
+function hint(text: string): HTMLElement {
+  return el('li', { class: 'hint' }, el('span', { title: text }, text));
 }

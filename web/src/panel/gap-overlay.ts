@@ -25,13 +25,14 @@ export interface GapOverlay {
   readonly elements: readonly [SVGSVGElement, HTMLElement];
   /** At picture rate; `line` null: no gap is seen here. */
   show(line: GapLine | null, touches: readonly Touch[], picture: Size): void;
-  /** How wide the gap is. */
-  setText(text: string): void;
+  /** How wide the gap is, and of each end whether nothing stands before it. */
+  setText(text: string, seen: readonly [boolean, boolean]): void;
 }
 
 /** So many contacts are marked, each with a mark of this radius [px]. */
 const MOST = 8;
 const RADIUS = 14;
+const MEANT = 'Parts touch here, as the work has it: no alarm';
 
 function around({ x, y }: Point): Box {
   return { left: x - RADIUS, top: y - RADIUS, right: x + RADIUS, bottom: y + RADIUS };
@@ -43,7 +44,13 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
   const gap = svg('g', { class: 'gap' }, ...strokes, ...ends);
   const marks = Array.from({ length: MOST }, () => {
     const d = 'M-9 0 A9 9 0 1 1 9 0 A9 9 0 1 1 -9 0 M-14 0 H-5 M5 0 H14 M0 -14 V-5 M0 5 V14';
-    return svg('g', { class: 'touch' }, svg('path', { class: 'edge', d }), svg('path', { class: 'core', d }));
+    return svg(
+      'g',
+      { class: 'touch' },
+      svg('title'),
+      svg('path', { class: 'edge', d }),
+      svg('path', { class: 'core', d }),
+    );
   });
   const label = el('p', { class: 'gap-label' });
   const element = svg('svg', { class: 'gaps', 'aria-hidden': 'true' }, gap, ...marks);
@@ -71,6 +78,8 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
         if (!touch) return;
         setAttribute(mark, 'transform', `translate(${touch.at.x.toFixed(1)} ${touch.at.y.toFixed(1)})`);
         setClass(mark, 'essential', touch.essential);
+        if (mark.firstElementChild)
+          setText(mark.firstElementChild, touch.essential ? MEANT : 'Parts touch here');
       });
       if (picture.width !== room) sizes.clear();
       room = picture.width;
@@ -96,7 +105,14 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
       const place = labelPlace(seen, sizeOf(), picture, [...taken(picture), ...marked]);
       setAttribute(label, 'style', `translate: ${place.x.toFixed(0)}px ${place.y.toFixed(0)}px`);
     },
-    setText: (text) => setText(label, text),
+    setText(text, seen) {
+      const behind = !seen.includes(true);
+      setText(label, behind ? `${text} behind` : text);
+      setClass(label, 'behind', behind);
+      ends.forEach((end, i) => {
+        setClass(end, 'hidden', !seen[i]);
+      });
+    },
   };
 }
 

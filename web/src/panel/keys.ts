@@ -3,6 +3,7 @@
 import { keyOf, learnLayout, nameOfSource } from '../input/layout';
 import { type Kind, sourcesOf } from '../input/mapping';
 import { mappingOf } from '../input/store';
+import type { Welcome } from '../protocol';
 import { button, el, setClass } from './dom';
 
 type Cap = readonly [use: string, does: string];
@@ -45,18 +46,28 @@ const FLYING: readonly Row[] = [
   [['light', 'lock exposure'], 'sun and lamps; lock the exposure in hand'],
 ];
 
-const WORKING: readonly Row[] = [
-  [['close'], 'held 0.3 s: capture; the prong closes'],
-  [['open'], 'held 1 s: release; the prong opens'],
-  [['close', 'open'], 'while the prong moves: either stops it', 'untold'],
-  [['latch'], 'held 1 s: latch the payload in its seat, or unlatch'],
-  [['safing', 'position hold'], 'safing, position hold; again: off'],
-  [['plane'], 'separating plane in the pictures'],
-  [['acknowledge'], 'acknowledge the master alarm'],
-  [['control page'], 'PDRS control: target, stored points, payloads'],
-  [['-telescope', '+telescope'], 'telescope shorter, longer'],
-  [['fly orbiter'], 'THC flies the orbiter, or the arm again'],
-];
+/** The same of what this arm has. */
+export function working({ work: { hand, stand } }: Pick<Welcome, 'work'>): readonly Row[] {
+  const prong: readonly Row[] = [
+    [['close'], 'held 0.3 s: the prong closes'],
+    [['open'], 'held 1 s: the prong opens'],
+    [['close', 'open'], 'while the prong moves: either stops it', 'untold'],
+  ];
+  const snares: readonly Row[] = [
+    [['close'], 'held 0.3 s: capture'],
+    [['open'], 'held 1 s: release'],
+  ];
+  return [
+    ...(hand === 'prong' ? prong : snares),
+    [['latch'], 'held 1 s: latch the payload in its seat, or unlatch'],
+    [['safing', 'position hold'], 'safing, position hold; again: off'],
+    [['plane'], 'separating plane in the pictures'],
+    [['acknowledge'], 'acknowledge the master alarm'],
+    [['control page'], 'PDRS control: target, stored points, payloads'],
+    ...(stand ? ([[['-telescope', '+telescope'], 'telescope shorter, longer']] as const) : []),
+    [['fly orbiter'], 'THC flies the orbiter, or the arm again'],
+  ];
+}
 
 export class KeyMap {
   readonly element = el('dialog', {
@@ -68,7 +79,10 @@ export class KeyMap {
   private caps = new Map<string, HTMLElement[]>();
 
   /** `change`: opens what changes the keys. */
-  constructor(private readonly change: () => void) {
+  constructor(
+    private readonly welcome: Welcome,
+    private readonly change: () => void,
+  ) {
     void learnLayout().then(() => this.fill());
   }
 
@@ -103,7 +117,7 @@ export class KeyMap {
         'div',
         { class: 'working' },
         el('h3', {}, 'End effector, worksite, panel'),
-        this.table(WORKING),
+        this.table(working(this.welcome)),
         el('p', {}, 'MASTER: arrows move the slider in focus by half a degree, Page up, down by five.'),
         el('p', {}, 'Keys go by their place. In a text field, keys type and do not fly.'),
         el(

@@ -52,7 +52,7 @@ export function labelPlace(
 ): Point {
   const [a, b] = ends;
   const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
-  const reach = { x: Math.abs(a.x - b.x) / 2 + APART, y: Math.abs(a.y - b.y) / 2 + APART };
+  const reach = reachOf(a, b, label);
   const beside = middle.y - label.height / 2;
   const over = middle.x - label.width / 2;
   const left = { x: middle.x - reach.x - label.width, y: beside };
@@ -76,6 +76,16 @@ export function labelPlace(
     Math.hypot(x + label.width / 2 - middle.x, y + label.height / 2 - middle.y);
   const nearest = off.filter(fits).sort((p, q) => away(p) - away(q))[0];
   return places.find(fits) ?? inside.find(free) ?? nearest ?? inside[0] ?? middle;
+}
+
+/** How far from the middle of a line its label's edge is, aside and above: past the line, or as soon as it is clear of it. */
+function reachOf(a: Point, b: Point, label: Size): Point {
+  const [wide, high] = [Math.abs(a.x - b.x), Math.abs(a.y - b.y)];
+  const off = APART * Math.hypot(wide, high);
+  return {
+    x: Math.min(wide / 2 + APART, (off + (wide * label.height) / 2) / high || Infinity),
+    y: Math.min(high / 2 + APART, (off + (high * label.width) / 2) / wide || Infinity),
+  };
 }
 
 export interface Size {

@@ -31,6 +31,7 @@ export function lookAhead(desk: Desk): Part {
     ),
   );
   element.querySelector('h2')?.append(time);
+  element.querySelector('h2 b')?.setAttribute('title', ABOUT);
   return {
     element,
     values({ frame: { ahead }, units }) {
@@ -49,6 +50,8 @@ export function lookAhead(desk: Desk): Part {
     },
   };
 }
+
+const ABOUT = 'What holding the sticks does; the blue arm in the pictures is where the arm is then';
 
 /** Whose look it is. */
 export function about({ held, moves }: Pick<Ahead, 'held' | 'moves'>): string {

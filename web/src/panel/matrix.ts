@@ -137,7 +137,12 @@ export class Matrix {
     if (this.views.childElementCount !== said.length) this.views.replaceChildren(...said.map(() => el('p')));
     said.forEach((sentence, i) => {
       const line = this.views.children[i];
-      if (line) setText(line, sentence);
+      if (!line) return;
+      setText(line, sentence);
+      setAttribute(line, 'title', sentence.startsWith('Sticks') ? TURNED : '');
     });
   }
 }
+
+const TURNED =
+  'By how much a picture is turned against the directions in which the sticks move what it shows';

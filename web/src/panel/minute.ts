@@ -44,7 +44,9 @@ export function lastMinute(thresholds: Pick<WorkInfo, 'caution' | 'warning'>): L
         setAttribute(line, 'd', `M0 ${height}H1`);
       }
       setAttribute(curve, 'd', trend.path(now, range));
-      setText(top, `${small(range, units.gap)} ${units.gap.name}`);
+      const most = `${small(range, units.gap)} ${units.gap.name}`;
+      setText(top, most);
+      setAttribute(element, 'title', `The last ${SPAN_S} s, from 0 to ${most}`);
     },
   };
 }

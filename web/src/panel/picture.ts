@@ -119,9 +119,9 @@ export class Picture {
     this.gap.show(line, touches, picture);
   }
 
-  /** How wide the gap is. */
-  setGapText(text: string): void {
-    this.gap.setText(text);
+  /** How wide the gap is, and which of its ends can be seen here. */
+  setGapText(text: string, seen: readonly [boolean, boolean]): void {
+    this.gap.setText(text, seen);
   }
 
   /** Time code of the picture and its age; null: it is a recorded one. */

@@ -62,7 +62,8 @@ export function rail(
   // The script's phases; flown by hand, the report's modes, which come in any order.
   const scripted = welcome.phases.length > 0;
   const steps = scripted ? welcome.phases : welcome.work.cargo.length > 0 ? TASKS : [];
-  const phases = steps.map((name) => el('li', { title: name }, name));
+  // Only the present one has the room for its name.
+  const phases = steps.map((name) => ({ name, step: el('li', { title: name, 'aria-label': name }) }));
   const parts = initialise(desk);
   for (const { classList } of [parts.element, light.element]) classList.add('fliers');
   const heard = sound(tones);
@@ -78,7 +79,7 @@ export function rail(
     { class: 'rail' },
     el('h1', {}, 'Aftdeck'),
     scenarios.element,
-    el('ol', { class: 'phases', 'aria-label': 'Phases' }, ...phases),
+    el('ol', { class: 'phases', 'aria-label': 'Phases' }, ...phases.map(({ step }) => step)),
     el('span', { class: 'space' }),
     ...(software ? [el('span', { class: 'note', title: SOFTWARE }, 'Low detail')] : []),
     el('span', { class: 'times' }, el('span', { class: 'lag' }, 'Stick to picture ', lag), delay),
@@ -110,9 +111,10 @@ export function rail(
       light.values(frame);
       scenarios.values(frame);
       const at = scripted ? welcome.phases.indexOf(frame.phase) : frame.work.task - 1;
-      phases.forEach((phase, i) => {
-        setClass(phase, 'done', scripted && at >= 0 && i < at);
-        setClass(phase, 'present', i === at);
+      phases.forEach(({ name, step }, i) => {
+        setClass(step, 'done', scripted && at >= 0 && i < at);
+        setClass(step, 'present', i === at);
+        setText(step, i === at ? name : '');
       });
       setText(lag, picture === null ? '–' : `${Math.round(picture)} ms`);
       setClass(lag, 'caution', picture !== null && picture > SLOW_MS);

@@ -37,7 +37,8 @@ export function targetGroup(desk: Desk): TargetGroup {
         setAbout(element, frame.mode);
       } else {
         keyed.set(frame, units);
-        setAbout(element, keyed.edited() ? 'not keyed in yet' : frame.aim ? 'keyed in' : 'none keyed in');
+        const none = keyed.follows() ? 'none; the present point' : 'none keyed in';
+        setAbout(element, keyed.edited() ? 'not keyed in yet' : frame.aim ? 'keyed in' : none);
         setText(togo, remaining(frame, units));
       }
       check.set(frame.check);

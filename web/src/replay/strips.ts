@@ -9,6 +9,8 @@ import { partOf, type Span } from './span';
 
 /** Room above and below the curves, as a part of their range. */
 const MARGIN = 0.08;
+/** Half as high as what the curve's value stands in, which stays within its strip. */
+const HALF_TAG = '0.6rem';
 
 export interface StripRow {
   readonly element: HTMLElement;
@@ -102,7 +104,7 @@ export function stripRow(strip: Strip, span: Span, numbersFrom: number): StripRo
         setClass(tag, level, level !== 'limit' && value !== null && value < bound);
       placeAt(tag, part);
       const top = value === null ? 0.5 : height(value);
-      tag.style.top = `${(Math.min(Math.max(top, 0.2), 0.8) * 100).toFixed(1)}%`;
+      tag.style.top = `clamp(${HALF_TAG}, ${(top * 100).toFixed(1)}%, 100% - ${HALF_TAG})`;
     },
   };
 }

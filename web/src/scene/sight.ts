@@ -12,7 +12,7 @@ const SPREAD = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [-0.7, 0, 0.7].map((y) 
 /** Nothing farther away is looked for [m]. */
 const FARTHEST = 400;
 /** Where a line is looked at, from one end to the other. */
-const ALONG = [0.5, 0.2, 0.8];
+const ALONG = [0.5, 0.2, 0.8] as const;
 /** A hit this much before the point is the point's own surface [m]. */
 const OWN = 0.02;
 
@@ -49,10 +49,16 @@ export class Sight {
   /** Whether it sees any of a line of the scene, but for its ends, which lie on what they belong to. */
   line(camera: Camera, a: Vec3, b: Vec3): boolean {
     return ALONG.some((part) => {
-      const [x, y, z] = a.map((value, i) => value + part * ((b[i] ?? 0) - value));
-      const place: Vec3 = [x ?? 0, y ?? 0, z ?? 0];
+      const place = between(a, b, part);
       return this.within(camera, place) && this.clear(camera, place, null);
     });
+  }
+
+  /** Of each end of a line of the scene, whether nothing stands before it. */
+  ends(camera: Camera, a: Vec3, b: Vec3): readonly [boolean, boolean] {
+    const [, ...near] = ALONG;
+    const [first = false, last = false] = near.map((part) => this.clear(camera, between(a, b, part), null));
+    return [first, last];
   }
 
   /** Whether it sees any of a body: the middle of its box, or of one of the box's faces. */
@@ -120,4 +126,10 @@ export class Sight {
     this.samples.set(body.group.name, samples);
     return samples;
   }
+}
+
+/** A place on a line, from one end to the other. */
+function between(a: Vec3, b: Vec3, part: number): Vec3 {
+  const [x = 0, y = 0, z = 0] = a.map((value, i) => value + part * ((b[i] ?? 0) - value));
+  return [x, y, z];
 }
