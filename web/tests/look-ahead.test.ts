@@ -32,7 +32,7 @@ test('the figures are in the operator’s units', () => {
 
 test('a contact on the way is what is told, and a joint past its limit', () => {
   const told = words({ ...ahead, contact_s: 3.04, room: -0.0175 }, joints, unitsOf('SI'));
-  expect(told.clearance).toBe('contact in 3.0 s');
+  expect(told.clearance).toBe('contact 3.0 s');
   expect(told.joint).toBe('Elbow 1° past');
   expect(words({ ...ahead, clearance: null }, joints, unitsOf('SI')).clearance).toBe('–');
 });

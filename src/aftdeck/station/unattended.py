@@ -34,14 +34,14 @@ def left_alone(inputs: Inputs, frame: Frame | None, cause: str, *, under_way: bo
     """
     if frame is None:
         return inputs, ""
-    done = []
+    changed = False
     if frame.rate_hold and not under_way:
         inputs = msgspec.structs.replace(inputs, rate_hold=True)  # pressed again
-        done.append("RATE HOLD let go")
+        changed = True
     if not frame.position_hold:
         inputs = msgspec.structs.replace(inputs, position_hold=True)
-        done.append("POSITION HOLD on")
+        changed = True
     if cause in ("page gone", "page narrow", "another scenario") and frame.sequence == "in progress":
         inputs = msgspec.structs.replace(inputs, stop=True)
-        done.append("STOP")
-    return inputs, f"{CAUSES[cause]}: {', '.join(done)}" if done else ""
+        changed = True
+    return inputs, f"{CAUSES[cause]}: sticks at zero" if changed else ""

@@ -84,11 +84,7 @@ export function words(
   const left = `${Math.abs(room * DEGREES).toFixed(0)}°`;
   return {
     clearance:
-      contact_s !== null
-        ? `contact in ${contact_s.toFixed(1)} s`
-        : clearance === null
-          ? '–'
-          : shown(clearance),
+      contact_s !== null ? `contact ${contact_s.toFixed(1)} s` : clearance === null ? '–' : shown(clearance),
     between: clearance === null ? '' : `${a} to ${b}`,
     stopping: shown(stopping),
     joint: `${joints[joint]?.label ?? ''} ${room > 0 ? left : `${left} past`}`,
