@@ -118,8 +118,8 @@ class Flight:
         self.page.get_by_role("button", name=name, exact=True).click()
 
     def until_logged(self, text: str) -> None:
-        """Waits for a line of the log."""
-        self.page.locator(".log").get_by_text(text).first.wait_for()
+        """Waits for a line of the log, which a longer one beside it may leave no room."""
+        self.page.locator(".log").get_by_text(text).first.wait_for(state="attached")
 
     def pad_buttons(self, *pressed: int) -> None:
         """Holds these buttons of the test pad, and no others; the page sees the others go, and each before the next."""

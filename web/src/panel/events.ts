@@ -76,7 +76,7 @@ export class EventsGroup {
     const told = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
     const place = Math.max(0, told);
     lines[place]?.classList.add('whole');
-    lines[place]?.style.setProperty('--lines', String(LINES - place));
+    lines[place]?.style.setProperty('--lines', String(events.length > 0 ? LINES - 1 : LINES));
     this.list.replaceChildren(...lines);
     // Those that the whole one leaves no room for are read out, and not seen.
     const over = lines.filter((line) => line.offsetTop + line.offsetHeight > this.bottom);
