@@ -268,7 +268,7 @@ export class Pictures {
    * Draws what is due; true: all that is shown will be of this frame.
    *
    * @param clearance what the narrowest gap calls for.
-   * @param done called once it is on the page.
+   * @param done called once it is on the page, if that is still laid out as it was.
    */
   draw(frame: Frame, clearance: Level, done: () => void): boolean {
     const caution = clearance !== 'info';
@@ -308,6 +308,7 @@ export class Pictures {
     if (this.open) this.showMatrixOf(frame, gap, wiped);
     this.scene.send();
     this.finish = () => {
+      if (this.laidOut(panes) !== this.layout) return; // they are of a window that has changed, and drawn anew
       for (const [{ picture }, view] of due) if (picture) this.overlay(picture, view, frame, gap, caution);
       done();
     };
@@ -383,15 +384,15 @@ export class Pictures {
     );
   }
 
+  /** What the pictures' places on the page depend on. */
+  private laidOut(panes: readonly Pane[]): string {
+    const { clientWidth, clientHeight } = this.canvas;
+    return [clientWidth, clientHeight, this.open, ...panes.map(({ element }) => element.clientWidth)].join();
+  }
+
   /** Wipes the canvas where pictures have come, gone or moved; returns whether they have. */
   private wipe(panes: readonly Pane[]): boolean {
-    const { clientWidth, clientHeight } = this.canvas;
-    const layout = [
-      clientWidth,
-      clientHeight,
-      this.open,
-      ...panes.map(({ element }) => element.clientWidth),
-    ].join();
+    const layout = this.laidOut(panes);
     if (layout === this.layout) return false;
     this.layout = layout;
     this.scene.wipe();

@@ -57,6 +57,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
   /** The label's sizes by the number of its letters: its figures are all as wide. To measure one, the page is laid out. */
   const sizes = new Map<number, Size>();
   let room = 0;
+  let placeLabel: () => void = () => undefined;
   const sizeOf = (): Size => {
     const letters = label.textContent.length;
     const known = sizes.get(letters);
@@ -102,16 +103,22 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
         setAttribute(end, 'cy', y.toFixed(1));
       });
       const marked = touches.map(({ at }) => around(at));
-      const place = labelPlace(seen, sizeOf(), picture, [...taken(picture), ...marked]);
-      setAttribute(label, 'style', `translate: ${place.x.toFixed(0)}px ${place.y.toFixed(0)}px`);
+      placeLabel = () => {
+        const place = labelPlace(seen, sizeOf(), picture, [...taken(picture), ...marked]);
+        setAttribute(label, 'style', `translate: ${place.x.toFixed(0)}px ${place.y.toFixed(0)}px`);
+      };
+      placeLabel();
     },
     setText(text, seen) {
       const behind = !seen.includes(true);
+      const letters = label.textContent.length;
       setText(label, behind ? `${text} behind` : text);
       setClass(label, 'behind', behind);
       ends.forEach((end, i) => {
         setClass(end, 'hidden', !seen[i]);
       });
+      // In a replay that stands still, no picture is drawn that would place it anew.
+      if (label.textContent.length !== letters && !label.hidden) placeLabel();
     },
   };
 }
