@@ -1,37 +1,33 @@
 /** The two monitors, all cameras at once, and the one canvas behind them. */
 
 import { TARGETS, type Target } from './advice';
+import { AllCameras, settingOf } from './all-cameras';
 import { Appearance } from './appearance';
 import type { Age } from './delay-line';
 import { small } from './format';
 import type { Turning } from './input/camera-hand';
 import { keeper } from './kept';
+import { overlay } from './overlay';
 import { el, setClass } from './panel/dom';
-import { type GapLine, middleOf, type Touch } from './panel/gap-overlay';
 import { FARTHEST } from './panel/gap-scale';
 import { Matrix } from './panel/matrix';
 import { Monitor } from './panel/monitor';
 import type { View as DeskView } from './panel/part';
 import type { Picture } from './panel/picture';
-import type { Extent } from './panel/plan';
-import type { Camera, Frame, Level, Near, Vec3, Welcome } from './protocol';
+import type { Camera, Frame, Level, Near, Welcome } from './protocol';
 import type { Drawing } from './quality';
 import { type Rect, Scene, type View } from './scene';
 import type { DrawnBody } from './scene/bodies';
-import { pairWords, Survey } from './survey';
+import { Survey } from './survey';
 import { inset } from './width';
 
 /** Colours of the gap's line, as `--caution` and `--ink`. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
 /** Pictures are drawn each so many times that the page is: MON 1, MON 2, a tile, the plan. */
 const PACES = { full: [1, 1, 3, 8], low: [1, 2, 6, 24] } as const;
-/** One camera is looked through each so many times. */
-const SURVEYED = 3;
 /** A digit pressed again within this time is that of the second bank [ms]. */
 const AGAIN_MS = 700;
 const BANK = 10;
-/** Room round what the plan shows, of its size. */
-const MARGIN = 0.16;
 /** Pictures on their way to the page are looked for so often [ms]. */
 const LOOK_MS = 3;
 
@@ -66,8 +62,7 @@ export class Pictures {
   private readonly scene: Scene;
   private readonly survey: Survey;
   private readonly cameras: readonly Camera[];
-  private readonly driven: readonly Camera[];
-  private readonly televised: readonly Camera[];
+  private readonly all: AllCameras;
   private readonly paces: readonly [number, number, number, number];
   private readonly stamps = new WeakMap<HTMLElement, string>();
   private inHand = 0;
@@ -94,8 +89,6 @@ export class Pictures {
     const [first] = cameras;
     if (!first) throw new Error(`The scenario ${welcome.scenario} has no camera.`);
     this.cameras = cameras;
-    this.driven = cameras.filter(({ drive }) => drive !== null);
-    this.televised = cameras.filter(({ kind }) => kind === 'camera');
     this.paces = PACES[drawing.quality];
     const { tearOff } = listener;
     const monitor = (index: 0 | 1) =>
@@ -118,6 +111,7 @@ export class Pictures {
     this.appearance.follow(this.ended.signal);
     this.scene = new Scene(this.canvas, welcome, drawing);
     this.survey = new Survey(this.scene, welcome);
+    this.all = new AllCameras(this.matrix, this.scene, this.survey, cameras, this.paces[3]);
   }
 
   /** The monitor that camera keys act on. */
@@ -305,11 +299,14 @@ export class Pictures {
       due.push([pane, { camera: name, rect: this.rectOf(pane.element), early }]);
     });
     this.scene.draw(due.map(([, view]) => view));
-    if (this.open) this.showMatrixOf(frame, gap, wiped);
+    if (this.open) this.showAll(frame, gap, wiped);
     this.scene.send();
     this.finish = () => {
       if (this.laidOut(panes) !== this.layout) return; // they are of a window that has changed, and drawn anew
-      for (const [{ picture }, view] of due) if (picture) this.overlay(picture, view, frame, gap, caution);
+      for (const [{ picture, camera }, view] of due) {
+        const setting = settingOf(camera, this.cameras, frame);
+        if (picture) overlay(this.scene, picture, view, { frame, gap, caution, setting });
+      }
       done();
     };
     this.put();
@@ -405,73 +402,12 @@ export class Pictures {
     return { left: left - over.left, top: top - over.top, width, height };
   }
 
-  /** What is drawn over a monitor's picture, with the picture. */
-  private overlay(picture: Picture, view: View, frame: Frame, gap: Near | null, caution: boolean): void {
-    const [w, x, y, z] = frame.axes;
-    picture.setLens(this.settingOf(picture.camera, frame), view.rect);
-    picture.setAxes(this.scene.directions(view.camera, [w, x, y, z]));
-    picture.setGap(gap && this.line(view, gap, caution), this.touches(view, frame.work.contacts), view.rect);
-  }
-
-  private settingOf(camera: Camera, frame: Frame): Vec3 | null {
-    const at = this.driven.indexOf(camera);
-    return frame.views[at] ?? null;
-  }
-
-  private showMatrixOf(frame: Frame, gap: Near | null, wiped: boolean): void {
-    if (wiped) this.survey.lookAll(frame, gap);
-    else if (this.count % SURVEYED === 0) this.survey.look(frame, gap, 1);
-    this.cameras.forEach((camera, i) => {
-      const tags = this.monitors.filter(({ pictures }) =>
-        pictures.some((picture) => picture.camera === camera),
-      );
-      this.matrix.say(
-        i,
-        this.survey.sees(camera),
-        tags.map(({ label }) => label),
-      );
-    });
-    this.matrix.setAdvice(pairWords(this.survey.best()));
-    if (this.count % this.paces[3] === 0 || wiped) this.drawPlan(frame, middleOf(gap));
-  }
-
-  private drawPlan(frame: Frame, gap: Vec3 | null): void {
-    const { plan } = this.matrix;
-    if (!plan.picture.isConnected) return;
-    const rect = this.rectOf(plan.picture);
-    if (rect.width < 1 || rect.height < 1) return;
-    const used = this.monitors.flatMap(({ pictures }) => pictures.map(({ camera }) => camera));
-    const { sight } = this.scene;
-    const marks = this.televised.map((camera) => ({
-      camera,
-      lens: sight.lens(camera),
-      ahead: sight.direction(camera),
-      angle: this.settingOf(camera, frame)?.[2] ?? camera.field_of_view,
-      used: used.includes(camera),
+  private showAll(frame: Frame, gap: Near | null, wiped: boolean): void {
+    const monitors = this.monitors.map(({ label, pictures }) => ({
+      label,
+      cameras: pictures.map(({ camera }) => camera),
     }));
-    const extent = extentOf([...marks.map(({ lens }) => lens), ...this.survey.places], rect);
-    plan.set(extent, marks, gap);
-    this.scene.drawPlan(rect, extent);
-  }
-
-  private line({ camera, rect }: View, near: Near, caution: boolean): GapLine | null {
-    const { width, height } = rect;
-    const ends = this.scene.segment(camera, width / height, near.point_a, near.point_b);
-    if (!ends) return null;
-    const [a, b] = ends;
-    return {
-      a: { x: a.x * width, y: a.y * height },
-      b: { x: b.x * width, y: b.y * height },
-      caution,
-    };
-  }
-
-  private touches({ camera, rect }: View, contacts: readonly Near[]): readonly Touch[] {
-    const { width, height } = rect;
-    return contacts.flatMap((near) => {
-      const at = this.scene.project(camera, width / height, middleOf(near));
-      return at.visible ? [{ at: { x: at.x * width, y: at.y * height }, essential: near.essential }] : [];
-    });
+    this.all.show({ frame, gap, monitors, count: this.count, wiped }, (element) => this.rectOf(element));
   }
 
   private take(index: number, half?: number): void {
@@ -486,16 +422,4 @@ export class Pictures {
 /** The gap that is worth a line: none that is wide, none where the two touch. */
 export function drawnGap(nearest: Near | null): Near | null {
   return nearest && nearest.clearance > 0 && nearest.clearance < FARTHEST ? nearest : null;
-}
-
-/** What lies round some places of the scene, in a rectangle's shape. */
-function extentOf(places: readonly Vec3[], { width, height }: Rect): Extent {
-  const sides = [0, 1].map((k) => places.map((place) => place[k] ?? 0));
-  const [left = 0, right = 0, low = 0, high = 0] = sides.flatMap((values) => [
-    Math.min(...values),
-    Math.max(...values),
-  ]);
-  const scale = (1 + 2 * MARGIN) * Math.max((right - left) / width, (high - low) / height);
-  const [wide, tall] = [width * scale, height * scale];
-  return { x: (left + right - wide) / 2, y: (low + high - tall) / 2, width: wide, height: tall };
 }

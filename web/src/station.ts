@@ -1,7 +1,9 @@
 /** The operator's station: monitors, spine and desk, drawn from the last frame alone. */
 
-import { assertUnreachable } from './assert';
-import { DelayLine, isStale, type Seen } from './delay-line';
+import { act } from './acts';
+import { Arrivals } from './arrivals';
+import { isStale, type Seen } from './delay-line';
+import { DeviceWatch } from './device-watch';
 import { pageName } from './identity';
 import { CameraHand, together } from './input/camera-hand';
 import { RelayedKeys } from './input/key-relay';
@@ -23,8 +25,9 @@ import { handOver } from './panel/hand-over';
 import { KeyMap } from './panel/keys';
 import { lightSegments } from './panel/lamp-test';
 import { lightControl } from './panel/light';
-import { type Delays, linkLamp } from './panel/link';
+import type { Delays } from './panel/link';
 import { naming } from './panel/naming';
+import { ownLamps } from './panel/own-lamps';
 import type { Desk, View } from './panel/part';
 import { rail } from './panel/rail';
 import { type ScenarioChoice, scenarioChoice } from './panel/scenarios';
@@ -34,7 +37,6 @@ import { touchView } from './panel/touch';
 import { Pictures } from './pictures';
 import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Scenarios, Welcome } from './protocol';
 import type { Drawing } from './quality';
-import { Samples } from './samples';
 import type { DrawnBody } from './scene/bodies';
 import type { Command, LinkState } from './socket';
 import { Tones } from './tones';
@@ -54,10 +56,6 @@ const TOLD_MS = 1000;
 const BAR_PACE = { full: 1, low: 2 } as const;
 /** The log told anew holds older refusals, which light nothing [s]. */
 const RECENT_S = 2;
-/** As much of a device's name as a lamp holds [characters]. */
-const LAMP_NAME = 16;
-/** A refusal keeps CHECK CRT lit this long [ms]. */
-const REFUSAL_MS = 5000;
 
 export class Station {
   /** Pictures drawn so far, what the whole page shows of the flight, and the latencies measured. */
@@ -69,16 +67,7 @@ export class Station {
   private heard = { mode: '', held: 0 };
   /** What the figures are of. */
   private figures = this.shown;
-  /** What came last, and what figures, lamps and log, and the pictures, are of: as late as the scenario has them. */
-  private newest: Seen | null = null;
-  private readonly telemetry: DelayLine;
-  private readonly camera: DelayLine;
-  /** What was shown of them last, and how old it was then [s]. */
-  private readonly measured = { telemetry: new Samples(), camera: new Samples() };
-  private seen: { telemetry: Seen | null; camera: Seen | null } = { telemetry: null, camera: null };
-  /** Lines of the log that are on their way. */
-  private underWay: LogEvent[] = [];
-  private restarts = 0;
+  private readonly arrivals: Arrivals;
   private fresh = false;
   /** The next picture waits for the frame that answers a stick. */
   private held = false;
@@ -98,7 +87,8 @@ export class Station {
   private link: LinkState = { kind: 'open' };
   private tooNarrow = false;
   private units: UnitName;
-  private refusal: { readonly text: string; readonly at: number } | null = null;
+  /** When something was refused last [ms]. */
+  private refusedAt = -Infinity;
   private request = 0;
   private readonly barPace: number;
   private readonly ended = new AbortController();
@@ -119,9 +109,7 @@ export class Station {
   private readonly swap;
   private readonly handOver = handOver((command) => this.transmit(command));
   private readonly naming = naming(keeper, (command) => this.transmit(command));
-  /** What the station was told last of the controllers, and how many were gone. */
-  private told = '';
-  private lost: ReadonlySet<string> = new Set();
+  private readonly devices: DeviceWatch;
   private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
   /** There is something that the orbiter can move against. */
   private readonly movable: boolean;
@@ -135,13 +123,12 @@ export class Station {
 
   constructor(
     root: HTMLElement,
-    private readonly welcome: Welcome,
+    welcome: Welcome,
     drawing: Drawing,
     private readonly transmit: (command: Command) => number,
   ) {
     this.latency = new Latency(welcome.camera_delay_s);
-    this.telemetry = new DelayLine(welcome.telemetry_delay_s);
-    this.camera = new DelayLine(welcome.camera_delay_s);
+    this.arrivals = new Arrivals(welcome);
     this.keys = new KeyMap(welcome, () => this.changeControllers());
     this.units = welcome.units;
     this.barPace = BAR_PACE[drawing.quality];
@@ -171,6 +158,10 @@ export class Station {
       acted: (action) => this.act(action),
       send: transmit,
       taken: (event) => this.sheet.taken(event),
+    });
+    this.devices = new DeviceWatch(this.operator.controllers, {
+      send: transmit,
+      say: (text) => this.say(text, 'controller'),
     });
     this.sheet = new ControllersSheet(this.operator.controllers);
     this.touch = touchView(this.operator.controllers.touch);
@@ -255,15 +246,11 @@ export class Station {
 
   /** A newer frame; figures and pictures show it when they are due. */
   setFrame(frame: Frame): void {
-    if (this.newest && frame.tick < this.newest.frame.tick) {
-      this.restarts += 1;
-      this.latency.forget(); // what was under way is flown by nobody
-      this.log(this.underWay.splice(0));
-    }
     const now = performance.now();
-    this.newest = { frame, at: now };
-    this.telemetry.put(this.newest);
-    this.camera.put(this.newest);
+    if (this.arrivals.put(frame, now)) {
+      this.latency.forget(); // what was under way is flown by nobody
+      this.log(this.arrivals.takeEvents());
+    }
     this.operator.sticks.kept = frame.rate_hold;
     this.latency.answered(frame.flown_seq, now);
     this.fresh = true;
@@ -272,7 +259,7 @@ export class Station {
 
   setRole(role: Role): void {
     this.role = role;
-    this.told = '';
+    this.devices.tellAgain();
     this.takeRole();
     this.naming.set(role);
     setClass(document.body, 'watching', !role.flying);
@@ -281,7 +268,7 @@ export class Station {
 
   setScenarios(told: Scenarios): void {
     this.leaving = told.coming !== null;
-    this.told = '';
+    this.devices.tellAgain();
     this.takeRole();
     this.scenarios.set(told);
   }
@@ -289,49 +276,41 @@ export class Station {
   /** Where the window is too narrow, the page watches only. */
   setTooNarrow(tooNarrow: boolean): void {
     this.tooNarrow = tooNarrow;
-    this.told = '';
+    this.devices.tellAgain();
     this.operator.zero();
     this.takeRole();
   }
 
   setLink(link: LinkState): void {
     this.link = link;
-    this.told = '';
+    this.devices.tellAgain();
     this.takeRole();
     if (link.kind !== 'open') this.latency.forget();
   }
 
   /** Lines of the log come with the figures of their time. */
   addEvents(events: readonly LogEvent[]): void {
-    this.underWay.push(...events);
-    this.tellEvents();
-  }
-
-  private tellEvents(): void {
-    if (this.underWay.length === 0) return;
-    const until = this.telemetry.delay > 0 ? (this.frame?.time_s ?? 0) : Infinity;
-    const later = this.underWay.findIndex(({ time_s }) => time_s > until);
-    this.log(this.underWay.splice(0, later < 0 ? Infinity : later));
+    this.arrivals.addEvents(events);
+    this.log(this.arrivals.dueEvents(performance.now()));
   }
 
   private log(events: readonly LogEvent[]): void {
+    if (events.length === 0) return;
     const recent = (this.frame?.time_s ?? 0) - RECENT_S;
-    for (const { kind, text, time_s } of events) {
-      if (kind === 'refused' && this.frame && time_s >= recent)
-        this.refusal = { text, at: performance.now() };
-    }
+    const refused = events.some(({ kind, time_s }) => kind === 'refused' && time_s >= recent);
+    if (refused && this.frame) this.refusedAt = performance.now();
     this.events.add(events);
   }
 
   forgetEvents(): void {
-    this.underWay = [];
+    this.arrivals.takeEvents();
     this.events.clear();
   }
 
   /** A command was not taken: the log says why, and CHECK CRT sends the eye there. */
   refuse(text: string, number: number): void {
     if (this.naming.refuse(number, text)) return;
-    this.refusal = { text, at: performance.now() };
+    this.refusedAt = performance.now();
     this.say(text);
   }
 
@@ -357,21 +336,22 @@ export class Station {
   private tick(): void {
     this.request = requestAnimationFrame(() => this.tick());
     const now = performance.now();
-    if (this.newest && now - this.newest.at > LOST_MS) this.operator.zero();
+    if (1000 * this.arrivals.silence(now) > LOST_MS) this.operator.zero();
     this.operator.tick(now);
-    this.watchDevices();
-    this.tellEvents();
+    this.swap.show();
+    this.devices.watch(this.role.flying, this.operator.flying);
+    this.log(this.arrivals.dueEvents(now));
     this.draw(now);
   }
 
   /** What figures, lamps and log are of. */
   private get frame(): Frame | null {
-    return this.telemetry.at(performance.now())?.frame ?? null;
+    return this.arrivals.at('telemetry', performance.now())?.frame ?? null;
   }
 
   /** Draws what is due, once the pictures of the frame before are on the page. */
   private draw(now: number): void {
-    const [told, seen] = [this.telemetry.at(now), this.camera.at(now)];
+    const [told, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
     if (!told || !seen) return;
     const view = this.viewOf(told.frame);
     if (this.pictures.drawing) {
@@ -413,23 +393,24 @@ export class Station {
     this.drawn += 1;
     this.shown = this.figures;
     this.latency.drawn(seen.frame.stick_seq, now);
-    this.measure('camera', seen, now);
+    this.arrivals.show('camera', seen, now);
     if (this.fresh) this.draw(now);
   }
 
   private values(view: View, now: number): void {
     this.valuesAt = now;
-    const [told, seen] = [this.telemetry.at(now), this.camera.at(now)];
-    if (told) this.measure('telemetry', told, now);
-    this.pictures.setTime({ ...view, frame: seen?.frame ?? view.frame }, this.camera.age(now));
-    setClass(document.body, 'stale', isStale(this.telemetry.age(now)));
+    const [told, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
+    if (told) this.arrivals.show('telemetry', told, now);
+    this.pictures.setTime({ ...view, frame: seen?.frame ?? view.frame }, this.arrivals.age('camera', now));
+    setClass(document.body, 'stale', isStale(this.arrivals.age('telemetry', now)));
     this.groups.values(view);
     this.controlPage.values(view);
     const test = view.frame.mode === 'TEST';
-    this.spine.show([...inUnits(view), ...this.ownLamps(now)], test);
+    const delays = this.arrivals.delays(this.latency.answer(now), now);
+    this.spine.show([...inUnits(view), ...this.ownLamps(delays, now)], test);
     const latency95 = this.latency.percentile95(now);
     this.tutorial.values(view);
-    const measured = { picture: latency95, delays: this.delays(now) };
+    const measured = { picture: latency95, delays };
     this.rail.values(view, measured, this.handOver.words(this.role, now), this.link);
     this.sound(view.frame);
     const monitors = this.pictures.shown;
@@ -439,24 +420,8 @@ export class Station {
       this.transmit({ type: 'shown', latency_ms: latency95, monitors });
     }
     if (test) lightSegments();
-    this.figures = { frame: view.frame, restarts: this.restarts };
+    this.figures = { frame: view.frame, restarts: this.arrivals.restarts };
     if (!this.pictures.drawing) this.shown = this.figures;
-  }
-
-  /** How old what is shown first at `now` [ms] is; what was shown before it had to come is not so old. */
-  private measure(what: 'telemetry' | 'camera', seen: Seen, now: number): void {
-    const age = (now - seen.at) / 1000;
-    if (this.seen[what] !== seen && age >= this[what].delay) this.measured[what].add(age, now);
-    this.seen[what] = seen;
-  }
-
-  private delays(now: number): Delays {
-    const { welcome, measured } = this;
-    return {
-      command: { set: welcome.command_delay_s, measured: this.latency.answer(now) },
-      telemetry: { set: welcome.telemetry_delay_s, measured: measured.telemetry.part(0.5, now) },
-      camera: { set: welcome.camera_delay_s, measured: measured.camera.part(0.5, now) },
-    };
   }
 
   /** Alarms until they are acknowledged, and clicks for a mode entered and a payload captured. */
@@ -470,48 +435,15 @@ export class Station {
     this.heard = now;
   }
 
-  /** Who flies tells what he flies with, and holds position where a device is gone. */
-  private watchDevices(): void {
-    const { controllers } = this.operator;
-    this.swap.show();
-    const lost = new Set(controllers.lost.map(({ short }) => short));
-    const gone = [...lost].filter((short) => !this.lost.has(short));
-    if (gone.length > 0 && this.role.flying) this.transmit({ type: 'hands_off', cause: 'device lost' });
-    for (const short of gone) this.say(`${short} is gone: sticks at zero`, 'controller');
-    for (const short of this.lost)
-      if (!lost.has(short)) this.say(`${short} is no longer missed`, 'controller');
-    this.lost = lost;
-    const { revision } = controllers;
-    if (!this.operator.flying || revision === this.told) return;
-    this.told = revision;
-    this.transmit({ type: 'controllers', controllers: controllers.told() });
-  }
-
   private changeControllers(): void {
     this.keys.close();
     this.sheet.open();
   }
 
-  /** The lamps that only the page can light. */
-  private ownLamps(now: number): readonly Lamp[] {
-    const lamps: Lamp[] = [];
-    if (this.refusal && now - this.refusal.at < REFUSAL_MS) {
-      lamps.push({ name: 'CHECK CRT', level: 'caution', text: 'see the log' });
-    }
-    const link = linkLamp((now - (this.newest?.at ?? now)) / 1000, this.delays(now));
-    if (link) lamps.push(link);
-    const age = this.camera.age(now);
-    if (isStale(age))
-      lamps.push({ name: 'CAMERA', level: 'caution', text: `pictures ${age.s.toFixed(0)} s old` });
-    if (this.tooNarrow) return lamps;
-    const { lost, waiting } = this.operator.controllers;
-    const text = lost[0]
-      ? `${lost[0].short.slice(0, LAMP_NAME)} is gone`
-      : waiting[0]?.resting
-        ? 'rests off centre: see Controllers'
-        : 'let go of both sticks';
-    if (lost.length > 0 || waiting.length > 0) lamps.push({ name: 'CONTROLLER', level: 'caution', text });
-    return lamps;
+  private ownLamps(delays: Delays, now: number): readonly Lamp[] {
+    const controllers = this.tooNarrow ? null : this.operator.controllers;
+    const [silence, pictures] = [this.arrivals.silence(now), this.arrivals.age('camera', now)];
+    return ownLamps({ refusedAt: this.refusedAt, silence, delays, pictures, controllers }, now);
   }
 
   private send(command: Command): void {
@@ -572,86 +504,18 @@ export class Station {
 
   private act(action: Action): void {
     this.tutorial.acted(action);
-    switch (action.name) {
-      case 'stop':
-        this.stop();
-        break;
-      case 'rate':
-        this.send({ type: 'select_rate', rate: this.frame?.rate === 'coarse' ? 'vernier' : 'coarse' });
-        break;
-      case 'rate hold':
-        this.send({ type: 'rate_hold' });
-        break;
-      case 'proceed':
-        this.groups.target.proceed();
-        break;
-      case 'turn mode':
-        this.groups.mode.turn(action.by);
-        break;
-      case 'enter':
-        this.groups.mode.enter();
-        break;
-      case 'turn joint':
-        this.groups.mode.turnJoint(action.by);
-        break;
-      case 'camera':
-        this.pictures.chooseDigit(action.number - 1, performance.now());
-        break;
-      case 'cameraStep':
-        this.pictures.step(action.by);
-        break;
-      case 'otherMonitor':
-        this.pictures.takeOther();
-        break;
-      case 'matrix':
-        this.pictures.toggleMatrix();
-        break;
-      case 'split':
-        this.pictures.toggleSplit();
-        break;
-      case 'slow camera':
-        this.pictures.toggleSlow();
-        break;
-      case 'acknowledge':
-        this.acknowledge();
-        break;
-      case 'grip':
-        this.groups.grip(action);
-        break;
-      case 'safing':
-        this.groups.safe();
-        break;
-      case 'position hold':
-        this.groups.holdPosition();
-        break;
-      case 'plane':
-        this.showPlane();
-        break;
-      case 'fly orbiter':
-        this.flyOrbiter(!this.operator.sticks.flyingOrbiter);
-        break;
-      case 'light':
-        this.light.toggle();
-        break;
-      case 'lock exposure':
-        this.light.lock();
-        break;
-      case 'control page':
-        this.controlPage.toggle();
-        break;
-      case 'keys':
-        this.keys.toggle();
-        break;
-      case 'leave':
-        this.sheet.close();
-        this.keys.close();
-        this.controlPage.close();
-        this.rail.close();
-        if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
-        break;
-      default:
-        assertUnreachable(action);
-    }
+    const { groups, pictures, light, controlPage, keys, sheet, rail } = this;
+    act(action, {
+      ...{ groups, pictures, light, controlPage, keys },
+      sheets: [sheet, rail],
+      stop: () => this.stop(),
+      changeRate: () =>
+        this.send({ type: 'select_rate', rate: this.frame?.rate === 'coarse' ? 'vernier' : 'coarse' }),
+      holdRate: () => this.send({ type: 'rate_hold' }),
+      acknowledge: () => this.acknowledge(),
+      showPlane: () => this.showPlane(),
+      flyOrbiter: () => this.flyOrbiter(!this.operator.sticks.flyingOrbiter),
+    });
   }
 }
 

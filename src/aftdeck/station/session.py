@@ -23,7 +23,6 @@ from aftdeck.recording.tape import Tape
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
-from aftdeck.scenario.target import target_at
 from aftdeck.simulation.cameras import CameraDrive
 from aftdeck.simulation.frame import Event, Level
 from aftdeck.simulation.frame import Frame as SimFrame
@@ -32,6 +31,15 @@ from aftdeck.simulation.look_ahead import Axis
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
 from aftdeck.station import protocol as wire
+from aftdeck.station.commands import (
+    check_camera,
+    check_light,
+    check_shown,
+    check_sticks,
+    check_switch,
+    inputs_of,
+    travel,
+)
 from aftdeck.station.recent import RecentFlight
 from aftdeck.station.unattended import left_alone
 from aftdeck.station.wire import Translator, controller_records
@@ -50,32 +58,11 @@ LOOK_S = 5.0
 """How far is looked ahead until a page says otherwise [s]."""
 MOVED = 1e-3
 """Stick deflection from which a person takes over from the demonstration."""
-FARTHEST = 1000.0
-"""Greatest component of a keyed-in position that is looked at [m]; the arm itself reaches 16 m."""
-MOST_TURNED = 100.0
-"""Greatest angle of a keyed-in attitude that is looked at [rad]."""
 NO_CONTROLLERS = wire.Controllers(0, ())
 HANDS_OFF = wire.Sticks(-1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
 STILL = CameraDrive("")
 """No camera turns."""
 
-_SWITCHES: dict[type, tuple[str, str]] = {
-    wire.EnterMode: ("mode", "mode"),
-    wire.SelectJoint: ("joint", "joint"),
-    wire.SelectLaw: ("law", "law"),
-    wire.SelectRate: ("rate", "rate"),
-    wire.PayloadAxes: ("payload_axes", "on"),
-    wire.PositionHold: ("position_hold", "on"),
-    wire.SetBrakes: ("brakes", "on"),
-    wire.SetSafing: ("safing", "on"),
-    wire.SetEffector: ("effector", "switch"),
-    wire.SetEffectorMode: ("effector_mode", "mode"),
-    wire.SetRigid: ("rigid", "rigid"),
-    wire.PressLatch: ("latch", "latch"),
-    wire.SetMaster: ("master", "angles"),
-    wire.Initialise: ("initialise", "part"),
-}
-"""Messages that put one switch: its name among the inputs, and the message's field that says where."""
 _encoder = msgspec.json.Encoder()
 
 
@@ -197,10 +184,9 @@ class Session:
         Raises:
             CommandError: a stick beyond its travel, or one that was lost and is still deflected, told once.
         """
-        if not all(-1.0 <= s <= 1.0 for s in _travel(sticks)):
-            raise CommandError("sticks lie between -1 and 1; this message was not flown")
+        check_sticks(sticks)
         with self._lock:
-            now, deflected = time.monotonic(), any(_travel(sticks))
+            now, deflected = time.monotonic(), any(travel(sticks))
             if self._zeroed and now - self._heard > LOST:
                 self._lost = "untold"
             self._heard, self._zeroed = now, False
@@ -218,12 +204,7 @@ class Session:
         Raises:
             CommandError: a camera that cannot be turned, a switch beyond its travel, or the script flies.
         """
-        driven = [camera.name for camera in self.welcome.cameras if camera.drive is not None]
-        if message.camera not in driven:
-            there = ", ".join(driven) or "none"
-            raise CommandError(f"no camera {message.camera!r} can be turned here: there are {there}")
-        if not all(-1.0 <= s <= 1.0 for s in (message.pan, message.tilt, message.zoom)):
-            raise CommandError("a camera's pan, tilt and zoom lie between -1 and 1; this message was not flown")
+        check_camera(message, self.welcome)
         if self._demo:
             raise CommandError("the script flies: take the sticks, then the cameras turn, too")
         with self._lock:
@@ -236,10 +217,7 @@ class Session:
         Raises:
             CommandError: a camera that there is not.
         """
-        names = [camera.name for camera in self.welcome.cameras]
-        unknown = [name for monitor in message.monitors for name in monitor if name not in names]
-        if unknown:
-            raise CommandError(f"there is no camera {unknown[0]!r}: there are {', '.join(names)}")
+        check_shown(message, self.welcome)
         self._latency_ms, self._monitors = message.latency_ms, message.monitors
 
     def light(self, message: wire.SetLight) -> None:
@@ -248,16 +226,8 @@ class Session:
         Raises:
             CommandError: a condition, a lamp or a camera that there is not.
         """
-        lighting, welcome = message.lighting, self.welcome
-        for kind, wanted, there in (
-            ("condition of light", (lighting.condition,), [condition.name for condition in welcome.conditions]),
-            ("lamp", lighting.lamps, welcome.lamps),
-            ("camera", [locked.camera for locked in lighting.locked], [camera.name for camera in welcome.cameras]),
-        ):
-            unknown = [name for name in wanted if name not in there]
-            if unknown:
-                raise CommandError(f"there is no {kind} {unknown[0]!r}: there are {', '.join(there) or 'none'}")
-        self._lighting = lighting
+        check_light(message.lighting, self.welcome)
+        self._lighting = message.lighting
 
     def controllers_in_use(self, message: wire.Controllers) -> None:
         """What moves the sticks of the page that flies, and how."""
@@ -281,7 +251,7 @@ class Session:
             CommandError: a stick is deflected.
         """
         with self._lock:
-            if any(_travel(self._sticks)):
+            if any(travel(self._sticks)):
                 raise CommandError("let go of the sticks first: they are given at rest")
             self._sticks, self._camera, self._zeroed, self._lost = HANDS_OFF, STILL, False, ""
             self._commands.clear()
@@ -299,20 +269,7 @@ class Session:
             CommandError: a switch position that does not exist, a target beyond all reason, or too many
                 commands at once.
         """
-        if isinstance(message, wire.SelectJoint) and not 0 <= message.joint < len(self.welcome.joints):
-            raise CommandError(f"joints are numbered 0 to {len(self.welcome.joints) - 1}, got {message.joint}")
-        if isinstance(message, wire.EnterMode) and message.mode not in {m.position for m in self.welcome.modes}:
-            known = ", ".join(m.position for m in self.welcome.modes)
-            raise CommandError(f"no mode {message.mode!r} can be entered here: there are {known}")
-        if isinstance(message, wire.SetTarget) and not all(
-            abs(x) <= most
-            for values, most in ((message.position, FARTHEST), (message.attitude, MOST_TURNED))
-            for x in values
-        ):
-            raise CommandError(
-                f"a target lies within {FARTHEST:g} m of the panel's origin and is turned by {MOST_TURNED:g} rad at "
-                f"most, got {message.position} m, {message.attitude} rad"
-            )
+        check_switch(message, self.welcome)
         with self._lock:
             if isinstance(message, wire.Stop):
                 self._commands.clear()
@@ -369,11 +326,11 @@ class Session:
         if controllers is not self._recorded:
             self._recorded = controllers
             self._tape.controllers(self._time(), controller_records(controllers))
-        moved = any(abs(s) > MOVED for s in _travel(sticks))
+        moved = any(abs(s) > MOVED for s in travel(sticks))
         if self._demo and (moved or message is not None or self._sim.ended):
             self._demo = False
             self._note("hand", "you have the sticks")
-        inputs = None if self._demo else self._inputs(sticks, message)
+        inputs = None if self._demo else inputs_of(sticks, message, self._translator.target)
         flown = -1 if inputs is None else _arriving(way, sticks.seq)
         if handed:
             self._note("hand-over", handed)
@@ -430,33 +387,7 @@ class Session:
         """
         frame = self._sim.frame
         kept = not self._demo and frame is not None and frame.rate_hold and now >= self._left_until
-        return kept or any(_travel(self._sticks))
-
-    def _inputs(self, sticks: wire.Sticks, message: wire.FromPage | None) -> Inputs:
-        inputs = Inputs(
-            translation=sticks.translation,
-            rotation=sticks.rotation,
-            drive=sticks.drive,
-            telescope=sticks.telescope,
-            orbiter=sticks.orbiter,
-        )
-        if message is None:
-            return inputs
-        if type(message) in _SWITCHES:
-            field, value = _SWITCHES[type(message)]
-            return msgspec.structs.replace(inputs, **{field: getattr(message, value)})
-        match message:
-            case wire.RateHold():
-                return msgspec.structs.replace(inputs, rate_hold=True)
-            case wire.SetTarget():
-                pose = self._translator.target(message)
-                return msgspec.structs.replace(inputs, target=target_at(pose))
-            case wire.Proceed():
-                return msgspec.structs.replace(inputs, proceed=True)
-            case wire.Stop():
-                return Inputs(stop=True, effector="stop")
-            case _:
-                return inputs
+        return kept or any(travel(self._sticks))
 
     def _restart(self) -> None:
         self._tape.end("restarted")
@@ -496,8 +427,3 @@ def _arriving(way: deque[int], number: int) -> int:
     """Number of the sticks that arrive as these are taken."""
     way.append(number)
     return way.popleft()
-
-
-def _travel(sticks: wire.Sticks) -> tuple[float, ...]:
-    """Every stick and switch that springs back."""
-    return (*sticks.translation, *sticks.rotation, sticks.drive, sticks.telescope, *sticks.orbiter)

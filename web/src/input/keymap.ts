@@ -1,6 +1,6 @@
 /**
  * Everything that a key, a button or an axis can be put to. To add one: a line in `USES`, its key in `defaults.ts`,
- * and for an action its case in the station; sheet, saving, rebinding and recording follow from the table.
+ * and for an action its case in `acts.ts`; sheet, saving, rebinding and recording follow from the table.
  */
 
 import { AXES } from './deflection';

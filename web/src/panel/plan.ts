@@ -2,11 +2,14 @@
 
 import type { Camera, Vec3 } from '../protocol';
 import { el, setAttribute, setClass, svg } from './dom';
+import type { Size } from './label-place';
 
 /** Length of a wedge, of the whole place's length. */
 const WEDGE = 0.11;
 /** Looking steeper than this, a wedge says nothing [sine]. */
 const STEEP = 0.97;
+/** Room round what the plan shows, of its size. */
+const MARGIN = 0.16;
 
 /** What the plan shows of the scene [m]: x aft to the right, y to starboard upwards, from the lower left corner. */
 export interface Extent {
@@ -91,4 +94,16 @@ function wedge(x: number, y: number, heading: number, angle: number, length: num
     return `${(x + length * Math.cos(way)).toFixed(2)} ${(y + length * Math.sin(way)).toFixed(2)}`;
   };
   return `M${x.toFixed(2)} ${y.toFixed(2)}L${corner(-1)}L${corner(1)}Z`;
+}
+
+/** What lies round some places of the scene, in the shape of a picture of that size. */
+export function extentOf(places: readonly Vec3[], { width, height }: Size): Extent {
+  const sides = [0, 1].map((k) => places.map((place) => place[k] ?? 0));
+  const [left = 0, right = 0, low = 0, high = 0] = sides.flatMap((values) => [
+    Math.min(...values),
+    Math.max(...values),
+  ]);
+  const scale = (1 + 2 * MARGIN) * Math.max((right - left) / width, (high - low) / height);
+  const [wide, tall] = [width * scale, height * scale];
+  return { x: (left + right - wide) / 2, y: (low + high - tall) / 2, width: wide, height: tall };
 }

@@ -1,0 +1,44 @@
+/** What stands over a monitor's picture and is of that picture: lens, axes, the narrowest gap, what touches. */
+
+import { type GapLine, middleOf, type Touch } from './panel/gap-overlay';
+import type { Picture } from './panel/picture';
+import type { Frame, Near, Vec3 } from './protocol';
+import type { Scene, View } from './scene';
+
+export interface Over {
+  readonly frame: Frame;
+  /** The gap that is worth a line, and whether it calls for attention. */
+  readonly gap: Near | null;
+  readonly caution: boolean;
+  /** What the camera's drives stand at [rad]; null: it has none. */
+  readonly setting: Vec3 | null;
+}
+
+export function overlay(scene: Scene, picture: Picture, view: View, over: Over): void {
+  const { frame, gap, caution, setting } = over;
+  const [w, x, y, z] = frame.axes;
+  picture.setLens(setting, view.rect);
+  picture.setAxes(scene.directions(view.camera, [w, x, y, z]));
+  const line = gap && gapLine(scene, view, gap, caution);
+  picture.setGap(line, touches(scene, view, frame.work.contacts), view.rect);
+}
+
+function gapLine(scene: Scene, { camera, rect }: View, near: Near, caution: boolean): GapLine | null {
+  const { width, height } = rect;
+  const ends = scene.segment(camera, width / height, near.point_a, near.point_b);
+  if (!ends) return null;
+  const [a, b] = ends;
+  return {
+    a: { x: a.x * width, y: a.y * height },
+    b: { x: b.x * width, y: b.y * height },
+    caution,
+  };
+}
+
+function touches(scene: Scene, { camera, rect }: View, contacts: readonly Near[]): readonly Touch[] {
+  const { width, height } = rect;
+  return contacts.flatMap((near) => {
+    const at = scene.project(camera, width / height, middleOf(near));
+    return at.visible ? [{ at: { x: at.x * width, y: at.y * height }, essential: near.essential }] : [];
+  });
+}
