@@ -81,10 +81,12 @@ def test_it_is_flown_by_a_pad_from_the_first_look_to_the_lift(open_page: OpenPag
 
     _slow(flight)
     _line_up(flight)
+    flight.until(r"/ \([LR].\) /.test(document.querySelector('.cells .way').title)")
     _close_in(flight)
 
     # Capture: held, not tapped.
     flight.until(f"{STEP} === '5 of 6' && {WORDS}.includes('Hold North until')")
+    flight.until("document.querySelector('.conditions h2').textContent.includes('squeeze, hold North')")
     flight.pad_buttons(NORTH)
     flight.until("frame.work.cargo[0].held")
     flight.pad_buttons()

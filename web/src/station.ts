@@ -191,7 +191,9 @@ export class Station {
       strips: () => this.tearOff('strips'),
     });
     this.scenarios = scenarioChoice(desk, (name) => this.tutorial.chosen(name));
-    this.tutorial = new Tutorial(desk, this.operator.controllers, (name) => this.scenarios.choose(name));
+    this.tutorial = new Tutorial(desk, this.operator.controllers.inHand, (name) =>
+      this.scenarios.choose(name),
+    );
     this.light = lightControl(desk, this.pictures);
     const { tones, light, scenarios, handOver, naming } = this;
     const parts = {

@@ -1,10 +1,10 @@
 import { expect, test } from 'vitest';
 import { DEFAULTS } from '../src/input/defaults';
+import { isDown } from '../src/input/in-hand';
 import { USES } from '../src/input/keymap';
 import { movers } from '../src/input/rebind';
 import type { Condition, Frame, WorkFrame } from '../src/protocol';
 import { farewell } from '../src/tutorial';
-import { isDown } from '../src/tutorial/in-hand';
 import { BEGIN, back, isOver, looked, type Progress, seen, skip } from '../src/tutorial/progress';
 import { LIFTED, MOVED, STEPS } from '../src/tutorial/steps';
 import { pieces } from '../src/tutorial/words';

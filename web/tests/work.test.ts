@@ -1,5 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { DEFAULTS } from '../src/input/defaults';
 import { Hold } from '../src/input/hold';
+import { InHand, KEYS } from '../src/input/in-hand';
 import { inUnits } from '../src/measured';
 import { whereIs } from '../src/panel/cargo';
 import { ConditionBars } from '../src/panel/condition-bar';
@@ -19,7 +21,7 @@ import { counted } from '../src/panel/spine';
 import { linesOf } from '../src/panel/touching';
 import { SPAN_S, Trend } from '../src/panel/trend';
 import { wayParts } from '../src/panel/way-to-fixture';
-import { withKeys } from '../src/panel/with-keys';
+import { withHandles } from '../src/panel/with-handles';
 import { drawnGap } from '../src/pictures';
 import type { CargoFrame, Condition, Frame, Near, WorkFrame } from '../src/protocol';
 import { unitsOf } from '../src/units';
@@ -88,6 +90,7 @@ test('what inhibits stands above what is made to touch, the deepest contact firs
       inhibits: ['palm touches payload top: 0.02 m deep', 'way out: THC −Z'],
     }),
     SI,
+    KEYS,
   );
   expect(lines.map(({ level }) => level)).toEqual(['warning', 'warning', 'caution', 'info']);
   expect(lines[0]?.text).toBe('Palm touches payload top, 2.0 cm deep');
@@ -157,25 +160,71 @@ test('a window’s bar does not leap where the nearer bound changes', () => {
 });
 
 test('the way to the pin names the stick and the key that shorten it', () => {
-  expect(wayParts([1.99, 0.3, -0.254], FEET)).toEqual([
-    { stick: '+X', key: 'W', value: '78' },
-    { stick: '+Y', key: 'D', value: '12' },
-    { stick: '−Z', key: 'Q', value: '10' },
+  expect(wayParts([1.99, 0.3, -0.254], FEET, KEYS)).toEqual([
+    { stick: '+X', handle: 'W', value: '78' },
+    { stick: '+Y', handle: 'D', value: '12' },
+    { stick: '−Z', handle: 'Q', value: '10' },
   ]);
-  expect(wayParts([0.004, -0.05, 0], SI)).toEqual([
-    { stick: 'X', key: '', value: '0.4' },
-    { stick: '−Y', key: 'A', value: '5.0' },
-    { stick: 'Z', key: '', value: '0.0' },
+  expect(wayParts([0.004, -0.05, 0], SI, KEYS)).toEqual([
+    { stick: 'X', handle: '', value: '0.4' },
+    { stick: '−Y', handle: 'A', value: '5.0' },
+    { stick: 'Z', handle: '', value: '0.0' },
   ]);
 });
 
+test('what flies is named as the part of the device that was moved last, until a key is pressed', () => {
+  const still = Array.from({ length: 17 }, () => ({ pressed: false, value: 0 }));
+  const device = {
+    kind: 'pad',
+    state: 'flying',
+    mapping: DEFAULTS.pad,
+    reading: { axes: [0, 0, 0, 0], buttons: still },
+  };
+  const held = new Set<string>();
+  const inHand = new InHand({ devices: [device], keyboard: { held } } as never);
+  const words = () => {
+    inHand.look();
+    return withHandles('way out: THC +X, THC −Z, RHC −roll', inHand);
+  };
+  expect(words()).toBe('way out: THC +X (W), THC −Z (Q), RHC −roll (U)');
+  device.reading.axes = [0, -0.6, 0, 0];
+  expect(words()).toBe('way out: THC +X (L↑), THC −Z (LT), RHC −roll (LB)');
+  device.reading.axes = [0, 0, 0, 0];
+  expect(inHand.name('latch')).toBe('Menu + South');
+  expect(wayParts([0.3, 0, 0], SI, inHand)[0]).toEqual({ stick: '+X', handle: 'L↑', value: '30' });
+  held.add('KeyW');
+  expect(words()).toContain('THC +X (W)');
+  held.clear();
+  device.reading.axes = [0, -0.6, 0, 0];
+  expect(words()).toContain('THC +X (L↑)');
+  device.state = 'lost';
+  expect(words()).toContain('THC +X (W)');
+});
+
+test('every axis and button of every device has a short name of its own', () => {
+  for (const [kind, { bindings }] of Object.entries(DEFAULTS)) {
+    const inHand = new InHand({
+      devices: [
+        { kind, mapping: DEFAULTS[kind as keyof typeof DEFAULTS], reading: { axes: [1], buttons: [] } },
+      ],
+      keyboard: { held: new Set() },
+    } as never);
+    inHand.look();
+    const uses = Object.values(bindings).filter((use) => /^[+-](X|Y|Z|roll|pitch|yaw)$/.test(use));
+    const both = new Set(uses.flatMap((use) => [`+${use.slice(1)}`, `-${use.slice(1)}`]));
+    const names = [...both].map((use) => inHand.short(use));
+    expect(new Set(names).size, `${kind}: ${names}`).toBe(both.size);
+    for (const name of names) expect(name).toMatch(/^.{1,4}$/u);
+  }
+});
+
 test('a stick’s direction in words comes with its key', () => {
-  expect(withKeys('way out: ORB UNL, THC −Z')).toBe('way out: ORB UNL, THC −Z (Q)');
-  expect(withKeys('RHC +roll')).toBe('RHC +roll (O)');
-  expect(withKeys('THC −Z or the telescope longer frees it')).toBe(
+  expect(withHandles('way out: ORB UNL, THC −Z', KEYS)).toBe('way out: ORB UNL, THC −Z (Q)');
+  expect(withHandles('RHC +roll', KEYS)).toBe('RHC +roll (O)');
+  expect(withHandles('THC −Z or the telescope longer frees it', KEYS)).toBe(
     'THC −Z (Q) or the telescope longer frees it',
   );
-  expect(withKeys('SINGLE elbow −')).toBe('SINGLE elbow −');
+  expect(withHandles('SINGLE elbow −', KEYS)).toBe('SINGLE elbow −');
 });
 
 test('figures are in the operator’s small units', () => {
@@ -207,11 +256,11 @@ test('what words tell apart stays apart in other units', () => {
 test('once all is met the title says what to do, or nothing where it happens by itself', () => {
   const snares = { carriage: 0 } as WorkFrame['hand'];
   const prong = { carriage: null } as WorkFrame['hand'];
-  expect(whatNow(work({ pursuit: 'capture payload', hand: snares }))).toBe(': squeeze, hold G');
-  expect(whatNow(work({ pursuit: 'acquire payload', hand: prong }))).toBe('');
-  expect(whatNow(work({ pursuit: 'latch payload', hand: snares }))).toBe(': latch, hold T');
-  expect(whatNow(work({ pursuit: 'insert in the Cargo bay', hand: prong }))).toBe(': let go, hold R');
-  expect(whatNow(work({ pursuit: 'dock in the Docking port', hand: prong }))).toBe('');
+  expect(whatNow(work({ pursuit: 'capture payload', hand: snares }), KEYS)).toBe(': squeeze, hold G');
+  expect(whatNow(work({ pursuit: 'acquire payload', hand: prong }), KEYS)).toBe('');
+  expect(whatNow(work({ pursuit: 'latch payload', hand: snares }), KEYS)).toBe(': latch, hold T');
+  expect(whatNow(work({ pursuit: 'insert in the Cargo bay', hand: prong }), KEYS)).toBe(': let go, hold R');
+  expect(whatNow(work({ pursuit: 'dock in the Docking port', hand: prong }), KEYS)).toBe('');
 });
 
 const CARGO: CargoFrame = { name: 'payload', held: false, seat: '', speed: 0 };

@@ -3,6 +3,7 @@
 import type { ControllerInUse } from '../protocol';
 import { type Deflection, equal, type Hand, sum, ZERO } from './deflection';
 import { Device } from './device';
+import { InHand, KEYS, type Names } from './in-hand';
 import { Keyboard, type KeyboardListener } from './keyboard';
 import type { Action } from './keymap';
 import type { Kind } from './mapping';
@@ -22,6 +23,8 @@ export interface ControllersShown {
   readonly gone: Readonly<Record<Hand, string | null>>;
   /** Of each hand controller the widest deadband of what moves it. */
   readonly deadband: Readonly<Record<Hand, number>>;
+  /** What keys, buttons and axes are called, on what is flown with at the moment. */
+  readonly names: Names;
 }
 
 /** As the desk shows a flight that nobody flies here. */
@@ -29,6 +32,7 @@ export const NO_CONTROLLERS: ControllersShown = {
   words: '',
   gone: { thc: null, rhc: null },
   deadband: { thc: 0, rhc: 0 },
+  names: KEYS,
 };
 
 export class Controllers {
@@ -36,6 +40,8 @@ export class Controllers {
   readonly pads: Pads;
   readonly spaceMouse = new SpaceMouse();
   readonly touch = new TouchSticks();
+  /** What the operator flies with at the moment. */
+  readonly inHand: InHand;
   /** They are being looked at and changed: nothing flies. */
   paused = false;
   /** A device, other than the keyboard, stood elsewhere at the last look. */
@@ -50,6 +56,7 @@ export class Controllers {
     this.cap = new Device('spacemouse', acted);
     this.screen = new Device('touch', acted);
     this.screen.name = 'Touch sticks';
+    this.inHand = new InHand(this);
   }
 
   /** In use, without the keyboard, which always is. */
@@ -80,6 +87,7 @@ export class Controllers {
     const others = sum(...parts);
     this.moved = !equal(others, this.before);
     this.before = others;
+    this.inHand.look();
     return this.paused ? ZERO : sum(keys, others);
   }
 
@@ -104,6 +112,7 @@ export class Controllers {
       words: this.words,
       gone: { thc: this.lostOf('thc'), rhc: this.lostOf('rhc') },
       deadband: { thc: this.deadband('thc'), rhc: this.deadband('rhc') },
+      names: this.inHand,
     };
   }
 

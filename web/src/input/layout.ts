@@ -54,28 +54,31 @@ const BUTTONS = [
   'Home',
 ];
 
-/** Each axis, and its two ends. */
-type AxisWords = readonly [name: string, minus: string, plus: string];
+/** The same where there is little room. */
+const SHORT_BUTTONS = 'S E W N LB RB LT RT View Menu LP RP ✚↑ ✚↓ ✚← ✚→ Home'.split(' ');
+
+/** Each axis, its two ends, and those where there is little room. */
+type AxisWords = readonly [name: string, minus: string, plus: string, shortMinus: string, shortPlus: string];
 
 const PAD_AXES: readonly AxisWords[] = [
-  ['Left stick ↔', 'L stick ←', 'L stick →'],
-  ['Left stick ↕', 'L stick ↑', 'L stick ↓'],
-  ['Right stick ↔', 'R stick ←', 'R stick →'],
-  ['Right stick ↕', 'R stick ↑', 'R stick ↓'],
+  ['Left stick ↔', 'L stick ←', 'L stick →', 'L←', 'L→'],
+  ['Left stick ↕', 'L stick ↑', 'L stick ↓', 'L↑', 'L↓'],
+  ['Right stick ↔', 'R stick ←', 'R stick →', 'R←', 'R→'],
+  ['Right stick ↕', 'R stick ↑', 'R stick ↓', 'R↑', 'R↓'],
 ];
 const TOUCH_AXES: readonly AxisWords[] = [
   ...PAD_AXES.slice(0, 2),
-  ['Left slider', 'L slider ↑', 'L slider ↓'],
+  ['Left slider', 'L slider ↑', 'L slider ↓', 'LS↑', 'LS↓'],
   ...PAD_AXES.slice(2),
-  ['Right slider', 'R slider ←', 'R slider →'],
+  ['Right slider', 'R slider ←', 'R slider →', 'RS←', 'RS→'],
 ];
 const CAP_AXES: readonly AxisWords[] = [
-  ['Cap ↔', 'Cap left', 'Cap right'],
-  ['Cap ↕', 'Cap away', 'Cap near'],
-  ['Cap height', 'Cap lifted', 'Cap pressed'],
-  ['Cap pitch', 'Cap tips away', 'Cap tips near'],
-  ['Cap roll', 'Cap tips right', 'Cap tips left'],
-  ['Cap twist', 'Cap twist ↺', 'Cap twist ↻'],
+  ['Cap ↔', 'Cap left', 'Cap right', '←', '→'],
+  ['Cap ↕', 'Cap away', 'Cap near', '↑', '↓'],
+  ['Cap height', 'Cap lifted', 'Cap pressed', 'lift', 'push'],
+  ['Cap pitch', 'Cap tips away', 'Cap tips near', 'tip↑', 'tip↓'],
+  ['Cap roll', 'Cap tips right', 'Cap tips left', 'tip→', 'tip←'],
+  ['Cap twist', 'Cap twist ↺', 'Cap twist ↻', '↺', '↻'],
 ];
 
 /** Where the browser tells no layout, what each key wrote as it was pressed; kept for the next time. */
@@ -106,6 +109,21 @@ export function nameOfSource(kind: Kind, source: string, sign?: 1 | -1): string 
     return words[sign === undefined ? 0 : sign < 0 ? 1 : 2];
   }
   return (kind.endsWith('pad') ? BUTTONS[number] : undefined) ?? `Button ${number + 1}`;
+}
+
+/** The same in two or three letters. */
+export function shortOfSource(kind: Kind, source: string, sign: 1 | -1): string {
+  if (kind === 'keyboard') return nameOf(source);
+  if (source.includes('+'))
+    return source
+      .split('+')
+      .map((part) => shortOfSource(kind, part, 1))
+      .join('+');
+  const number = Number(source.slice(1));
+  if (source[0] !== 'a')
+    return (kind.endsWith('pad') ? SHORT_BUTTONS[number] : undefined) ?? `B${number + 1}`;
+  const words = axesOf(kind)[number];
+  return words ? words[sign < 0 ? 3 : 4] : `${number}${sign < 0 ? '−' : '+'}`;
 }
 
 /** The key that does something now; empty where none does. */

@@ -58,7 +58,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       trend.add(frame.time_s, nearest?.clearance ?? null);
       gauge.point(nearest?.clearance ?? null);
     },
-    values({ frame, units }) {
+    values({ frame, units, controllers }) {
       const { nearest, clearance_level, arm_inhibit, finger_inhibit } = frame.work;
       setAttribute(planeKey, 'title', `The plane that separates the two: ${keyOf('plane')}`);
       setClass(element, 'caution', clearance_level === 'caution');
@@ -72,7 +72,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       setAttribute(pair, 'title', pair.textContent);
       gauge.setUnits(units);
       // What touches takes the history's room.
-      history.element.hidden = contacts.set(frame.work, units);
+      history.element.hidden = contacts.set(frame.work, units, controllers.names);
       history.draw(trend, frame.time_s, units);
       setClass(arm, 'lit', arm_inhibit);
       setClass(finger, 'lit', finger_inhibit);

@@ -1,7 +1,7 @@
 /** What has to hold before something is captured, docked or latched: each with its limit, in its own place. */
 
 import { degrees, fixed, small } from '../format';
-import { keyOf } from '../input/layout';
+import type { Names } from '../input/in-hand';
 import { inUnits } from '../measured';
 import type { Condition, WorkFrame } from '../protocol';
 import type { Units } from '../units';
@@ -43,7 +43,7 @@ export function conditionsGroup(): Part {
         if (condition) each.fill(lengths.part(condition));
       });
     },
-    values({ frame, units }) {
+    values({ frame, units, controllers: { names } }) {
       const { pursuit, conditions, to_fixture } = frame.work;
       const said = pursuit || 'Conditions';
       const [first = ''] = said.split(' ', 1);
@@ -53,23 +53,28 @@ export function conditionsGroup(): Part {
       cells.forEach((each, i) => {
         each.set(shown[i], units);
       });
-      way.set(conditions.length > 0 ? to_fixture : null, units);
+      way.set(conditions.length > 0 ? to_fixture : null, units, names);
       const met = conditions.length > 0 && conditions.every(({ holds }) => holds);
       setClass(element, 'met', met);
       setAbout(
         element,
-        met ? `all met${whatNow(frame.work)}` : inUnits(shown.find(({ holds }) => !holds)?.text ?? '', units),
+        met
+          ? `all met${whatNow(frame.work, names)}`
+          : inUnits(shown.find(({ holds }) => !holds)?.text ?? '', units),
       );
     },
   };
 }
 
 /** What the operator does once all conditions are met; nothing where it happens by itself. */
-export function whatNow({ pursuit, hand, cargo }: Pick<WorkFrame, 'pursuit' | 'hand' | 'cargo'>): string {
-  if (/\b(latch|berth)/.test(pursuit)) return `: latch, hold ${keyOf('latch')}`;
-  if (/\binsert/.test(pursuit)) return `: let go, hold ${keyOf('open')}`;
+export function whatNow(
+  { pursuit, hand, cargo }: Pick<WorkFrame, 'pursuit' | 'hand' | 'cargo'>,
+  names: Names,
+): string {
+  if (/\b(latch|berth)/.test(pursuit)) return `: latch, hold ${names.name('latch')}`;
+  if (/\binsert/.test(pursuit)) return `: let go, hold ${names.name('open')}`;
   const grasping = !cargo.some(({ held }) => held);
-  return grasping && hand.carriage !== null ? `: squeeze, hold ${keyOf('close')}` : '';
+  return grasping && hand.carriage !== null ? `: squeeze, hold ${names.name('close')}` : '';
 }
 
 function cell() {

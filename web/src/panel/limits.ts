@@ -3,7 +3,7 @@
 import type { Frame, Limit, WayOut } from '../protocol';
 import { el, group, setAbout } from './dom';
 import type { Desk, Part } from './part';
-import { withKeys } from './with-keys';
+import { withHandles } from './with-handles';
 
 const LINES = 3;
 /** A limit stays readable this long after it last acted [s]. */
@@ -30,11 +30,11 @@ export function limits({ welcome }: Desk): Part {
   return {
     element,
     bars: ({ frame }) => remember(frame),
-    values({ frame }) {
+    values({ frame, controllers: { names } }) {
       const acting = [...seen].map(([text, { kind }]): Line => ({ text, level: level(kind) }));
       const ways = frame.ways_out
         .filter(({ cause }) => joints.has(cause))
-        .map((way): Line => ({ text: withKeys(leadsAway(way)), level: 'caution' }));
+        .map((way): Line => ({ text: withHandles(leadsAway(way), names), level: 'caution' }));
       const all = [
         ...acting.filter((line) => line.level === 'caution'),
         ...ways,

@@ -3,7 +3,7 @@
 import { fixed } from '../format';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
 import type { Desk, Part } from './part';
-import { withKeys } from './with-keys';
+import { withHandles } from './with-handles';
 
 const LENGTH = 200;
 
@@ -32,12 +32,12 @@ export function singularity({ welcome: { singular } }: Desk): Part {
         setAttribute(pointer, 'transform', `translate(${at.toFixed(1)} 0)`);
       });
     },
-    values({ frame }) {
+    values({ frame, controllers: { names } }) {
       rows.forEach(({ name, label, value, row }, i) => {
         const distance = Math.abs(frame.singularity[i] ?? 0);
         const near = distance < singular;
         const out = frame.ways_out.find(({ cause }) => cause === name.toLowerCase());
-        const words = near && out ? `${name}: ${withKeys(out.text)}` : name;
+        const words = near && out ? `${name}: ${withHandles(out.text, names)}` : name;
         setText(label, words);
         setAttribute(label, 'title', words);
         setText(value, fixed(distance, 2, false));

@@ -1,10 +1,11 @@
 /** What touches, what that inhibits, and what frees it, in a few lines. */
 
 import { small } from '../format';
+import type { Names } from '../input/in-hand';
 import type { WorkFrame } from '../protocol';
 import type { Units } from '../units';
 import { el } from './dom';
-import { withKeys } from './with-keys';
+import { withHandles } from './with-handles';
 
 export interface Line {
   readonly text: string;
@@ -14,7 +15,7 @@ export interface Line {
 export interface Touching {
   readonly element: HTMLElement;
   /** Writes the lines of a frame; returns whether any of them calls for the operator. */
-  set(work: WorkFrame, units: Units): boolean;
+  set(work: WorkFrame, units: Units, names: Names): boolean;
 }
 
 export function touching(): Touching {
@@ -22,8 +23,8 @@ export function touching(): Touching {
   let shown = '';
   return {
     element: list,
-    set(work, units) {
-      const lines = linesOf(work, units);
+    set(work, units, names) {
+      const lines = linesOf(work, units, names);
       const key = lines.map(({ level, text }) => `${level} ${text}`).join('\n');
       if (key !== shown) {
         shown = key;
@@ -39,7 +40,7 @@ export function touching(): Touching {
 }
 
 /** Detrimental contacts, deepest first; what frees the arm of them; the contacts that are made to be, in one line. */
-export function linesOf({ contacts, inhibits }: WorkFrame, { gap }: Units): readonly Line[] {
+export function linesOf({ contacts, inhibits }: WorkFrame, { gap }: Units, names: Names): readonly Line[] {
   const harmful = contacts
     .filter(({ essential }) => !essential)
     .sort((a, b) => a.clearance - b.clearance)
@@ -52,7 +53,7 @@ export function linesOf({ contacts, inhibits }: WorkFrame, { gap }: Units): read
   const essential = contacts.filter((each) => each.essential).map(({ a, b }) => `${a} – ${b}`);
   return [
     ...harmful.map(({ touch, deep }): Line => ({ text: sentence(touch + deep), level: 'warning' })),
-    ...rest.map((text): Line => ({ text: withKeys(sentence(text)), level: 'caution' })),
+    ...rest.map((text): Line => ({ text: withHandles(sentence(text), names), level: 'caution' })),
     ...essential
       .slice(0, 1)
       .map((): Line => ({ text: `Made to touch: ${essential.join(', ')}`, level: 'info' })),

@@ -1,7 +1,7 @@
-/** The way from the empty snares to the grapple fixture, along the sticks' axes, with the key that flies each part. */
+/** The way from the empty snares to the grapple fixture, along the sticks' axes, with the key, button or end of an axis that flies each part. */
 
 import { small } from '../format';
-import { keyOf } from '../input/layout';
+import type { Names } from '../input/in-hand';
 import type { Vec3 } from '../protocol';
 import type { Units } from '../units';
 import { el, setAttribute, setText } from './dom';
@@ -13,40 +13,40 @@ const AXES = ['X', 'Y', 'Z'] as const;
 export interface WayPart {
   /** `−Z`: which way the stick goes. */
   readonly stick: string;
-  /** The key that does it; empty: nothing to fly. */
-  readonly key: string;
+  /** What does it; empty: nothing to fly. */
+  readonly handle: string;
   readonly value: string;
 }
 
-export function wayParts(way: Vec3, { gap }: Units): readonly WayPart[] {
+export function wayParts(way: Vec3, { gap }: Units, names: Names): readonly WayPart[] {
   return AXES.map((axis, i) => {
     const length = way[i] ?? 0;
     const value = small(Math.abs(length), gap);
-    if (Math.abs(length) < LEAST) return { stick: axis, key: '', value };
+    if (Math.abs(length) < LEAST) return { stick: axis, handle: '', value };
     const [sign, use] = length > 0 ? ['+', `+${axis}`] : ['−', `-${axis}`];
-    return { stick: sign + axis, key: keyOf(use), value };
+    return { stick: sign + axis, handle: names.short(use), value };
   });
 }
 
 export function wayToFixture() {
-  const rows = AXES.map(() => ({ stick: el('span'), key: el('b'), value: el('span') }));
+  const rows = AXES.map(() => ({ stick: el('span'), handle: el('b'), value: el('span') }));
   const head = el('span', { class: 'head' });
   const element = el(
     'li',
     { class: 'way' },
     head,
-    ...rows.map(({ stick, key, value }) => el('div', {}, stick, key, value)),
+    ...rows.map(({ stick, handle, value }) => el('div', {}, stick, handle, value)),
   );
   return {
     element,
-    set(way: Vec3 | null, units: Units) {
+    set(way: Vec3 | null, units: Units, names: Names) {
       element.hidden = way === null;
       if (!way) return;
       setText(head, `to pin, ${units.gap.name}`);
-      const parts = wayParts(way, units);
-      rows.forEach(({ stick, key, value }, i) => {
+      const parts = wayParts(way, units, names);
+      rows.forEach(({ stick, handle, value }, i) => {
         setText(stick, parts[i]?.stick ?? '');
-        setText(key, parts[i]?.key ?? '');
+        setText(handle, parts[i]?.handle ?? '');
         setText(value, parts[i]?.value ?? '');
       });
       setAttribute(element, 'title', told(parts, units));
@@ -55,7 +55,9 @@ export function wayToFixture() {
 }
 
 function told(parts: readonly WayPart[], { gap }: Units): string {
-  const flown = parts.filter(({ key }) => key !== '');
-  const words = flown.map(({ stick, key, value }) => `${stick} (${key}) ${value} ${gap.name}`).join(', ');
+  const flown = parts.filter(({ handle }) => handle !== '');
+  const words = flown
+    .map(({ stick, handle, value }) => `${stick} (${handle}) ${value} ${gap.name}`)
+    .join(', ');
   return `From the end effector to the pin: ${words || 'it is there'}`;
 }

@@ -1,6 +1,6 @@
 /** The tutorial: six steps of a first capture, each ended by doing it, in the scenario that is made for it. */
 
-import type { Controllers } from '../input/controllers';
+import type { InHand } from '../input/in-hand';
 import type { Action } from '../input/keymap';
 import { revision } from '../input/store';
 import { keeper } from '../kept';
@@ -9,7 +9,6 @@ import type { Desk, View } from '../panel/part';
 import type { Frame } from '../protocol';
 import type { Units } from '../units';
 import { Card } from './card';
-import { InHand } from './in-hand';
 import { BEGIN, back, looked, type Progress, seen, skip } from './progress';
 import { STEPS } from './steps';
 
@@ -31,7 +30,6 @@ export class Tutorial {
   /** For the rail: goes to the tutorial's scenario, or opens and closes its guide there. */
   readonly key: HTMLButtonElement;
   private readonly card: Card;
-  private readonly inHand: InHand;
   private readonly ended = new AbortController();
   private readonly payload: number;
   private progress: Progress = BEGIN;
@@ -42,7 +40,7 @@ export class Tutorial {
 
   constructor(
     private readonly desk: Desk,
-    controllers: Controllers,
+    private readonly inHand: InHand,
     private readonly flyIt: (scenario: string) => void,
   ) {
     const { welcome } = desk;
@@ -50,7 +48,6 @@ export class Tutorial {
     const name = this.offered ? 'Guide' : 'Tutorial';
     this.key = button({ title: 'A first capture, in six steps' }, [name], () => this.toggle());
     this.payload = welcome.bodies.findIndex(({ name }) => name === welcome.work.cargo[0]);
-    this.inHand = new InHand(controllers);
     this.card = new Card(this.inHand, {
       back: () => this.go(back(this.progress)),
       skip: () => this.go(skip(this.progress)),
@@ -85,7 +82,6 @@ export class Tutorial {
     if (this.unasked && flying) this.show(true);
     if (!this.open) return;
     this.progress = seen(this.progress, frame, frame.poses[7 * this.payload + 2] ?? 0);
-    this.inHand.look();
     this.draw(frame, units);
   }
 

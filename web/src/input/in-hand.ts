@@ -1,27 +1,37 @@
 /** What the operator flies with at the moment: keys, or the device that was moved last; and what a use is called there. */
 
-import type { Controllers } from '../input/controllers';
-import type { Device } from '../input/device';
-import { nameOfSource } from '../input/layout';
-import { centred, indexOf, type Kind } from '../input/mapping';
-import { movers } from '../input/rebind';
-import { mappingOf } from '../input/store';
+import type { Controllers } from './controllers';
+import type { Device } from './device';
+import { keyOf, nameOfSource, shortOfSource } from './layout';
+import { centred, indexOf, type Kind } from './mapping';
+import { movers, type Source } from './rebind';
+import { mappingOf } from './store';
 
 /** An axis so far from its rest is moved by somebody. */
 const MOVED = 0.3;
 
-export class InHand {
+/** What people call the key, button or end of an axis that has a use; empty where none has. */
+export interface Names {
+  name(use: string): string;
+  /** In two or three letters where a device's parts have longer names. */
+  short(use: string): string;
+}
+
+/** Those of the keyboard. */
+export const KEYS: Names = { name: keyOf, short: keyOf };
+
+export class InHand implements Names {
   /** The device moved last; null: the keys. */
   device: Device | null = null;
 
-  constructor(private readonly controllers: Controllers) {}
+  constructor(private readonly controllers: Pick<Controllers, 'devices' | 'keyboard'>) {}
 
   /** Looks which was moved. */
   look(): void {
     const { devices, keyboard } = this.controllers;
-    const moved = devices.find((device) => isMoved(device));
-    if (moved) this.device = moved;
-    else if (keyboard.held.size > 0 || !devices.some((device) => device === this.device)) this.device = null;
+    const moved = devices.find((device) => device.state === 'flying' && isMoved(device));
+    const kept = devices.find((device) => device === this.device && device.state !== 'lost');
+    this.device = moved ?? (keyboard.held.size > 0 ? null : kept) ?? null;
   }
 
   /** Kinds of device, the one in hand first; what it cannot do, others can. */
@@ -30,13 +40,12 @@ export class InHand {
     return [...(this.device ? [this.device, ...others] : []).map(({ kind }) => kind), 'keyboard'];
   }
 
-  /** What people call the key, button or end of an axis that has this use; empty where none has. */
   name(use: string): string {
-    for (const kind of this.kinds) {
-      const [first] = movers(mappingOf(kind), use);
-      if (first) return nameOfSource(kind, first.source, first.sign);
-    }
-    return '';
+    return this.called(use, nameOfSource);
+  }
+
+  short(use: string): string {
+    return this.called(use, shortOfSource);
   }
 
   /** Whether something is held that has this use. */
@@ -54,6 +63,14 @@ export class InHand {
     if (!device) return new Set();
     const all = uses.flatMap((use) => movers(device.mapping, use).map(({ source }) => source));
     return new Set(all.flatMap((source) => source.split('+')));
+  }
+
+  private called(use: string, call: (kind: Kind, source: string, sign: Source['sign']) => string): string {
+    for (const kind of this.kinds) {
+      const [first] = movers(mappingOf(kind), use);
+      if (first) return call(kind, first.source, first.sign);
+    }
+    return '';
   }
 }
 
