@@ -303,9 +303,10 @@ export class Pictures {
     this.scene.send();
     this.finish = () => {
       if (this.laidOut(panes) !== this.layout) return; // they are of a window that has changed, and drawn anew
-      for (const [{ picture, camera }, view] of due) {
-        const setting = settingOf(camera, this.cameras, frame);
-        if (picture) overlay(this.scene, picture, view, { frame, gap, caution, setting });
+      for (const [{ picture }, view] of due) {
+        if (!picture) continue;
+        const setting = settingOf(picture.camera, this.cameras, frame);
+        overlay(this.scene, picture, view, { frame, gap, caution, setting });
       }
       done();
     };

@@ -13,7 +13,7 @@ const MOVED = 0.3;
 /** What people call the key, button or end of an axis that has a use; empty where none has. */
 export interface Names {
   name(use: string): string;
-  /** In two or three letters where a device's parts have longer names. */
+  /** In a few letters where a device's parts have longer names. */
   short(use: string): string;
 }
 
@@ -36,8 +36,10 @@ export class InHand implements Names {
 
   /** Kinds of device, the one in hand first; what it cannot do, others can. */
   get kinds(): readonly Kind[] {
-    const others = this.device ? this.controllers.devices.filter((each) => each !== this.device) : [];
-    return [...(this.device ? [this.device, ...others] : []).map(({ kind }) => kind), 'keyboard'];
+    const { device } = this;
+    if (!device) return ['keyboard'];
+    const others = this.controllers.devices.filter((each) => each !== device && each.state === 'flying');
+    return [...[device, ...others].map(({ kind }) => kind), 'keyboard'];
   }
 
   name(use: string): string {
@@ -74,10 +76,15 @@ export class InHand implements Names {
   }
 }
 
+/** Whether something of it that has a use is moved; a throttle without one may stand anywhere. */
 function isMoved({ reading, mapping }: Device): boolean {
   if (!reading) return false;
-  const off = (value: number, i: number) => Math.abs(centred(value, mapping.centres[i] ?? 0)) > MOVED;
-  return reading.axes.some(off) || reading.buttons.some(({ pressed }) => pressed);
+  const off = (part: string) => {
+    const axis = indexOf(part, 'a');
+    if (axis === null) return reading.buttons[Number(part.slice(1))]?.pressed === true;
+    return Math.abs(centred(reading.axes[axis] ?? 0, mapping.centres[axis] ?? 0)) > MOVED;
+  };
+  return Object.keys(mapping.bindings).some((source) => source.split('+').some(off));
 }
 
 /** Whether a button is down, or an axis is off its rest to that side. */

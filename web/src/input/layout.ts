@@ -111,7 +111,7 @@ export function nameOfSource(kind: Kind, source: string, sign?: 1 | -1): string 
   return (kind.endsWith('pad') ? BUTTONS[number] : undefined) ?? `Button ${number + 1}`;
 }
 
-/** The same in two or three letters. */
+/** The same in a few letters. */
 export function shortOfSource(kind: Kind, source: string, sign: 1 | -1): string {
   if (kind === 'keyboard') return nameOf(source);
   if (source.includes('+'))
