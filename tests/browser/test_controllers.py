@@ -100,7 +100,7 @@ def test_a_key_is_put_elsewhere_by_the_sheet_flies_and_is_kept(flight: Flight, r
     flight.press("Space")
     assert "Space stops, always" in told(flight)
     flight.press("Numpad5")
-    expect(flight.page.locator('[data-use="+X"]')).to_have_text("Numpad5")
+    expect(flight.page.locator('[data-use="+X"]')).to_have_text("Num 5")
     flight.hold("Numpad5")
     expect(flight.page.locator('[data-use="+X"]')).to_contain_class("held")
     tick = flight.frame().tick

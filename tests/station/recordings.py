@@ -77,7 +77,10 @@ def grappled(path: Path) -> list[Frame]:
     recorder.shown(frames[-1].time_s, (("A",), ("WR",)))
     fly(20, Inputs(), Inputs(brakes=True))
     fly(360, Inputs(), Inputs(brakes=False, effector="open"))
-    fly(70, Inputs(translation=(0.0, 0.0, -0.4)), Inputs(rate="coarse"))
+    recorder.shown(frames[-1].time_s, ((), ()))  # the page is loaded anew
+    fly(10, Inputs())
+    recorder.shown(frames[-1].time_s, (("A",), ("WR",)))
+    fly(60, Inputs(translation=(0.0, 0.0, -0.4)), Inputs(rate="coarse"))
     fly(50, Inputs())
     fly(120, Inputs(translation=(0.5, 0.0, 0.0)))
     fly(60, Inputs())

@@ -1,12 +1,13 @@
 /** Tells the station what is flown with, and that a device is gone or back. */
 
 import type { Controllers } from './input/controllers';
+import type { Level } from './protocol';
 import type { Command } from './socket';
 
 export interface DeviceWatchListener {
   send(command: Command): void;
   /** A line of the log. */
-  say(text: string): void;
+  say(text: string, level: Level): void;
 }
 
 export class DeviceWatch {
@@ -36,8 +37,8 @@ export class DeviceWatch {
     const lost = new Set(controllers.lost.map(({ short }) => short));
     const gone = [...lost].filter((short) => !this.lost.has(short));
     if (gone.length > 0 && ours) listener.send({ type: 'hands_off', cause: 'device lost' });
-    for (const short of gone) listener.say(`${short} is gone: sticks at zero`);
-    for (const short of this.lost) if (!lost.has(short)) listener.say(`${short} is no longer missed`);
+    for (const short of gone) listener.say(`${short} is gone: sticks at zero`, 'caution');
+    for (const short of this.lost) if (!lost.has(short)) listener.say(`${short} is no longer missed`, 'info');
     this.lost = lost;
     const { revision } = controllers;
     if (!flying || revision === this.told) return;

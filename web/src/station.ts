@@ -35,7 +35,7 @@ import { Spine } from './panel/spine';
 import { swapQuestion } from './panel/swap';
 import { touchView } from './panel/touch';
 import { Pictures } from './pictures';
-import type { Frame, Lamp, Event as LogEvent, ModeInfo, Role, Scenarios, Welcome } from './protocol';
+import type { Frame, Lamp, Level, Event as LogEvent, ModeInfo, Role, Scenarios, Welcome } from './protocol';
 import type { Drawing } from './quality';
 import type { DrawnBody } from './scene/bodies';
 import type { Command, LinkState } from './socket';
@@ -161,7 +161,7 @@ export class Station {
     });
     this.devices = new DeviceWatch(this.operator.controllers, {
       send: transmit,
-      say: (text) => this.say(text, 'controller'),
+      say: (text, level) => this.say(text, 'controller', level),
     });
     this.sheet = new ControllersSheet(this.operator.controllers);
     this.touch = touchView(this.operator.controllers.touch);
@@ -453,8 +453,8 @@ export class Station {
     else this.say('You watch; only the one who flies can do that.');
   }
 
-  private say(text: string, kind = 'page'): void {
-    this.events.add([{ time_s: this.frame?.time_s ?? 0, kind, level: 'caution', text }]);
+  private say(text: string, kind = 'page', level: Level = 'caution'): void {
+    this.events.add([{ time_s: this.frame?.time_s ?? 0, kind, level, text }]);
   }
 
   private acknowledge(): void {

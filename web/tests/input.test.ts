@@ -1,13 +1,13 @@
-import { expect, test, vi } from 'vitest';
+import { describe, expect, it, test, vi } from 'vitest';
 import { Controllers } from '../src/input/controllers';
-import { isZero, sum, ZERO } from '../src/input/deflection';
+import { isZero, PAN, sum, X, ZERO } from '../src/input/deflection';
 import { Device, deflection, type Reading } from '../src/input/device';
 import { ramp } from '../src/input/keyboard';
 import type { Action } from '../src/input/keymap';
 import { learnLetter, nameOf } from '../src/input/layout';
 import { Pads } from '../src/input/pads';
 import { zeroed } from '../src/input/rebind';
-import { routed } from '../src/input/sticks';
+import { routed, Sticks } from '../src/input/sticks';
 import { mappingOf, restore, save } from '../src/input/store';
 
 const NO_AXES = [0, 0, 0, 0];
@@ -283,4 +283,46 @@ test('a key pressed alone tells what stands on it, and with another one held it 
   expect([nameOf('KeyQ'), nameOf('KeyW')]).toEqual(['A', 'W']);
   learnLetter({ ...alone, code: 'KeyQ', key: 'q' });
   expect(nameOf('KeyQ')).toBe('Q');
+});
+
+describe('stick to picture', () => {
+  const still = Array.from({ length: 10 }, () => 0);
+  /** Sticks whose devices stand as told; what was measured of them, by number of the message. */
+  function stickOf(at: { value: readonly number[]; moved: boolean }) {
+    const told: number[] = [];
+    const latency = { sent: (_seq: number, from: number) => told.push(from) };
+    const controllers = {
+      poll: () => at.value,
+      release() {},
+      get moved() {
+        return at.moved;
+      },
+    };
+    const sticks = new Sticks(controllers as never, latency as never, () => 0);
+    return { sticks, told };
+  }
+  const standing = (axis: number, value: number) => still.map((rest, i) => (i === axis ? value : rest));
+
+  it('is counted from the input that moved a stick, not from a camera’s key before it', () => {
+    const at = { value: standing(PAN, 1), moved: false };
+    const { sticks, told } = stickOf(at);
+    sticks.moved(1000); // a camera's key
+    at.value = still;
+    sticks.tick(2000);
+    at.value = standing(X, 0.5);
+    sticks.moved(6000);
+    expect(told).toEqual([6000]);
+  });
+
+  it('is not counted from a device’s motion that flew nothing, as before it was seen at zero', () => {
+    const at = { value: still, moved: true };
+    const { sticks, told } = stickOf(at);
+    sticks.tick(1000);
+    sticks.tick(1015);
+    [at.value, at.moved] = [standing(X, 0.5), true];
+    sticks.tick(4000);
+    at.moved = false;
+    sticks.tick(4200); // said again, as it is held
+    expect(told).toEqual([4000]);
+  });
 });

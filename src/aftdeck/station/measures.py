@@ -38,7 +38,7 @@ class Measures:
         self._captures = 0
         self._captured = Captured()
         self._brakes = self._cameras = 0
-        self._monitors: tuple[tuple[str, ...], ...] = ()
+        self._monitors: dict[int, tuple[str, ...]] = {}
 
     def add(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
         """The next frame and the lamps lit in it."""
@@ -66,8 +66,11 @@ class Measures:
 
     def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
         """What the monitors show from the next frame on."""
-        self._cameras += sum(now != before for now, before in zip(monitors, self._monitors, strict=False))
-        self._monitors = monitors
+        for monitor, names in enumerate(monitors):
+            if not names:  # the page has gone, or does not tell
+                continue
+            self._cameras += names != self._monitors.get(monitor, names)
+            self._monitors[monitor] = names
 
     def _near(self, frame: Frame) -> None:
         near = frame.work.nearest

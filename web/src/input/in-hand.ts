@@ -2,7 +2,7 @@
 
 import type { Controllers } from './controllers';
 import type { Device } from './device';
-import { keyOf, nameOfSource, shortOfSource } from './layout';
+import { keyOf, nameOfSource, shortKeyOf, shortOfSource } from './layout';
 import { centred, indexOf, type Kind } from './mapping';
 import { movers, type Source } from './rebind';
 import { mappingOf } from './store';
@@ -18,7 +18,7 @@ export interface Names {
 }
 
 /** Those of the keyboard. */
-export const KEYS: Names = { name: keyOf, short: keyOf };
+export const KEYS: Names = { name: keyOf, short: shortKeyOf };
 
 export class InHand implements Names {
   /** The device moved last; null: the keys. */

@@ -10,7 +10,11 @@ import { mappingOf } from './store';
 const NAMES: Readonly<Record<string, string>> = {
   Space: 'Space',
   Enter: 'Enter',
-  NumpadEnter: 'Num Enter',
+  NumpadAdd: 'Num +',
+  NumpadSubtract: 'Num −',
+  NumpadMultiply: 'Num *',
+  NumpadDivide: 'Num /',
+  NumpadDecimal: 'Num .',
   Escape: 'Esc',
   Insert: 'Ins',
   Delete: 'Del',
@@ -91,7 +95,7 @@ export function nameOf(code: string): string {
   return (
     NAMES[code] ??
     (letters.get(code) ?? pressed().get(code))?.toUpperCase() ??
-    code.replace(/^(Key|Digit)/, '')
+    code.replace(/^(Key|Digit)/, '').replace(/^Numpad/, 'Num ')
   );
 }
 
@@ -113,7 +117,10 @@ export function nameOfSource(kind: Kind, source: string, sign?: 1 | -1): string 
 
 /** The same in a few letters. */
 export function shortOfSource(kind: Kind, source: string, sign: 1 | -1): string {
-  if (kind === 'keyboard') return nameOf(source);
+  if (kind === 'keyboard')
+    return nameOf(source)
+      .replace(/^Num /, 'N')
+      .replace(/^Page /, 'P');
   if (source.includes('+'))
     return source
       .split('+')
@@ -130,6 +137,12 @@ export function shortOfSource(kind: Kind, source: string, sign: 1 | -1): string 
 export function keyOf(use: string): string {
   const code = sourcesOf(mappingOf('keyboard'), use)[0];
   return code === undefined ? '' : nameOf(code);
+}
+
+/** The same in a few letters. */
+export function shortKeyOf(use: string): string {
+  const code = sourcesOf(mappingOf('keyboard'), use)[0];
+  return code === undefined ? '' : shortOfSource('keyboard', code, 1);
 }
 
 /** Asks the browser once; afterwards `nameOf` knows. */

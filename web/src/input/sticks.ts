@@ -80,20 +80,21 @@ export class Sticks {
     // A key's own time is known; what a device does is known from now.
     if (this.controllers.moved) this.inputAt ??= now;
     const speaks = this.kept || !isZero(value);
-    if (changed || (speaks && now - this.sentAt >= REPEAT_MS)) this.transmit(value, now);
+    if (changed || (speaks && now - this.sentAt >= REPEAT_MS)) this.transmit(value, now, changed);
+    this.inputAt = null; // what moved no stick, as a camera's key, shows in no picture of the arm
   }
 
   /** Zeroes the sticks at once; held keys must be pressed anew, devices seen at zero. */
   zero(): void {
     this.controllers.release();
     this.camera = STILL;
-    if (!isZero(this.sent)) this.transmit(REST, performance.now());
+    if (!isZero(this.sent)) this.transmit(REST, performance.now(), true);
+    this.inputAt = null;
   }
 
-  private transmit(value: Deflection, now: number): void {
+  private transmit(value: Deflection, now: number, changed: boolean): void {
     const seq = this.send({ type: 'sticks', ...routed(value, this.driving, this.orbiter) });
-    if (this.inputAt !== null) this.latency.sent(seq, this.inputAt);
-    this.inputAt = null;
+    if (changed && this.inputAt !== null) this.latency.sent(seq, this.inputAt);
     this.sent = value;
     this.sentAt = now;
   }

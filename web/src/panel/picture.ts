@@ -34,6 +34,9 @@ export interface PictureListener {
   readonly turns: boolean;
 }
 
+/** The touch sticks, over the pictures' lower corners. */
+const TOUCH = 'div.touch';
+
 export class Picture {
   readonly element = el('div', { class: 'picture' });
   private readonly drag = new CameraDrag();
@@ -48,7 +51,8 @@ export class Picture {
   private readonly pane = el('div', { class: 'pane', 'aria-hidden': 'true' });
   private readonly axes = axesOverlay();
   private readonly gap = gapOverlay((picture) => this.burnedIn(picture));
-  private corners: { readonly of: Size; readonly boxes: readonly Box[] } | null = null;
+  private corners: { readonly of: Size; readonly touched: boolean; readonly boxes: readonly Box[] } | null =
+    null;
   private shown: Camera;
 
   constructor(
@@ -138,10 +142,13 @@ export class Picture {
 
   private burnedIn(picture: Size): readonly Box[] {
     const { corners } = this;
-    if (corners?.of.width === picture.width && corners.of.height === picture.height) return corners.boxes;
-    const boxes =
+    const touched = document.querySelector<HTMLElement>(TOUCH)?.hidden === false;
+    const same = corners?.of.width === picture.width && corners.of.height === picture.height;
+    if (same && corners.touched === touched) return corners.boxes;
+    const own =
       inset() && !this.element.closest('.torn-off') ? this.narrowCorners(picture) : cornersOf(picture);
-    this.corners = { of: picture, boxes };
+    const boxes = touched ? [...own, ...this.touchSticks()] : own;
+    this.corners = { of: picture, touched, boxes };
     return boxes;
   }
 
@@ -151,6 +158,15 @@ export class Picture {
     if (this.element.closest('.monitor + .monitor')) return own;
     const { width, height } = picture;
     return [...own, { left: 0.5 * width, top: 0, right: width, bottom: 0.5 * height }];
+  }
+
+  /** Where the touch sticks lie, from this picture's corner. */
+  private touchSticks(): readonly Box[] {
+    const { left: x, top: y } = this.element.getBoundingClientRect();
+    return [...document.querySelectorAll(`${TOUCH} > div`)].map((part) => {
+      const { left, top, right, bottom } = part.getBoundingClientRect();
+      return { left: left - x, top: top - y, right: right - x, bottom: bottom - y };
+    });
   }
 
   private followMouse(): void {
