@@ -3,7 +3,7 @@
 import { middleOf } from './panel/gap-overlay';
 import type { Matrix } from './panel/matrix';
 import { extentOf } from './panel/plan';
-import type { Camera, Frame, Near, Vec3 } from './protocol';
+import type { Camera, Frame, Near } from './protocol';
 import type { Rect, Scene } from './scene';
 import { pairWords, type Survey } from './survey';
 
@@ -59,28 +59,22 @@ export class AllCameras {
     if (count % this.pace === 0 || wiped) this.drawPlan(drawn, rectOf);
   }
 
-  private drawPlan({ frame, gap, monitors }: Drawn, rectOf: (element: HTMLElement) => Rect): void {
+  private drawPlan({ gap, monitors }: Drawn, rectOf: (element: HTMLElement) => Rect): void {
     const { plan } = this.matrix;
     if (!plan.picture.isConnected) return;
     const rect = rectOf(plan.picture);
     if (rect.width < 1 || rect.height < 1) return;
-    const { sight } = this.scene;
+    const { scene } = this;
     const used = monitors.flatMap(({ cameras }) => cameras);
     const marks = this.televised.map((camera) => ({
       camera,
-      lens: sight.lens(camera),
-      ahead: sight.direction(camera),
-      angle: settingOf(camera, this.cameras, frame)?.[2] ?? camera.field_of_view,
+      lens: scene.sight.lens(camera),
+      ahead: scene.sight.direction(camera),
+      angle: scene.setting(camera.name)[2],
       used: used.includes(camera),
     }));
     const extent = extentOf([...marks.map(({ lens }) => lens), ...this.survey.places], rect);
     plan.set(extent, marks, middleOf(gap));
-    this.scene.drawPlan(rect, extent);
+    scene.drawPlan(rect, extent);
   }
-}
-
-/** What a camera's drives stand at in a frame: pan, tilt, field of view [rad]; null: it has none. */
-export function settingOf(camera: Camera, cameras: readonly Camera[], frame: Frame): Vec3 | null {
-  const driven = cameras.filter(({ drive }) => drive !== null);
-  return frame.views[driven.indexOf(camera)] ?? null;
 }

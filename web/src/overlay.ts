@@ -2,7 +2,7 @@
 
 import { type GapLine, middleOf, type Touch } from './panel/gap-overlay';
 import type { Picture } from './panel/picture';
-import type { Frame, Near, Vec3 } from './protocol';
+import type { Frame, Near } from './protocol';
 import type { Scene, View } from './scene';
 
 export interface Over {
@@ -10,14 +10,12 @@ export interface Over {
   /** The gap that is worth a line, and whether it calls for attention. */
   readonly gap: Near | null;
   readonly caution: boolean;
-  /** What the camera's drives stand at [rad]; null: it has none. */
-  readonly setting: Vec3 | null;
 }
 
 export function overlay(scene: Scene, picture: Picture, view: View, over: Over): void {
-  const { frame, gap, caution, setting } = over;
+  const { frame, gap, caution } = over;
   const [w, x, y, z] = frame.axes;
-  picture.setLens(setting, view.rect);
+  picture.setLens(scene.setting(picture.camera.name), view.rect);
   picture.setAxes(scene.directions(view.camera, [w, x, y, z]));
   const line = gap && gapLine(scene, view, gap, caution);
   picture.setGap(line, touches(scene, view, frame.work.contacts), view.rect);

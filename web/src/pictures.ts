@@ -1,7 +1,7 @@
 /** The two monitors, all cameras at once, and the one canvas behind them. */
 
 import { TARGETS, type Target } from './advice';
-import { AllCameras, settingOf } from './all-cameras';
+import { AllCameras } from './all-cameras';
 import { Appearance } from './appearance';
 import type { Age } from './delay-line';
 import { small } from './format';
@@ -303,11 +303,8 @@ export class Pictures {
     this.scene.send();
     this.finish = () => {
       if (this.laidOut(panes) !== this.layout) return; // they are of a window that has changed, and drawn anew
-      for (const [{ picture }, view] of due) {
-        if (!picture) continue;
-        const setting = settingOf(picture.camera, this.cameras, frame);
-        overlay(this.scene, picture, view, { frame, gap, caution, setting });
-      }
+      for (const [{ picture }, view] of due)
+        if (picture) overlay(this.scene, picture, view, { frame, gap, caution });
       done();
     };
     this.put();

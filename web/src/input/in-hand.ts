@@ -2,7 +2,7 @@
 
 import type { Controllers } from './controllers';
 import type { Device } from './device';
-import { keyOf, nameOfSource, shortKeyOf, shortOfSource } from './layout';
+import { keyOf, nameOfSource, shortOfSource } from './layout';
 import { centred, indexOf, type Kind } from './mapping';
 import { movers, type Source } from './rebind';
 import { mappingOf } from './store';
@@ -18,7 +18,7 @@ export interface Names {
 }
 
 /** Those of the keyboard. */
-export const KEYS: Names = { name: keyOf, short: shortKeyOf };
+export const KEYS: Names = { name: keyOf, short: (use) => called(['keyboard'], use, shortOfSource) };
 
 export class InHand implements Names {
   /** The device moved last; null: the keys. */
@@ -43,11 +43,11 @@ export class InHand implements Names {
   }
 
   name(use: string): string {
-    return this.called(use, nameOfSource);
+    return called(this.kinds, use, nameOfSource);
   }
 
   short(use: string): string {
-    return this.called(use, shortOfSource);
+    return called(this.kinds, use, shortOfSource);
   }
 
   /** Whether something is held that has this use. */
@@ -66,37 +66,39 @@ export class InHand implements Names {
     const all = uses.flatMap((use) => movers(device.mapping, use).map(({ source }) => source));
     return new Set(all.flatMap((source) => source.split('+')));
   }
-
-  private called(use: string, call: (kind: Kind, source: string, sign: Source['sign']) => string): string {
-    for (const kind of this.kinds) {
-      const [first] = movers(mappingOf(kind), use);
-      if (first) return call(kind, first.source, first.sign);
-    }
-    return '';
-  }
 }
 
+/** What the first of these kinds of device that has a part for a use has it called. */
+function called(
+  kinds: readonly Kind[],
+  use: string,
+  call: (kind: Kind, source: string, sign: Source['sign']) => string,
+): string {
+  for (const kind of kinds) {
+    const [first] = movers(mappingOf(kind), use);
+    if (first) return call(kind, first.source, first.sign);
+  }
+  return '';
+}
+
+type Read = Pick<Device, 'reading' | 'mapping'>;
+
 /** Whether something of it that has a use is moved; a throttle without one may stand anywhere. */
-function isMoved({ reading, mapping }: Device): boolean {
-  if (!reading) return false;
-  const off = (part: string) => {
-    const axis = indexOf(part, 'a');
-    if (axis === null) return reading.buttons[Number(part.slice(1))]?.pressed === true;
-    return Math.abs(centred(reading.axes[axis] ?? 0, mapping.centres[axis] ?? 0)) > MOVED;
-  };
-  return Object.keys(mapping.bindings).some((source) => source.split('+').some(off));
+function isMoved(device: Read): boolean {
+  const parts = Object.keys(device.mapping.bindings).flatMap((source) => source.split('+'));
+  return parts.some((part) => Math.abs(standing(device, part)) > MOVED);
 }
 
 /** Whether a button is down, or an axis is off its rest to that side. */
-export function isDown(
-  { reading, mapping }: Pick<Device, 'reading' | 'mapping'>,
-  source: string,
-  sign: 1 | -1,
-) {
-  if (!reading) return false;
-  const axis = indexOf(source, 'a');
-  if (axis !== null) {
-    return sign * centred(reading.axes[axis] ?? 0, mapping.centres[axis] ?? 0) > mapping.deadband;
-  }
-  return source.split('+').every((part) => reading.buttons[Number(part.slice(1))]?.pressed === true);
+export function isDown(device: Read, source: string, sign: 1 | -1): boolean {
+  if (indexOf(source, 'a') !== null) return sign * standing(device, source) > device.mapping.deadband;
+  return source.split('+').every((part) => standing(device, part) === 1);
+}
+
+/** How far an axis is off its rest; 1 for a button that is down. */
+function standing({ reading, mapping }: Read, part: string): number {
+  if (!reading) return 0;
+  const axis = indexOf(part, 'a');
+  if (axis !== null) return centred(reading.axes[axis] ?? 0, mapping.centres[axis] ?? 0);
+  return reading.buttons[Number(part.slice(1))]?.pressed === true ? 1 : 0;
 }

@@ -139,12 +139,6 @@ export function keyOf(use: string): string {
   return code === undefined ? '' : nameOf(code);
 }
 
-/** The same in a few letters. */
-export function shortKeyOf(use: string): string {
-  const code = sourcesOf(mappingOf('keyboard'), use)[0];
-  return code === undefined ? '' : shortOfSource('keyboard', code, 1);
-}
-
 /** Asks the browser once; afterwards `nameOf` knows. */
 export async function learnLayout(): Promise<void> {
   const { keyboard } = navigator as Navigator & {

@@ -39,7 +39,6 @@ export class Sticks {
   private last = 0;
   private sentAt = 0;
   private sent: Deflection = REST;
-  private inputAt: number | null = null;
 
   constructor(
     private readonly controllers: Controllers,
@@ -65,38 +64,41 @@ export class Sticks {
 
   /** An input at `at` [ms]; the answer shall not wait for the next tick. */
   moved(at: number): void {
-    this.inputAt ??= at;
-    this.tick(Math.max(performance.now(), this.last + 16));
+    this.read(Math.max(performance.now(), this.last + 16), at);
   }
 
   /** Reads the devices at `now` [ms] and sends what changed. */
   tick(now: number): void {
+    this.read(now, null);
+  }
+
+  /** `inputAt`: when a key went down or up [ms]; null: none did, and what a device does is known from now. */
+  private read(now: number, inputAt: number | null): void {
     const dt = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = Math.max(now, this.last);
     const all = this.controllers.poll(now, dt).map((part) => Math.round(part * 1000) / 1000);
     this.camera = { pan: all[PAN] ?? 0, tilt: all[TILT] ?? 0, zoom: all[ZOOM] ?? 0 };
     const value = all.slice(0, PAN);
     const changed = !equal(value, this.sent);
-    // A key's own time is known; what a device does is known from now.
-    if (this.controllers.moved) this.inputAt ??= now;
     const speaks = this.kept || !isZero(value);
-    if (changed || (speaks && now - this.sentAt >= REPEAT_MS)) this.transmit(value, now, changed);
-    this.inputAt = null; // what moved no stick, as a camera's key, shows in no picture of the arm
+    if (!changed && !(speaks && now - this.sentAt >= REPEAT_MS)) return;
+    const seq = this.transmit(value, now);
+    const from = inputAt ?? (this.controllers.moved ? now : null);
+    // What moved no stick, as a camera's key, shows in no picture of the arm.
+    if (changed && from !== null) this.latency.sent(seq, from);
   }
 
   /** Zeroes the sticks at once; held keys must be pressed anew, devices seen at zero. */
   zero(): void {
     this.controllers.release();
     this.camera = STILL;
-    if (!isZero(this.sent)) this.transmit(REST, performance.now(), true);
-    this.inputAt = null;
+    if (!isZero(this.sent)) this.transmit(REST, performance.now());
   }
 
-  private transmit(value: Deflection, now: number, changed: boolean): void {
-    const seq = this.send({ type: 'sticks', ...routed(value, this.driving, this.orbiter) });
-    if (changed && this.inputAt !== null) this.latency.sent(seq, this.inputAt);
+  private transmit(value: Deflection, now: number): number {
     this.sent = value;
     this.sentAt = now;
+    return this.send({ type: 'sticks', ...routed(value, this.driving, this.orbiter) });
   }
 }
 

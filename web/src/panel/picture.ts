@@ -96,8 +96,8 @@ export class Picture {
     setClass(this.element, 'window', camera.kind === 'window');
   }
 
-  /** What the camera's drives stand at: pan, tilt, field of view [rad]; null: it has none. At picture rate. */
-  setLens(setting: Vec3 | null, { width }: Size): void {
+  /** What the camera's drives stand at, or would: pan, tilt, field of view [rad]. At picture rate. */
+  setLens(setting: Vec3, { width }: Size): void {
     setText(this.lens, lensWords(this.shown, setting));
     fitPane(this.pane, this.shown, width);
   }

@@ -1,4 +1,7 @@
-/** The way from the empty snares to the grapple fixture, along the sticks' axes, with the key, button or end of an axis that flies each part. */
+/**
+ * The way from the empty snares to the grapple fixture, along the sticks' axes, with the key, button or end of an axis
+ * that flies each part.
+ */
 
 import { small } from '../format';
 import type { Names } from '../input/in-hand';

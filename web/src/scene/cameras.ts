@@ -32,7 +32,8 @@ class Mounted {
   private readonly inBody = new Matrix4();
   private aspect = 0;
   private angle = 0;
-  private setting: Vec3;
+  /** Pan, tilt, horizontal field of view [rad], as put last. */
+  setting: Vec3;
 
   constructor(
     readonly camera: Camera,
@@ -100,6 +101,11 @@ export class Cameras {
       const view = views[i];
       if (view) mounted.put(view);
     });
+  }
+
+  /** Where a camera's drives stand, or would: pan, tilt, horizontal field of view [rad]. */
+  setting(name: string): Vec3 {
+    return this.one(name).setting;
   }
 
   /** Engineering views go round another thing, at a place of the scene; null: round where they began. */

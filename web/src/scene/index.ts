@@ -182,6 +182,11 @@ export class Scene {
     this.cameras.put(views);
   }
 
+  /** Where a camera's drives stand, or would: pan, tilt, horizontal field of view [rad]. */
+  setting(camera: string): Vec3 {
+    return this.cameras.setting(camera);
+  }
+
   /** Moves an engineering view: round to the right and upwards [rad], or aside, and nearer by a factor. */
   orbit(camera: string, right: number, upwards: number, nearer: number, aside: boolean): void {
     this.cameras.orbit(camera, right, upwards, nearer, aside);
