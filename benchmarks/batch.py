@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck.steering.batch import steer_batch
-from aftdeck.steering.msteer import FLOOR
+from aftdeck.steering.msteer import NEAR_FLOOR
 from benchmarks.measure import Figure
 
 Array = NDArray[np.float64]
@@ -121,7 +121,7 @@ def _step(xp: ModuleType, arm: aftdeck.Arm, q: Fields, target: Fields) -> Fields
     reach = l2 + l3 + abs(l4)
 
     def away(value: Any) -> Any:
-        return xp.copysign(xp.maximum(xp.abs(value), FLOOR), value)
+        return xp.copysign(xp.maximum(xp.abs(value), NEAR_FLOOR), value)
 
     r1 = (b5 - l5 * c5 * b3) / (away((l2 * c2 + l3 * c23 + l4 * c234) / reach) * reach)
     r5 = b3 - c234 * r1

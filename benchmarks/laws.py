@@ -30,7 +30,7 @@ TWIST = (0.001, 0.002, 0.003, 0.1, 0.2, 0.3)
 def rate_law() -> list[Figure]:
     """RMSRAT with RATLMT: twelve numbers in, six out; the same by general libraries."""
     scenario = load_scenario("first-flight")
-    rules = carrying(scenario, scenario.payload).rules["ORB UNL", "coarse"]
+    rules = carrying(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
     numbers, out = np.array([*scenario.initial_angles, *TWIST]), np.empty(6)
     limits = np.array(rules[RATE : RATE + 6])
     ours = microseconds("f(rules, numbers, out)", {"f": limited_rates, "rules": rules, "numbers": numbers, "out": out})
@@ -61,8 +61,8 @@ def steering() -> list[Figure]:
     for position, mode in MODES.items():
         if position.startswith("AUTO"):
             continue  # as OPR CMD
-        rules = rules_by_mode[position, "coarse"]
         for law in mode.laws:
+            rules = rules_by_mode[position, "coarse", law]
             command, state, report = np.zeros(COMMAND), np.zeros(STATE), np.zeros(REPORT)
             state[:6] = scenario.initial_angles
             command[LAW], command[GO], command[DRIVE] = law, 1.0, 0.5

@@ -11,11 +11,12 @@ import aftdeck
 SOURCE = Path(aftdeck.__file__).parent
 
 ROOMS = (
-    ("errors", "files", "law", "lines", "units", "frames", "shapes", "version"),
+    ("dimensions", "errors", "files", "law", "lines", "units", "frames", "shapes", "toml_lines", "version"),
     ("bodies",),
     ("arms",),
     ("kinematics",),
     ("steering",),
+    ("jsc12628",),
     ("plant",),
     ("worksite",),
     ("scenario",),

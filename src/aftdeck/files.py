@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import functools
 import re
 import stat
 import tomllib
 import types
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin
 
 import msgspec
 
 from aftdeck.errors import InputError, ScenarioError
+from aftdeck.toml_lines import located
 from aftdeck.units import decode_hook, short
 
 _T = TypeVar("_T")
@@ -50,6 +50,11 @@ def read(path: Path) -> Text:
         raise ScenarioError([f"{str(path)!r}: cannot be read: {error}"]) from None
 
 
+def beside(name: str, folder: Path) -> str:
+    """Return a name that one file gives another by: a path from `folder`, or a built-in's name as it is."""
+    return str(folder / name) if name.endswith(".toml") and not Path(name).is_absolute() else name
+
+
 def parse(kind: type[_T], file: Text) -> _T:
     """The file's contents as a value of `kind`, a msgspec struct.
 
@@ -62,10 +67,16 @@ def parse(kind: type[_T], file: Text) -> _T:
     return value
 
 
-def examine(kind: type[_T], file: Text, changes: Changes | None = None) -> tuple[_T | None, list[Problem]]:
+def examine(
+    kind: type[_T],
+    file: Text,
+    changes: Changes | None = None,
+    derive: Callable[[dict[str, Any]], list[Problem]] | None = None,
+) -> tuple[_T | None, list[Problem]]:
     """The file's contents, with what is wrong in them left out, and everything that is wrong.
 
-    The contents are None where what is wrong cannot be left out. `changes` are put in place of what the file says.
+    The contents are None where what is wrong cannot be left out. `changes` are put in place of what the file says;
+    then `derive` puts computed values in the place of expressions (`aftdeck.dimensions`).
 
     Raises:
         ScenarioError: text that is no TOML.
@@ -80,9 +91,12 @@ def examine(kind: type[_T], file: Text, changes: Changes | None = None) -> tuple
     for where, value in (changes or {}).items():
         _put(raw, where, value)
     try:
-        problems = [Problem(where, what) for where, what in _problems(raw, kind, ())]
+        underived = derive(raw) if derive is not None else []
+        known = {problem.where for problem in underived}
+        found = [Problem(where, what) for where, what in _problems(raw, kind, ()) if where not in known]
     except RecursionError:
         raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
+    problems = underived + found
     for problem in problems:
         _leave_out(raw, problem.where)
     try:
@@ -98,6 +112,7 @@ def _put(raw: Any, where: Where, value: object) -> None:
         InputError: a place in a list that is not there, or below what is no table.
     """
     *way, last = where
+    value = _plain(value)
     for depth, part in enumerate(way):
         raw = raw.setdefault(part, {}) if isinstance(part, str) and isinstance(raw, dict) else _item(raw, where, depth)
     if isinstance(last, str) and isinstance(raw, dict):
@@ -105,6 +120,15 @@ def _put(raw: Any, where: Where, value: object) -> None:
     else:
         _item(raw, where, len(way))
         raw[last] = value
+
+
+def _plain(value: Any) -> Any:
+    """Return a value with Python's own numbers and lists for NumPy's."""
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def _item(raw: Any, where: Where, depth: int) -> Any:
@@ -138,7 +162,7 @@ def convert(raw: object, kind: type[_T]) -> _T:
 
 
 Where = tuple[str | int, ...]
-"""Keys and indices from the top of a file to a place in it."""
+"""Keys and indices from the top of a file to a place in it. An index counts the items of a list from 0, all of them."""
 Changes = Mapping[Where, object]
 """Values in place of a file's own."""
 
@@ -168,43 +192,21 @@ def sentences(problems: Sequence[Problem], name: str, text: str) -> list[str]:
 
 
 def line_of(where: Where, text: str) -> int | None:
-    """The line (from 1) on which the deepest part of `where` that has a line of its own begins; None at the top."""
-    lines = _lines(text)
-    return next((lines[where[:depth]] for depth in range(len(where), 0, -1) if where[:depth] in lines), None)
-
-
-@functools.lru_cache(maxsize=4)
-def _lines(text: str) -> dict[Where, int]:
-    """The line of each header and each key."""
-    current: Where = ()
-    counts: dict[Where, int] = {}
-    lines: dict[Where, int] = {}
-    for number, line in enumerate(text.splitlines(), 1):
-        if header := re.match(r"\s*(\[\[?)([^\[\]]+)\]", line):
-            table = tuple(part.strip().strip("\"'") for part in header[2].split("."))
-            if header[1] == "[[":
-                counts[table] = counts.get(table, -1) + 1
-            current = _with_indices(table, counts)
-            lines.setdefault(current, number)
-        elif key := re.match(r"\s*([A-Za-z0-9_.\"'-]+)\s*=", line):
-            lines.setdefault(current + tuple(part.strip("\"'") for part in key[1].split(".")), number)
-    return lines
-
-
-def _with_indices(table: tuple[str, ...], counts: dict[Where, int]) -> Where:
-    """A header's path with the running index after each array of tables in it."""
-    path: Where = ()
-    for i, part in enumerate(table):
-        path = (*path, part)
-        if table[: i + 1] in counts:
-            path = (*path, counts[table[: i + 1]])
-    return path
+    """Return the line (from 1) of the deepest part of `where` that the text gives; None where it gives none of it."""
+    found = located(text)
+    for part in where:
+        if part not in found.parts:
+            break
+        found = found.parts[part]
+    return found.line or None
 
 
 def _problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
     """Everything that keeps `raw` from being a `kind`."""
     kind = _without_none(kind)
     base = get_origin(kind) or kind
+    if base is Annotated:  # what is wrong inside comes before what is asked of the whole
+        return _problems(raw, get_args(kind)[0], where) or _problem(raw, kind, where)
     if tagged := _tagged(kind):
         return _tagged_problems(raw, kind, tagged, where)
     if isinstance(base, type) and issubclass(base, msgspec.Struct) and not base.__struct_config__.tag:
@@ -213,6 +215,11 @@ def _problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
         return [p for i, item in enumerate(raw) for p in _problems(item, get_args(kind)[0], (*where, i))]
     if base is Literal and raw not in get_args(kind):
         return [(where, f"expected one of {', '.join(map(str, get_args(kind)))}, got {short(raw)}")]
+    return _problem(raw, kind, where)
+
+
+def _problem(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
+    """The first thing that keeps `raw` from being a `kind`."""
     try:
         convert(raw, kind)
     except msgspec.ValidationError as error:

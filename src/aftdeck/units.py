@@ -94,6 +94,18 @@ class AngularRate(Quantity):
     noun, unit, example = "angular rate", "rad/s", "4.76 deg/s"
 
 
+class Acceleration(Quantity):
+    """In files any unit of its kind; in the program [m/s2]."""
+
+    noun, unit, example = "acceleration", "m/s/s", "0.5 ft/s/s"
+
+
+class AngularAcceleration(Quantity):
+    """In files any unit of its kind; in the program [rad/s2]."""
+
+    noun, unit, example = "angular acceleration", "rad/s/s", "1.2 deg/s/s"
+
+
 class Mass(Quantity):
     """In files any unit of its kind; in the program [kg]."""
 

@@ -86,8 +86,12 @@ def test_at_the_elbows_limit_the_bisecting_plane_has_each_boom_on_its_own_side(f
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ('value = "0.95 ft"', 'value = "0.93 ft"', "the arm's booms set back by 0.283464 m from the elbow cannot bend"),
-        ('["-124 deg", "-5 deg"]', '["-125.5 deg", "-5 deg"]', "cannot bend by 125.5 deg, as its soft limits let it"),
+        (
+            '[booms.set_back] # of both ends of both booms from their pins\nvalue = "1 ft"',
+            '[booms.set_back]\nvalue = "0.95 ft"',
+            "the arm's booms set back by 0.28956 m from the elbow cannot bend by 126 deg",
+        ),
+        ('["-126 deg", "-3 deg"]', '["-127.5 deg", "-3 deg"]', "cannot bend by 127.5 deg, as its hard limits let it"),
         ('["0.5 ft", "1.5 ft"]', '["0.4 ft", "1.5 ft"]', "booms: the stub set back by 0.12192 m from the wrist cannot"),
         ('["0.5 ft", "1.5 ft"]', '["0.5 ft", "0.5 ft"]', "booms.stub: ends farther along the hand than it begins"),
         (
@@ -95,7 +99,7 @@ def test_at_the_elbows_limit_the_bisecting_plane_has_each_boom_on_its_own_side(f
             '[booms.elbow_housing]\nvalue = "1.2 ft"',
             "booms.elbow_housing: its",
         ),
-        ('value = "8 ft"', 'value = "0.5 ft"', "stand.top_below_shoulder: is above 0 and less than the least length"),
+        ('value = "9.5 ft"', 'value = "0.5 ft"', "stand.top_below_shoulder: is above 0 and less than the least length"),
         ('value = "12 ft"', 'value = "19 ft"', "stand: expected 0 < least <= start <= greatest"),
         ('value = "1 ft/s"', 'value = "0 ft/s"', "stand.rate: is above 0, got 0"),
         ('value = "-1.25 ft"', 'value = "-0.25 ft"', "effector: the prong closes towards the fixed finger"),

@@ -146,14 +146,15 @@ def test_por_limits_are_the_rows_own_at_the_rows(name: str) -> None:
         found = model.por_limits(row.mass)
         assert found.translation == (row.translation, row.vernier_translation)
         assert found.rotation == (row.rotation, row.vernier_rotation)
-        assert found.reached_in == row.reached_in
+        assert found.acceleration == pytest.approx(row.translation / row.reached_in, rel=1e-15)
+        assert found.angular_acceleration == pytest.approx(row.rotation / row.reached_in, rel=1e-15)
 
 
 @pytest.mark.parametrize("name", ["srms", str(MADE_UP)])
 def test_por_limits_fall_from_row_to_row_without_a_jump(name: str) -> None:
     model = aftdeck.load_arm(name).model
     masses = np.concatenate([np.linspace(0, 3000, 400), np.geomspace(3000, 60000, 800)])
-    rows = np.array([(*f.translation, *f.rotation, -f.reached_in) for f in map(model.por_limits, masses.tolist())])
+    rows = np.array([(*f.translation, *f.rotation, f.acceleration) for f in map(model.por_limits, masses.tolist())])
     steps = np.diff(rows, axis=0)
     assert (steps <= 1e-15).all()
     assert np.abs(steps).max(axis=0) == pytest.approx(np.zeros(5), abs=0.05)
@@ -162,9 +163,9 @@ def test_por_limits_fall_from_row_to_row_without_a_jump(name: str) -> None:
 def test_por_limits_half_way_in_the_masss_logarithm_are_half_way() -> None:
     model = aftdeck.load_arm(MADE_UP).model
     found = model.por_limits(math.sqrt(1000.0 * 10_000.0))
-    assert found.translation == pytest.approx((0.2, 0.075)) and found.reached_in == pytest.approx(7.5)
+    assert found.translation == pytest.approx((0.2, 0.075)) and found.acceleration == pytest.approx(0.2 / 7.5)
     light = model.por_limits(500.0)
-    assert light.translation == pytest.approx((0.4, 0.15)) and light.reached_in == pytest.approx(3.5)
+    assert light.translation == pytest.approx((0.4, 0.15)) and light.acceleration == pytest.approx(0.4 / 3.5)
 
 
 def test_beyond_the_heaviest_row_its_limits_hold() -> None:

@@ -150,6 +150,8 @@ def check_round_trip(frame: Frame) -> None:
             assert near(left, left_now, GRAIN)
         elif name == "work":
             check_work(was, now)
+        elif name == "check" and was is not None:  # recorded as it is told
+            assert now is not None and (was.good, was.text) == (now.good, now.text)
         elif name == "sha256":
             assert len(now) == DIGITS and was.startswith(now)
         else:

@@ -261,8 +261,10 @@ stand = "16 ft"
 [[cargo]]
 name = "payload"
 """
-BAR = 7.12 - 6.5 * math.cos(math.pi / 6) - 0.75
-"""Top of the bar, 0.75 ft high, on the payload of 13 ft across corners, 7.12 ft below the deck, at 28 ft [ft, Z]."""
+APOTHEM = 6.5 * math.cos(math.pi / 6)
+"""Of the payload, 13 ft across corners [ft]."""
+BAR = 13.5 - 0.75 - 2.0 * APOTHEM - 0.75
+"""Top of the bar, 0.75 ft high, on the payload, which stands 0.75 ft over the floor, at 28 ft [ft, Z]."""
 
 
 def test_a_prong_closed_too_high_acquires_nothing_and_says_why() -> None:
@@ -307,8 +309,8 @@ def test_a_target_by_seat_needs_something_in_the_grasp() -> None:
         ('{ seat = "dock" }', "phase[0].target.seat: no seat 'dock': there is port, bay"),
         ('{ seat = "bay", cargo = "payload" }', "phase[0].target: give cargo or seat, with above"),
         ('{ seat = "bay", roll = "1 deg" }', "phase[0].target: give cargo or seat, with above"),
-        ('{ above = "1 ft" }', "phase[0].target: cargo, seat and above are for the target of a phase"),
-        ('{ joints = [0, 1, -1, 0, 0, 0], above = "1 ft" }', "phase[0].target: cargo, seat and above are for"),
+        ('{ above = "1 ft" }', "phase[0].target: above and offset go with cargo or seat"),
+        ('{ joints = [0, 1, -1, 0, 0, 0], above = "1 ft" }', "phase[0].target: above and offset go with"),
     ],
 )
 def test_a_target_by_what_is_not_there_is_refused(goal: str, message: str) -> None:
@@ -317,9 +319,40 @@ def test_a_target_by_what_is_not_there_is_refused(goal: str, message: str) -> No
     assert any(message in problem for problem in caught.value.problems), caught.value.problems
 
 
-def test_a_start_is_not_given_by_what_is_there() -> None:
-    text = CONCEPT.replace(
-        'joints = ["0 deg", "32.25 deg", "-106.33 deg", "0 deg", "-15.92 deg", "0 deg"]', 'pose = { cargo = "payload" }'
-    )
-    with pytest.raises(ScenarioError, match=r"initial.pose: cargo, seat and above are for the target of a phase"):
-        made(text)
+AT_START = 'joints = ["0 deg", "32.25 deg", "-106.33 deg", "0 deg", "-15.92 deg", "0 deg"]'
+NATURAL = 'near = ["0 deg", "32 deg", "-106 deg", "0 deg", "-16 deg", "0 deg"]'
+
+
+def test_a_start_is_given_by_a_payload_a_seat_or_a_body() -> None:
+    middle = 'position = ["-4 ft", "0 ft", "6 ft"], matrix = [[0, 0, -1], [0, -1, 0], [-1, 0, 0]]'
+    for pose, there in [
+        ('{ cargo = "payload", above = "4 ft" }', [28.0, 0.0, BAR - 4.0]),
+        ('{ cargo = "payload", above = "4 ft", offset = ["1 ft", "2 ft", "3 ft"] }', [29.0, -2.0, BAR - 7.0]),
+        (f'{{ frame = "orbiter bay", {middle} }}', None),
+        (f'{{ frame = "bay", {middle} }}', [24.0, 0.0, BAR + 0.75 + APOTHEM - 6.0]),
+        (f'{{ frame = "cae", {middle.replace("-4 ft", "34 ft")} }}', [22.5, 16.0, -28.0]),
+    ]:
+        text = CONCEPT.replace(AT_START, f"pose = {pose}\n{NATURAL}")
+        assert text != CONCEPT
+        if there is None:
+            with pytest.raises(
+                ScenarioError, match="no frame 'orbiter bay': there are L, orbiter, panel, cae, port, bay"
+            ):
+                made(text)
+            continue
+        frame = aftdeck.Simulation(made(text)).step(aftdeck.Inputs())
+        assert frame.position == pytest.approx(np.array(there) * FOOT, abs=1e-9)
+
+
+def test_a_start_at_a_seat_needs_something_held() -> None:
+    with pytest.raises(ScenarioError, match=r"initial.pose: a pose at a seat is that of what is held there"):
+        made(CONCEPT.replace(AT_START, 'pose = { seat = "port" }'))
+
+
+@pytest.mark.parametrize("seat", ["bay", "port"])
+def test_a_start_at_a_seat_has_what_is_held_in_its_place_there(seat: str) -> None:
+    held = 'grasped = { cargo = "payload", above = "0.36 in", stand = "16 ft" }'
+    text = CONCEPT.replace(AT_START, f'pose = {{ seat = "{seat}", above = "0.1 ft" }}\n{NATURAL}\n{held}')
+    frame = aftdeck.Simulation(made(text)).step(aftdeck.Inputs())
+    place = {"bay": [28.0, 0.0, BAR + 0.75 + APOTHEM - 0.1], "port": [12.1, 16.0, -22.0]}[seat]
+    assert frame.work.cargo[0].position == pytest.approx(np.array(place) * FOOT, abs=1e-9)

@@ -168,7 +168,7 @@ PHASES = [
     ),
     (
         "mode = 2\ntarget = { position = [1, 1, 1], frame = 'moon' }",
-        "a.toml:6: phase[0].target.frame: expected one of L, orbiter, panel, got 'moon'",
+        "a.toml:6: phase[0].target.frame: no frame 'moon': there are L, orbiter, panel, bay",
     ),
     ("mode = 8\ndrive = 1\nduration = 1", "a.toml:4: phase[0]: mode SINGLE needs a joint"),
     ("mode = 8\njoint = 'thumb'\nduration = 1", "a.toml:6: phase[0].joint: no joint 'thumb': there are shoulder_yaw"),

@@ -68,7 +68,13 @@ MODES = ("ORB UNL", "ORB LD", "END EFF", "PL", "SINGLE", "DIRECT", "MASTER")
 
 
 def anything(
-    rng: np.random.Generator, steps: int, pace: float = 1.0, *, switches: float = 0.15, but: tuple[str, ...] = ()
+    rng: np.random.Generator,
+    steps: int,
+    pace: float = 1.0,
+    *,
+    switches: float = 0.15,
+    but: tuple[str, ...] = (),
+    every: int = 16,
 ) -> Iterator[Inputs]:
     """Sticks in every direction, changed every third of a second, and switches that are put now and then.
 
@@ -78,10 +84,11 @@ def anything(
         pace: of the sticks, 0 to 1.
         switches: how often one is put when the sticks change, 0 to 1.
         but: switches that are left alone.
+        every: steps between two changes of the sticks.
     """
     held = Inputs()
     for k in range(steps):
-        if k % 16 == 0:
+        if k % every == 0:
             some = rng.random(5) < 0.6
             held = Inputs(
                 vec3(pace * rng.uniform(-1.0, 1.0, 3) * some[0]),

@@ -4,18 +4,24 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.target import Target
 from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.sequence import begin
 from tests.simulation.concept import AT_PORT, ON_BAR, held_for, log_of, scenario, vec3
 from tests.simulation.flights import anything, flown, harmful, in_turn, same_possession, srms
 
 DEPTH = 1e-9
 """By how much a clearance may fall and count as kept [m]."""
+ASIDE = 0.05
+"""By how much it may for each metre that the parts move, in a step that leads out of several contacts [1]."""
+LEVER = 10.0
+"""No touching point is farther from the tip [m]."""
 PRONG = "prong"
 seeds = st.integers(0, 2**32 - 1)
 
@@ -37,6 +43,18 @@ def held_at_the_port(rng: np.random.Generator) -> Scenario:
     return scenario(vec3(AT_PORT + rng.uniform(-0.5, 0.5, 3)), vec3(rng.uniform(-12.0, 12.0, 3)), held=True)
 
 
+def near_the_bar(rng: np.random.Generator) -> Scenario:
+    """The concept's open hand over the bar, clear of it."""
+    off = rng.uniform(-1.0, 1.0, 3) * [0.6, 0.08, 0.2] - [0.0, 0.0, 0.4]
+    return scenario(vec3(ON_BAR + off))
+
+
+def met_in_flight(rng: np.random.Generator) -> Scenario:
+    """The Shuttle's end effector clear of the fixture, before it meets something."""
+    above, x, y = rng.uniform(1.0, 4.0), *rng.uniform(-20.0, 20.0, 2)
+    return srms(float(above), float(x), float(y), vec3(rng.uniform(-10.0, 10.0, 3)))
+
+
 def shuttle(rng: np.random.Generator) -> Scenario:
     """The Shuttle's end effector about the payload's fixture in the bay."""
     above, x, y = rng.uniform(-8.0, 4.0), *rng.uniform(-20.0, 20.0, 2)
@@ -52,22 +70,26 @@ def shuttle_loaded(rng: np.random.Generator) -> Scenario:
 PLACES = [over_the_bar, held_in_the_bay, held_at_the_port, shuttle, shuttle_loaded]
 
 
-def drifts(frame: Frame) -> bool:
-    """Whether a payload floats: what it does to the arm is not the arm's."""
-    return any(not cargo.held and not cargo.seat for cargo in frame.work.cargo)
-
-
 def check_kept(made: Scenario, frames: list[Frame]) -> int:
-    """That no inhibited step deepened a contact of the arm or made one; how many steps were inhibited."""
+    """That no inhibited step deepened a contact of the arm or made one; how many steps were inhibited.
+
+    A prong that nothing inhibits yet may close meanwhile, into contacts of its own.
+    """
     inhibited = 0
     for before, now in in_turn(frames):
-        if not before.work.arm_inhibit or drifts(before):
+        if not before.work.arm_inhibit:
             continue
         inhibited += 1
         was, is_now = harmful(made, before), harmful(made, now)
+        closes = not before.work.finger_inhibit and before.work.hand.opening != now.work.hand.opening
+        turn = np.subtract(now.orientation, before.orientation)
+        way = np.linalg.norm(np.subtract(now.position, before.position)) + LEVER * np.linalg.norm(turn)
+        aside = ASIDE * float(way)
         for pair, contact in is_now.items():
+            if PRONG in pair and closes:
+                continue
             if pair in was:
-                assert contact.clearance >= was[pair].clearance - DEPTH, (now.time_s, pair)
+                assert contact.clearance >= was[pair].clearance - DEPTH - aside, (now.time_s, pair)
             else:  # it was there, and not the arm's: of something just taken, or made to touch till now
                 there = {(c.a, c.b): c.clearance for c in before.work.contacts}
                 assert not same_possession(before, now) or contact.clearance >= there[pair] - DEPTH, (now.time_s, pair)
@@ -92,7 +114,7 @@ def check_two_frames(made: Scenario, frames: list[Frame]) -> None:
         touched = {(c.a, c.b) for c in before.work.contacts}
         twice = {pair for pair in harmful(made, now) if pair in touched}
         finger = {pair for pair in twice if PRONG in pair}
-        expected = (bool(twice - finger), bool(finger)) if now.work.task == 1 else (bool(twice), bool(twice))
+        expected = (bool(twice), bool(finger) if now.work.task == 1 else bool(twice))
         assert (now.work.arm_inhibit, now.work.finger_inhibit) == expected, now.time_s
         told = " ".join(event.text for event in now.events if event.kind == "inhibit")
         assert ("ARM INHIBIT:" in told) == (now.work.arm_inhibit and not before.work.arm_inhibit)
@@ -133,7 +155,7 @@ def test_a_palm_that_meets_the_bar_is_flagged_in_one_frame_and_stopped_from_the_
     assert log_of(up)[-2:] == ["palm clear of payload receptacle", "ARM INHIBIT off"]
 
 
-def test_a_prong_alone_in_contact_inhibits_the_finger_alone_which_may_open() -> None:
+def test_a_prong_alone_in_contact_inhibits_finger_and_arm_and_may_open() -> None:
     """The hand leans over the payload's starboard edge, so that the prong closes on its side."""
     made = scenario((28.0, -2.7, 0.95), (-20.0, 0.0, 0.0))
     sim = aftdeck.Simulation(made)
@@ -142,7 +164,7 @@ def test_a_prong_alone_in_contact_inhibits_the_finger_alone_which_may_open() -> 
     assert own == {("prong", "payload")}
     check_two_frames(made, frames)
     assert check_finger(made, frames) > 20
-    assert frames[-1].work.finger_inhibit and not frames[-1].work.arm_inhibit
+    assert frames[-1].work.finger_inhibit and frames[-1].work.arm_inhibit
     assert frames[-1].work.hand.opening >= 0.0
     assert frames[-1].work.hand.opening == frames[-20].work.hand.opening > 0.1
     frames = flown(sim, [Inputs(effector="open"), *[Inputs()] * 100])
@@ -150,10 +172,18 @@ def test_a_prong_alone_in_contact_inhibits_the_finger_alone_which_may_open() -> 
     assert frames[-1].work.hand.opening > 0.9
 
 
-def advised(frame: Frame) -> Inputs:
-    """The stick that a frame names as the way out of its contacts, at a tenth."""
+def advised(frame: Frame, arm: str = "concept-1972") -> Inputs:
+    """The stick, joint or telescope that a frame names as the way out of its contacts, at a tenth."""
     (line,) = (text for text in frame.work.inhibits if text.startswith("way out: "))
-    mode, _, stick = line.removeprefix("way out: ").rpartition(", ")
+    way = line.removeprefix("way out: ")
+    if way.startswith("telescope "):
+        return Inputs(telescope=0.1 if way.endswith("longer") else -0.1)
+    position, *_, sign = way.split()
+    if position in ("SINGLE", "DIRECT"):
+        names = (name.replace("_", " ") for name in aftdeck.load_arm(arm).joints)
+        joint = list(names).index(way.removeprefix(f"{position} ").removesuffix(f" {sign}"))
+        return Inputs(mode=position, joint=joint, drive=0.1 if sign == "+" else -0.1)
+    mode, _, stick = way.rpartition(", ")
     controller, direction = stick.split()
     value = 0.1 if direction[0] == "+" else -0.1
     axis = ("roll", "pitch", "yaw", "X", "Y", "Z").index(direction[1:]) % 3
@@ -161,31 +191,58 @@ def advised(frame: Frame) -> Inputs:
     return Inputs(three, mode=mode or None) if controller == "THC" else Inputs(rotation=three, mode=mode or None)
 
 
-@pytest.mark.parametrize("place", [over_the_bar, held_at_the_port, shuttle], ids=lambda place: place.__name__)
+def freed(sim: aftdeck.Simulation, frame: Frame) -> bool:
+    """Whether what each frame names, flown at a tenth, ends the inhibit within a minute."""
+    arm = "srms" if sim.scenario.worksite.name == "orbiter" else "concept-1972"
+    for _ in range(3000):
+        if not frame.work.arm_inhibit:
+            return True
+        if not any(text.startswith("way out: ") for text in frame.work.inhibits):
+            return False
+        frame = sim.step(advised(frame, arm))
+    return False
+
+
+CONTACTS = [near_the_bar, met_in_flight]
+
+
+@pytest.mark.parametrize("place", CONTACTS, ids=lambda place: place.__name__)
 @settings(max_examples=4)
 @given(seed=seeds, mode=st.sampled_from(["ORB UNL", "END EFF", "SINGLE"]))
-def test_the_stick_that_is_named_leads_out(place: object, seed: int, mode: str) -> None:
+def test_the_way_out_that_is_named_leads_out_of_any_contact_that_was_flown_into(
+    place: object, seed: int, mode: str
+) -> None:
     assert callable(place)
-    made = place(np.random.default_rng(seed))
-    sim = aftdeck.Simulation(made)
+    rng = np.random.default_rng(seed)
+    sim = aftdeck.Simulation(place(rng))
     frame = flown(sim, [Inputs(mode=mode), Inputs()])[-1]
-    steps = 0
-    while frame.work.arm_inhibit and any(text.startswith("way out: ") for text in frame.work.inhibits):
-        frame = sim.step(advised(frame))
-        steps += 1
-        assert steps < 3000
-    assert not frame.work.arm_inhibit
+    assume(not frame.work.contacts)  # flown into, not begun in
+    for inputs in anything(rng, 200, but=("latch", "mode"), every=40):
+        if frame.work.arm_inhibit:
+            break
+        frame = sim.step(inputs)
+    assert freed(sim, frame)
 
 
-def test_an_automatic_motion_that_a_contact_stops_is_given_up() -> None:
+def test_an_automatic_motion_into_a_contact_fails_its_check_and_flown_all_the_same_is_given_up() -> None:
     goal = 'frame = "L", position = ["28 ft", "0 ft", "2 ft"], matrix = [[0, 0, -1], [0, 1, 0], [1, 0, 0]]'
     for law in ("position", "closed loop", "open loop"):
         phases = f'[[phase]]\nname = "down"\nmode = "OPR CMD"\nlaw = "{law}"\ntarget = {{ {goal} }}'
-        done = aftdeck.run(scenario(ABOVE_BAR, cargo=f'name = "payload"\n{phases}'))
-        lines = log_of(done.frames)
-        assert "automatic motion given up: a contact holds the arm at a standstill" in lines
-        assert done.summary.ended == "fault" and min(frame.ratio for frame in done.frames) == 0.0
-        assert done.summary.time_s < 30.0
+        sim = aftdeck.Simulation(scenario(ABOVE_BAR, cargo=f'name = "payload"\n{phases}'))
+        frames = [sim.step()]
+        while not sim.ended:
+            frames.append(sim.step())
+        check = frames[-1].check
+        assert sim.ended == "fault" and check is not None and check.cause == "contact"
+        assert frames[-1].angles == frames[0].angles and frames[-1].goal is not None
+        target = sim.scenario.phases[0].target
+        assert isinstance(target, Target)
+        begin(sim._flight, sim._state, target)
+        flown_on = [sim.step(Inputs()) for _ in range(1500)]
+        blocked = next(frame for frame in flown_on if "blocked" in {event.kind for event in frame.events})
+        touched = next(frame for frame in flown_on if frame.work.arm_inhibit)
+        assert touched.time_s - frames[-1].time_s == pytest.approx(check.seconds, abs=0.1)
+        assert blocked.time_s > touched.time_s and min(frame.ratio for frame in flown_on) == 0.0
 
 
 def test_acquiring_a_payload_takes_nothing_from_what_still_touches() -> None:

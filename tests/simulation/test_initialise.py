@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import tomllib
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import msgspec
@@ -13,27 +14,30 @@ import pytest
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.errors import ScenarioError
+from aftdeck.scenario.cameras import cameras_of
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.cameras import CameraDrive
 from aftdeck.simulation.frame import Frame
 from aftdeck.worksite import load_worksite
 from tests.simulation.concept import held_for, joints, scenario
 from tests.simulation.flights import anything, flown, log_of
+from tests.steering.flying import checked
 
 PARTS = ("full problem", "acquisition", "extraction", "manoeuvring")
 
 
 @functools.cache
-def problem(extra: str = "") -> Scenario:
-    """The report's whole problem, with more lines in its head."""
-    text = load_scenario("concept-1972").text
+def problem(extra: str = "", name: str = "concept-1972") -> Scenario:
+    """The report's whole problem, or another, with more lines in its head."""
+    text = load_scenario(name).text
     return parse_scenario(f"{extra}\n{text}", "test", "test.toml", Path("."))
 
 
 @functools.cache
-def begins_there(part: str, extra: str = "") -> Scenario:
+def begins_there(part: str, extra: str = "", name: str = "concept-1972") -> Scenario:
     """A scenario whose full problem begins where that part does."""
-    text = load_scenario("concept-1972").text
+    text = load_scenario(name).text
     if part == "full problem":
         return parse_scenario(f"{extra}\n{text}", "test", "test.toml", Path("."))
     parts = tomllib.loads(text)["initialise"]
@@ -44,6 +48,8 @@ def begins_there(part: str, extra: str = "") -> Scenario:
 
 
 def _toml(value: object) -> str:
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
     if isinstance(value, dict):
         return "{ " + ", ".join(f"{key} = {_toml(one)}" for key, one in value.items()) + " }"
     return repr(value)
@@ -60,10 +66,18 @@ def timeless(frames: list[Frame], *, first: bool) -> list[Frame]:
     return found
 
 
+def turning(given: Iterable[Inputs], made: Scenario, rng: np.random.Generator) -> Iterator[Inputs]:
+    """Inputs that drive one camera or another as well, in every step."""
+    names = [camera.name for camera in cameras_of(made) if camera.drive is not None]
+    for inputs in given:
+        drive = CameraDrive(str(rng.choice(names)), *rng.choice([-1.0, 1.0], 3).tolist())
+        yield msgspec.structs.replace(inputs, camera=drive)
+
+
 def check_begun(made: Scenario, fresh: Scenario, part: str, seed: int) -> None:
     rng = np.random.default_rng(seed)
     sim = aftdeck.Simulation(made)
-    flown(sim, anything(rng, 150))
+    flown(sim, turning(anything(rng, 150), made, rng))
     later = list(anything(rng, 120))
     begun = [sim.step(Inputs(initialise=part)), *flown(sim, later)]  # type: ignore[arg-type]
     other = flown(fresh, [Inputs(), *later])
@@ -72,9 +86,21 @@ def check_begun(made: Scenario, fresh: Scenario, part: str, seed: int) -> None:
     assert log_of(begun[:1])[0] == f"initialised to {part}"
 
 
+@pytest.mark.parametrize("name", ["concept-1972", "free-flyer"])
 @pytest.mark.parametrize("part", PARTS)
-def test_a_part_begun_anew_is_as_a_flight_that_begins_there(part: str) -> None:
-    check_begun(problem(), begins_there(part), part, 7 + PARTS.index(part))
+def test_a_part_begun_anew_is_as_a_flight_that_begins_there(part: str, name: str) -> None:
+    check_begun(problem("", name), begins_there(part, "", name), part, 7 + PARTS.index(part))
+
+
+@pytest.mark.parametrize(("part", "task"), [("acquisition", 1), ("extraction", 2), ("manoeuvring", 3)])
+@pytest.mark.parametrize("name", ["concept-1972", "free-flyer"])
+def test_each_part_begins_in_the_reports_mode_of_its_name_and_clear_of_contacts(
+    name: str, part: str, task: int
+) -> None:
+    sim = aftdeck.Simulation(name)
+    sim.step(Inputs())
+    frame = sim.step(Inputs(initialise=part))  # type: ignore[arg-type]
+    assert frame.work.task == task and not [contact for contact in frame.work.contacts if not contact.essential]
 
 
 def test_the_panel_is_the_scenarios_again_with_all_its_switches() -> None:
@@ -93,10 +119,10 @@ def test_an_automatic_mode_of_the_scenario_is_checked_and_ready_again() -> None:
     text = load_scenario("concept-1972").text.replace('mode = "ORB UNL"', 'mode = "AUTO 1"') + goal
     made = parse_scenario(text, "test", "test.toml", Path("."))
     sim = aftdeck.Simulation(made)
-    first = sim.step(Inputs())
+    first = checked(sim)[-1]
     assert first.sequence == "ready" and first.check is not None
     flown(sim, [Inputs(proceed=True), *held_for(100, Inputs())])
-    again = sim.step(Inputs(initialise="full problem"))
+    again = checked(sim, Inputs(initialise="full problem"))[-1]
     assert (again.sequence, again.check, again.mode) == ("ready", first.check, "AUTO 1")
 
 
@@ -121,7 +147,7 @@ def test_a_part_that_the_scenario_does_not_have_is_refused_and_changes_nothing()
 
 def test_the_arm_holds_from_the_start_only_what_its_hand_could_have_taken_so() -> None:
     text = load_scenario("concept-1972").text
-    over = text.replace("-101.52 deg", "-95 deg")  # the elbow less bent: the palm over the bar, not on it
+    over = text.replace('above = "0.36 in"', 'above = "1 in"')  # the palm over the bar, not on it
     assert over != text
     with pytest.raises(ScenarioError) as raised:
         aftdeck.Simulation(parse_scenario(over, "test", "test.toml", Path(".")))
@@ -133,7 +159,8 @@ def test_the_arm_holds_from_the_start_only_what_its_hand_could_have_taken_so() -
 
 def test_a_worksite_that_is_wrong_is_told_and_not_that_its_cargo_is_missing(tmp_path: Path) -> None:
     place = load_worksite("concept-1972").text
-    (tmp_path / "place.toml").write_text(place.replace('sides = 6, across = "13 ft"', 'sides = 7, across = "13 ft"'))
+    seven = place.replace('sides = 6, across = "= payload_width"', 'sides = 7, across = "= payload_width"')
+    (tmp_path / "place.toml").write_text(seven)
     text = load_scenario("concept-1972").text.replace('worksite = "concept-1972"', 'worksite = "place.toml"')
     with pytest.raises(ScenarioError) as raised:
         parse_scenario(text, "test", "test.toml", tmp_path)

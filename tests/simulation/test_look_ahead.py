@@ -12,7 +12,7 @@ from aftdeck import Inputs
 from aftdeck.errors import InputError
 from aftdeck.simulation.look_ahead import Axis
 from tests.simulation.flights import anything
-from tests.steering.flying import BAY, fly, scenario, target
+from tests.steering.flying import BAY, checked, fly, scenario, target
 
 STICKS = [
     pytest.param(Inputs(translation=(0.6, -0.3, 0.1), rotation=(0.2, 0.0, -0.4)), "ORB UNL", id="ORB UNL"),
@@ -64,7 +64,7 @@ def test_with_sticks_at_rest_the_last_axis_is_shown_at_full_deflection(axis: int
 
 def test_an_automatic_motion_is_shown_on_its_way_and_one_that_waits_stands() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
-    frame = sim.step(Inputs(target=target(sim.scenario.arm, (BAY[0] + 10.0, *BAY[1:]))))
+    frame = checked(sim, Inputs(target=target(sim.scenario.arm, (BAY[0] + 10.0, *BAY[1:]))))[-1]
     assert frame.sequence == "ready" and not sim.ahead().moves
     sim.step(Inputs(proceed=True))
     ahead = sim.ahead(4.0)

@@ -1,88 +1,127 @@
-"""``aftdeck run --words``: what is written, and what is refused before anything is flown."""
+"""TABLE II from flights: a word decodes to the frame's value within half a last bit, in all of its modes."""
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
+import math
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
 
+import numpy as np
 import pytest
 
-from aftdeck.simulation.run import Simulation
-from aftdeck.worksite.channels import decode_inputs
-from aftdeck.worksite.words import decode_block
-from tests.commands import Run
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.report_words import block_of, places_of
+from aftdeck.units import FOOT
+from aftdeck.worksite.words import decode_control, encode_block, number
+from tests.simulation import concept
+from tests.simulation.flights import anything
+from tests.simulation.test_report_channels import mastered
 
-SCENARIO = """title = "short"
-arm = "concept-1972"
-duration = "1 s"
-
-[initial]
-joints = [0, "32 deg", "-106 deg", 0, "-16 deg", 0]
-
-[[phase]]
-name = "forward"
-mode = "ORB UNL"
-translation = [0.2, 0, 0]
-duration = "0.2 s"
-"""
-
-
-@pytest.fixture
-def short(tmp_path: Path) -> str:
-    path = tmp_path / "short.toml"
-    path.write_text(SCENARIO)
-    return str(path)
+HALF_B0, HALF_B1, HALF_B11 = 2.0**-24, 2.0**-23, 2.0**-13 * FOOT
+"""Half a last bit of a word at these scales: [1], [1], [m]."""
+GREATEST = 1.0 - 2.0**-23
+"""Of a word at B0, which cannot hold 1: the report's scale for normals."""
+FINGERS = ("palm", "fixed finger", "prong")
 
 
-@pytest.fixture
-def grounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nothing may be flown."""
+class Look(NamedTuple):
+    """A step of a flight: the frame before, its own, its words, and the simulation that made them."""
 
-    def fly(_: Simulation, *__: object) -> None:
-        raise AssertionError("it is flown")
-
-    monkeypatch.setattr(Simulation, "advance", fly)
-
-
-def test_each_step_is_a_line_of_channels_and_words(run: Run, short: str, tmp_path: Path) -> None:
-    path = tmp_path / "folder" / "words.jsonl"
-    summary = run.json("run", short, "--words", str(path))
-    lines = [json.loads(line) for line in path.read_text().splitlines()]
-    assert lines[-1]["time_s"] == summary["time_s"]
-    block = decode_block([int(word, 8) for word in lines[-1]["words"]])
-    assert block.control.mode == 1 and block.control.station == "A"
-    assert block.angles == pytest.approx(summary["joints_rad"], abs=1e-6)
-    assert decode_inputs(lines[-1]["volts"]).angles == pytest.approx(summary["joints_rad"], abs=1e-6)
+    before: Frame
+    frame: Frame
+    words: tuple[int, ...]
+    sim: aftdeck.Simulation
 
 
-@pytest.mark.usefixtures("grounded")
-def test_another_arm_has_no_words_and_is_not_flown(run: Run, tmp_path: Path) -> None:
-    words, out = tmp_path / "words.jsonl", tmp_path / "run.mcap"
-    code, said, err = run("run", "uncradle", "--words", str(words), "--out", str(out))
-    assert (code, said) == (2, "")
-    assert err.startswith("aftdeck: the report's words speak of its own arm") and "uncradle flies srms" in err
-    assert not words.exists() and not out.exists()
+def told(made: Scenario, given: Iterable[Inputs | None], every: int) -> Iterator[Look]:
+    """Some steps of a flight."""
+    sim = aftdeck.Simulation(made)
+    last, before = sim.step(Inputs()), places_of(sim._state)
+    for k, inputs in enumerate(given):
+        if sim.ended:
+            return
+        looked = k % every == 0
+        if looked:
+            last, before = sim.look(), places_of(sim._state)
+        sim.advance(inputs)
+        if looked:
+            words = encode_block(block_of(sim._flight, sim._state, before).block)
+            yield Look(last, sim.look(), words, sim)
 
 
-@pytest.mark.usefixtures("grounded")
-@pytest.mark.parametrize(("place", "why"), [("file", "File exists"), ("file/words.jsonl", "exists")])
-def test_words_that_cannot_be_written_are_told_before_the_run(
-    run: Run, short: str, tmp_path: Path, place: str, why: str
-) -> None:
-    (tmp_path / "file").write_text("kept")
-    out = tmp_path / "run.mcap"
-    code, said, err = run("run", short, "--words", str(tmp_path / place), "--out", str(out))
-    assert (code, said) == (2, "")
-    assert err.startswith(f"aftdeck: {tmp_path / place}: cannot be written: ") and why in err
-    assert (tmp_path / "file").read_text() == "kept" and not out.exists()
+def check(before: Frame, frame: Frame, words: tuple[int, ...], sim: aftdeck.Simulation) -> None:
+    """The words against the frame, by means of their own."""
+    work, was, control = frame.work, before.work, decode_control(words[0])
+    begun = any(event.kind == "initialise" for event in frame.events)
+    assert (control.mode, control.initialise) == (work.task, begun)
+    assert (control.finger_inhibited, control.arm_inhibited) == (work.finger_inhibit, work.arm_inhibit)
+    assert control.telescope == (0 if begun else np.sign((work.stand or 0.0) - (was.stand or 0.0)))
+    assert control.prong == (0 if begun else np.sign(round((was.hand.spacing or 0.0) - (work.hand.spacing or 0.0), 12)))
+    if not begun:
+        k = sim._state.cameras.names.index(control.station)
+        now, then = frame.views[k], before.views[k]
+        moved = (now.pan - then.pan, now.tilt - then.tilt, then.zoom - now.zoom)
+        assert (control.pan, control.tilt, control.zoom) == tuple(np.sign(moved))
+    for angle, s, c in zip(frame.angles, words[1:13:2], words[2:13:2], strict=True):
+        assert abs(number(s, 1) - math.sin(angle)) <= HALF_B1 and abs(number(c, 1) - math.cos(angle)) <= HALF_B1
+    for k, plane in enumerate(planes(frame, sim)):
+        *normal, distance = words[13 + 4 * k : 17 + 4 * k]
+        if plane is None:
+            assert not any((*normal, distance))
+            continue
+        for word, value in zip(normal, plane[:3], strict=True):
+            assert abs(number(word, 0) - min(value, GREATEST)) <= HALF_B0
+        assert abs(number(distance, 11) * FOOT - plane[3]) <= HALF_B11
+    assert not any(words[25:])
 
 
-@pytest.mark.usefixtures("grounded")
-def test_a_run_that_is_not_recorded_leaves_no_words(run: Run, short: str, tmp_path: Path) -> None:
-    words, out = tmp_path / "words.jsonl", tmp_path / "run.mcap"
-    out.write_text("kept")
-    code, said, _ = run("run", short, "--words", str(words), "--out", str(out))
-    assert (code, said) == (2, "") and not words.exists()
-    code, said, err = run("run", short, "--words", str(words), "--out", str(words))
-    assert (code, said) == (2, "")
-    assert err == f"aftdeck: --out and --words both name {words}; each needs a file of its own\n"
+def planes(frame: Frame, sim: aftdeck.Simulation) -> list[tuple[float, ...] | None]:
+    """Normal and distance of D1 to D3: the hand's faces while it holds a payload, else the collision test's planes."""
+    if any(cargo.held for cargo in frame.work.cargo):
+        tip, (x2, y2, _) = np.array(frame.position), np.array(frame.orientation).T
+        finger = sim.scenario.arm.model.fixed_finger
+        assert finger is not None and frame.work.hand.spacing is not None
+        inner = ((x2, 0.0 * x2), (-y2, finger * y2), (y2, (finger - frame.work.hand.spacing) * y2))
+        return [(*n.tolist(), float(n @ (tip + at))) for n, at in inner]
+    near = [pair for pair in sim.watched() if pair.b.endswith("receptacle")]
+    bar = next((pair.b for pair in near if pair.a == "palm"), "")
+    found = {pair.a: (*pair.normal, pair.distance) for pair in near if pair.b == bar and any(pair.normal)}
+    return [found.get(name) for name in FINGERS]
+
+
+def by_hand(rng: np.random.Generator, scenario: Scenario) -> Iterator[Inputs]:
+    yield from mastered(rng, scenario, 300)
+    yield from anything(rng, 300, switches=0.3)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["concept-1972-script", *(pytest.param(name, marks=pytest.mark.slow) for name in ("concept-1972", "free-flyer"))],
+)
+def test_words_of_a_random_flight_decode_to_its_frames(name: str) -> None:
+    scenario = load_scenario(name)
+    for step in told(scenario, by_hand(np.random.default_rng(19), scenario), 3):
+        check(*step)
+
+
+@pytest.mark.parametrize("held_at", [concept.ON_BAR, (28.0, 0.0, -25.0)])
+def test_words_with_a_payload_in_hand_decode_to_its_frames(held_at: concept.Vec3) -> None:
+    scenario = concept.scenario(held_at, held=True)
+    given = list(anything(np.random.default_rng(7), 300, 0.3, but=("effector",)))
+    for step in told(scenario, given, 3):
+        assert step.frame.work.task in (2, 3)
+        check(*step)
+
+
+@pytest.mark.slow
+def test_words_of_the_whole_problem_decode_to_its_frames() -> None:
+    scenario = load_scenario("concept-1972-script")
+    tasks = set()
+    for step in told(scenario, iter(lambda: None, 0), 15):
+        tasks.add(step.frame.work.task)
+        check(*step)
+    assert tasks == {1, 2, 3, 4}

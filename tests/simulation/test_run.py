@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.errors import InputError
 from aftdeck.simulation.frame import Frame
 from tests.steering.flying import BAY, LEAN, scenario
 
@@ -150,3 +151,15 @@ def test_the_demand_is_full_stick_times_the_limit_in_the_orbiters_axes() -> None
     # the yaw axis leans to port above, so down in the orbiter is down and to port in L
     wanted = [0.0, math.sin(LEAN) * 0.6096, math.cos(LEAN) * 0.6096]
     assert frame.twist_demanded[3:] == pytest.approx(wanted) and frame.twist_demanded[:3] == (0.0, 0.0, 0.0)
+
+
+def test_given_inputs_fly_in_place_of_the_script() -> None:
+    """As a caller who steps would fly them; none at all for the first step are no flight."""
+    given = [aftdeck.Inputs(translation=(0.2 * k, 0.0, 0.0)) for k in range(4)]
+    left, seen = iter(given), []
+    done = aftdeck.run("first-flight", inputs=lambda _: next(left, None), stepped=lambda sim: seen.append(sim.given))
+    sim = aftdeck.Simulation("first-flight")
+    assert done.frames == tuple(sim.step(inputs) for inputs in given) and seen == given
+    assert done.summary.ended == "completed" and {frame.by for frame in done.frames} == {"hand"}
+    with pytest.raises(InputError):
+        aftdeck.run("first-flight", inputs=lambda _: None)

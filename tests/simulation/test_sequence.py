@@ -13,7 +13,7 @@ import pytest
 import aftdeck
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.simulation.frame import Frame
-from tests.steering.flying import BAY, disturbed, fly, log_of, scenario, speed
+from tests.steering.flying import BAY, checked, disturbed, fly, log_of, scenario, speed
 
 LEGS = [(12.0, 0.0, 0.0), (12.0, -10.0, 0.0), (0.0, -10.0, 8.0), (0.0, 0.0, 0.0)]
 """Points as angles [deg] of the first three joints from those over the bay."""
@@ -36,8 +36,10 @@ def tour(pauses: Sequence[int], law: str = "closed loop", more: str = "") -> aft
 
 
 def until(sim: aftdeck.Simulation, sequence: str, first: aftdeck.Inputs, seconds: float = 120.0) -> list[Frame]:
-    """The frames up to the one that shows this state of the sequence."""
+    """The frames up to the next one that shows this state of the sequence, once the motion has begun or failed."""
     frames = [sim.step(first)]
+    while first.proceed and frames[-1].sequence in {"checking", "ready"}:
+        frames.append(sim.step(aftdeck.Inputs()))
     while frames[-1].sequence != sequence and frames[-1].time_s - frames[0].time_s < seconds:
         frames.append(sim.step(aftdeck.Inputs()))
     assert frames[-1].sequence == sequence, log_of(frames)
@@ -60,9 +62,10 @@ laws = pytest.mark.parametrize("law", ["position", "closed loop", "open loop"])
 def test_it_waits_at_each_pause_point_for_proceed_and_is_complete_after_the_last(law: str) -> None:
     sim = tour([2, 4], law)
     first = until(sim, "ready", PROCEED)
-    assert {f.sequence for f in first[:-1]} == {"in progress"}
+    assert {f.sequence for f in first[:-1]} == {"checking", "in progress"}
     assert (first[0].point, first[0].points, first[-1].point) == (1, 4, 3)
-    assert "pause point: PROCEED goes on; CMD CK GOOD" in log_of(first)[-1]
+    assert log_of(first)[-2] == "pause point: PROCEED goes on" and first[-1].check is not None
+    assert first[-1].check.good
     way, turn = away(sim, fly(sim, 10.0, aftdeck.Inputs())[-1:], LEGS[1])
     assert way[0] < 0.02 and turn[0] < 0.005  # waits there, however long
     assert sim.frame is not None and sim.frame.sequence == "ready" and sim.frame.point == 3
@@ -93,7 +96,7 @@ def test_modes_1_and_3_come_to_each_fly_by_point_and_go_on_by_themselves() -> No
         for leg in LEGS:
             way, turn = away(sim, frames, leg)
             assert way.min() < 0.02 and turn[way.argmin()] < 0.005
-        assert {f.sequence for f in frames[:-1]} == {"in progress"}
+        assert {f.sequence for f in frames[:-1]} == {"checking", "in progress"}
 
 
 @laws
@@ -114,11 +117,18 @@ def test_a_complete_sequence_begins_again_with_proceed() -> None:
     assert [t for t in log_of(again) if "reached" in t] and again[0].point == 1
 
 
+def test_a_sequence_of_one_point_begins_again_with_every_proceed() -> None:
+    point = f"[[sequence.point]]\ntarget = {{ joints = {[f'{q} deg' for q in joints(LEGS[0])]} }}"
+    sim = aftdeck.Simulation(scenario(BAY, f'mode = "AUTO 1"\n[[sequence]]\nslot = 1\n{point}\n'))
+    for _ in range(4):  # from the third on the arm is where the last check began
+        assert log_of(until(sim, "idle", PROCEED))[-1] == "AUTO 1 complete"
+
+
 def test_leaving_and_entering_again_begins_at_the_first_point() -> None:
     sim = tour([1, 2, 3, 4])
     until(sim, "ready", PROCEED)
     assert sim.step(aftdeck.Inputs(mode="ORB UNL")).sequence == "idle"
-    frame = sim.step(aftdeck.Inputs(mode="AUTO 1"))
+    frame = checked(sim, aftdeck.Inputs(mode="AUTO 1"))[-1]
     assert (frame.point, frame.sequence) == (1, "ready") and frame.check is not None and frame.check.good
 
 
@@ -142,10 +152,12 @@ def test_a_point_that_cannot_be_flown_to_stops_the_sequence_and_the_log_says_why
     for law in ("closed loop", "position", "open loop"):
         sim = aftdeck.Simulation(scenario(BAY, f'mode = "AUTO 3"\nlaw = "{law}"\n[[sequence]]\nslot = 3\n{near}{far}'))
         frames = until(sim, "idle", PROCEED)
-        assert log_of(frames)[-1].startswith("AUTO 3 stands: CMD CK FAIL: wrist pitch meets its soft stop")
+        stopped = checked(sim)[-1]
+        assert stopped.check is not None and stopped.check.cause == "limit" and "wrist pitch" in stopped.check.text
+        assert stopped.sequence == "idle" and frames[-1].point == 2
         assert speed(fly(sim, 6.0, aftdeck.Inputs())[-1]) == 0.0
-        frame = sim.step(PROCEED)
-        assert frame.sequence == "idle" and "PROCEED refused: CMD CK FAIL" in log_of([frame])[-1]
+        frame = checked(sim, PROCEED)[-1]
+        assert frame.sequence == "idle" and [e.kind for e in frame.events] == ["refused"]
 
 
 def test_a_scripts_phase_gives_proceed_at_every_pause_point() -> None:

@@ -39,7 +39,7 @@ def test_the_tip_is_where_the_arm_on_a_stand_of_the_present_length_has_it() -> N
 
 def test_the_twist_is_how_the_tip_moves_with_its_stand() -> None:
     sim = aftdeck.Simulation(concept())
-    frames = flown(sim, 3.0, aftdeck.Inputs(translation=(0.2, 0.1, 0.3), telescope=-1.0))
+    frames = flown(sim, 2.4, aftdeck.Inputs(translation=(0.2, 0.1, 0.3), telescope=-1.0))
     for before, frame in pairwise(frames[100:]):
         moved = (np.array(frame.position) - before.position) / 0.02
         assert frame.twist[3:] == pytest.approx(moved, abs=2e-3)
@@ -54,8 +54,7 @@ def test_an_automatic_motion_after_the_stand_has_moved_ends_at_its_pose(law: str
     goal = target(sim.scenario.arm, GOAL)  # at 12 ft
     flown(sim, 1.5, driven(stand))
     frame = sim.step(aftdeck.Inputs(target=goal, proceed=True))
-    assert frame.check is not None and frame.check.good, frame.check
-    while frame.sequence == "in progress":
+    while frame.sequence in {"checking", "in progress"}:
         frame = sim.step(aftdeck.Inputs())
         assert frame.time_s < 120.0
     assert frame.goal is not None and frame.goal.distance < 0.02 and frame.goal.angle < 0.004
@@ -87,7 +86,7 @@ def test_target_angles_given_at_another_length_lead_to_the_pose_and_not_to_the_a
     sim = aftdeck.Simulation(concept(f'mode = "AUTO 1"\nlaw = "position"\n{point}'))
     flown(sim, 1.0, driven(1.0))
     frame = sim.step(aftdeck.Inputs(proceed=True))
-    while frame.sequence == "in progress":
+    while frame.sequence in {"checking", "in progress"}:
         frame = sim.step(aftdeck.Inputs())
     there = sim.scenario.arm.forward(np.radians(GOAL)).position
     assert frame.position == pytest.approx(there, abs=1e-3)

@@ -80,9 +80,18 @@ def log_of(frames: Sequence[Frame]) -> list[str]:
 
 
 def finished(sim: aftdeck.Simulation, first: aftdeck.Inputs, seconds: float) -> list[Frame]:
-    """The frames of an automatic motion until it is no longer in progress, or for some time."""
+    """The frames of an automatic motion, its check included, until it is no longer in progress, or for some time."""
     frames = [sim.step(first)]
-    while frames[-1].sequence == "in progress" and frames[-1].time_s - frames[0].time_s < seconds:
+    while frames[-1].sequence in {"checking", "in progress"} and frames[-1].time_s - frames[0].time_s < seconds:
+        frames.append(sim.step(aftdeck.Inputs()))
+    return frames
+
+
+def checked(sim: aftdeck.Simulation, first: aftdeck.Inputs | None = None, seconds: float = 60.0) -> list[Frame]:
+    """The frames of an operator's command, until CMD CK has come to its verdict."""
+    frames = [sim.step(first or aftdeck.Inputs())]
+    while frames[-1].sequence == "checking":
+        assert frames[-1].time_s - frames[0].time_s < seconds
         frames.append(sim.step(aftdeck.Inputs()))
     return frames
 

@@ -73,7 +73,7 @@ def fly_there(sim: aftdeck.Simulation, goal: aftdeck.Target, seconds: float) -> 
     """The frames of a flight to a target, and a second more."""
     period = sim.scenario.control_period
     frames = [sim.step(aftdeck.Inputs(target=goal, proceed=True))]
-    while frames[-1].sequence == "in progress" and frames[-1].time_s < seconds:
+    while frames[-1].sequence in {"checking", "in progress"} and frames[-1].time_s < seconds:
         frames.append(sim.step(aftdeck.Inputs()))
     return frames + [sim.step(aftdeck.Inputs()) for _ in range(round(1.0 / period))]
 
@@ -200,7 +200,7 @@ def test_stop_brings_the_arm_to_rest_and_proceed_goes_on_to_the_target() -> None
     assert going[-1].sequence == "idle"
     assert misses(going)[0][-1] < 1e-4 and misses(going)[1][-1] < 2e-5
     assert [e.kind for f in flying + stopping + going for e in f.events if e.kind != "limit"] == [
-        "target", "check", "proceed", "stop", "proceed", "arrived",
+        "target", "check", "proceed", "stop", "check", "proceed", "arrived",
     ]  # fmt: skip
 
 
@@ -258,8 +258,8 @@ def test_a_target_behind_a_soft_stop_fails_its_check_and_is_not_flown() -> None:
     sim = aftdeck.Simulation(scenario(start, 'mode = "OPR CMD"'))
     goal = target(sim.scenario.arm, (0.0, 60.0, -80.0, 119.0, 10.0, 0.0))
     frames = fly(sim, 2.0, aftdeck.Inputs(target=goal, proceed=True))
-    assert frames[-1].check is not None
-    assert re.match(r"FAIL: wrist pitch meets its soft stop \d+ s from here", frames[-1].check.text)
+    assert frames[-1].check is not None and frames[-1].check.cause == "limit"
+    assert re.match(r"FAIL: wrist pitch meets its soft stop, \d+ s from here", frames[-1].check.text)
     assert frames[-1].sequence == "idle" and list(frames[-1].angles) == sim.scenario.initial_angles.tolist()
 
 

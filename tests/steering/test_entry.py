@@ -11,7 +11,7 @@ from aftdeck.steering.layout import RATE
 
 def test_limited_rates_give_the_twist_or_keep_its_direction_at_a_joints_limit() -> None:
     scenario = aftdeck.load_scenario("first-flight")
-    rules = carrying(scenario, scenario.payload).rules["ORB UNL", "coarse"]
+    rules = carrying(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
     limits, random = np.array(rules[RATE : RATE + 6]), np.random.default_rng(3)
     cut = 0
     for size in (1e-3, 1.0) * 50:

@@ -68,7 +68,7 @@ def test_beyond_a_stop_the_greatest_rate_outwards_is_zero(gap: float, decelerati
 
 def rules_with(dt: float, strict: bool = False, as_flown: bool = False) -> np.ndarray:
     por = ARM.model.por_limits(0.0)
-    return np.array(rules_of(ARM.model, por, dt, strict=strict, as_flown=as_flown)["ORB UNL", "coarse"])
+    return np.array(rules_of(ARM.model, por, dt, strict=strict, as_flown=as_flown)["ORB UNL", "coarse", 4])
 
 
 @PROVE

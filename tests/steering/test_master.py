@@ -20,6 +20,7 @@ from aftdeck.steering.layout import (
     LOW,
     MASTER,
     MASTER_LAW,
+    MEASURED,
     RATE,
     RATE_UP,
     RATES,
@@ -46,7 +47,7 @@ class Follower:
     """An arm that follows exactly what MASTER commands, step by step."""
 
     def __init__(self, made: Scenario, angles: Array, rate: str = "coarse") -> None:
-        self.rules = carrying(made, made.payload).rules["MASTER", "coarse" if rate == "coarse" else "vernier"]
+        self.rules = carrying(made, made.payload).rules["MASTER", "coarse" if rate == "coarse" else "vernier", 10]
         self.command, self.state, self.report = np.zeros(COMMAND), np.zeros(STATE), np.zeros(REPORT)
         self.command[LAW] = MASTER_LAW
         self.state[:6] = angles
@@ -61,6 +62,7 @@ class Follower:
         assert (np.abs(rates) <= most).all()
         assert (np.abs(rates - before) <= up * dt * (1.0 + 1e-9) + HAIR).all()
         self.state[:6] += rates * dt
+        self.state[MEASURED : MEASURED + 6] = rates
         return rates, self.state[:6].copy()
 
     @property
@@ -173,6 +175,7 @@ def test_too_fast_towards_a_soft_stop_from_single_the_joint_is_held_at_it() -> N
 
 def test_with_a_payload_the_master_is_followed_more_slowly() -> None:
     made = scenario(BAY, 'mode = "MASTER"\n[payload]\nmass = "32000 lb"')
-    plain, loaded = (carrying(s, s.payload).rules["MASTER", "coarse"] for s in (scenario(BAY, 'mode = "MASTER"'), made))
+    empty = scenario(BAY, 'mode = "MASTER"')
+    plain, loaded = (carrying(s, s.payload).rules["MASTER", "coarse", 10] for s in (empty, made))
     assert loaded[RATE : RATE + 6] == pytest.approx(plain[RATE : RATE + 6] * 0.115 / 2.0)
     assert kinds(aftdeck.Simulation(made).step(aftdeck.Inputs())) == set()

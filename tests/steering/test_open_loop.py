@@ -46,7 +46,7 @@ def miss(frames: list[aftdeck.Frame]) -> tuple[float, float]:
 def test_vtopens_times_and_rates_are_those_worked_out_by_hand(
     distance: float, angle: float, speed_: float, turn: float, eta: float, t_v1: float | None, t_w1: float | None
 ) -> None:
-    rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse"]
+    rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
     found = vtopen(rules, distance, angle)
     assert (found.speed, found.turn, found.eta) == pytest.approx((speed_, turn, eta))
     for wanted, given in ((t_v1, found.t_v1), (t_w1, found.t_w1)):
@@ -54,7 +54,7 @@ def test_vtopens_times_and_rates_are_those_worked_out_by_hand(
 
 
 def test_vtopen_of_no_way_at_all_takes_no_time_and_asks_for_nothing() -> None:
-    rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse"]
+    rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
     assert tuple(vtopen(rules, 0.0, 0.0)) == (0.0, 0.0, 0.0, 0.0, 0.0)
 
 
@@ -66,8 +66,9 @@ def test_the_tip_goes_as_the_plan_says_where_no_joint_limit_acts(period: float) 
     goal = aftdeck.Target((x, y, z - 10.0 * V / 3.0), here.rotation)  # 10/3 s at full speed: too short for the ramps
     frames = finished(sim, aftdeck.Inputs(target=goal, proceed=True), 60.0)
     eta = 2.0 * math.sqrt(4.0 * 10.0 / 3.0)
-    assert frames[0].goal is not None and frames[0].goal.remaining_s == pytest.approx(eta, abs=1e-9)
-    assert [e.time_s for f in frames for e in f.events if e.kind == "arrived"] == pytest.approx([eta], abs=3 * period)
+    flown = [f for f in frames if f.sequence == "in progress"]
+    assert flown[0].goal is not None and flown[0].goal.remaining_s == pytest.approx(eta, abs=1e-9)
+    assert frames[-1].time_s - flown[0].time_s == pytest.approx(eta, abs=3 * period)
     assert max(speed(f) for f in frames) == pytest.approx(V * eta / 8.0, rel=0.02)
     assert max(turning(f) for f in frames) < 1e-9
     assert miss(frames)[0] < 5e-3 and miss(frames)[1] < 1e-4
@@ -160,7 +161,7 @@ def test_an_open_loop_motion_that_misses_says_by_how_much() -> None:
 def test_a_push_too_small_to_count_as_a_miss_leaves_the_target_reached(law: str) -> None:
     sim = aftdeck.Simulation(scenario(BAY, f'mode = "OPR CMD"\nlaw = "{law}"'))
     flown = fly(sim, 6.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 25.0, *BAY[1:])), proceed=True))
-    disturbed(sim, {5: math.degrees(flown[-1].angles[5]) + 0.2})
+    disturbed(sim, {5: math.degrees(flown[-1].angles[5]) + 0.01})
     assert log_of(finished(sim, aftdeck.Inputs(), 90.0))[-1] == "target reached"
     wider = aftdeck.Simulation(
         scenario(BAY, f'mode = "OPR CMD"\nlaw = "{law}"\narrive_within = 1.0\narrive_within_angle = "5 deg"')

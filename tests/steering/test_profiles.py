@@ -21,7 +21,7 @@ TURN, TURN_UP = math.radians(4.76), math.radians(4.76) / 4
 
 def rules(dt: float, strict: bool = False) -> np.ndarray:
     por = ARM.model.por_limits(0.0)
-    return rules_of(ARM.model, por, dt, strict=strict)["OPR CMD", "coarse"]
+    return rules_of(ARM.model, por, dt, strict=strict)["OPR CMD", "coarse", 2]
 
 
 distances = st.one_of(st.just(0.0), st.floats(1e-300, 1e-12), st.floats(1e-9, 40.0))

@@ -9,7 +9,7 @@ import pytest
 
 import aftdeck
 from tests.reference.tables import table
-from tests.steering.flying import BAY, fly, kinds, scenario
+from tests.steering.flying import BAY, disturbed, fly, kinds, scenario
 
 LIMITS = table("srms-limits")
 
@@ -55,13 +55,36 @@ def test_a_joint_driven_on_comes_to_rest_at_its_hard_stop_and_leaves_it_again(jo
     assert abs(back[-1].angles[joint] - frames[-1].angles[joint]) > math.radians(1.0)
 
 
-def test_changing_the_joint_at_speed_ramps_one_down_and_the_other_up() -> None:
+def test_a_joint_no_longer_selected_returns_to_the_angle_that_it_had_then() -> None:
     sim = aftdeck.Simulation(scenario())
-    fly(sim, 5.0, aftdeck.Inputs(mode="SINGLE", joint=0, drive=1.0))
-    frames = fly(sim, 5.0, aftdeck.Inputs(joint=5, drive=1.0))
-    rates = np.array([f.rates_commanded for f in frames])
-    assert (np.diff(rates[:, 0]) <= 0.0).all() and rates[-1, 0] == 0.0
+    angle = fly(sim, 5.0, aftdeck.Inputs(mode="SINGLE", joint=0, drive=1.0))[-1].angles[0]
+    frames = fly(sim, 20.0, aftdeck.Inputs(joint=5, drive=1.0))
+    rates, angles = np.array([f.rates_commanded for f in frames]), np.array([f.angles[0] for f in frames])
+    # 1.27 deg/s over 4 s: it coasts on for 2.54 deg while it slows down
+    assert np.degrees(angles.max() - angle) == pytest.approx(2.54, abs=0.02)
+    assert angles[-1] == pytest.approx(angle, abs=1e-12) and rates[-1, 0] == pytest.approx(0.0, abs=1e-12)
     assert (np.diff(rates[:, 5]) >= 0.0).all() and rates[-1, 5] == pytest.approx(math.radians(2.64))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_every_other_joint_ends_at_the_angle_that_it_had_when_the_mode_was_entered(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    sim = aftdeck.Simulation(scenario())
+    x, y, z, a, b, c = rng.uniform(-1.0, 1.0, 6).tolist()
+    entered = np.array(fly(sim, 4.0, aftdeck.Inputs((x, y, z), (a, b, c)))[-1].angles)
+    joint = int(rng.integers(6))
+    frames = fly(sim, 25.0, aftdeck.Inputs(mode="SINGLE", joint=joint, drive=0.5))
+    others = np.arange(6) != joint
+    angles = np.array([f.angles for f in frames])
+    assert np.abs(angles[:, others] - entered[others]).max() > math.radians(0.05)  # they moved as it was entered
+    assert angles[-1, others] == pytest.approx(entered[others], abs=1e-12)
+
+
+def test_a_joint_that_is_pushed_away_is_brought_back() -> None:
+    sim = aftdeck.Simulation(scenario())
+    entered = fly(sim, 1.0, aftdeck.Inputs(mode="SINGLE", joint=5))[-1].angles
+    disturbed(sim, {1: math.degrees(entered[1]) + 0.5, 3: math.degrees(entered[3]) - 0.2})
+    assert fly(sim, 15.0, aftdeck.Inputs())[-1].angles == pytest.approx(entered, abs=1e-12)
 
 
 def test_uncradle_ends_at_pre_cradle_to_a_ten_thousandth_of_a_degree() -> None:

@@ -64,7 +64,13 @@ def test_one_call_does_what_its_parts_do_one_by_one(name: str) -> None:
     for inputs in anything(np.random.default_rng(11), 60):
         things = state.site
         counts = counted(
-            sim._flight, things.held, things.watch.placed, things.frames, things.lined_up, things.contacts
+            sim._flight,
+            things.held,
+            things.watch.placed,
+            things.frames,
+            things.lined_up,
+            things.contacts,
+            things.permitted,
         )[0]
         watch, count = state.site.watch.copy(), state.site.contacts.count.copy()
         sim.advance(inputs)

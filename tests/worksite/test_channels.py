@@ -10,14 +10,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from aftdeck.errors import InputError
-from aftdeck.worksite.channels import CAMERA, START, STATION, OperatorInputs, decode_inputs, encode_inputs
+from aftdeck.worksite.channels import CAMERA, FULL_SCALE, START, STATION, OperatorInputs, decode_inputs, encode_inputs
 
 AT_REST = OperatorInputs(False, "full problem", (0.0,) * 6, 0, "none", 0, "E", 0)
 inputs = st.builds(
     OperatorInputs,
     initialise=st.booleans(),
     start=st.sampled_from(sorted(START)),
-    angles=st.tuples(*[st.floats(-math.tau, math.tau)] * 6),
+    angles=st.tuples(*[st.floats(-FULL_SCALE, FULL_SCALE)] * 6),
     telescope=st.sampled_from([-1, 0, 1]),
     camera=st.sampled_from(sorted(CAMERA)),
     zoom=st.sampled_from([-1, 0, 1]),
@@ -32,7 +32,7 @@ inputs = st.builds(
         ({"initialise": True}, 1, 1.0),
         ({"start": "mode 1"}, 2, 1.0),
         ({"start": "mode 2 or 3"}, 2, -1.0),
-        ({"angles": (0.0, math.pi / 2, 0.0, 0.0, 0.0, 0.0)}, 4, 0.25),
+        ({"angles": (0.0, 2.0, 0.0, 0.0, 0.0, 0.0)}, 4, 0.25),
         ({"telescope": 1}, 9, 1.0),
         ({"telescope": -1}, 9, -1.0),
         ({"camera": "+pan"}, 10, 1.0),
@@ -63,7 +63,14 @@ def test_switches_are_read_right_through_noise_of_an_eighth_of_a_volt(
     read = decode_inputs([volts + n for volts, n in zip(encode_inputs(told), noise, strict=True)])
     assert read._replace(angles=told.angles) == told
     for got, angle, n in zip(read.angles, told.angles, noise[2:8], strict=True):
-        assert got == pytest.approx(angle + n * math.tau, abs=1e-12)
+        assert got == pytest.approx(angle + n * FULL_SCALE, abs=1e-12)
+
+
+@given(st.tuples(*[st.floats(-FULL_SCALE, FULL_SCALE, allow_subnormal=False)] * 6))
+def test_no_bit_of_an_angle_is_lost(angles: tuple[float, ...]) -> None:
+    there = encode_inputs(AT_REST._replace(angles=angles))  # type: ignore[arg-type]
+    for back, angle in zip(decode_inputs(there).angles, angles, strict=True):
+        assert back.hex() == angle.hex() or abs(angle) < 1e-300  # beyond: the quotient has no full precision
 
 
 @pytest.mark.parametrize(
@@ -71,7 +78,7 @@ def test_switches_are_read_right_through_noise_of_an_eighth_of_a_volt(
     [
         ({"station": "I"}, "channel 12, camera position: 'I' has no level; there are: A, B, C, D, E, F, G, H"),
         ({"telescope": 2}, "channel 9, telescope: 2 has no level"),
-        ({"angles": (0.0, 0.0, 0.0, 0.0, 0.0, 6.3)}, "channel 8, R2, is 6.3 rad; it holds at most a whole turn"),
+        ({"angles": (0.0, 0.0, 0.0, 0.0, 0.0, 8.1)}, r"channel 8, R2, is 8\.1 rad; it holds -8 to 8"),
     ],
 )
 def test_a_setting_without_a_level_is_refused(setting: dict[str, Any], message: str) -> None:

@@ -207,8 +207,9 @@ def test_a_camera_sees_the_work(concept: Worksite, name: str, at: str) -> None:
 
 
 def test_essential_pairs_name_every_cargos_fittings(concept: Worksite) -> None:
-    assert ("prong", "payload receptacle") in concept.essential
-    assert ("free flyer probe", "CAE") in concept.essential
+    found = {essential.parts: essential.relation for essential in concept.essential}
+    assert found["prong", "payload receptacle"] == "acquisition"
+    assert found["free flyer probe", "CAE"] == "docking"
 
 
 def test_cameras_start_within_their_drives(concept: Worksite) -> None:

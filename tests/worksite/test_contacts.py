@@ -53,7 +53,7 @@ def test_one_frame_raises_the_flag_and_the_second_inhibits() -> None:
     [
         pytest.param(1, False, PALM_CAN, True, False, id="acquisition: the palm stops the arm"),
         pytest.param(1, False, PALM_BAR, True, False, id="acquisition: the palm on the bar too"),
-        pytest.param(1, False, PRONG_CAN, False, True, id="acquisition: the prong stops itself alone"),
+        pytest.param(1, False, PRONG_CAN, True, True, id="acquisition: the prong stops the arm and itself"),
         pytest.param(1, False, PRONG_BAR, False, False, id="the prong is made to touch the bar"),
         pytest.param(1, False, CAN_WALL, False, False, id="a payload that is not held is not the arm's to move"),
         pytest.param(1, True, CAN_WALL, True, False, id="what is held counts as the arm"),
@@ -93,7 +93,7 @@ def test_motion_is_inhibited_just_where_a_detrimental_contact_of_the_arm_is_in_t
         both = [a and b for a, b in zip(before, now, strict=True)]
         palm = both[PALM_BAR] or both[PALM_CAN] or (holding and both[CAN_WALL])
         prong = both[PRONG_CAN]
-        expected = (palm, prong) if mode == 1 else (palm or prong,) * 2
+        expected = (palm or prong, prong) if mode == 1 else (palm or prong,) * 2
         assert (inhibit.arm, inhibit.finger) == expected
         assert {c.group for c in watched.standing(frame(), "SI")} == set(np.flatnonzero(now).tolist())
         before = now

@@ -76,6 +76,6 @@ def test_what_does_not_fit_together_is_told(tmp_path: Path, old: str, new: str, 
 def test_the_concepts_bay_is_as_wide_as_its_walls_leave_it(tmp_path: Path) -> None:
     bay = load_worksite("concept-1972").bay
     assert bay is not None and bay.high[1] == pytest.approx(7.5 * 0.3048)
-    wall = 'y = ["7.5 ft", "9 ft"], z = ["-13.5 ft", "0 ft"]'
+    wall = 'y = ["= bay_side", "= hull_side"], z = ["= -bay_depth", "0 ft"]'
     with pytest.raises(ScenarioError, match=r"bay\.y: the inside ends at -2\.286 m"):
-        changed(tmp_path, "concept-1972", wall, wall.replace("7.5 ft", "8.5 ft"))
+        changed(tmp_path, "concept-1972", wall, wall.replace("bay_side", "bay_side + 1 ft"))

@@ -200,7 +200,7 @@ def test_the_guides_of_the_seat_are_those_of_the_latches_solids(orbiter: Worksit
 
 
 def test_the_trunnions_are_made_to_touch_the_latches_of_both_sides(orbiter: Worksite) -> None:
-    assert set(orbiter.essential) == {
+    assert {essential.parts for essential in orbiter.essential} == {
         ("payload trunnions", "latches port"),
         ("payload trunnions", "latches starboard"),
         ("end effector", "payload grapple fixture"),

@@ -778,7 +778,7 @@ export interface Frame {
   readonly joint: number;
   readonly rate: Rate;
   /** READY and IN PROG of the automatic modes. */
-  readonly sequence: 'idle' | 'ready' | 'in progress';
+  readonly sequence: 'idle' | 'checking' | 'ready' | 'in progress';
   /** AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes. */
   readonly point: number;
   readonly points: number;
@@ -850,7 +850,7 @@ export interface Resolution {
 
 /** A limit that acted in this step. */
 export interface Limit {
-  readonly kind: 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
+  readonly kind: 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
   /** 0 to 5, or -1 where no single joint is concerned. */
   readonly joint: number;
   /** For people: `elbow pitch at its rate limit`. */

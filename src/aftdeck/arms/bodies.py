@@ -25,10 +25,10 @@ def body_problems(file: HeadingArmFile) -> list[str]:
 
 
 def _bends(file: HeadingArmFile) -> tuple[float, float]:
-    """Greatest bend at elbow and wrist inside the soft limits [rad]."""
-    soft = file.limits.soft.value
-    elbow = max(abs(angle) for angle in soft[2])
-    heading, pitch = (min(max(abs(angle) for angle in soft[joint]), math.pi) for joint in (3, 4))
+    """Greatest bend at elbow and wrist inside the hard limits, which DIRECT can reach [rad]."""
+    hard = file.limits.hard.value
+    elbow = max(abs(angle) for angle in hard[2])
+    heading, pitch = (min(max(abs(angle) for angle in hard[joint]), math.pi) for joint in (3, 4))
     # the hand's direction has the cosine of heading times that of pitch along the lower arm
     cosines = [math.cos(h) * math.cos(p) for h in (0.0, heading) for p in (0.0, pitch)]
     return elbow, math.acos(min(cosines))
@@ -81,7 +81,7 @@ def _boom_problems(b: BoomsFile, elbow: float, wrist: float) -> Iterator[str]:
             needed = "" if bend >= math.pi else f": {half_width * math.tan(0.5 * bend):g} m is needed"
             yield (
                 f"booms: {boom} set back by {set_back:g} m from the {pin} cannot bend by {math.degrees(bend):g} deg, "
-                f"as its soft limits let it{needed}"
+                f"as its hard limits let it{needed}"
             )
     for pin, side, room in (
         ("shoulder", b.shoulder_housing.value, b.set_back.value),

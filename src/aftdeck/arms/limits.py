@@ -27,17 +27,19 @@ class Limits(NamedTuple):
 
 
 class JointRates(NamedTuple):
-    """Joint rate limits, each (6,) [rad/s].
+    """Joint rate limits, each (6,) [rad/s], and the joints' greatest accelerations.
 
     Attributes:
-        servo: what the servos can do; RATLMT uses them in modes 1 to 7.
-        coarse: mode 8, COARSE.
-        vernier: mode 8, VERNIER.
+        servo: what the servos can do; RATLMT uses them in modes 2 to 7.
+        coarse: modes 1 and 8, DIRECT and MASTER, COARSE.
+        vernier: the same, VERNIER.
+        acceleration: (6,) greatest joint accelerations, watched in modes 1 to 7 [rad/s2].
     """
 
     servo: Array
     coarse: Array
     vernier: Array
+    acceleration: Array
 
 
 def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[str]:
@@ -56,4 +58,6 @@ def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> 
             found.append(
                 f"{joint}: expected 0 < vernier <= coarse <= servo, got {vernier:g}, {coarse:g}, {servo:g} rad/s"
             )
+        if not rates.acceleration[i] > 0.0:
+            found.append(f"{joint}: expected an acceleration above 0, got {rates.acceleration[i]:g} rad/s2")
     return found

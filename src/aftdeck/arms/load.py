@@ -29,14 +29,16 @@ class PorLimits(NamedTuple):
     """Limits of the point of resolution for one payload mass.
 
     Attributes:
-        translation: greatest speed [m/s], coarse and vernier.
-        rotation: greatest angular rate [rad/s], coarse and vernier.
-        reached_in: time in which the coarse limits are reached from rest [s].
+        translation: V_L, greatest speed [m/s], coarse and vernier.
+        rotation: omega_L, greatest angular rate [rad/s], coarse and vernier.
+        acceleration: greatest acceleration [m/s2], with either setting.
+        angular_acceleration: greatest angular acceleration [rad/s2], with either setting.
     """
 
     translation: tuple[float, float]
     rotation: tuple[float, float]
-    reached_in: float
+    acceleration: float
+    angular_acceleration: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,13 +140,13 @@ class ArmModel:
         def between(a: float, b: float) -> float:
             return float(b if share == 1.0 else a + share * (b - a))
 
+        translation, rotation = between(low.translation, high.translation), between(low.rotation, high.rotation)
+        reached_in = between(low.reached_in, high.reached_in)
         return PorLimits(
-            (
-                between(low.translation, high.translation),
-                between(low.vernier_translation, high.vernier_translation),
-            ),
-            (between(low.rotation, high.rotation), between(low.vernier_rotation, high.vernier_rotation)),
-            between(low.reached_in, high.reached_in),
+            (translation, between(low.vernier_translation, high.vernier_translation)),
+            (rotation, between(low.vernier_rotation, high.vernier_rotation)),
+            translation / reached_in,
+            rotation / reached_in,
         )
 
 

@@ -12,7 +12,7 @@ from typing import Annotated, Generic, Literal, TypeVar
 import msgspec
 
 from aftdeck.shapes import Axis
-from aftdeck.units import Angle, AngularRate, Length, Mass, Speed, Time
+from aftdeck.units import Angle, AngularAcceleration, AngularRate, Length, Mass, Speed, Time
 
 _T = TypeVar("_T")
 
@@ -45,6 +45,14 @@ SixRanges = tuple[
     tuple[Angle, Angle],
 ]
 SixRates = tuple[AngularRate, AngularRate, AngularRate, AngularRate, AngularRate, AngularRate]
+SixAccelerations = tuple[
+    AngularAcceleration,
+    AngularAcceleration,
+    AngularAcceleration,
+    AngularAcceleration,
+    AngularAcceleration,
+    AngularAcceleration,
+]
 SixNames = tuple[Text, Text, Text, Text, Text, Text]
 
 
@@ -84,11 +92,12 @@ class LimitsFile(_Part, frozen=True):
 
 
 class RatesFile(_Part, frozen=True):
-    """Joint rate limits: servo maxima (modes 1 to 7), coarse and vernier (mode 8)."""
+    """Joint rate limits: servo maxima (modes 2 to 7), coarse and vernier (modes 1 and 8); joint accelerations."""
 
     servo: Constant[SixRates]
     coarse: Constant[SixRates]
     vernier: Constant[SixRates]
+    acceleration: Constant[SixAccelerations]
 
 
 class PorRow(_Part, frozen=True):

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import sys
+from contextlib import ExitStack
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from aftdeck.cli.app import Host, Json, NoBrowser, Port, ScenarioName, Seed, app
 from aftdeck.cli.printing import Progress, print_complaint, print_json, print_summary, print_table
 from aftdeck.errors import AftdeckError, InputError
+
+if TYPE_CHECKING:
+    from aftdeck.scenario.model import Scenario
+    from aftdeck.simulation.summary import Summary
 
 
 @app.command(
@@ -57,10 +62,17 @@ def fly(
     )
 
 
-@app.command(epilog="Examples: aftdeck run sts-400-closed --json; aftdeck run uncradle --out uncradle.mcap")
+@app.command(
+    epilog="Examples: aftdeck run sts-400-closed --json; aftdeck run uncradle --out uncradle.mcap; "
+    "aftdeck run concept-1972 --channels flown.jsonl"
+)
 def run(
     scenario: ScenarioName,
     out: Annotated[Path | None, typer.Option(help="Record everything into this session file (.mcap).")] = None,
+    channels: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Fly by the 1972 report's input channels, a line of JSON for each step."),
+    ] = None,
     words: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the 1972 report's channels and frame words (JSON lines).")
     ] = None,
@@ -69,32 +81,21 @@ def run(
 ) -> None:
     """Fly a scenario's script without a screen and sum it up.
 
+    With --channels the file flies it instead of the script.
+
     Exit code 1 where it ended in a fault.
     """
     from aftdeck.scenario.load import load_scenario
-    from aftdeck.simulation.run import run as fly_script
 
+    if out is not None and words is not None and out.resolve() == words.resolve():
+        raise InputError(f"--out and --words both name {words}; each needs a file of its own")
     loaded = load_scenario(scenario)
-    if words is not None:
-        from aftdeck.simulation.report_words import check_words, write_words
-
-        if out is not None and out.resolve() == words.resolve():
-            raise InputError(f"--out and --words both name {words}; each needs a file of its own")
-        check_words(loaded, words)
-    lost: AftdeckError | None = None
-    with Progress(loaded.title) as progress:
-        if out is None:
-            summary = fly_script(loaded, seed, keep_frames=False, progress=progress).summary
-        else:
-            from aftdeck.recording.index import Index
-            from aftdeck.recording.run import UnrecordedRunError, record
-
-            try:
-                summary = record(loaded, out, seed, progress=progress, index=Index(), unlisted=print_complaint).summary
-            except UnrecordedRunError as error:
-                summary, lost = error.run.summary, error
-    if words is not None:
-        write_words(loaded, words, seed)
+    if channels is None and not loaded.phases:
+        print_complaint(
+            f"{loaded.name} has no script: its {loaded.duration:g} s pass with nobody at the controls; "
+            f"`aftdeck fly {scenario}` flies it by hand"
+        )
+    summary, lost = _flown(loaded, out, channels, words, seed)
     if as_json:
         print_json(summary, indent=2)
     else:
@@ -105,26 +106,69 @@ def run(
         raise typer.Exit(1)
 
 
+def _flown(
+    scenario: Scenario, out: Path | None, channels: Path | None, words: Path | None, seed: int | None
+) -> tuple[Summary, AftdeckError | None]:
+    """Fly a scenario as `run` is told to; return its summary, and why its recording was lost, if it was."""
+    from aftdeck.recording.index import Index
+    from aftdeck.recording.run import UnrecordedRunError, record
+    from aftdeck.simulation.run import run as fly
+
+    inputs, changes = None, tuple[str, ...]()
+    if channels is not None:
+        from aftdeck.cli.words import operator_by
+
+        scenario, inputs, changes = operator_by(scenario, channels)
+    with ExitStack() as open_while_flying:
+        stepped = None
+        if words is not None:
+            from aftdeck.cli.words import writing
+
+            stepped = open_while_flying.enter_context(writing(scenario, words))
+        progress = open_while_flying.enter_context(Progress(scenario.title))
+        if out is None:
+            done = fly(scenario, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=stepped)
+            return done.summary, None
+        try:
+            done = record(
+                scenario,
+                out,
+                seed,
+                inputs=inputs,
+                changes=changes,
+                progress=progress,
+                stepped=stepped,
+                index=Index(),
+                unlisted=print_complaint,
+            )
+        except UnrecordedRunError as error:
+            return error.run.summary, error
+        return done.summary, None
+
+
 @app.command(short_help="Check a scenario file: every error at once.", epilog="Example: aftdeck check my-scenario.toml")
 def check(scenario: ScenarioName, as_json: Json = False) -> None:
-    """Check a scenario file: every error at once, each with its place."""
+    """Check a scenario file: every error at once, each with its place, and cautions over sampled poses."""
     from aftdeck.errors import ScenarioError
+    from aftdeck.files import sentences
     from aftdeck.scenario.load import load_scenario
 
     problems: tuple[str, ...] = ()
+    cautions: tuple[str, ...] = ()
     try:
         loaded = load_scenario(scenario)
-        if any(start.grasped for start in (loaded.start, *loaded.parts.values())):
-            from aftdeck.simulation.run import Simulation
+        from aftdeck.simulation.survey import survey
 
-            Simulation(loaded)  # whether the hand could have taken it so shows only where everything stands
+        cautions = tuple(sentences([*loaded.cautions, *survey(loaded)], f"{loaded.name}.toml", loaded.text))
     except AftdeckError as error:
         problems = error.problems if isinstance(error, ScenarioError) else (str(error),)
     if as_json:
-        print_json({"scenario": scenario, "problems": problems})
+        print_json({"scenario": scenario, "problems": problems, "cautions": cautions})
     else:
         for problem in problems:
             print(problem, file=sys.stderr)
+        for caution in cautions:
+            print(f"caution: {caution}", file=sys.stderr)
         if not problems:
             print(f"{scenario}: good. {loaded.title}, arm {loaded.arm.name}, {len(loaded.phases)} phases.")
     if problems:

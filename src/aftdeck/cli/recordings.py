@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 import sys
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -51,6 +52,12 @@ def replay(
     out: Annotated[Path | None, typer.Option(help="With --set: record the changed run into this file.")] = None,
     play: Annotated[bool, typer.Option("--open", help="Play it in the browser.")] = False,
     html: Annotated[Path | None, typer.Option(help="Write one HTML file that plays it without a server.")] = None,
+    words: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Write the 1972 report's channels and frame words (JSON lines), and verify it."
+        ),
+    ] = None,
     host: Host = "127.0.0.1",
     port: Port = 8340,
     no_browser: NoBrowser = False,
@@ -64,6 +71,8 @@ def replay(
         raise InputError("--verify, --set, --open and --html are given one at a time")
     if out is not None and not changes:
         raise InputError("--out goes with --set: it records the changed run")
+    if words is not None and (changes or play or html is not None):
+        raise InputError("--words goes with --verify alone: it is written while the recorded inputs are flown again")
     if changes:
         _rerun(file, tuple(changes), out, as_json)
     elif play:
@@ -76,16 +85,23 @@ def replay(
         write_html(file, html)
         print(f"{html}: {html.stat().st_size / 1e6:.2f} MB; open it in any browser")
     else:
-        _verify(file, as_json)
+        _verify(file, words, as_json)
 
 
-def _verify(file: Path, as_json: bool) -> None:
+def _verify(file: Path, words: Path | None, as_json: bool) -> None:
+    from aftdeck.recording.bundle import scenario_of
     from aftdeck.recording.reader import Recording
     from aftdeck.recording.replay import verify
 
     recording = Recording(file)
-    with Progress(recording.opening.title) as told:
-        verdict = verify(file, progress=told)
+    with ExitStack() as open_while_flying:
+        stepped = None
+        if words is not None:
+            from aftdeck.cli.words import writing
+
+            stepped = open_while_flying.enter_context(writing(scenario_of(recording.opening), words))
+        told = open_while_flying.enter_context(Progress(recording.opening.title))
+        verdict = verify(file, told, stepped)
     if as_json:
         print_json(verdict, indent=2)
     else:

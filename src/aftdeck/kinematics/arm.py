@@ -210,6 +210,27 @@ class Arm:
         order = np.argsort(np.linalg.norm(solutions - reference, axis=1), kind="stable")
         return _distinct(solutions[order])
 
+    def rmangs(self, pose: Pose) -> Array:
+        """The one set of joint angles that JSC-12628's RMANGS gives: the elbow bent below the line, the wrist unturned.
+
+        Args:
+            pose: position (3,) [m] and rotation (3, 3) of frame 7, in L.
+
+        Returns:
+            (6,) joint angles in [-pi, pi], whatever their limits [rad].
+
+        Raises:
+            SingularityError, UnreachableError: as `inverse`.
+        """
+        self.inverse(pose, limits=False)  # says what is wrong with a pose
+        branches, excess = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
+        packed = np.concatenate([_floats(pose.position, "a position"), _floats(pose.rotation, "a rotation").ravel()])
+        rmangs(self.model.links, packed, branches, excess)
+        if excess[0] != 0.0:
+            raise self._out_of_reach(excess[:1])
+        first: Array = branches[0]
+        return first
+
     def end_effector(self, rotation: Array) -> Array:
         """The end effector's own axes E from frame 7's: R_E = R_7 Rx(end_effector_roll); (..., 3, 3)."""
         return rotation @ rotation_x(self.model.end_effector_roll)

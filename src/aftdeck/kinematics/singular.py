@@ -43,6 +43,17 @@ def distances(arm: Floats, a: Sines) -> tuple[float, float, float]:
 
 
 @law
+def nearest_singularity(arm: Array, angles: Array) -> tuple[float, int]:
+    """Return the least distance from a singularity [1], and which: 0 shoulder, 1 elbow, 2 wrist."""
+    d = distances(arm, sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5]))
+    which = 0
+    for k in range(1, 3):
+        if abs(d[k]) < abs(d[which]):
+            which = k
+    return abs(d[which]), which
+
+
+@law
 def distances_many(arm: Array, angles: Array, result: Array) -> None:
     """Over rows: angles (n, 6) [rad] -> result (3, n)."""
     for i in range(angles.shape[0]):

@@ -146,7 +146,7 @@ class FrameRecord(Message, frozen=True):
     safing: Annotated[bool, told("zero joint rates are commanded")]
     joint: Annotated[int, told("selected joint, 0 to 5")]
     rate: Annotated[Literal["coarse", "vernier"], told("rate setting")]
-    sequence: Annotated[Literal["idle", "ready", "in progress"], told("READY and IN PROG")]
+    sequence: Annotated[Literal["idle", "checking", "ready", "in progress"], told("CHECKING, READY and IN PROG")]
     point: Annotated[int, told("AUTO 1-4: the point flown to, from 1; 0 elsewhere")]
     points: Annotated[int, told("AUTO 1-4: how many")]
     check: Annotated[str, told("CMD CK: GOOD or FAIL and why; empty: none")]

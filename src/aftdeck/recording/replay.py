@@ -45,10 +45,17 @@ class Verdict(msgspec.Struct, frozen=True):
     """Processor, system and compilers are those of the recording."""
 
 
-def verify(path: str | Path, progress: Progress | None = None) -> Verdict:
+def verify(
+    path: str | Path, progress: Progress | None = None, stepped: Callable[[Simulation], None] | None = None
+) -> Verdict:
     """Re-simulate a recording's inputs and compare every frame's digest.
 
     A recording of another version is tried all the same; the verdict says which version made it.
+
+    Args:
+        path: the recording.
+        progress: told now and then how much has been done, 0 to 1.
+        stepped: called after every step with the simulation.
 
     Raises:
         RecordingError: no recording, a damaged one, or one that this version cannot fly.
@@ -57,7 +64,7 @@ def verify(path: str | Path, progress: Progress | None = None) -> Verdict:
     opening = recording.opening
     try:
         sim = Simulation(scenario_of(opening), opening.seed)
-        return _compared(recording, sim, progress)
+        return _compared(recording, sim, progress, stepped)
     except RecordingError:
         raise
     except AftdeckError as error:
@@ -68,12 +75,16 @@ def verify(path: str | Path, progress: Progress | None = None) -> Verdict:
         ) from None
 
 
-def _compared(recording: Recording, sim: Simulation, progress: Progress | None) -> Verdict:
+def _compared(
+    recording: Recording, sim: Simulation, progress: Progress | None, stepped: Callable[[Simulation], None] | None
+) -> Verdict:
     frames = hashlib.sha256()
     count = different = 0
     first: Difference | None = None
     for flown, record in recording.steps():
         sim.advance(inputs_of(flown))
+        if stepped is not None:
+            stepped(sim)
         own = sim.seal()
         frames.update(own)
         count += 1

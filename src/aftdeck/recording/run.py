@@ -11,8 +11,9 @@ from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.recording.writer import Recorder
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.run import Run, run
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.plain import whole
+from aftdeck.simulation.run import Run, Simulation, run
 
 
 class UnrecordedRunError(RecordingError):
@@ -33,18 +34,24 @@ def record(
     seed: int | None = None,
     *,
     trial: Trial = NO_TRIAL,
+    inputs: Callable[[Simulation], Inputs | None] | None = None,
+    changes: tuple[str, ...] = (),
     progress: Callable[[float], None] | None = None,
+    stepped: Callable[[Simulation], None] | None = None,
     index: Index | None = None,
     unlisted: Callable[[str], None] | None = None,
 ) -> Run:
-    """Fly a scenario's script to its end and write everything into a session file.
+    """Fly a scenario's script, or given inputs, to the end and write everything into a session file.
 
     Args:
         scenario: a scenario, a built-in name or a path.
         out: the file to make; its folder is made where it is missing.
         seed: in place of the scenario's.
         trial: who takes part, and under which condition.
+        inputs: asked before every step for a person's inputs, as in `simulation.run.run`.
+        changes: KEY=VALUE, where the scenario differs from its text.
         progress: told now and then how much of the longest duration has gone, 0 to 1.
+        stepped: called after every step with the simulation.
         index: list to keep the file in.
         unlisted: told why the file is not in the list, where it could not be put there.
 
@@ -56,14 +63,17 @@ def record(
         UnrecordedRunError: a disk that became full; the file holds what was flown before, the error the run.
     """
     loaded = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
-    recorder = Recorder(Path(out), loaded, loaded.seed if seed is None else seed, trial=trial, index=index)
+    own_seed = loaded.seed if seed is None else whole(seed, "seed")
+    recorder = Recorder(Path(out), loaded, own_seed, changes=changes, trial=trial, index=index)
 
-    def keep(frame: Frame) -> None:
-        recorder.step(None, frame)
+    def keep(sim: Simulation) -> None:
+        recorder.step(sim.given, sim.look())
         recorder.wait_for_room()
+        if stepped is not None:
+            stepped(sim)
 
     try:
-        done = run(loaded, seed, keep_frames=False, progress=progress, seen=keep)
+        done = run(loaded, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=keep)
     except BaseException:
         recorder.close("stopped")
         raise

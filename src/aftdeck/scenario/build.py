@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from aftdeck.errors import ScenarioError
+from aftdeck.files import Problem, Where, beside
+from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.cargo import present_cargo
+from aftdeck.scenario.fit import misfits
 from aftdeck.scenario.light import lamps_of, lighting
 from aftdeck.scenario.limits import check_por, limited_arm, por_with
-from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.model import PhasePlan, Scenario
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
 from aftdeck.scenario.payload import held_payload
 from aftdeck.scenario.phases import phase_plan
@@ -17,9 +21,10 @@ from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.scenario.sequences import stored_points
 from aftdeck.scenario.starts import parts, start
+from aftdeck.scenario.target import AtSeat
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.load import load_worksite
-from aftdeck.worksite.model import Worksite
+from aftdeck.worksite.model import Cargo, Worksite
 
 LONGEST_PERIOD = 0.2
 """Longest control period taken [s]; the arm's own computer ran at 0.08 s."""
@@ -49,13 +54,13 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
     arm = limited_arm(problems, spec.arm, spec.limits, folder)
     if arm is None:
         return None
-    worksite = _worksite(problems, spec.worksite, folder)
+    worksite = _worksite(problems, spec, folder)
     payload = held_payload(problems, spec.payload)
-    check_por(problems, por_with(arm.model, payload.mass if payload else 0.0, spec.limits.por))
+    check_por(problems, spec.limits.por, por_with(arm.model, payload.mass if payload else 0.0, spec.limits.por))
     cargo = present_cargo(problems, worksite, spec.cargo)
-    names = [one.name for one in (cargo if worksite else spec.cargo)]  # what is wrong with a place is told once
-    begin = start(problems, arm, spec.initial, names, ("initial",))
-    begun = parts(problems, arm, spec.initialise, begin, names)
+    things = Things(cargo, worksite, spec.strict)
+    begin = start(problems, arm, spec.initial, things, ("initial",))
+    begun = parts(problems, arm, spec.initialise, begin, things)
     sequences = stored_points(problems, arm, spec.sequence)
     check_mode(problems, mode.position, bool(payload or cargo), sequences, ("mode",))
     if payload and cargo:
@@ -63,11 +68,16 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
     elif cargo and begin is not None and begin.grasped is None and MODES[mode.position].loaded:
         problems.wrong(("mode",), f"{mode.position} moves a payload, and none is in the grasp: give initial.grasped")
     loads = bool(payload or cargo)
-    things = Things(cargo, tuple(seat.name for seat in worksite.seats) if worksite else ())
     phases = [phase_plan(problems, arm, phase, i, loads, sequences, things) for i, phase in enumerate(spec.phase)]
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
     light = lighting(problems, spec.light, lamps)
+    cautions: list[Problem] = []
+    if not problems and worksite is not None:
+        starts = [one for one in (begin, *begun.values()) if one is not None]
+        held = [{one.grasped.cargo} if one.grasped else set() for one in starts]
+        always = frozenset(set.intersection(*held)) if held else frozenset()
+        cautions = _check_fit(problems, arm, worksite, cargo, phases, always)
     if problems or begin is None or worksite is None:
         return None
     return Scenario(
@@ -87,6 +97,7 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         parts=begun,
         cargo=cargo,
         docking_axes="y" if spec.docking == "y axis" else "all",
+        free_contact=spec.free_contact,
         caution=float(spec.clearance.caution),
         warning=float(spec.clearance.warning),
         lamps=lamps,
@@ -95,6 +106,7 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         rate=spec.rate,
         as_flown=spec.soft_stops == "as-flown",
         strict=spec.strict,
+        guarded=not spec.strict if spec.guards is None else spec.guards,
         near=float(spec.arrive_within),
         near_turn=float(spec.arrive_within_angle),
         fly_by=float(spec.fly_by_within),
@@ -107,15 +119,36 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         payload=payload,
         phases=tuple(phase for phase in phases if phase is not None),
         text=text,
+        cautions=tuple(cautions),
     )
 
 
-def _worksite(problems: Problems, name_or_path: str, folder: Path) -> Worksite | None:
-    """The worksite of a built-in name or of a file, sought from `folder`."""
-    if name_or_path.endswith(".toml") and not Path(name_or_path).is_absolute():
-        name_or_path = str(folder / name_or_path)
+def _check_fit(
+    problems: Problems,
+    arm: Arm,
+    worksite: Worksite,
+    cargo: tuple[Cargo, ...],
+    phases: Sequence[PhasePlan | None],
+    held: frozenset[int],
+) -> list[Problem]:
+    """Note what does not fit and makes every run senseless; return the rest."""
+    used = frozenset(phase.target.seat for phase in phases if phase and isinstance(phase.target, AtSeat))
+    wrong: dict[Where, list[str]] = {}
+    cautions = []
+    for misfit in misfits(arm.model, worksite, cargo, used, held):
+        if misfit.senseless:
+            wrong.setdefault(misfit.problem.where, []).append(misfit.problem.what)
+        else:
+            cautions.append(misfit.problem)
+    for where, whats in wrong.items():
+        problems.wrong(where, "; ".join(whats))
+    return cautions
+
+
+def _worksite(problems: Problems, spec: ScenarioFile, folder: Path) -> Worksite | None:
+    """The worksite of a built-in name or of a file, sought from `folder`, with the scenario's dimensions."""
     try:
-        return load_worksite(name_or_path)
+        return load_worksite(beside(spec.worksite, folder), spec.dimensions)
     except ScenarioError as error:
         for problem in error.problems:
             problems.wrong(("worksite",), problem)

@@ -9,6 +9,7 @@ from aftdeck.arms.geometry import frozen
 from aftdeck.arms.limits import Array, JointRates, Limits, limit_problems
 from aftdeck.arms.load import ArmModel, PorLimits
 from aftdeck.errors import AftdeckError, ScenarioError
+from aftdeck.files import beside
 from aftdeck.kinematics.arm import Arm, load_arm
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import LimitsOverride, PorOverride
@@ -16,10 +17,8 @@ from aftdeck.scenario.schema import LimitsOverride, PorOverride
 
 def limited_arm(problems: Problems, name_or_path: str, over: LimitsOverride, folder: Path) -> Arm | None:
     """The arm of a built-in name or of a file, sought from `folder`, with the scenario's limits; None: no such arm."""
-    if name_or_path.endswith(".toml") and not Path(name_or_path).is_absolute():
-        name_or_path = str(folder / name_or_path)
     try:
-        arm = load_arm(name_or_path)
+        arm = load_arm(beside(name_or_path, folder))
     except ScenarioError as error:
         for problem in error.problems:
             problems.wrong(("arm",), problem)
@@ -49,20 +48,21 @@ def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
     def pick(given: float | None, own: float) -> float:
         return own if given is None else float(given)
 
-    return PorLimits(
-        (pick(over.translation, own.translation[0]), pick(over.vernier_translation, own.translation[1])),
-        (pick(over.rotation, own.rotation[0]), pick(over.vernier_rotation, own.rotation[1])),
-        pick(over.reached_in, own.reached_in),
-    )
+    translation = (pick(over.translation, own.translation[0]), pick(over.vernier_translation, own.translation[1]))
+    rotation = (pick(over.rotation, own.rotation[0]), pick(over.vernier_rotation, own.rotation[1]))
+    speeding = translation[0] / pick(over.reached_in, own.translation[0] / own.acceleration)
+    turning = rotation[0] / pick(over.reached_in, own.rotation[0] / own.angular_acceleration)
+    return PorLimits(translation, rotation, pick(over.acceleration, speeding), pick(over.angular_acceleration, turning))
 
 
-def check_por(problems: Problems, por: PorLimits) -> None:
-    """Note limits that are none."""
-    for name, value in zip(
-        PorOverride.__struct_fields__, (*por.translation, *por.rotation, por.reached_in), strict=True
-    ):
-        if value <= 0.0:
-            problems.wrong(("limits", "por", name), f"is above 0, got {value:g}")
+def check_por(problems: Problems, over: PorOverride, por: PorLimits) -> None:
+    """Note limits that are not above 0, vernier limits above the coarse ones, and an acceleration given twice."""
+    for name in PorOverride.__struct_fields__:
+        given = getattr(over, name)
+        if given is not None and given <= 0.0:
+            problems.wrong(("limits", "por", name), f"is above 0, got {given:g}")
+        elif given is not None and over.reached_in is not None and "acceleration" in name:
+            problems.wrong(("limits", "por", name), "give either reached_in or accelerations, not both")
     for name, (coarse, vernier) in (("vernier_translation", por.translation), ("vernier_rotation", por.rotation)):
         if vernier > coarse > 0.0:
             problems.wrong(("limits", "por", name), f"is at most the coarse limit {coarse:g}, got {vernier:g}")

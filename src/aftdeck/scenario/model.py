@@ -7,10 +7,11 @@ from typing import Literal
 
 import numpy as np
 
+from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.light import Lighting
-from aftdeck.scenario.schema import PorOverride, Rate, Until
+from aftdeck.scenario.schema import FreeContact, PorOverride, Rate, Until
 from aftdeck.scenario.target import Place, Target
 from aftdeck.steering.mode import LawChoice, PanelPosition
 from aftdeck.worksite.model import Cargo, Worksite
@@ -134,6 +135,7 @@ class Scenario:
         parts: where the parts of the problem begin anew; "full problem" is `start`.
         cargo: the worksite's payloads that are there.
         docking_axes: which axes docking compares: all, or y alone as the report does.
+        free_contact: what a contact does to a body that nothing holds.
         caution: clearance under which the page cautions [m].
         warning: clearance under which it warns [m].
         lamps: switches of the lamps that are there.
@@ -141,7 +143,8 @@ class Scenario:
         mode: entered at the start.
         rate: coarse or vernier at the start.
         as_flown: soft stops stop every joint in computed modes.
-        strict: the source's own steering, without the mending rules.
+        strict: the source's own steering, without the corrections.
+        guarded: computed modes slow the arm before its stops and singularities.
         near: end sphere of the automatic modes [m].
         near_turn: the same in rotation [rad].
         fly_by: how near a fly-by point is come [m].
@@ -154,6 +157,7 @@ class Scenario:
         payload: in the grasp at the start, or None.
         phases: the script; empty: none.
         text: the file.
+        cautions: what does not fit, though runs make sense that stay clear of it.
     """
 
     name: str
@@ -172,6 +176,7 @@ class Scenario:
     parts: dict[Part, Start]
     cargo: tuple[Cargo, ...]
     docking_axes: Literal["all", "y"]
+    free_contact: FreeContact
     caution: float
     warning: float
     lamps: tuple[str, ...]
@@ -180,6 +185,7 @@ class Scenario:
     rate: Rate
     as_flown: bool
     strict: bool
+    guarded: bool
     near: float
     near_turn: float
     fly_by: float
@@ -192,6 +198,7 @@ class Scenario:
     payload: Payload | None
     phases: tuple[PhasePlan, ...]
     text: str
+    cautions: tuple[Problem, ...]
 
     @property
     def initial_angles(self) -> np.ndarray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import cast
 
 from aftdeck.errors import InputError
-from aftdeck.files import Where
+from aftdeck.files import Where, place
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.model import PhasePlan, Sequences
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
@@ -50,7 +50,7 @@ def phase_plan(
     joint = _joint(problems, arm, phase, where)
     _check_phase(problems, arm, phase, chosen, joint, where)
     return PhasePlan(
-        name=phase.name or f"{chosen.position} {i + 1}",
+        name=phase.name or f"{chosen.position}, {place(where)}",
         mode=chosen.position,
         rate=phase.rate,
         translation=phase.translation,

@@ -1,4 +1,4 @@
-"""Targets given by what is there when a phase begins: a payload to take, a seat to bring it to."""
+"""Targets given by what is there: a payload to take, a seat to bring it to, a pose in the axes of a body."""
 
 from __future__ import annotations
 
@@ -6,57 +6,123 @@ from typing import NamedTuple
 
 import msgspec
 
-from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.files import Where
+from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
-from aftdeck.scenario.poses import target
+from aftdeck.scenario.poses import FRAMES, position_and_rotation, target
 from aftdeck.scenario.problems import Problems
+from aftdeck.scenario.relative import at_cargo, at_seat, composed, in_frame, inverted, scene_in_l, takes
 from aftdeck.scenario.schema import PoseSpec
-from aftdeck.scenario.target import Place, Target
-from aftdeck.worksite.model import Cargo
+from aftdeck.scenario.target import AtCargo, AtSeat, Place, Target
+from aftdeck.worksite.model import Cargo, Worksite
 
 
 class Things(NamedTuple):
-    """What a phase's target may be given by.
+    """What a target or a start may be given by, and how its joint angles are found.
 
     Attributes:
         cargo: the scenario's payloads.
-        seats: names of the worksite's seats.
+        worksite: its bodies and seats; None: what was named could not be read.
+        strict: a pose is reached by RMANGS's own branch, as in the source.
     """
 
     cargo: tuple[Cargo, ...]
-    seats: tuple[str, ...]
+    worksite: Worksite | None
+    strict: bool = False
+
+
+def is_relative(spec: PoseSpec) -> bool:
+    """Return whether a pose is given by what is there."""
+    return spec.frame not in FRAMES or (spec.cargo, spec.seat, spec.above, spec.offset) != (None, None, None, None)
 
 
 def goal(problems: Problems, arm: Arm, spec: PoseSpec, things: Things, where: Where) -> Target | Place | None:
-    """A target as a pose, or as a place that is found when the phase begins; None where it is wrong."""
+    """Return a target as a pose, or as a place that is found when the phase begins; None where it is wrong."""
+    return place(problems, arm, spec, things, where) if is_relative(spec) else target(problems, arm, spec, where)
+
+
+def place(problems: Problems, arm: Arm, spec: PoseSpec, things: Things, where: Where) -> Place | None:
+    """Return the place of a pose that is given by what is there; None where it is wrong, or the worksite is."""
+    if things.worksite is None:
+        return None
     if spec.cargo is None and spec.seat is None:
-        return target(problems, arm, spec, where)
-    if msgspec.structs.replace(spec, cargo=None, seat=None, above=None) != PoseSpec() or None not in (
-        spec.cargo,
-        spec.seat,
-    ):
-        problems.wrong(where, "give cargo or seat, with above where it is short of it, and nothing else")
+        return _in_frame(problems, spec, things, where)
+    rest = msgspec.structs.replace(spec, cargo=None, seat=None, above=None, offset=None)
+    if rest != PoseSpec() or None not in (spec.cargo, spec.seat):
+        problems.wrong(where, "give cargo or seat, with above and offset where it is short of it, and nothing else")
         return None
-    above = float(spec.above or 0.0)
+    above, (x, y, z) = float(spec.above or 0.0), spec.offset or (0.0, 0.0, 0.0)
+    offset = float(x), float(y), float(z)
     if spec.seat is not None:
-        if spec.seat not in things.seats:
-            problems.wrong((*where, "seat"), f"no seat {spec.seat!r}: there is {', '.join(things.seats) or 'none'}")
-            return None
-        return Place(None, spec.seat, above)
-    names = [one.name for one in things.cargo]
-    if spec.cargo not in names:
+        seats = [seat.name for seat in things.worksite.seats]
+        if spec.seat in seats:
+            return AtSeat(spec.seat, above, offset)
+        problems.wrong((*where, "seat"), f"no seat {spec.seat!r}: there is {', '.join(seats) or 'none'}")
+        return None
+    k = cargo_index(problems, arm, things.cargo, spec.cargo or "", (*where, "cargo"))
+    return None if k is None else AtCargo(k, above, offset)
+
+
+def cargo_index(problems: Problems, arm: Arm, cargo: tuple[Cargo, ...], name: str, where: Where) -> int | None:
+    """Return which of the scenario's payloads a name stands for; None where the hand can take none of that name."""
+    names = [one.name for one in cargo]
+    if name not in names:
         there = f"there is {', '.join(names)}" if names else "the scenario has none: add a [[cargo]]"
-        problems.wrong((*where, "cargo"), f"no cargo {spec.cargo!r}: {there}")
+        problems.wrong(where, f"no cargo {name!r}: {there}")
         return None
-    k = names.index(spec.cargo)
-    if not _takes(arm.model, things.cargo[k]):
-        problems.wrong((*where, "cargo"), f"{spec.cargo!r} has nothing that the hand of {arm.model.name} takes")
+    if not takes(arm.model, cargo[names.index(name)]):
+        problems.wrong(where, f"{name!r} has nothing that the hand of {arm.model.name} takes")
         return None
-    return Place(k, "", above)
+    return names.index(name)
 
 
-def _takes(model: ArmModel, cargo: Cargo) -> bool:
-    """Whether a payload has what this arm's hand takes hold of: a bar, or a grapple fixture."""
-    return (cargo.receptacle if isinstance(model.source, HeadingArmFile) else cargo.grapple) is not None
+def at_the_start(
+    problems: Problems, arm: Arm, spec: PoseSpec, things: Things, in_hand: tuple[int, Pose] | None, where: Where
+) -> Pose | None:
+    """Return the tip in L at a pose that is given by what is there, as all of it is at the start; None: it is wrong.
+
+    Args:
+        problems: gathers what is wrong.
+        arm: with its telescope at its length.
+        spec: as decoded.
+        things: what there is.
+        in_hand: which payload is held, and its pose at the tip; None: none.
+        where: its place in the file.
+    """
+    found = place(problems, arm, spec, things, where)
+    if found is None or things.worksite is None:
+        return None
+    scene = scene_in_l(arm.model.mount, things.worksite.origin)
+    if isinstance(found, AtCargo):
+        one = things.cargo[found.cargo]
+        return composed(scene, composed(one.start.pose, at_cargo(arm.model, one, found)))
+    if isinstance(found, AtSeat):
+        if in_hand is None:
+            problems.wrong(where, "a pose at a seat is that of what is held there: give grasped")
+            return None
+        k, held = in_hand
+        seat = next(seat for seat in things.worksite.seats if seat.name == found.seat)
+        if lacking := seat.lacks(things.cargo[k].probe, things.cargo[k].trunnions):
+            problems.wrong(
+                where, f"{things.cargo[k].name!r} has no {lacking}, which the seat {seat.name!r} holds on to"
+            )
+            return None
+        return composed(scene, composed(at_seat(seat, things.cargo[k], found), inverted(held)))
+    carrier = next((one.start.pose for one in things.cargo if one.name == found.frame), None)
+    return composed(scene, found.pose if carrier is None else composed(carrier, found.pose))
+
+
+def _in_frame(problems: Problems, spec: PoseSpec, things: Things, where: Where) -> Place | None:
+    """Return a pose in the axes of a body, a seat or a payload."""
+    if spec.above is not None or spec.offset is not None:
+        problems.wrong(where, "above and offset go with cargo or seat")
+        return None
+    pose = position_and_rotation(problems, spec, where)
+    if pose is None or things.worksite is None:
+        return None
+    found = in_frame(things.worksite, things.cargo, spec.frame, pose)
+    if found is None:
+        names = [body.name for body in things.worksite.bodies] + [seat.name for seat in things.worksite.seats]
+        there = ", ".join(dict.fromkeys([*FRAMES, *names, *(one.name for one in things.cargo)]))
+        problems.wrong((*where, "frame"), f"no frame {spec.frame!r}: there are {there}")
+    return found

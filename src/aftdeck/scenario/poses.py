@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
+from typing import get_args
 
 import numpy as np
 
 from aftdeck.arms.geometry import frozen
 from aftdeck.files import Where
-from aftdeck.frames import Pose, endori, panel_rotation, rotation_x
+from aftdeck.frames import FrameName, Pose, endori, panel_rotation, rotation_x
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import PoseSpec, Row, SixAngles
 from aftdeck.scenario.target import Target, target_at
 
+FRAMES: tuple[FrameName, ...] = get_args(FrameName)
+"""Frames in which every pose may be given."""
 ORTHONORMAL = 1e-6
 """How far from orthonormal a given matrix may be [1]."""
 
@@ -66,17 +69,34 @@ def target(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Target
 
 def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pose | None:
     """Frame 7 in L from one of the three ways to give a pose; None where it is wrong."""
-    if spec.cargo is not None or spec.seat is not None or spec.above is not None:
-        problems.wrong(where, "cargo, seat and above are for the target of a phase, which finds them as it begins")
+    if (spec.cargo, spec.seat, spec.above, spec.offset) != (None, None, None, None):
+        what = "cargo, seat, above and offset are for the target of a phase, and for the pose at the start"
+        problems.wrong(where, what)
         return None
-    euler = (spec.roll, spec.pitch, spec.yaw)
     if spec.joints is not None:
+        euler = (spec.roll, spec.pitch, spec.yaw)
         if spec.position is not None or spec.matrix is not None or euler != (None, None, None):
             problems.wrong(where, "give either joints, or a position with an orientation, not both")
             return None
         angles = joint_angles(problems, arm, spec.joints, (*where, "joints"))
         return None if angles is None else arm.forward(angles)
-    if spec.position is None:
+    frame = next((name for name in FRAMES if name == spec.frame), None)
+    if frame is None:
+        problems.wrong((*where, "frame"), f"expected one of {', '.join(FRAMES)}, got {spec.frame!r}")
+        return None
+    pose = position_and_rotation(problems, spec, where)
+    if pose is None:
+        return None
+    rotation = pose.rotation
+    if frame == "panel":
+        rotation = rotation @ rotation_x(-arm.model.end_effector_roll)
+    return arm.model.mount.from_(frame, Pose(pose.position, rotation))
+
+
+def position_and_rotation(problems: Problems, spec: PoseSpec, where: Where) -> Pose | None:
+    """A pose by position and orientation, as it is given in its own frame; None where it is wrong."""
+    euler = (spec.roll, spec.pitch, spec.yaw)
+    if spec.position is None or spec.joints is not None:
         problems.wrong(where, "give joints (six angles), or a position with an orientation")
         return None
     if spec.matrix is not None:
@@ -90,6 +110,4 @@ def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pos
     else:
         roll, pitch, yaw = (angle or 0.0 for angle in euler)
         rotation = panel_rotation(pitch, yaw, roll) if spec.frame == "panel" else endori(roll, pitch, yaw)
-    if spec.frame == "panel":
-        rotation = rotation @ rotation_x(-arm.model.end_effector_roll)
-    return arm.model.mount.from_(spec.frame, Pose(np.array(spec.position, dtype=np.float64), rotation))
+    return Pose(np.array(spec.position, dtype=np.float64), rotation)

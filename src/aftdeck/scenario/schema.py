@@ -6,10 +6,9 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from aftdeck.arms.model import Cover, SixRanges, SixRates, Text
-from aftdeck.frames import FrameName
+from aftdeck.arms.model import Cover, SixAccelerations, SixRanges, SixRates, Text
 from aftdeck.shapes import Shape
-from aftdeck.units import Angle, AngularRate, Length, Mass, Speed, Time
+from aftdeck.units import Acceleration, Angle, AngularAcceleration, AngularRate, Length, Mass, Speed, Time
 from aftdeck.worksite.cargo_file import StartFile
 
 Stick = Annotated[float, msgspec.Meta(ge=-1.0, le=1.0)]
@@ -19,6 +18,8 @@ Point = tuple[Length, Length, Length]
 Row = tuple[float, float, float]
 Rate = Literal["coarse", "vernier"]
 Until = Literal["captured", "released", "latched", "unlatched"]
+FreeContact = Literal["stop", "reflect"]
+"""What a contact does to a body that nothing holds."""
 """What a phase may wait for: a payload in the grasp, or none any more; it is fixed in its seat, or no more."""
 
 
@@ -34,14 +35,16 @@ class PoseSpec(_Part, frozen=True):
     effector's attitude, pitch, yaw, roll in that order) or by a `matrix` whose columns are the axes (the
     report's S1 = 0). In the panel frame X = -Xo, Y = Yo, Z = -Zo.
 
-    A phase's target may also be given by what is there as the phase begins: by `cargo`, where the hand takes that
-    payload, or by `seat`, where what the hand then holds is in its place in that seat; both `above` it by so much: back
-    along the hand, up out of the bay, out from the port.
+    A phase's target, and the pose in which a run starts, may also be given by what is there at that instant: by
+    `cargo`, where the hand takes that payload, or by `seat`, where what the hand holds is in its place in that seat.
+    `above` keeps it short of there: back along the hand, up out of the bay, out from the port; `offset` goes aside from
+    there along the axes of the payload or seat. Or `frame` names a body, a seat or a payload, in whose axes position
+    and orientation (as in L) are given.
     """
 
     joints: SixAngles | None = None
     position: Point | None = None
-    frame: FrameName = "orbiter"
+    frame: Text = "orbiter"
     roll: Angle | None = None
     pitch: Angle | None = None
     yaw: Angle | None = None
@@ -49,13 +52,18 @@ class PoseSpec(_Part, frozen=True):
     cargo: Text | None = None
     seat: Text | None = None
     above: Length | None = None
+    offset: Point | None = None
 
 
 class GraspSpec(_Part, frozen=True):
-    """A payload of the worksite held at the start: which, and how the arm stood when it took it in its place."""
+    """A payload of the worksite held at the start: which, and how the arm stood when it took it in its place.
+
+    By `joints`, or `above` it by so much as `PoseSpec` has it, by the branch nearest to the start's `near`.
+    """
 
     cargo: Text
-    joints: SixAngles
+    joints: SixAngles | None = None
+    above: Length | None = None
     stand: Length | None = None
 
 
@@ -113,13 +121,19 @@ class LightSpec(_Part, frozen=True):
 
 
 class PorOverride(_Part, frozen=True):
-    """Limits of the point of resolution in place of the arm's, whatever the payload."""
+    """Limits of the point of resolution in place of the arm's, whatever the payload.
+
+    `reached_in` gives both accelerations as the time in which the coarse limits are reached; `acceleration` and
+    `angular_acceleration` give the report's accelerations of V_L and omega_L apart.
+    """
 
     translation: Speed | None = None
     vernier_translation: Speed | None = None
     rotation: AngularRate | None = None
     vernier_rotation: AngularRate | None = None
     reached_in: Time | None = None
+    acceleration: Acceleration | None = None
+    angular_acceleration: AngularAcceleration | None = None
 
 
 class LimitsOverride(_Part, frozen=True):
@@ -131,6 +145,7 @@ class LimitsOverride(_Part, frozen=True):
     servo: SixRates | None = None
     coarse: SixRates | None = None
     vernier: SixRates | None = None
+    acceleration: SixAccelerations | None = None
     por: PorOverride = PorOverride()
 
 
@@ -211,6 +226,8 @@ class ScenarioFile(_Part, frozen=True):
     text: str = ""
     arm: Text = "srms"
     worksite: Text = "orbiter"
+    dimensions: dict[str, float | str] = msgspec.field(default_factory=dict)
+    """Values in place of those in the worksite's ``[dimensions]``."""
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**53)] = 0
     duration: Time = Time(600.0)
     control_period: Time = Time(0.02)
@@ -222,6 +239,7 @@ class ScenarioFile(_Part, frozen=True):
     rate: Rate = "coarse"
     soft_stops: Literal["mended", "as-flown"] = "mended"
     strict: bool = False
+    guards: bool | None = None
     arrive_within: Length = Length(1e-4)
     arrive_within_angle: Angle = Angle(2e-5)
     fly_by_within: Length = Length(0.5)
@@ -233,6 +251,7 @@ class ScenarioFile(_Part, frozen=True):
     payload: PayloadSpec | None = None
     cargo: tuple[CargoSpec, ...] = ()
     docking: Literal["all axes", "y axis"] = "all axes"
+    free_contact: FreeContact = "stop"
     initialise: InitialiseSpec = InitialiseSpec()
     clearance: ClearanceSpec = ClearanceSpec()
     light: LightSpec = LightSpec()

@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from aftdeck.arms.geometry import frozen
 from aftdeck.errors import AftdeckError, InputError
 from aftdeck.files import Where
+from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.model import Grasped, Part, Start
+from aftdeck.scenario.places import Things, at_the_start, cargo_index, is_relative
 from aftdeck.scenario.poses import joint_angles, pose_in_l
 from aftdeck.scenario.problems import Problems
-from aftdeck.scenario.schema import GraspSpec, Initial, InitialiseSpec
+from aftdeck.scenario.relative import composed, inverted, scene_in_l
+from aftdeck.scenario.schema import Initial, InitialiseSpec, PoseSpec, SixAngles
 from aftdeck.units import Length
 
 
-def parts(
-    problems: Problems, arm: Arm, spec: InitialiseSpec, full: Start | None, cargo: Sequence[str]
-) -> dict[Part, Start]:
+def parts(problems: Problems, arm: Arm, spec: InitialiseSpec, full: Start | None, things: Things) -> dict[Part, Start]:
     """Where the parts of the problem begin; none where the scenario gives none."""
     given: dict[Part, Initial | None] = {
         "acquisition": spec.acquisition,
@@ -27,7 +26,7 @@ def parts(
         "manoeuvring": spec.manoeuvring,
     }
     found = {
-        part: start(problems, arm, initial, cargo, ("initialise", part))
+        part: start(problems, arm, initial, things, ("initialise", part))
         for part, initial in given.items()
         if initial is not None
     }
@@ -35,7 +34,7 @@ def parts(
     return {"full problem": full, **begun} if begun and full is not None else {}
 
 
-def start(problems: Problems, arm: Arm, initial: Initial, cargo: Sequence[str], where: Where) -> Start | None:
+def start(problems: Problems, arm: Arm, initial: Initial, things: Things, where: Where) -> Start | None:
     """RMSIST: how the arm starts; None where it is wrong."""
     standing = _standing(problems, arm, initial.stand, (*where, "stand"))
     rates = frozen(initial.rates or [0.0] * 6)
@@ -44,8 +43,8 @@ def start(problems: Problems, arm: Arm, initial: Initial, cargo: Sequence[str], 
             problems.wrong(
                 (*where, "rates"), f"{joint} starts at {rate:g} rad/s; its servo gives at most {most:g} rad/s"
             )
-    angles = _angles(problems, standing, initial, where)
-    grasped = None if initial.grasped is None else _grasped(problems, arm, initial.grasped, cargo, where)
+    grasped = None if initial.grasped is None else _grasped(problems, arm, initial, things, where)
+    angles = _angles(problems, standing, initial, things, grasped, where)
     if angles is None:
         return None
     return Start(angles, rates, float(standing.model.links[0]), grasped)
@@ -60,31 +59,63 @@ def _standing(problems: Problems, arm: Arm, stand: Length | None, where: Where) 
         return arm
 
 
-def _angles(problems: Problems, arm: Arm, initial: Initial, where: Where) -> np.ndarray | None:
+def _angles(
+    problems: Problems, arm: Arm, initial: Initial, things: Things, grasped: Grasped | None, where: Where
+) -> np.ndarray | None:
     """Joint angles as given, or those of a pose through RMANGS."""
     if initial.joints is not None and initial.pose is None:
         return joint_angles(problems, arm, initial.joints, (*where, "joints"))
     if initial.pose is None or initial.joints is not None:
         problems.wrong(where, "give either joints (six angles) or a pose")
         return None
-    pose = pose_in_l(problems, arm, initial.pose, (*where, "pose"))
-    if pose is None:
-        return None
+    where = (*where, "pose")
+    if is_relative(initial.pose):
+        in_hand = None if grasped is None else _in_hand(arm, things, grasped)
+        pose = at_the_start(problems, arm, initial.pose, things, in_hand, where)
+    else:
+        pose = pose_in_l(problems, arm, initial.pose, where)
+    if pose is None or not things.strict or initial.near is not None:
+        return None if pose is None else _reached(problems, arm, pose, initial.near, where)
     try:
-        return frozen(arm.inverse(pose, near=initial.near)[0])
+        return joint_angles(problems, arm, arm.rmangs(pose).tolist(), where)
     except AftdeckError as error:
-        problems.wrong((*where, "pose"), str(error))
+        problems.wrong(where, str(error))
         return None
 
 
-def _grasped(problems: Problems, arm: Arm, spec: GraspSpec, cargo: Sequence[str], where: Where) -> Grasped | None:
-    where = (*where, "grasped")
+def _reached(problems: Problems, arm: Arm, pose: Pose, near: SixAngles | None, where: Where) -> np.ndarray | None:
+    """The joint angles of a tip's pose in L."""
+    try:
+        return frozen(arm.inverse(pose, near=near)[0])
+    except AftdeckError as error:
+        problems.wrong(where, str(error))
+        return None
+
+
+def _grasped(problems: Problems, arm: Arm, initial: Initial, things: Things, where: Where) -> Grasped | None:
+    spec, where = initial.grasped, (*where, "grasped")
+    assert spec is not None, "asked for only where it is given"
     standing = _standing(problems, arm, spec.stand, (*where, "stand"))
-    angles = joint_angles(problems, standing, spec.joints, (*where, "joints"))
-    if spec.cargo not in cargo:
-        there = f"there is {', '.join(cargo)}" if cargo else "the scenario has none: add a [[cargo]]"
-        problems.wrong((*where, "cargo"), f"no cargo {spec.cargo!r}: {there}")
-        return None
-    if angles is None:
-        return None
-    return Grasped(cargo.index(spec.cargo), angles, float(standing.model.links[0]))
+    if things.worksite is None:
+        return None  # what is wrong with a worksite is told once, not as a payload that is missing
+    k = cargo_index(problems, arm, things.cargo, spec.cargo, (*where, "cargo"))
+    angles = None
+    if (spec.joints is None) == (spec.above is None):
+        problems.wrong(where, "give either joints (six angles), or above")
+    elif spec.joints is not None:
+        angles = joint_angles(problems, standing, spec.joints, (*where, "joints"))
+    elif k is not None:
+        over = PoseSpec(cargo=spec.cargo, above=spec.above)
+        pose = at_the_start(problems, standing, over, things, None, where)
+        angles = None if pose is None else _reached(problems, standing, pose, initial.near, where)
+    return None if k is None or angles is None else Grasped(k, angles, float(standing.model.links[0]))
+
+
+def _in_hand(arm: Arm, things: Things, grasped: Grasped) -> tuple[int, Pose]:
+    """Which payload is held from the start, and its pose at the tip."""
+    assert things.worksite is not None, "what is held is the worksite's"
+    scene = scene_in_l(arm.model.mount, things.worksite.origin)
+    payload = composed(scene, things.cargo[grasped.cargo].start.pose)
+    telescope = grasped.stand != float(arm.model.links[0])
+    tip = (arm.at(stand=grasped.stand) if telescope else arm).forward(grasped.angles)
+    return grasped.cargo, composed(inverted(tip), payload)

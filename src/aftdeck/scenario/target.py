@@ -30,15 +30,45 @@ class Target(msgspec.Struct, frozen=True):
         return Pose(np.array(self.position), np.array(self.rotation))
 
 
-class Place(msgspec.Struct, frozen=True):
-    """A target that is found when it is flown to: the hand at a payload, or the held payload at a seat."""
+class AtCargo(msgspec.Struct, frozen=True, tag=True):
+    """A target that is found when it is flown to: the hand where it takes a payload."""
 
-    cargo: int | None
-    """Where the hand takes this payload of the scenario; None: it is a place at a seat."""
+    cargo: int
+    """Which of the scenario's."""
+    above: float = 0.0
+    """How far short of it, back along the hand [m]."""
+    offset: Vec3 = (0.0, 0.0, 0.0)
+    """How far aside of that, along the payload's axes [m]."""
+
+
+class AtSeat(msgspec.Struct, frozen=True, tag=True):
+    """A target that is found when it is flown to: the hand where what it holds is in its place in a seat."""
+
     seat: str
-    """Where what is held is in its place in this seat; empty: it is a place at a payload."""
-    above: float
-    """How far short of it: back along the hand, up out of the bay, out from the port [m]."""
+    above: float = 0.0
+    """How far short of it: up out of the bay, out from the port [m]."""
+    offset: Vec3 = (0.0, 0.0, 0.0)
+    """How far aside of that, along the seat's axes [m]."""
+
+
+class InFrame(msgspec.Struct, frozen=True, tag=True):
+    """A target that is found when it is flown to: the tip at a pose in what a body, a seat or a payload moves with."""
+
+    frame: str
+    """``orbiter``, ``space``, or a payload's name."""
+    position: Vec3
+    """[m]"""
+    rotation: Rows
+    """Rows of the matrix whose columns are frame 7's axes."""
+
+    @property
+    def pose(self) -> Pose:
+        """Position and rotation as arrays."""
+        return Pose(np.array(self.position), np.array(self.rotation))
+
+
+Place = AtCargo | AtSeat | InFrame
+"""A target that depends on where something is as a phase begins."""
 
 
 def target_at(pose: Pose, joints: Six | None = None) -> Target:

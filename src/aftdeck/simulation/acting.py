@@ -4,12 +4,21 @@ from __future__ import annotations
 
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.frame import Limit
+from aftdeck.simulation.frame import Limit, LimitKind
 from aftdeck.simulation.log import spoken
 from aftdeck.simulation.standstill import held_fast, standing
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import CAUSE, CULPRIT, POR_CAUSE
 from aftdeck.steering.limiters import CAUSES
+
+_TEXTS: dict[str, tuple[LimitKind, str]] = {
+    "joint rate": ("joint rate", "at its rate limit"),
+    "soft stop": ("soft stop", "held by its soft stop"),
+    "hard stop": ("hard stop", "held by its hard stop"),
+    "joint acceleration": ("joint acceleration", "at its greatest acceleration"),
+    "joint acceleration passed": ("joint acceleration", "beyond its greatest acceleration: the line is kept"),
+}
+"""For each of `limiters.CAUSES` that names a joint: the limit's kind, and what the joint does."""
 
 
 def acting_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
@@ -24,18 +33,7 @@ def acting_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
     cause, por_cause = int(report[CAUSE]), int(report[POR_CAUSE])
     if cause == 0 and por_cause == 0:
         return ()
-    found = []
-    joints = flight.scenario.arm.joints
-    culprit = int(report[CULPRIT])
-    match CAUSES[cause]:
-        case "joint rate":
-            found.append(Limit("joint rate", culprit, f"{spoken(joints[culprit])} at its rate limit"))
-        case "soft stop":
-            found.append(Limit("soft stop", culprit, f"{spoken(joints[culprit])} held by its soft stop"))
-        case "hard stop":
-            found.append(Limit("hard stop", culprit, f"{spoken(joints[culprit])} held by its hard stop"))
-        case "singularity":
-            found.append(Limit("singularity", -1, f"slowed before the {NAMES[culprit]} singularity"))
+    found = _of_joints(flight, cause, int(report[CULPRIT]))
     if por_cause & 2:
         found.append(Limit("POR translation", -1, "POR at its greatest speed"))
     if por_cause & 8:
@@ -44,3 +42,14 @@ def acting_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
         what = {1: "speed", 4: "turning", 5: "speed and turning"}[por_cause & (1 | 4)]
         found.append(Limit("POR acceleration", -1, f"POR {what} still building up or falling"))
     return tuple(found)
+
+
+def _of_joints(flight: Flight, cause: int, culprit: int) -> list[Limit]:
+    """The limit that acted on the joint rates, named; none where `cause` is 0."""
+    if cause == 0:
+        return []
+    if CAUSES[cause] == "singularity":
+        return [Limit("singularity", -1, f"slowed before the {NAMES[culprit]} singularity")]
+    joint = spoken(flight.scenario.arm.joints[culprit])
+    kind, text = _TEXTS[CAUSES[cause]]
+    return [Limit(kind, culprit, f"{joint} {text}")]

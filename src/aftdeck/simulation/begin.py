@@ -10,6 +10,7 @@ from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.scenario.model import Part, Start
 from aftdeck.simulation.ahead import frames_at, frames_with
 from aftdeck.simulation.carried import carrying
+from aftdeck.simulation.checking import Checking
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import floating
 from aftdeck.simulation.grasp import steer_with, take_hold
@@ -17,10 +18,12 @@ from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
 from aftdeck.simulation.pursuit import holding
+from aftdeck.simulation.rehearsal import Rehearsal
+from aftdeck.simulation.relations import permit
 from aftdeck.simulation.restrain import slider
-from aftdeck.simulation.state import State
+from aftdeck.simulation.state import Saved, SavedChecking, State
 from aftdeck.simulation.tasks import change_task
-from aftdeck.steering.layout import MASTER, RATES, TWIST
+from aftdeck.steering.layout import KEPT, MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.conditions import reasons
 from aftdeck.worksite.latches import Latches
@@ -53,14 +56,37 @@ def _state_at(flight: Flight, start: Start) -> State:
     return state
 
 
-def resume(flight: Flight, state: State) -> None:
-    """What follows from a state that was just restored: the steering's rules, what is watched."""
+def resume(flight: Flight, state: State, saved: Saved) -> None:
+    """Take up a saved state: what is saved, and what follows from it."""
+    state.restore(saved)
+    take_up(flight, state)
+    _resume_check(flight, state, saved.checking)
+
+
+def take_up(flight: Flight, state: State) -> None:
+    """Work out what follows from a state that was just restored: the steering's rules, what is watched."""
     things = state.site
     things.settle(flight.site)
     state.carried = carrying(flight.scenario, flight.scenario.payload)
     if things.held is not None:
         steer_with(flight, state, things.held)
-    things.contacts.essential = flight.site.essential_while(slider(state))
+    permit(flight, state)
+    things.contacts.essential = flight.site.essential_while(slider(state), things.permitted)
+
+
+def _resume_check(flight: Flight, state: State, saved: SavedChecking | None) -> None:
+    """Take up a saved CMD CK again: the rehearsal is flown on to where it was."""
+    if saved is None:
+        return
+    checking = state.checking = Checking(saved.target)
+    checking.ways, checking.tried = list(saved.ways), list(saved.tried)
+    if saved.start is not None:
+        start = checking.start = state.fork()
+        start.restore(saved.start)
+        take_up(flight, start)
+        if saved.steps >= 0:
+            checking.rehearsal = Rehearsal(flight, start, saved.target, checking.ways[0])
+            checking.rehearsal.fly_on(saved.steps)
 
 
 def initialise(flight: Flight, state: State, part: Part) -> None:
@@ -90,7 +116,7 @@ def _put(flight: Flight, state: State, start: Start) -> None:
     plant.commanded[:] = start.angles
     seen = np.empty(OBSERVED)
     observe(scenario.arm.model.links, start.angles, start.rates, seen)
-    state.command[MASTER : MASTER + 6] = start.angles
+    state.command[MASTER : MASTER + 6] = state.command[KEPT : KEPT + 6] = start.angles
     state.steering[RATES : RATES + 6], state.steering[TWIST : TWIST + 6] = start.rates, seen[12:18]
     state.measure()
     frames = things.frames
@@ -107,18 +133,30 @@ def _put(flight: Flight, state: State, start: Start) -> None:
             things.floating[k] = floating(pose, velocity, rates, control, angles)
     things.settle(site)
     frames[:] = frames_with(flight, state, things.prong.position)
+    if scenario.payload is not None:
+        _close_effector(flight, state)
+        frames[:] = frames_with(flight, state, things.prong.position)
     if start.grasped is not None:
         k = start.grasped.cargo
-        things.prong.position = things.prong.high
-        if not site.prong:
-            things.snare = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
+        _close_effector(flight, state)
         frames[:] = frames_at(flight, state, start.grasped.angles, start.grasped.stand, things.prong.position)
         things.cargo[k].seat = ""
         take_hold(flight, state, k)
         frames[:] = frames_with(flight, state, things.prong.position)
     things.before[:] = frames
     things.watch.look(frames, frames, scenario.control_period)
+    permit(flight, state)
     things.contacts.look(things.watch.found, things.task)
-    counts, things.lined_up = counted(flight, things.held, things.watch.placed, frames, None, things.contacts)
+    counts, things.lined_up = counted(
+        flight, things.held, things.watch.placed, frames, None, things.contacts, things.permitted
+    )
     things.nearest = things.watch.nearest(counts)
     change_task(flight, state)
+
+
+def _close_effector(flight: Flight, state: State) -> None:
+    """Put the end effector as it is with a payload in its grasp: the prong closed, or the snares rigid."""
+    things = state.site
+    things.prong.position = things.prong.high
+    if not flight.site.prong:
+        things.snare = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)

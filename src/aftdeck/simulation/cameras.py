@@ -35,11 +35,22 @@ class Cameras:
 
     Attributes:
         views: of each camera that has a drive, in the order of `scenario.cameras.cameras_of`.
+        names: of these cameras.
     """
 
     def __init__(self, scenario: Scenario) -> None:
         self._driven = [camera for camera in cameras_of(scenario) if camera.drive is not None]
         self.views = tuple(setting(camera) for camera in self._driven)
+        self.names = tuple(camera.name for camera in self._driven)
+
+    @property
+    def first(self) -> str:
+        """The first camera that can be turned; empty: there is none."""
+        return self.names[0] if self.names else ""
+
+    def view(self, name: str) -> Setting | None:
+        """Return how a camera's drive is set; None where no camera of that name has one."""
+        return self.views[self.names.index(name)] if name in self.names else None
 
     def check(self, command: CameraDrive) -> None:
         """Refuse what no switch can give.
@@ -47,9 +58,9 @@ class Cameras:
         Raises:
             InputError: a camera that is none or has no drive, a switch outside [-1, 1] or not finite.
         """
-        names = [camera.name for camera in self._driven]
-        if command.camera not in names:
-            raise InputError(f"no camera {command.camera!r} can be turned here: there are {', '.join(names) or 'none'}")
+        if command.camera not in self.names:
+            there = ", ".join(self.names) or "none"
+            raise InputError(f"no camera {command.camera!r} can be turned here: there are {there}")
         switches = (command.pan, command.tilt, command.zoom)
         if not all(math.isfinite(s) and -1.0 <= s <= 1.0 for s in switches):
             raise InputError(f"a camera's pan, tilt and zoom lie in [-1, 1], got {switches}")

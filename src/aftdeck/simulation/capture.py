@@ -12,7 +12,8 @@ from aftdeck.bodies.pose import POSE, compose, inverse, pose_of
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import let_go, nearest_fixture, steer_with, take_hold
 from aftdeck.simulation.hand import Bar, Snares
-from aftdeck.simulation.log import log
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.mechanism import waits
 from aftdeck.simulation.seating import stay_or_leave
 from aftdeck.simulation.state import State
@@ -28,18 +29,32 @@ _TRIGGERS: dict[str, Literal["", "capture", "release"]] = {"close": "capture", "
 _CONTR: dict[str, Literal["RIGID", "OFF", "DERIGID"]] = {"rigid": "RIGID", "off": "OFF", "derigid": "DERIGID"}
 
 
-def capture(flight: Flight, state: State, pressed: bool) -> None:
+def capture(flight: Flight, state: State, inputs: Inputs) -> None:
     """Take hold of a payload or let it go, as the hand's conditions say.
 
     Args:
         flight: what never changes.
         state: at the step's end, all frames in place.
-        pressed: the end effector switch was put in this step: the snares' trigger.
+        inputs: of this step. A change of the end effector switch is the snares' trigger.
     """
-    if flight.site.bar is not None:
+    if flight.scenario.payload is not None:
+        _keep(flight, state, inputs)
+    elif flight.site.bar is not None:
         _prong(flight, state, flight.site.bar)
     elif flight.site.snares is not None:
-        _snares(flight, state, flight.site.snares, pressed)
+        _snares(flight, state, flight.site.snares, pressed=inputs.effector is not None)
+
+
+def _keep(flight: Flight, state: State, inputs: Inputs) -> None:
+    """Refuse every motion of an end effector whose payload the scenario fixes in the grasp ([payload])."""
+    for switch in (inputs.effector, inputs.rigid):
+        if switch in ("close", "open", "rigid", "derigid"):
+            refuse(
+                flight,
+                state,
+                f"{switch.upper()} refused: the scenario fixes its payload in the grasp; a payload of [[cargo]] can be "
+                "released and captured",
+            )
 
 
 def _prong(flight: Flight, state: State, bar: Bar) -> None:

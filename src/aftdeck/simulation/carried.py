@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.limits import por_with
 from aftdeck.scenario.model import Scenario
-from aftdeck.steering.rules import Rate, rules_of
+from aftdeck.steering.rules import Key, rules_of
 
 Array = NDArray[np.float64]
 
@@ -20,11 +20,11 @@ class Carried(NamedTuple):
 
     Attributes:
         payload: in the grasp, as the steering takes it; None: nothing.
-        rules: the steering's rules by panel position and rate setting.
+        rules: the steering's rules by panel position, rate setting and steering law.
     """
 
     payload: Payload | None
-    rules: dict[tuple[str, Rate], Array]
+    rules: dict[Key, Array]
 
 
 def carrying(scenario: Scenario, payload: Payload | None) -> Carried:
@@ -36,6 +36,7 @@ def carrying(scenario: Scenario, payload: Payload | None) -> Carried:
         scenario.control_period,
         payload,
         strict=scenario.strict,
+        guarded=scenario.guarded,
         as_flown=scenario.as_flown,
         near=scenario.near,
         near_turn=scenario.near_turn,

@@ -1,89 +1,119 @@
-"""CMD CK: whether the way to a target is clear, found by flying it ahead of time."""
+"""CMD CK: whether the motion to a target can be flown, found by rehearsing it, some steps in each control step."""
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.errors import AftdeckError
-from aftdeck.kinematics.singular import NAMES
-from aftdeck.scenario.target import Target
+from aftdeck.simulation.checking import Checking, premises
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Check
-from aftdeck.simulation.inputs import AGREED
-from aftdeck.simulation.log import spoken
-from aftdeck.simulation.miss import THERE, THERE_TURN, miss
+from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.rehearsal import Rehearsal
+from aftdeck.simulation.sequence import begin
 from aftdeck.simulation.standstill import held_fast
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import ANGLES, COMMAND, DT, GO, LAW, MASTER, NEAR, NEAR_TURN, PLAN, REPORT, TARGET
-from aftdeck.steering.limiters import BY_SINGULARITY, CAUSES
-from aftdeck.steering.mode import AUTOMATIC_LAWS
-from aftdeck.steering.rehearsal import rehearse
+from aftdeck.simulation.ways import ways
+from aftdeck.steering.layout import MEASURED
+from aftdeck.steering.mode import MODES
 
-Array = NDArray[np.float64]
-
-LONGEST = 3600.0
-"""Longest motion rehearsed [s]."""
-COARSE_STEP = 0.08
-"""Step of a rehearsal [s], where the control period is shorter."""
+STEPS = 100
+"""Rehearsed steps in a control step: 2 to 4 ms of it."""
 
 
-def set_course(state: State, target: Target, command: Array) -> None:
-    """OPERIN: what the law chosen for the automatic modes needs to set off to a target, into `command`.
+def check(flight: Flight, state: State) -> None:
+    """Carry on with CMD CK; once it is done light READY, or begin the motion where PROCEED waits for it."""
+    checking, panel = state.checking, state.panel
+    found = None if checking is None else _check_on(flight, state, checking)
+    if checking is not None and found is not None:
+        state.checking = None
+        panel.check, panel.premises = found, premises(checking.start or state, checking.target)
+        panel.sequence = "ready" if found.good and MODES[panel.mode].kind == "automatic" else "idle"
+        log(flight, state, "check", "info" if found.good else "caution", f"CMD CK {found.text}")
+        _tell_ways(flight, state, checking)
+    if panel.proceeding and state.checking is None:
+        panel.proceeding = False
+        if panel.check is None or not panel.check.good or panel.target is None:
+            refuse(flight, state, f"PROCEED refused: CMD CK {panel.check.text if panel.check else ''}")
+        else:
+            begin(flight, state, panel.target, panel.check.joints)
+            log(flight, state, "proceed", "info", "PROCEED: the arm flies to its target")
 
-    Raises:
-        UnreachableError, SingularityError: no joint angles put the tip there.
+
+def _check_on(flight: Flight, state: State, checking: Checking) -> Check | None:
+    """Carry on with a check; None while it goes on.
+
+    In an automatic mode it waits for the arm to come to rest, where the motion will begin.
     """
-    final = _final_angles(state, target)
-    command[LAW], command[GO] = AUTOMATIC_LAWS[state.panel.law], 0.0
-    command[TARGET : TARGET + 3] = target.position
-    command[TARGET + 3 : TARGET + 12] = np.ravel(target.rotation)
-    command[PLAN:MASTER] = 0.0
-    command[PLAN : PLAN + 6] = final
+    if checking.start is None:
+        moving = np.abs(state.steering[MEASURED : MEASURED + 6]).max() > 0.0
+        if moving and MODES[state.panel.mode].kind == "automatic":
+            return None
+        if fast := held_fast(flight, state):
+            return Check(False, f"FAIL: {fast}", cause="seat")
+        try:
+            checking.ways = list(ways(flight, state, checking.target, state.panel.law))
+        except AftdeckError as error:
+            return Check(False, f"FAIL: {error}", cause="reach")
+        checking.start = state.fork()
+    return _rehearsed(flight, checking)
 
 
-def _final_angles(state: State, target: Target) -> Array:
-    """Joint angles at the target: as given, or the solution nearest to the present ones.
+def _rehearsed(flight: Flight, checking: Checking) -> Check | None:
+    """Rehearse some steps; the verdict once no way is left to try."""
+    left = STEPS
+    while left > 0:
+        if not checking.ways and not _more_ways(flight, checking):
+            return _verdict(checking)
+        way, start = checking.ways[0], checking.start
+        assert start is not None
+        best = min((tried.seconds for tried in checking.tried if tried.good), default=np.inf)
+        if way.least >= best:
+            checking.ways.pop(0)
+            continue
+        if checking.rehearsal is None:
+            checking.rehearsal = Rehearsal(flight, start, checking.target, way)
+        before = checking.rehearsal.steps
+        outcome = checking.rehearsal.fly_on(left)
+        left -= max(checking.rehearsal.steps - before, 1)
+        if outcome is not None:
+            checking.tried.append(outcome)
+            checking.ways.pop(0)
+            checking.rehearsal = None
+    return None
 
-    Angles given while the telescope had another length lead elsewhere: then the solution nearest to them.
-    """
-    given = None if target.joints is None else np.array(target.joints)
-    if given is not None and math.dist(state.arm.forward(given).position, target.position) <= AGREED:
-        return given
-    nearest: Array = state.arm.inverse(target.pose, near=state.plant.angles if given is None else given)[0]
-    return nearest
 
-
-def command_check(flight: Flight, state: State, target: Target) -> Check:
-    """GOOD with the time the motion takes, or FAIL with what is in its way: a seat, reach, a stop, a singularity.
-
-    A motion that ends beside its target fails, for it is asked to go there. With `strict` it may be flown: what the
-    source's own clock misses is what that setting is there to show, and the text says how much.
-    """
-    if fast := held_fast(flight, state):
-        return Check(False, f"FAIL: {fast}")
-    command, steering = np.zeros(COMMAND), state.steering.copy()
-    rules = state.carried.rules["OPR CMD", state.panel.rate].copy()
-    rules[DT] = max(rules[DT], COARSE_STEP)
-    rules[NEAR], rules[NEAR_TURN] = max(rules[NEAR], THERE), max(rules[NEAR_TURN], THERE_TURN)
+def _more_ways(flight: Flight, checking: Checking) -> bool:
+    """Go on to the ways by joints, where the straight line fails by what lies in its way; whether there are any."""
+    start, tried = checking.start, checking.tried
+    assert start is not None
+    if any(one.good or one.way.law == "position" or one.cause in ("seat", "switch") for one in tried):
+        return False
     try:
-        set_course(state, target, command)
-    except AftdeckError as error:
-        return Check(False, f"FAIL: {error}")
-    went = rehearse(rules, command, steering, np.zeros(REPORT), LONGEST)
-    if went.arrived:
-        where = f", passing the {NAMES[went.which]} singularity at {went.nearest:.2f}"
-        close = where if went.nearest < flight.scenario.arm.model.singular else ""
-        beside = miss(flight, state.arm, steering[ANGLES : ANGLES + 6], target)
-        if beside and not flight.scenario.strict:
-            return Check(False, f"FAIL: ends {beside} the target{close}")
-        missing = f", ends {beside} the target" if beside else ""
-        return Check(True, f"GOOD: {went.time:.0f} s{missing}{close}")
-    if went.cause == 0:
-        return Check(False, f"FAIL: not there within {LONGEST:.0f} s")
-    if went.cause == BY_SINGULARITY:
-        return Check(False, f"FAIL: the {NAMES[went.culprit]} singularity lies in the way, {went.time:.0f} s from here")
-    joint = spoken(flight.scenario.arm.joints[went.culprit])
-    return Check(False, f"FAIL: {joint} meets its {CAUSES[went.cause]} {went.time:.0f} s from here")
+        checking.ways = list(ways(flight, start, checking.target, "position"))
+    except AftdeckError:
+        return False
+    return True
+
+
+def _verdict(checking: Checking) -> Check:
+    """GOOD for the quickest way that is flown clear; else FAIL for the first, and what may be flown in its place."""
+    first = checking.tried[0]
+    good = sorted((one for one in checking.tried if one.good), key=lambda one: one.seconds)
+    best = next((one for one in good if one.way.law == first.way.law), None)
+    if best is not None:
+        parts = [f"GOOD: {best.seconds:.0f} s", best.text, best.near]
+        return Check(True, ", ".join(part for part in parts if part), best.seconds, "", best.way.joints)
+    when = "" if first.cause == "miss" else f", {first.seconds:.0f} s from here"
+    why = f"FAIL: {first.text}{when}"
+    if good:
+        why = f"FAIL in a straight line: {first.text}{when}; GOOD by joints: {good[0].seconds:.0f} s"
+    return Check(False, why, first.seconds, first.cause)
+
+
+def _tell_ways(flight: Flight, state: State, checking: Checking) -> None:
+    """Log why other ways by joints are not flown, once one of several is known to be good."""
+    if len(checking.tried) > 1:
+        for one in checking.tried:
+            if not one.good and one.way.law == "position":
+                log(flight, state, "check", "info", f"not {one.way.name}: {one.text}, {one.seconds:.0f} s from here")

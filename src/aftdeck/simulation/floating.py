@@ -22,6 +22,7 @@ class SavedFloating(msgspec.Struct, frozen=True):
     cycle: LimitCycle | None
     reference: list[float]
     time: float
+    met: bool
 
 
 class Floating:
@@ -33,11 +34,13 @@ class Floating:
         cycle: attitude control; None: it turns freely.
         reference: (3, 3) rotation about which it cycles.
         time: since the cycle began [s].
+        met: whether a contact stopped it in the last step.
     """
 
     def __init__(self, pose: Array, motion: Array, cycle: LimitCycle | None) -> None:
         self.pose, self.motion = pose.copy(), motion.copy()
         self.cycle, self.reference, self.time = cycle, pose[3:].reshape(3, 3).copy(), 0.0
+        self.met = False
         self._packed = None if cycle is None else cycle.packed()
 
     def move(self, period: float) -> None:
@@ -47,17 +50,23 @@ class Floating:
             self.time += period
             limit_cycle(self._packed, self.reference, self.time, self.pose, self.motion)
 
+    def moved(self, period: float) -> Floating:
+        """Return the same flight a time later [s]; this one stays as it is."""
+        later = floating_so(self.save())
+        later.move(period)
+        return later
+
     def save(self) -> SavedFloating:
         """Everything that its future depends on."""
         return SavedFloating(
-            self.pose.tolist(), self.motion.tolist(), self.cycle, self.reference.ravel().tolist(), self.time
+            self.pose.tolist(), self.motion.tolist(), self.cycle, self.reference.ravel().tolist(), self.time, self.met
         )
 
 
 def floating_so(saved: SavedFloating) -> Floating:
     """What `Floating.save` gave, to go on from."""
     flight = Floating(np.array(saved.pose), np.array(saved.motion), saved.cycle)
-    flight.reference.ravel()[:], flight.time = saved.reference, saved.time
+    flight.reference.ravel()[:], flight.time, flight.met = saved.reference, saved.time, saved.met
     return flight
 
 

@@ -12,7 +12,7 @@ from aftdeck.worksite.report import Work
 Vec3 = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]
 Level = Literal["info", "caution", "warning"]
-Sequence = Literal["idle", "ready", "in progress"]
+Sequence = Literal["idle", "checking", "ready", "in progress"]
 
 FREE, PAST_REACH, PAST_SOFT, AT_HARD = 0, 1, 2, 3
 """Zones of a joint."""
@@ -27,32 +27,46 @@ class Event(msgspec.Struct, frozen=True, gc=False):
     text: str
 
 
+LimitKind = Literal[
+    "joint rate",
+    "soft stop",
+    "hard stop",
+    "singularity",
+    "joint acceleration",
+    "POR translation",
+    "POR rotation",
+    "POR acceleration",
+    "seat",
+    "contact",
+    "switch",
+]
+
+
 class Limit(msgspec.Struct, frozen=True, gc=False):
     """A limit that acted in a step."""
 
-    kind: Literal[
-        "joint rate",
-        "soft stop",
-        "hard stop",
-        "singularity",
-        "POR translation",
-        "POR rotation",
-        "POR acceleration",
-        "seat",
-        "contact",
-        "switch",
-    ]
+    kind: LimitKind
     joint: int
     """0 to 5; -1 where no single joint is concerned."""
     text: str
 
 
+Cause = Literal["", "reach", "seat", "switch", "contact", "limit", "miss", "time"]
+"""Why CMD CK fails: not at all; the target is out of reach; a seat holds the payload; BRAKES or SAFING; a contact; a
+stop, a singularity or another limit of the steering; the motion ends beside its target; it takes too long."""
+
+
 class Check(msgspec.Struct, frozen=True):
-    """CMD CK: what a rehearsal of the way to a target found."""
+    """CMD CK: what a rehearsal of the motion to a target found."""
 
     good: bool
     text: str
-    """``GOOD: 83 s`` or ``FAIL: elbow pitch meets its soft stop after 12 s``."""
+    """``GOOD: 83 s`` or ``FAIL: elbow pitch meets its soft stop 12 s from here``."""
+    seconds: float = 0.0
+    """GOOD: how long the motion takes; FAIL: when it fails [s]."""
+    cause: Cause = ""
+    joints: Six | None = None
+    """The joint angles that mode 1 flies to [rad]; None in modes 2 and 3, and where it fails."""
 
 
 class WayOut(msgspec.Struct, frozen=True, gc=False):
@@ -116,7 +130,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     """Selected joint, 0 to 5."""
     rate: Literal["coarse", "vernier"]
     sequence: Sequence
-    """READY and IN PROG of the automatic modes."""
+    """CHECKING, READY and IN PROG of the automatic modes."""
     point: int
     """AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes."""
     points: int

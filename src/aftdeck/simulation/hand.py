@@ -67,7 +67,9 @@ def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts:
     rule = worksite.acquisition
     if not isinstance(model.source, HeadingArmFile) or not isinstance(rule, BarAcquisition):
         return None
-    tolerances = Tolerances(rule.spacing, rule.window, rule.front, rule.rear, rule.fingers_within)
+    fixed_finger = float(model.source.effector.fixed_finger.value)
+    spacing = rule.prong_spacing + fixed_finger
+    tolerances = Tolerances(spacing, rule.window, rule.front, rule.rear, rule.fingers_within)
     return Bar(
         tolerances,
         tolerances.packed(),
@@ -77,7 +79,7 @@ def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts:
             else np.array([parts.index(name) for name in (*HEXES, part_of(one.name, "receptacle"))], dtype=np.int64)
             for one in cargo
         ),
-        float(model.source.effector.fixed_finger.value),
+        fixed_finger,
     )
 
 

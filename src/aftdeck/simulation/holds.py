@@ -9,7 +9,7 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import GO, LAW, TARGET, TWIST
+from aftdeck.steering.layout import GO, LAW, STICKS, TARGET, TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
 
 AT_REST = 1e-3
@@ -42,9 +42,10 @@ def held_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[float, ..
     return given if panel.held is None else panel.held
 
 
-def hold_position(flight: Flight, state: State, moving: bool) -> None:
+def hold_position(flight: Flight, state: State) -> None:
     """POHS: with sticks at rest in a manual mode, mode 2 keeps the pose at which the arm came to rest."""
     panel = state.panel
+    moving = state.command[STICKS : STICKS + 6].any()
     if not panel.position_hold or MODES[panel.mode].kind != "manual" or moving:
         panel.holding = None
         return

@@ -27,6 +27,8 @@ degree may do (assumed)."""
 class Inputs(msgspec.Struct, frozen=True):
     """Sticks and switches of one step; None leaves a switch as it is. `Inputs()` is hands off.
 
+    NumPy's numbers and arrays do for Python's; `simulation.plain` takes them over.
+
     Sticks act along and about the axes of the mode entered, full deflection being the limit in force.
     """
 
@@ -97,7 +99,7 @@ class Inputs(msgspec.Struct, frozen=True):
             raise InputError(f"a master arm has six finite joint angles, got {self.master}")
         if self.joint is not None and not _numbered(self.joint):
             raise InputError(f"joints are numbered 0 to 5, got {self.joint}")
-        for name, positions in _POSITIONS.items():
+        for name, positions in POSITIONS.items():
             if (value := getattr(self, name)) is not None and value not in positions:
                 raise InputError(f"the {name.replace('_', ' ')} switch stands at {_either(positions)}, got {value!r}")
         if not isinstance(self.mode, str | None):
@@ -118,7 +120,8 @@ def _positions() -> dict[str, tuple[object, ...]]:
     return found
 
 
-_POSITIONS = _positions()
+POSITIONS = _positions()
+"""By field, where its switch can stand."""
 
 
 def _either(positions: Sequence[object]) -> str:

@@ -28,7 +28,13 @@ times; assumed."""
 
 
 def counted(
-    flight: Flight, held: int | None, placed: Array, frames: Array, before: int | None, contacts: Contacts
+    flight: Flight,
+    held: int | None,
+    placed: Array,
+    frames: Array,
+    before: int | None,
+    contacts: Contacts,
+    permitted: Mask,
 ) -> tuple[Mask, int | None]:
     """Of which groups the nearest is told.
 
@@ -39,19 +45,20 @@ def counted(
         frames: (F, 12) in L.
         before: the cargo that the hand was lined up with until now.
         contacts: as of the step before; where hand and cargo inhibit the arm, the two are told of after all.
+        permitted: (g,) groups that the task brings into contact, but those that touch where it does not.
 
     Returns:
         (g,) those that should not touch, but the hand and the cargo that it is lined up with; and which that is.
     """
-    site = flight.site
+    site, counts = flight.site, 1 - permitted
     k = None
     if held is None and site.bar is not None:
         k = _about_the_bar(site.bar, placed)
     elif held is None and site.snares is not None:
         k = _before_the_snares(site, site.snares, frames, before)
     if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
-        return site.detrimental, k
-    return site.detrimental & (1 - site.held[k]), k
+        return counts, k
+    return counts & (1 - site.held[k]), k
 
 
 def _inhibited(contacts: Contacts, among: Mask) -> bool:

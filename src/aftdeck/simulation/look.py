@@ -14,7 +14,6 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Frame, Goal, Six, Vec3
 from aftdeck.simulation.grasp import in_grasp
 from aftdeck.simulation.look_work import look_work
-from aftdeck.simulation.panel import law_of
 from aftdeck.simulation.seal import seal
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import (
@@ -38,7 +37,7 @@ def look(flight: Flight, state: State) -> Frame:
     """The frame after the step just made, with its log lines; nothing is changed by looking."""
     scenario, panel = flight.scenario, state.panel
     seen, angles = state.seen.tolist(), state.plant.angles.tolist()
-    rules = state.carried.rules[panel.mode, panel.rate].tolist()
+    rules = state.rules.tolist()
     command, steering, report = state.command.tolist(), state.steering.tolist(), state.report.tolist()
     points = len(scenario.sequences.get(panel.mode, ()))
     position, orientation = _vec3(seen, 0), _rows(seen, 3)
@@ -49,7 +48,7 @@ def look(flight: Flight, state: State) -> Frame:
         phase=state.phase,
         by="script" if state.by_script else "hand",
         mode=panel.mode,
-        law=law_of(panel),
+        law=panel.flown,
         law_choice=panel.law,
         payload_axes=panel.payload_axes,
         rate_hold=panel.held is not None,

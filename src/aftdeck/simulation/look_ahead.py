@@ -7,7 +7,7 @@ contacts: the copy flies through them, and the first is told.
 from __future__ import annotations
 
 import math
-from typing import Literal
+from typing import Literal, cast
 
 import msgspec
 import numpy as np
@@ -19,7 +19,6 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Six
 from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.look_work import near_of
-from aftdeck.simulation.panel import law_of
 from aftdeck.simulation.standstill import standing
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import ANGLES, DRIVE, GO, LAW, REPORT, RISE, STICKS, TWIST
@@ -93,8 +92,9 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         raise InputError(f"one looks {LEAST_S:g} to {MOST_S:g} s ahead, got {seconds:g}")
     if last is not None and not (last[0] in range(DRIVE_AXIS + 1) and last[1] in (-1, 1)):
         raise InputError(f"axes are numbered 0 to {DRIVE_AXIS}, their signs are -1 and 1, got {last}")
+    seconds, last = float(seconds), None if last is None else (int(last[0]), cast("Literal[-1, 1]", int(last[1])))
     command, steering, held = _asked(state, last)
-    rules, report = state.carried.rules[state.panel.mode, state.panel.rate], np.zeros(REPORT)
+    rules, report = state.rules, np.zeros(REPORT)
     site, things, stand = flight.site, state.site, state.plant.stand
     driven = stand.velocity / stand.rate if stand.rate else 0.0
     watch, height, contact, period = things.watch.copy(), stand.position, None, seconds / SAMPLES
@@ -108,7 +108,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         touching = watch.nearest(site.detrimental)
         if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
-    counts = counted(flight, things.held, watch.placed, frames, things.lined_up, things.contacts)[0]
+    counts = counted(flight, things.held, watch.placed, frames, things.lined_up, things.contacts, things.permitted)[0]
     watch.look_near(frames, frames, period, counts, 0.0)
     group = watch.nearest(counts)
     a, b, c, d, e, f = angles.tolist()
@@ -136,7 +136,7 @@ def _placed(row: list[float]) -> tuple[Vec3, Rows]:
 def _copies(state: State) -> tuple[Array, Array]:
     """What the steering is told, and how the arm moves, as measured now: to be flown on."""
     steering = state.steering.copy()
-    measured(state.plant.angles, state.rise, steering)
+    measured(state.plant.angles, state.plant.rates, state.rise, steering)
     return state.command.copy(), steering
 
 
@@ -151,7 +151,7 @@ def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
     if not held and last is not None and MODES[state.panel.mode].kind in ("manual", "single"):
         axis, sign = last
         command[DRIVE if axis == DRIVE_AXIS else STICKS + axis] = sign
-        command[LAW], command[GO] = law_of(state.panel), 0.0  # POSITION HOLD gives way to a stick
+        command[LAW], command[GO] = state.panel.flown, 0.0  # POSITION HOLD gives way to a stick
     if MODES[state.panel.mode].kind == "automatic" and state.panel.sequence != "in progress":
         command[LAW], command[GO] = _ORB_UNL, 0.0  # it waits for PROCEED, and rests
     return command, steering, held
@@ -164,7 +164,7 @@ def _stopping(state: State) -> float:
     command[DRIVE] = command[GO] = 0.0
     if MODES[state.panel.mode].kind != "single":
         command[LAW] = _ORB_UNL
-    rules, gone = state.carried.rules[state.panel.mode, state.panel.rate], 0.0
+    rules, gone = state.rules, 0.0
     while np.abs(steering[TWIST : TWIST + 6]).max() > _STILL and gone < _LONGEST_STOP:
         rehearse(rules, command, steering, report, 0.5)
         command[GO] = 0.0

@@ -106,7 +106,7 @@ def _hand(flight: Flight, state: State) -> Hand:
         prong = things.prong
         opening = (prong.high - prong.position) / (prong.high - prong.low)
         spacing = (flight.scenario.arm.model.fixed_finger or 0.0) - prong.position
-        shows = (("CAPTURE", things.held is not None), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
+        shows = (("CAPTURE", state.carried.payload is not None), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
         return Hand(things.switch, opening, spacing, None, tuple(name for name, on in shows if on))
     snare = things.snare
     lit = _lit(snare)

@@ -26,8 +26,7 @@ def turn_master(flight: Flight, state: State) -> None:
 
     It stays within the stops in force, or comes back to them from where a device has put it.
     """
-    command, panel = state.command, state.panel
-    rules = state.carried.rules[panel.mode, panel.rate]
+    command, rules = state.command, state.rules
     axes, master = axes_of(flight.scenario.arm.model), command[MASTER : MASTER + 6]
     sticks = command[[STICKS + axis for axis in axes]]
     low, high = np.minimum(rules[LOW : LOW + 6], master), np.maximum(rules[HIGH : HIGH + 6], master)

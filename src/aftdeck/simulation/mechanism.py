@@ -28,7 +28,7 @@ def waits(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
     site, things = flight.site, state.site
     after = things.frames.copy()
     after[site.cargo_row(k)] = pose
-    group = worsened(things.watch, things.contacts.arm & site.detrimental, after)
+    group = worsened(things.watch, things.contacts.arm & (1 - things.permitted), after)
     if group >= 0 and not things.waiting:
         a, b = site.layout.named(group)
         log(flight, state, "waits", "caution", f"the {what} waits: it would bring {a} deeper into {b}")

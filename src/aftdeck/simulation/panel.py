@@ -6,18 +6,17 @@ Commands that cannot be taken are refused in the log and change nothing.
 from __future__ import annotations
 
 from aftdeck.scenario.target import Target
-from aftdeck.simulation.check import command_check
+from aftdeck.simulation.checking import begin_check, premises
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.holds import held_sticks, hold_position
+from aftdeck.simulation.holds import held_sticks
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.master import turn_master
-from aftdeck.simulation.sequence import begin, finish, next_target
+from aftdeck.simulation.sequence import finish, next_target
 from aftdeck.simulation.standstill import standing
-from aftdeck.simulation.state import Panel, State
-from aftdeck.steering.course import may_start, set_off
-from aftdeck.steering.layout import DRIVE, GO, JOINT, LAW, MASTER, STICKS
-from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import DRIVE, JOINT, KEPT, LAW, MASTER, STICKS
+from aftdeck.steering.mode import MODES
 
 
 def operate(flight: Flight, state: State, inputs: Inputs) -> None:
@@ -39,29 +38,17 @@ def operate(flight: Flight, state: State, inputs: Inputs) -> None:
         _proceed(flight, state)
     command = state.command
     sticks = held_sticks(flight, state, inputs)
-    command[LAW] = law_of(panel)
+    command[LAW] = panel.flown
     command[STICKS : STICKS + 6] = sticks
     command[JOINT], command[DRIVE] = panel.joint, inputs.drive
     if MODES[panel.mode].kind == "master" and any(sticks):
         turn_master(flight, state)
-    if panel.sequence != "in progress":
-        command[GO] = 0.0
-    elif command[GO] == 0.0:
-        set_off(state.carried.rules[panel.mode, panel.rate], command, state.steering)
-    hold_position(flight, state, any(sticks))
-
-
-def law_of(panel: Panel) -> int:
-    """The report's mode number that the panel's switches choose."""
-    mode = MODES[panel.mode]
-    if mode.kind == "automatic":
-        return AUTOMATIC_LAWS[panel.law]
-    return mode.laws[-1] if panel.payload_axes else mode.laws[0]
 
 
 def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
     panel = state.panel
-    if inputs.joint is not None:
+    if inputs.joint is not None and inputs.joint != panel.joint:
+        state.command[KEPT + panel.joint] = state.plant.angles[panel.joint]  # mode 8 holds it from now on
         panel.joint = inputs.joint
     if inputs.rate is not None:
         panel.rate = inputs.rate
@@ -119,22 +106,20 @@ def _enter(flight: Flight, state: State, position: str) -> None:
     panel = state.panel
     if mode.kind == "master":  # the master is taken up where the arm is
         state.command[MASTER : MASTER + 6] = state.plant.angles
-    panel.mode, panel.held, panel.holding, panel.sequence, panel.point = position, None, None, "idle", 0
+    if mode.kind == "single":  # theta_0 of mode 8
+        state.command[KEPT : KEPT + 6] = state.plant.angles
+    panel.mode, panel.held, panel.holding, panel.point = position, None, None, 0
     log(flight, state, "mode", "info", f"{position} entered: {mode.title}")
     make_ready(flight, state)
 
 
-def make_ready(flight: Flight, state: State, *, tell: bool = True, keyed: bool = False) -> None:
-    """CMD CK for the target that comes next, or that was just keyed in; READY where it is GOOD in an automatic mode."""
+def make_ready(flight: Flight, state: State, *, keyed: bool = False) -> None:
+    """Ask for CMD CK of the target that comes next, or that was just keyed in."""
     panel = state.panel
     panel.sequence, panel.check, panel.target = "idle", None, next_target(flight, panel)
-    automatic = MODES[panel.mode].kind == "automatic"
-    if panel.target is None or not (automatic or keyed):
-        return
-    panel.check = command_check(flight, state, panel.target)
-    panel.sequence = "ready" if automatic and panel.check.good else "idle"
-    if tell:
-        log(flight, state, "check", "info" if panel.check.good else "caution", f"CMD CK {panel.check.text}")
+    state.checking, panel.proceeding = None, False
+    if panel.target is not None and (keyed or MODES[panel.mode].kind == "automatic"):
+        begin_check(state, panel.target)
 
 
 def _key_in(flight: Flight, state: State, target: Target) -> None:
@@ -150,6 +135,7 @@ def _key_in(flight: Flight, state: State, target: Target) -> None:
 def _stop(flight: Flight, state: State) -> None:
     panel = state.panel
     panel.held = None
+    panel.proceeding = False
     if panel.sequence == "in progress":
         panel.sequence = "ready"
         how = "the arm stands" if standing(panel) else "the arm slows to rest"
@@ -169,13 +155,11 @@ def _proceed(flight: Flight, state: State) -> None:
     elif panel.sequence != "in progress":
         if panel.point >= len(flight.scenario.sequences.get(panel.mode, ())):
             panel.point = 0  # a sequence that is complete begins again
-        make_ready(flight, state, tell=False)  # the arm may have moved since the last check
+        panel.target = next_target(flight, panel)
         if panel.target is None:
             refuse(flight, state, "PROCEED refused: no target is keyed in")
-        elif panel.check is not None and not panel.check.good:
-            refuse(flight, state, f"PROCEED refused: CMD CK {panel.check.text}")
-        else:
-            begin(flight, state, panel.target)
-            at_once = may_start(state.carried.rules[panel.mode, panel.rate], state.command, state.steering)
-            way = "flies to its target" if at_once else "comes to rest, then flies to its target"
-            log(flight, state, "proceed", "info", f"PROCEED: the arm {way}")
+            return
+        stale = panel.check is None or panel.premises != premises(state, panel.target)
+        if state.checking is None and stale:
+            begin_check(state, panel.target)  # the arm may have moved since the last check
+        panel.proceeding = True

@@ -8,7 +8,8 @@ from aftdeck.bodies.pose import pose_of
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import NEAR, fixture_in_hand, nearest_fixture
 from aftdeck.simulation.hand import Bar
-from aftdeck.simulation.seating import conditions_at, nearest_berth
+from aftdeck.simulation.latch_command import nearest_berth
+from aftdeck.simulation.seating import conditions_at
 from aftdeck.simulation.state import State
 from aftdeck.worksite.acquisition import AWAY, FOUND, acquire, acquisition
 from aftdeck.worksite.conditions import Condition

@@ -1,153 +1,129 @@
-"""A run in the words of the report's own program: what it read from the operator, and sent to its scene generator.
+"""TABLE II of the Remote Manipulator Simulation from a flight: the 32 words that it sent to the scene generator.
 
-Remote Manipulator Simulation, TABLES I and II. For the concept arm; each step gives the thirteen input channels and the
-frame block of 32 words.
+The control word has what the operator looks through and what moved in the step; angles, inhibits and mode are those of
+the state after it. D1 to D3 are the planes between the effector's hexahedra and the bar: in mode 1 those of the
+collision test, and while the payload is held face d of HEX 1, b of HEX 2 and e of HEX 3 (CALSP1 to CALSP3).
 """
 
 from __future__ import annotations
 
-import json
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from pathlib import Path
-from typing import Final, Literal, TextIO, cast
+from typing import Literal, NamedTuple, cast
 
-from aftdeck.arms.model import HeadingArmFile
-from aftdeck.errors import InputError
-from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.run import Simulation
-from aftdeck.worksite.channels import OperatorInputs, encode_inputs
-from aftdeck.worksite.report import Near
-from aftdeck.worksite.words import ControlWord, FrameBlock, WordPlane, encode_block
+import numpy as np
+from numpy.typing import NDArray
 
-STATION: Final = "A"
-"""Which camera the words name: a run without a screen looks through the first (assumed)."""
-FINGERS = ("palm", "fixed finger", "prong")
-"""HEX 1 to 3, whose separating planes from the bar are D1 to D3."""
-SAME = 1e-9
-"""A stand or a prong that moves less in a step stands still [m]."""
+from aftdeck.bodies.cameras import Setting
+from aftdeck.bodies.hexahedron import NX, NY, NZ, D
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.hand import HEXES
+from aftdeck.simulation.look_work import all_near
+from aftdeck.simulation.state import State
+from aftdeck.units import FOOT
+from aftdeck.worksite.words import STATIONS, ControlWord, FrameBlock, Way, WordPlane
+
+INNER = (3, 1, 4)
+"""Faces d, b and e, from 0: the sides of HEX 1 to 3 on which a held bar lies."""
+NO_CODE = "A"
+"""Written for a camera without a code: 0000, as of a function that is disabled."""
+FARTHEST = 2.0**11 * FOOT
+"""Distance that a word holds at scale B11, the report's for distances [m]."""
+
+Planes = tuple[WordPlane | None, WordPlane | None, WordPlane | None]
 
 
-def words_of(before: Frame | None, frame: Frame, planes: tuple[Near | None, ...]) -> tuple[int, ...]:
-    """The 32 words of a frame.
+class Places(NamedTuple):
+    """What the control word's motions are told by.
 
-    Args:
-        before: the frame before; None at the first.
-        frame: this one.
-        planes: palm, fixed finger and prong against the bar; None where a pair is not watched.
+    Attributes:
+        stand: length of the telescope [m].
+        prong: where the prong stands [m].
+        views: how the cameras' drives are set.
     """
-    return encode_block(FrameBlock(_control(before, frame), frame.angles, cast("_Planes", tuple(map(_plane, planes)))))
+
+    stand: float
+    prong: float
+    views: tuple[Setting, ...]
 
 
-def channels_of(before: Frame | None, frame: Frame) -> tuple[float, ...]:
-    """The thirteen input channels that would have commanded a frame [V], with the master arm where the arm is."""
-    control = _control(before, frame)
-    return encode_inputs(
-        OperatorInputs(
-            initialise=False,
-            start="full problem",
-            angles=frame.work.master or frame.angles,
-            telescope=control.telescope,
-            camera="none",
-            zoom=0,
-            station=STATION,
-            prong=control.prong,
-        )
-    )
+class Block(NamedTuple):
+    """What a step tells the scene generator.
 
-
-def check_words(scenario: Scenario, path: Path) -> None:
-    """Refuse what `write_words` would refuse, before anything is flown; the file is tried and taken away again.
-
-    Raises:
-        InputError: another arm, or a file that is there already or cannot be written.
+    Attributes:
+        block: as TABLE II has it.
+        unsaid: names of what has no code there.
     """
-    with _words_file(scenario, path):
-        path.unlink()
+
+    block: FrameBlock
+    unsaid: tuple[str, ...]
 
 
-def write_words(
-    scenario: Scenario, path: Path, seed: int | None = None, *, progress: Callable[[float], None] | None = None
-) -> int:
-    """Fly a scenario's script and write each step's channels and words as a line of JSON.
-
-    Args:
-        scenario: of the concept arm.
-        path: the file, which must not be there yet.
-        seed: in place of the scenario's.
-        progress: told now and then how much of the longest duration has gone, 0 to 1.
-
-    Returns:
-        How many frames were written.
-
-    Raises:
-        InputError: another arm, or a file that is there already or cannot be written.
-    """
-    with _words_file(scenario, path) as file:
-        sim, before = Simulation(scenario, seed), cast("Frame | None", None)
-        while not sim.ended:
-            frame = sim.step()
-            file.write(_line(before, frame, _fingers(sim)) + "\n")
-            before = frame
-            if progress is not None and frame.tick % 256 == 0:
-                progress(frame.tick / scenario.ticks)
-    return frame.tick
+def places_of(state: State) -> Places:
+    """Return the places of a state, to be compared with those of the next."""
+    return Places(state.plant.stand.position, state.site.prong.position, state.cameras.views)
 
 
-@contextmanager
-def _words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
-    """A new file for the words of a scenario."""
-    if not isinstance(scenario.arm.model.source, HeadingArmFile):
-        raise InputError(
-            "the report's words speak of its own arm, a heading-pitch-pitch-heading-pitch-roll one with a telescope; "
-            f"{scenario.name} flies {scenario.arm.name}"
-        )
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with path.open("x", encoding="ascii") as file:
-            yield file
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror or error}") from None
-
-
-def _line(before: Frame | None, frame: Frame, planes: tuple[Near | None, ...]) -> str:
-    return json.dumps(
-        {
-            "time_s": frame.time_s,
-            "volts": [round(volts, 9) for volts in channels_of(before, frame)],
-            "words": [f"{word:08o}" for word in words_of(before, frame, planes)],
-        }
+def block_of(flight: Flight, state: State, before: Places) -> Block:
+    """Return the frame block after a step; `before`: the places before it."""
+    things, now, unsaid = state.site, places_of(state), []
+    begun = any(event.kind == "initialise" for event in state.events)
+    if begun:  # what was put somewhere has not moved there
+        before = now
+    station = state.panel.camera or NO_CODE
+    pan, tilt, zoom = (_way(step) for step in _turned(state, before))
+    if pan * tilt < 0:
+        unsaid.append("tilt")  # the two have one sign between them
+        tilt = 0
+    if station not in STATIONS:
+        unsaid.append("station")
+    control = ControlWord(
+        mode=cast("Literal[1, 2, 3, 4]", things.task),
+        station=station if station in STATIONS else NO_CODE,
+        initialise=begun,
+        telescope=_way(now.stand - before.stand),
+        pan=pan,
+        tilt=tilt,
+        zoom=zoom,
+        prong=_way(now.prong - before.prong),
+        finger_inhibited=things.contacts.inhibit.finger,
+        arm_inhibited=things.contacts.inhibit.arm,
     )
+    planes = list(planes_of(flight, state))
+    for k, plane in enumerate(planes):
+        if plane is not None and abs(plane.distance) > FARTHEST:
+            unsaid.append(f"D{k + 1}")
+            planes[k] = None
+    ho, po, p1, h2, p2, r2 = state.plant.angles.tolist()
+    return Block(FrameBlock(control, (ho, po, p1, h2, p2, r2), cast("Planes", tuple(planes))), tuple(unsaid))
 
 
-def _fingers(sim: Simulation) -> tuple[Near | None, ...]:
-    """Palm, fixed finger and prong against the bar that is nearest to the palm; None where the pair is not watched."""
-    pairs = {near.a: near for near in reversed(sim.watched()) if near.a in FINGERS and near.b.endswith("receptacle")}
-    return tuple(pairs.get(name) for name in FINGERS)
-
-
-_Planes = tuple[WordPlane | None, WordPlane | None, WordPlane | None]
-
-
-def _control(before: Frame | None, frame: Frame) -> ControlWord:
-    work, was = frame.work, (before or frame).work
-    return ControlWord(
-        mode=cast("Literal[1, 2, 3, 4]", work.task),
-        station=STATION,
-        initialise=any(event.kind == "initialise" for event in frame.events),
-        telescope=_way((work.stand or 0.0) - (was.stand or 0.0)),
-        prong=_way((was.hand.spacing or 0.0) - (work.hand.spacing or 0.0)),
-        finger_inhibited=work.finger_inhibit,
-        arm_inhibited=work.arm_inhibit,
+def planes_of(flight: Flight, state: State) -> Planes:
+    """Return D1 to D3 in R; None where there is no bar, or where the two collide."""
+    bar, held = flight.site.bar, state.site.held
+    if bar is not None and held is not None and (which := bar.which[held]) is not None:
+        d1, d2, d3 = (_face(state.site.watch.placed[solid], face) for solid, face in zip(which, INNER, strict=False))
+        return d1, d2, d3
+    near = [pair for pair in all_near(flight, state) if pair.a in HEXES and pair.b.endswith("receptacle")]
+    nearest = next((pair.b for pair in near if pair.a == HEXES[0]), None)
+    pairs = {pair.a: pair for pair in near if pair.b == nearest and any(pair.normal)}
+    first, second, third = (
+        WordPlane(pairs[name].normal, pairs[name].distance) if name in pairs else None for name in HEXES
     )
+    return first, second, third
 
 
-def _way(change: float) -> Literal[-1, 0, 1]:
-    return 0 if abs(change) < SAME else 1 if change > 0.0 else -1
+def _face(body: NDArray[np.float64], face: int) -> WordPlane:
+    """Return the plane of a placed body's face, its normal outwards."""
+    return WordPlane((float(body[NX + face]), float(body[NY + face]), float(body[NZ + face])), float(body[D + face]))
 
 
-def _plane(near: Near | None) -> WordPlane | None:
-    if near is None or near.normal == (0.0, 0.0, 0.0):
-        return None
-    return WordPlane(near.normal, near.distance)
+def _turned(state: State, before: Places) -> tuple[float, float, float]:
+    """Return how pan, tilt and zoom of the station's camera changed, + right, up and in."""
+    name = state.panel.camera
+    if name not in state.cameras.names:
+        return 0.0, 0.0, 0.0
+    now, was = (views[state.cameras.names.index(name)] for views in (state.cameras.views, before.views))
+    return now.pan - was.pan, now.tilt - was.tilt, was.zoom - now.zoom
+
+
+def _way(change: float) -> Way:
+    return 1 if change > 0.0 else -1 if change < 0.0 else 0

@@ -1,7 +1,8 @@
-"""What contacts, seats and walls leave of a step's motion, before the plant makes it.
+"""Limit one step's commanded motion to what contacts, seats and walls allow, before the plant makes it.
 
-Remote Manipulator Simulation, final report, chapter IV: collisions found in two successive frames inhibit the arm. Here
-motion that deepens no contact is let through, so that whatever leads out can be flown.
+Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision found in two successive steps inhibits
+the arm until it is relieved. Deviation: motion that relieves the contact (`worksite.restrain`) is flown, so that the
+operator can always leave it, and what the arm holds slides where that is permitted (`worksite.sliding`).
 """
 
 from __future__ import annotations
@@ -13,7 +14,11 @@ from aftdeck.simulation.standstill import standing
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import CLOCK, PACE, RATES, RATIO, TWIST
 from aftdeck.steering.mode import MODES
-from aftdeck.worksite.restrain import allowed
+from aftdeck.worksite.layout import Mask
+from aftdeck.worksite.restrain import leads_out, relieves, worsened
+
+AHEAD = (1.0, 8.0, 64.0, 512.0)
+"""After how many steps it is looked whether a motion leads out of the contacts."""
 
 
 def restrain(flight: Flight, state: State, telescope: float) -> float:
@@ -30,7 +35,7 @@ def restrain(flight: Flight, state: State, telescope: float) -> float:
     things = state.site
     things.halt = ""
     sliding = slider(state)
-    things.contacts.essential = flight.site.essential_while(sliding)
+    things.contacts.essential = flight.site.essential_while(sliding, things.permitted)
     rates = state.steering[RATES : RATES + 6]
     moved = telescope or any(rates.tolist())
     if things.fast or standing(state.panel):
@@ -48,10 +53,32 @@ def restrain(flight: Flight, state: State, telescope: float) -> float:
     if not things.contacts.inhibit.arm:
         return telescope
     after = frames_after(flight, state, rates, telescope)
-    if allowed(things.watch, things.contacts.arm & (1 - things.contacts.essential), after):
+    apart = kept_apart(flight, state, sliding=sliding is not None)
+    if relieves(things.watch, *apart, after):
+        return telescope
+    ahead = [frames_after(flight, state, steps * rates, steps * telescope)[None] for steps in AHEAD]
+    if leads_out(things.watch, *apart, after[None], ahead)[0] > 0.0:
+        return telescope
+    if not things.advice and worsened(things.watch, apart[0], after) < 0:  # nothing leads out: nobody is stranded
         return telescope
     things.halt = "contact"
     return _halted(flight, state)
+
+
+def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Mask]:
+    """Return the groups that an inhibited arm must not bring closer in contact, and those that it has to relieve.
+
+    Args:
+        flight: what never changes.
+        state: after its last look.
+        sliding: whether what the arm holds slides, as in the modes that steer a point: it keeps itself off its walls,
+            and is in neither.
+    """
+    things = state.site
+    own = things.contacts.arm
+    if sliding and things.held is not None:
+        own = own & (1 - flight.site.slides[things.held])
+    return own, own & (1 - things.permitted)
 
 
 def slider(state: State) -> int | None:

@@ -20,6 +20,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.look import look
 from aftdeck.simulation.look_ahead import Ahead, Axis, look_ahead
 from aftdeck.simulation.look_work import all_near
+from aftdeck.simulation.plain import plain_inputs, whole
 from aftdeck.simulation.seal import seal
 from aftdeck.simulation.state import Saved
 from aftdeck.simulation.step import step
@@ -46,8 +47,9 @@ class Simulation:
 
     def __init__(self, scenario: Scenario | str | Path, seed: int | None = None) -> None:
         self.scenario = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
-        self.seed = self.scenario.seed if seed is None else seed
+        self.seed = self.scenario.seed if seed is None else whole(seed, "seed")
         self._frame: Frame | None = None
+        self._given: Inputs | None = None
         self._flight = prepare(self.scenario)
         self._state = first_state(self._flight)
         constants = f"{self.scenario.text}\n{self.scenario.arm.model.source}"
@@ -63,6 +65,11 @@ class Simulation:
     def frame(self) -> Frame | None:
         """The last step's frame; None before the first, and after `restore` till the next."""
         return self.look() if self._stepped else None
+
+    @property
+    def given(self) -> Inputs | None:
+        """The inputs of the last step as they were given; None where the script flew it, or none was made."""
+        return self._given
 
     def step(self, inputs: Inputs | None = None) -> Frame:
         """Advance by one control period and look: `advance`, whose arguments and errors these are, and `look`."""
@@ -84,8 +91,10 @@ class Simulation:
             inputs.check(self._state.arm)
             if inputs.camera is not None:
                 self._state.cameras.check(inputs.camera)
+            inputs = plain_inputs(inputs)
         state = self._state
         step(self._flight, state, inputs)
+        self._given = inputs
         self._stepped, self._frame = True, None
         angles = state.plant.angles.tolist()
         if not math.isfinite(sum(angles)):
@@ -134,9 +143,8 @@ class Simulation:
                 f"{self.scenario.name!r} with {self._digest[:12]}"
             )
         self.seed = saved.seed
-        self._state.restore(saved.state)
-        resume(self._flight, self._state)
-        self._stepped, self._frame = False, None
+        resume(self._flight, self._state, saved.state)
+        self._stepped, self._frame, self._given = False, None, None
 
 
 class Run(msgspec.Struct, frozen=True):
@@ -152,24 +160,34 @@ def run(
     scenario: Scenario | str | Path,
     seed: int | None = None,
     *,
+    inputs: Callable[[Simulation], Inputs | None] | None = None,
     keep_frames: bool = True,
     progress: Callable[[float], None] | None = None,
     seen: Callable[[Frame], None] | None = None,
+    stepped: Callable[[Simulation], None] | None = None,
 ) -> Run:
-    """Fly a scenario's script to its end without a screen.
+    """Fly a scenario's script, or given inputs, to the end without a screen.
 
     Args:
         scenario: a scenario, a built-in name or a path.
         seed: in place of the scenario's.
+        inputs: asked before every step for a person's inputs, which fly in place of the script; None ends the run.
         keep_frames: False keeps only the last frame, for long runs.
         progress: told now and then how much of the longest duration has gone, 0 to 1.
         seen: told of every frame.
+        stepped: called after every step with the simulation.
+
+    Raises:
+        InputError: `inputs` gives none for the first step, or some that no hand controller can give.
     """
     sim = Simulation(scenario, seed)
     frames: list[Frame] = []
     tally = Tally()
     while not sim.ended:
-        sim.advance()
+        given = None if inputs is None else inputs(sim)
+        if given is None and inputs is not None:
+            break
+        sim.advance(given)
         tally.take(sim._state)
         if keep_frames or seen is not None:
             frame = sim.look()
@@ -177,8 +195,12 @@ def run(
                 frames.append(frame)
             if seen is not None:
                 seen(frame)
+        if stepped is not None:
+            stepped(sim)
         if progress is not None and tally.ticks % 256 == 0:
             progress(tally.ticks / sim.scenario.ticks)
+    if tally.ticks == 0:
+        raise InputError("there are no inputs to fly: none is given for the first step")
     last = sim.look()
-    summary = tally.summary(sim.scenario, sim.seed, sim.ended, last)
+    summary = tally.summary(sim.scenario, sim.seed, sim.ended or "completed", last)
     return Run(sim.scenario, tuple(frames) if keep_frames else (last,), tuple(tally.events), summary)

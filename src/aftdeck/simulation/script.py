@@ -94,7 +94,7 @@ def _continuing(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
     telescope = _telescope(flight, state, phase)
     if phase.joint_at is None:
         return _sticks(phase, telescope)
-    rules = state.carried.rules[phase.mode, phase.rate]
+    rules = state.carried.rules[phase.mode, phase.rate, MODES[phase.mode].laws[0]]
     gap = phase.joint_at - float(state.plant.angles[phase.joint])
     rate = braked(abs(gap), float(rules[RATE_UP + phase.joint]), float(rules[DT]))
     drive = min(1.0, rate / float(rules[RATE + phase.joint]))

@@ -16,10 +16,10 @@ from aftdeck.bodies.pose import POSE, compose, pose_of, relative
 from aftdeck.simulation.berths import Berth
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import regrasp, set_free
+from aftdeck.simulation.latch_command import NEAR, Pressed, confirmed, meant, nearest_berth
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.mechanism import waits
 from aftdeck.simulation.state import State
-from aftdeck.worksite.around import nearest_place
 from aftdeck.worksite.berthing import in_guides, places, ready_to_latch, retained
 from aftdeck.worksite.conditions import Condition, all_hold, reasons, shown
 from aftdeck.worksite.docking import DISTANCE, FOUND, approach, docking
@@ -27,27 +27,23 @@ from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.latches import Latches, advance
 
 Array = NDArray[np.float64]
-Pressed = Literal["latch", "unlatch"]
-
-NEAR = 3.0
-"""A cargo farther from its place in a seat than this [m] is not yet being brought there."""
 
 
 def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:
     """Fix what a seat takes, and let go what it is told to (`pressed`: latch, unlatch or None)."""
-    held = state.site.held
-    answers: list[str | None] = []
+    addressed = meant(flight, state, pressed)
+    answer: str | None = None
     for k, thing in enumerate(state.site.cargo):
-        answer = None
+        own = pressed if k == addressed else None
         if thing.seat:
-            answer = _fixed(flight, state, k, pressed)
-        elif thing.held:
-            answer = _brought(flight, state, k, pressed)
-        answers.insert(0 if k == held else len(answers), answer)
-    if pressed and "" not in answers:
-        why = next((answer for answer in answers if answer), None)
-        if why is None:
-            why = _far(flight, state) if pressed == "latch" else "no payload is at a seat"
+            found = _fixed(flight, state, k, own)
+        elif thing.held or own is not None:
+            found = _brought(flight, state, k, own)
+        else:
+            continue
+        answer = found if k == addressed else answer
+    if pressed and answer != "":
+        why = answer or (_far(flight, state) if pressed == "latch" else "no payload is at a seat")
         refuse(flight, state, f"{pressed.upper()} refused: {why}")
 
 
@@ -58,6 +54,7 @@ def _far(flight: Flight, state: State) -> str:
         (math.hypot(*_off(flight, state, k, berth)[:3].tolist()), k, berth.seat.title)
         for k, own in enumerate(site.berths)
         for berth in own
+        if not state.site.cargo[k].seat
     ]
     if not ways:
         return "no payload has a place in a seat here"
@@ -78,15 +75,10 @@ def stay_or_leave(flight: Flight, state: State, k: int) -> None:
     set_free(flight, state, k, from_space=False)
 
 
-def nearest_berth(flight: Flight, state: State, k: int) -> Berth | None:
-    """The place in a seat that a cargo is nearest to, if it is near to one."""
-    site = flight.site
-    nearest = nearest_place(state.site.frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
-    return None if nearest < 0 else site.berths[k][nearest]
-
-
 def _brought(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str | None:
-    """A cargo in the grasp comes to a seat, which takes it, or says by the conditions of the nearest why not.
+    """A cargo at a seat, which takes it, or says by the conditions of the nearest why not.
+
+    A seat that takes a cargo by itself does so from the grasp; a cargo that floats in its place waits for LATCH.
 
     Returns:
         What comes of `pressed`: None where it was not meant for this cargo, empty where it was done, else why not.
@@ -113,8 +105,13 @@ def _brought(flight: Flight, state: State, k: int, pressed: Pressed | None) -> s
         return reasons(conditions) if pressed == "latch" else None
     if pressed != "latch":
         return None
-    if berth.lies:
+    if berth.lies and thing.held:
         return reasons(conditions) or f"the {berth.seat.title} keeps what the hand lets go there: RELEASE"
+    if berth.lies:
+        if holds:
+            _fix(flight, state, k, berth, Latches(1.0, 1.0))
+            log(flight, state, "latched", "info", f"{flight.site.cargo[k].title} kept by the {berth.seat.title}")
+        return reasons(conditions)
     latches, said = advance(Latches(), berth.seat.time, "latch", flight.scenario.control_period, conditions)
     for line in said:
         log(flight, state, line.kind, line.level, line.text)
@@ -130,16 +127,24 @@ def _fixed(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str
     thing = things.cargo[k]
     berth = site.berth(k, thing.seat)
     assert berth is not None, "a cargo is fixed only where it has a place"
+    if pressed == "latch":
+        thing.asked = 0
     if berth.lies:
         lies = f"{site.cargo[k].title} lies in the {berth.seat.title}"
         return f"{lies}, which keeps what the hand lets go there and lets go what it takes" if pressed else None
     if berth.at_once:
         if pressed != "unlatch":
             return f"{site.cargo[k].title} is docked already" if pressed else None
+        if not confirmed(flight, state, k, berth.seat.title):
+            return ""
         _unfix(flight, state, k, berth)
         return ""
     before = thing.latches
-    after, said = advance(before, berth.seat.time, pressed or "", flight.scenario.control_period, ())
+    opens = pressed == "unlatch" and before.hold
+    command: Pressed | Literal[""] = pressed or ""
+    if opens and not confirmed(flight, state, k, berth.seat.title):
+        command = ""
+    after, said = advance(before, berth.seat.time, command, flight.scenario.control_period, ())
     seated, halted = thing.seated, False
     if after.drawn != before.drawn:
         left = np.empty(POSE)
@@ -183,7 +188,11 @@ def _unfix(flight: Flight, state: State, k: int, berth: Berth) -> None:
         set_free(flight, state, k, from_space=berth.seat.frame == "space")
     things.settle(site)
     what = "undocked from" if berth.at_once else "let go by"
-    log(flight, state, "unseated", "info", f"{site.cargo[k].title} {what} the {berth.seat.title}")
+    text = f"{site.cargo[k].title} {what} the {berth.seat.title}"
+    if thing.held:
+        log(flight, state, "unseated", "info", text)
+    else:
+        log(flight, state, "unseated", "caution", f"{text}: nothing holds it, it is free")
 
 
 def _in_seat(state: State, berth: Berth, seated: Array) -> Array:
@@ -212,11 +221,11 @@ def conditions_at(flight: Flight, state: State, k: int, berth: Berth) -> tuple[C
 
 def _beyond(flight: Flight, state: State, k: int, berth: Berth) -> bool:
     """Whether a cargo's probe is farther from a port than docking allows, so that no other condition matters."""
-    return berth.port is not None and _approached(flight, state, k, berth)[DISTANCE] > berth.docking.distance
+    return berth.port is not None and approached(flight, state, k, berth)[DISTANCE] > berth.docking.distance
 
 
-def _approached(flight: Flight, state: State, k: int, berth: Berth) -> Array:
-    """(6,) how a cargo's probe stands to a port."""
+def approached(flight: Flight, state: State, k: int, berth: Berth) -> Array:
+    """Return how a cargo's probe stands to a port, (6,) of `worksite.docking`."""
     assert berth.port is not None
     frames, found, port = state.site.frames, np.empty(FOUND), np.empty(POSE)
     compose(frames[berth.row], berth.port, port)
@@ -228,7 +237,7 @@ def _fitting(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condit
     """How the cargo has to stand to its place."""
     units = flight.scenario.arm.model.units
     if berth.port is not None:
-        return docking(_approached(flight, state, k, berth), berth.docking, units)
+        return docking(approached(flight, state, k, berth), berth.docking, units)
     off = _off(flight, state, k, berth)
     if berth.guides is None:
         return retained(pose_of(off), berth.tolerances, units)

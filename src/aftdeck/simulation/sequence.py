@@ -6,14 +6,20 @@ arm goes on to the next one without slowing to rest (mode 2; modes 1 and 3 fly t
 
 from __future__ import annotations
 
+import numpy as np
+
+from aftdeck.errors import AftdeckError
 from aftdeck.scenario.target import Target
-from aftdeck.simulation.check import command_check, set_course
+from aftdeck.simulation.checking import begin_check
 from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.frame import Six
 from aftdeck.simulation.log import log
 from aftdeck.simulation.miss import miss
 from aftdeck.simulation.standstill import held_fast, standing
-from aftdeck.simulation.state import Panel, State
-from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, RATIO
+from aftdeck.simulation.state import Ending, Panel, State
+from aftdeck.simulation.ways import final_angles
+from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, GO, LAW, MASTER, PLAN, RATIO, TARGET
+from aftdeck.steering.mode import AUTOMATIC_LAWS
 from aftdeck.steering.rehearsal import GIVEN_UP, STANDSTILL
 
 _STANDSTILLS = {
@@ -30,15 +36,32 @@ def next_target(flight: Flight, panel: Panel) -> Target | None:
     return points[panel.point].target if panel.point < len(points) else None
 
 
-def begin(flight: Flight, state: State, target: Target) -> None:
-    """Set an automatic motion under way: it sets off with this step, or once the arm stands (`steering.course`)."""
-    set_course(state, target, state.command)
-    state.panel.target, state.panel.sequence, state.panel.blocked = target, "in progress", 0
+def begin(flight: Flight, state: State, target: Target, joints: Six | None = None) -> None:
+    """Set an automatic motion under way: it sets off with this step, or once the arm is at rest (`steering.course`).
+
+    Args:
+        flight: what never changes.
+        state: its command takes OPERIN's values.
+        target: where the tip goes.
+        joints: mode 1's final angles [rad]; None: those nearest to the present ones.
+
+    Raises:
+        UnreachableError, SingularityError: no joint angles put the tip there.
+    """
+    command, panel = state.command, state.panel
+    final = final_angles(state, target) if joints is None else joints
+    command[LAW], command[GO] = AUTOMATIC_LAWS[panel.law], 0.0
+    command[TARGET : TARGET + 3] = target.position
+    command[TARGET + 3 : TARGET + 12] = np.ravel(target.rotation)
+    command[PLAN:MASTER] = 0.0
+    command[PLAN : PLAN + 6] = final
+    panel.target, panel.sequence, panel.blocked = target, "in progress", 0
 
 
 def finish(flight: Flight, state: State) -> None:
     """End an automatic motion that the last step has brought to its target, or that a limit holds."""
     panel = state.panel
+    panel.ending, panel.beside = "", ""
     if panel.sequence != "in progress":
         return
     points = flight.scenario.sequences.get(panel.mode, ())
@@ -51,46 +74,59 @@ def finish(flight: Flight, state: State) -> None:
         and state.report[DISTANCE] <= flight.scenario.fly_by
         and state.report[ANGLE] <= flight.scenario.fly_by_turn
     )
-    if state.report[ARRIVED] or passing:
+    still = state.report[RATIO] < STANDSTILL
+    if state.report[ARRIVED] or passing or (still and not _beside(flight, state)):
         _arrive(flight, state, passing)
         return
-    panel.blocked = panel.blocked + 1 if state.report[RATIO] < STANDSTILL else 0
+    panel.blocked = panel.blocked + 1 if still else 0
     if panel.blocked * flight.scenario.control_period >= GIVEN_UP:
-        panel.sequence, panel.blocked = "ready", 0
+        panel.sequence, panel.blocked, panel.ending = "ready", 0, "given up"
         halt = state.site.halt
         why = held_fast(flight, state) if halt == "seat" else standing(state.panel) or _STANDSTILLS[halt]
         log(flight, state, "blocked", "caution", f"automatic motion given up: {why}")
 
 
+def _beside(flight: Flight, state: State) -> str:
+    """By how much the arm is beside the present target, for people; empty where it has reached it."""
+    target = state.panel.target
+    return "" if target is None else miss(flight, state.arm, state.plant.angles, target)
+
+
 def _arrive(flight: Flight, state: State, passing: bool) -> None:
+    """Go on to a sequence's next point, wait for PROCEED at a pause point, or end the motion."""
     panel = state.panel
     points = flight.scenario.sequences.get(panel.mode, ())
-    panel.sequence = "idle"
-    if not points:
-        _tell_arrival(flight, state, "target", passing)
+    beside = "" if passing else _beside(flight, state)
+    name = f"{panel.mode}, point {panel.point + 1} of {len(points)}" if points else "target"
+    _tell_arrival(flight, state, name, passing, beside)
+    goes_on = bool(points) and panel.point + 1 < len(points) and not points[panel.point].pause
+    panel.point += 1 if points else 0
+    if goes_on:
+        try:
+            begin(flight, state, points[panel.point].target)
+            state.command[GO] = 1.0 if passing else 0.0  # mode 2 has no plan that would begin at rest
+        except AftdeckError as error:
+            _end(panel, "given up", beside)
+            log(flight, state, "check", "caution", f"{panel.mode} stops: {error}")
         return
-    _tell_arrival(flight, state, f"{panel.mode}, point {panel.point + 1} of {len(points)}", passing)
-    waits = points[panel.point].pause
-    panel.point += 1
+    _end(panel, "missed" if beside else "reached", beside)
+    if not points:
+        return
     if panel.point == len(points):
         panel.target, panel.check = None, None
         log(flight, state, "sequence", "info", f"{panel.mode} complete")
         return
     panel.target = points[panel.point].target
-    panel.check = command_check(flight, state, panel.target)
-    if not panel.check.good:
-        log(flight, state, "check", "caution", f"{panel.mode} stands: CMD CK {panel.check.text}")
-    elif waits:
-        panel.sequence = "ready"
-        log(flight, state, "check", "info", f"pause point: PROCEED goes on; CMD CK {panel.check.text}")
-    else:
-        begin(flight, state, panel.target)
+    log(flight, state, "sequence", "info", "pause point: PROCEED goes on")
+    begin_check(state, panel.target)
 
 
-def _tell_arrival(flight: Flight, state: State, name: str, passing: bool) -> None:
+def _end(panel: Panel, ending: Ending, beside: str) -> None:
+    panel.sequence, panel.ending, panel.beside = "idle", ending, beside
+
+
+def _tell_arrival(flight: Flight, state: State, name: str, passing: bool, beside: str) -> None:
     """Log that a target is passed, reached or missed, and by how much."""
-    target = state.panel.target
-    beside = "" if passing or target is None else miss(flight, state.arm, state.plant.angles, target)
     if beside:
         log(flight, state, "arrived", "caution", f"{name} missed: the motion ended {beside} it")
     else:

@@ -12,15 +12,17 @@ from aftdeck.arms.model import HeadingArmFile
 from aftdeck.arms.solids import solids_of
 from aftdeck.bodies.pose import POSE, row_of
 from aftdeck.bodies.solid import Solid
-from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, rotation_x
+from aftdeck.frames import Pose, rotation_x
 from aftdeck.kinematics.frames import Frames, frames_of
 from aftdeck.kinematics.linkage import L5
+from aftdeck.scenario import relative
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.payload import PART
 from aftdeck.simulation.berths import Berth, berth_of
 from aftdeck.simulation.hand import Bar, Snares, bar_of, snares_of
-from aftdeck.worksite.layout import Indices, Layout, Mask, PartPair, layout_of
-from aftdeck.worksite.model import Cargo, Seat, Worksite
+from aftdeck.worksite.cargo import part_of
+from aftdeck.worksite.layout import CENTRE, Indices, Layout, Mask, PartPair, layout_of
+from aftdeck.worksite.model import Cargo, Relation, Seat, Worksite
 from aftdeck.worksite.pairs import among, part_pairs
 
 Array = NDArray[np.float64]
@@ -32,6 +34,25 @@ SHORT = 1.0
 
 
 @dataclass(frozen=True, eq=False)
+class Meeting:
+    """A watched group that the task brings into contact.
+
+    Attributes:
+        group: of the layout.
+        cargo: which cargo one of the parts is of.
+        relation: where the two may touch.
+        depth: how deep, and how far past the planes of the relation [m].
+        trunnions: of the cargo, by the layout's solid; empty for other fittings.
+    """
+
+    group: int
+    cargo: int
+    relation: Relation
+    depth: float
+    trunnions: dict[int, int]
+
+
+@dataclass(frozen=True, eq=False)
 class Site:
     """What can touch what, and where things are kept.
 
@@ -40,7 +61,8 @@ class Site:
         cargo: the payloads that are there.
         arm: the arm's frames.
         layout: solids and watched groups.
-        essential: (g,) groups made to touch.
+        essential: (g,) groups that the task brings into contact.
+        meetings: where and how deep each of these may touch.
         by_arm: (g,) groups of which a part is the arm's.
         by_prong: (g,) groups of the prong; none, of an arm without one.
         of_cargo: for each cargo, (g,) groups of which a part is its.
@@ -52,14 +74,13 @@ class Site:
         prong: whether the end effector is a prong; else it has snares.
         bar: how the prong takes hold; None: this hand or this place has none.
         snares: how the snares do; None likewise.
-        detrimental: (g,) groups of the arm and of what it may hold that are not made to touch.
+        detrimental: (g,) all other groups.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
         berths: for each cargo, its places in the seats that take it.
         berth_rows: for each cargo, (n,) the rows of the frames that these are in, and
         berth_places: (n, 12) its poses there.
         starts: for each cargo, (12,) its pose in the scene at the start.
-        sliding: for each cargo, (g,) groups that may touch while it is held and slides.
-        slides: for each cargo, (g,) groups along which it slides while it is held.
+        slides: for each cargo, (g,) groups along which it slides while it is held: of it and the orbiter's parts.
         bodies: for each cargo, its solids.
         bay: least and greatest coordinates (2, 3) of the bay's inside, in the scene, open downwards [m]; None:
             there is none.
@@ -70,6 +91,7 @@ class Site:
     arm: Frames
     layout: Layout
     essential: Mask
+    meetings: tuple[Meeting, ...]
     by_arm: Mask
     by_prong: Mask
     of_cargo: tuple[Mask, ...]
@@ -87,7 +109,6 @@ class Site:
     berth_rows: tuple[Indices, ...]
     berth_places: tuple[Array, ...]
     starts: tuple[Array, ...]
-    sliding: tuple[Mask, ...]
     slides: tuple[Mask, ...]
     bodies: tuple[Indices, ...]
     bay: Array | None
@@ -102,9 +123,14 @@ class Site:
         """Row of the frame that the last joint carries."""
         return len(self.arm.names) if not self.prong else len(self.arm.names) - 2
 
-    def essential_while(self, sliding: int | None) -> Mask:
-        """(g,) groups made to touch; with a cargo that slides, those of it with the walls too."""
-        return self.essential if sliding is None else self.sliding[sliding]
+    def essential_while(self, sliding: int | None, permitted: Mask) -> Mask:
+        """Return which groups' contacts belong to the task, (g,).
+
+        Args:
+            sliding: the cargo that slides along what it touches; None: none does.
+            permitted: (g,) groups whose relation permits the contact.
+        """
+        return permitted if sliding is None else permitted | self.slides[sliding]
 
     def cargo_row(self, index: int) -> int:
         """Row of a cargo's frame."""
@@ -147,7 +173,9 @@ def site_of(scenario: Scenario) -> Site:
     by_arm = np.zeros(len(layout.groups), np.uint8)
     if mine:
         by_arm = layout.carried(arm.names)
-    essential = among(layout, [pair for pair in worksite.essential if set(pair) <= set(layout.parts)])
+    meetings = _meetings(worksite, layout, cargo)
+    essential = np.zeros(len(layout.groups), np.uint8)
+    essential[[meeting.group for meeting in meetings]] = 1
     of_cargo = tuple(layout.carried([one.name]) for one in cargo)
     walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
     link = float(model.links[L5])
@@ -165,6 +193,7 @@ def site_of(scenario: Scenario) -> Site:
         arm=arm,
         layout=layout,
         essential=essential,
+        meetings=meetings,
         by_arm=by_arm,
         by_prong=layout.carried(["arm.prong"]) if "arm.prong" in arm.names else np.zeros_like(by_arm),
         of_cargo=of_cargo,
@@ -186,11 +215,34 @@ def site_of(scenario: Scenario) -> Site:
         berth_rows=tuple(np.array([berth.row for berth in own], dtype=np.int64) for own in berths),
         berth_places=tuple(np.array([berth.place for berth in own]).reshape(-1, POSE) for own in berths),
         starts=tuple(row_of(one.start.pose) for one in cargo),
-        sliding=tuple(essential | layout.between(own_parts, walls) for own_parts in parts),
-        slides=tuple(layout.between(own_parts, walls) & (1 - essential) for own_parts in parts),
+        slides=tuple(layout.between(own_parts, walls) for own_parts in parts),
         bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)) for one in cargo),
         bay=None if worksite.bay is None else np.array([(*worksite.bay.low[:2], -np.inf), worksite.bay.high]),
     )
+
+
+def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> tuple[Meeting, ...]:
+    """The groups that the task brings into contact, of the parts that are there."""
+    found = []
+    for essential in worksite.essential:
+        if not set(essential.parts) <= set(layout.parts):
+            continue
+        frames = {layout.frames[layout.part_frame[layout.part(part)]] for part in essential.parts}
+        for k, one in enumerate(cargo):
+            if one.name in frames:
+                trunnions = _trunnions(layout, one) if essential.relation == "guides" else {}
+                for group in np.flatnonzero(among(layout, [essential.parts])).tolist():
+                    found.append(Meeting(group, k, essential.relation, essential.depth, trunnions))
+    return tuple(found)
+
+
+def _trunnions(layout: Layout, one: Cargo) -> dict[int, int]:
+    """The trunnions of a cargo by their solids: the one whose latched point is nearest."""
+    solids = np.flatnonzero(layout.frame == layout.frames.index(one.name))
+    part = part_of(one.name, "trunnions")
+    own = [solid for solid, made in zip(solids.tolist(), one.solids, strict=True) if made.part == part]
+    ways = np.linalg.norm(layout.solids[own, None, CENTRE : CENTRE + 3] - one.trunnions, axis=2)
+    return dict(zip(own, ways.argmin(axis=1).tolist(), strict=True))
 
 
 def _held_for_good(scenario: Scenario) -> tuple[Solid, ...]:
@@ -242,9 +294,7 @@ def _ball(model: ArmModel) -> tuple[str, ...]:
 
 def scene_in_l(scenario: Scenario) -> Array:
     """(12,) the scene's frame in L."""
-    mount = scenario.arm.model.mount
-    turn = mount.rotation.T @ SCENE_FROM_PANEL_AXES
-    return row_of(Pose(turn @ np.array(scenario.worksite.origin) - mount.rotation.T @ mount.origin, turn))
+    return row_of(relative.scene_in_l(scenario.arm.model.mount, scenario.worksite.origin))
 
 
 def _parts_of(worksite: Worksite, seat: Seat) -> set[str]:

@@ -45,7 +45,7 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
     found = touches(things.watch, counts, site.cargo[held].name, near, period, OUT)
     telescope *= _room(found, -telescope * stand.rate)
     height = stand.after(telescope, period)
-    rules = state.carried.rules[state.panel.mode, state.panel.rate]
+    rules = state.rules
     commanded, last = state.steering.copy(), things.frames[site.last_joint]
     for turning in (1.0, 0.0):
         state.steering[:] = commanded

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from aftdeck.simulation.begin import initialise
+from aftdeck.simulation.check import check
 from aftdeck.simulation.delay import delayed
 from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.fly import go
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.notice import notice
 from aftdeck.simulation.panel import operate
-from aftdeck.simulation.restrain import restrain
 from aftdeck.simulation.script import conclude, phase_name, play
 from aftdeck.simulation.state import State
-from aftdeck.simulation.work import work
-from aftdeck.steering.layout import RATES
-from aftdeck.steering.msteer import msteer
 
 
 def step(flight: Flight, state: State, inputs: Inputs | None) -> None:
@@ -37,23 +35,19 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> None:
         state.phase = phase_name(flight, state)
     else:
         inputs = delayed(state, inputs)
+    state.flown = inputs
     if inputs.initialise is not None:
         initialise(flight, state, inputs.initialise)
     operate(flight, state, inputs)
 
-    # steering says how fast each joint should go
-    msteer(state.carried.rules[state.panel.mode, state.panel.rate], state.command, state.steering, state.report)
-    rates = state.steering[RATES : RATES + 6]
+    # CMD CK goes on; once it is GOOD, PROCEED begins the motion
+    check(flight, state)
 
-    # contacts, seats and walls say what of it may be flown
-    telescope = restrain(flight, state, inputs.telescope)
-
-    # the plant moves, and with it the worksite: what touches, is caught, held, let go
-    period = flight.scenario.control_period
-    state.plant.move(rates, period, telescope)
-    work(flight, state, inputs)
+    # steering commands the joint rates, contacts and seats restrain them, the plant and the worksite move
+    go(flight, state, inputs)
     if inputs.camera is not None:
-        state.cameras.drive(inputs.camera, period)
+        state.cameras.drive(inputs.camera, flight.scenario.control_period)
+        state.panel.camera = inputs.camera.camera
 
     # what the log tells of the arm; a script whose time has run out ends
     notice(flight, state)

@@ -78,7 +78,7 @@ class Tally:
         """Take in a state after its step."""
         self.ticks += 1
         self.events += state.events
-        rules = state.carried.rules[state.panel.mode, state.panel.rate]
+        rules = state.rules
         self.worst = max(self.worst, rate_ratio(rules, state.steering))
         things = state.site
         if things.nearest >= 0:

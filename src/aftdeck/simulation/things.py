@@ -48,6 +48,8 @@ class Thing(msgspec.Struct):
     """The same now, drawn in by the latches."""
     parted: str = ""
     """The port that it was just undocked from, which takes it again only when it has left it."""
+    asked: int = 0
+    """Step of the last UNLATCH that waits for a second one to confirm it; 0: none does."""
 
 
 class Things:
@@ -57,6 +59,8 @@ class Things:
         frames: (F, 12) where every frame is, in L.
         before: (F, 12) the same a step ago.
         watch: the watched groups.
+        permitted: (g,) 1 for groups that the task brings into contact, but those that touch where, or deeper than,
+            their relation permits.
         contacts: what touches, and what it inhibits.
         told: groups whose contact the log has told.
         cargo: the payloads.
@@ -87,7 +91,8 @@ class Things:
         self.frames = np.zeros((len(site.layout.frames), POSE))
         self.before = self.frames.copy()
         self.watch = Watch(site.layout)
-        self.contacts = Contacts(site.layout, site.essential, site.by_arm.copy(), site.by_prong)
+        self.permitted = site.essential.copy()
+        self.contacts = Contacts(site.layout, self.permitted, site.by_arm.copy(), site.by_prong)
         self.told: frozenset[int] = frozenset()
         self.cargo = [Thing() for _ in site.cargo]
         self.floating: list[Floating | None] = [None] * len(site.cargo)

@@ -8,6 +8,7 @@ from aftdeck.errors import AftdeckError
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.begin import first_state
+from aftdeck.simulation.contact_out import way_out_of_contact
 from aftdeck.simulation.flight import Flight, prepare
 from aftdeck.simulation.grasp import let_go, set_free, take_hold
 from aftdeck.simulation.inputs import Inputs
@@ -18,7 +19,7 @@ from aftdeck.simulation.sliding import slide_along
 from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
 from aftdeck.simulation.tasks import change_task
-from aftdeck.simulation.ways_out import way_out_of_contact, ways_out
+from aftdeck.simulation.ways_out import ways_out
 from aftdeck.steering.layout import TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 
@@ -43,6 +44,7 @@ def warm_up(scenario: Scenario) -> None:
     step(flight, state, Inputs(mode="SINGLE"))
     ways_out(flight, state, (0, 0, 0, 0, 0, 0), ("elbow",))
     step(flight, state, None)
+    state.site.contacts.judge(touching=True, changed=True, mode=state.site.task)
     way_out_of_contact(flight, state)
     if flight.site.cargo:
         _carry(flight, state)

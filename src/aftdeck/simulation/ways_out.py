@@ -5,26 +5,21 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.kinematics.singular import NAMES
-from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.log import spoken
-from aftdeck.simulation.panel import law_of
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import COMMAND, LAW
 from aftdeck.steering.mode import MODES
-from aftdeck.steering.way_out import DIRECTIONS, joint_out, stick_rates, way_out
-from aftdeck.worksite.restrain import ways_out as ways_out_of
+from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
 
-LOOK_EVERY = 10
-"""Steps between two searches for the way out of a contact."""
 LEAST = 1e-3
 """A stick that takes the arm away more slowly than this [1/s] or [rad/s] is no way out."""
 NEARLY = 0.6
 """Advice stays while its stick leads away at least this much as fast as the fastest one [1]."""
 JOINT_BY_JOINT = ("SINGLE", "DIRECT", "MASTER")
 """Modes in which an axis of the sticks moves a joint."""
-_STICKS = ("RHC +roll", "RHC −roll", "RHC +pitch", "RHC −pitch", "RHC +yaw", "RHC −yaw",
+STICKS = ("RHC +roll", "RHC −roll", "RHC +pitch", "RHC −pitch", "RHC +yaw", "RHC −yaw",
            "THC +X", "THC −X", "THC +Y", "THC −Y", "THC +Z", "THC −Z")  # fmt: skip
 
 
@@ -40,40 +35,24 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
 
 def _tried(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
     """How fast each stick direction of the present mode (ORB UNL where it takes no sticks) leads away."""
-    rules, command, steering = _steering(state)
+    rules, command, steering = steering_of(state)
     tried = np.zeros(DIRECTIONS)
     way_out(rules, command, steering, singularity, joint, inward, tried)
     return tried
 
 
-def _steering(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Rules, command and state for trying the sticks in the present mode, ORB UNL where it takes none."""
     panel = state.panel
     manual = MODES[panel.mode].kind == "manual"
     command = np.zeros(COMMAND)
-    command[LAW] = law_of(panel) if manual else 4
+    command[LAW] = panel.flown if manual else 4
     steering = state.steering.copy()
     steering[:6] = state.plant.angles
-    return state.carried.rules[panel.mode if manual else "ORB UNL", panel.rate], command, steering
+    return state.rules if manual else state.carried.rules["ORB UNL", panel.rate, 4], command, steering
 
 
-def way_out_of_contact(flight: Flight, state: State) -> str:
-    """The stick that takes the arm out of what it touches fastest, in words; empty where none does.
-
-    Looked for now and then, and told for as long as it is so.
-    """
-    things = state.site
-    if things.advice and state.tick % LOOK_EVERY:
-        return things.advice
-    rates = np.zeros((DIRECTIONS, 6))
-    stick_rates(*_steering(state), rates)
-    afters = np.array([frames_after(flight, state, one, 0.0) for one in rates])
-    out = ways_out_of(things.watch, things.contacts.arm & (1 - things.contacts.essential), afters)
-    best = int(out.argmax())
-    return f"way out: {_enter(state)}{_STICKS[best]}" if out[best] > 0.0 else ""
-
-
-def _enter(state: State) -> str:
+def entered(state: State) -> str:
     """The mode to enter before a stick moves the point; empty where it does."""
     return "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL, "
 
@@ -90,7 +69,7 @@ def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:
     advice[cause] = best
     stick, sign = best // 2, 1 if best % 2 == 0 else -1
     return WayOut(
-        cause, f"{_enter(state)}{_STICKS[best]}", "rotation" if stick in range(3) else "translation", stick % 3, sign
+        cause, f"{entered(state)}{STICKS[best]}", "rotation" if stick in range(3) else "translation", stick % 3, sign
     )
 
 

@@ -7,19 +7,23 @@ from numpy.typing import NDArray
 
 from aftdeck.simulation.ahead import frames_with
 from aftdeck.simulation.capture import capture
+from aftdeck.simulation.contact_out import way_out_of_contact
 from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.free_contact import drifted
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
+from aftdeck.simulation.relations import permit
+from aftdeck.simulation.restrain import slider
 from aftdeck.simulation.seating import seat
 from aftdeck.simulation.state import State
 from aftdeck.simulation.tasks import change_task
-from aftdeck.simulation.ways_out import way_out_of_contact
+from aftdeck.worksite.acquisition import FOUND, PRONG, acquire
 from aftdeck.worksite.around import look_around
 from aftdeck.worksite.contacts import FRAMES, Inhibit
 from aftdeck.worksite.drift import translate
-from aftdeck.worksite.restrain import deepened
+from aftdeck.worksite.restrain import looked_at, relieves, worsened
 
 Array = NDArray[np.float64]
 
@@ -32,17 +36,17 @@ _DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
 
 def work(flight: Flight, state: State, inputs: Inputs) -> None:
     """Bring the worksite to the end of the step, after the plant has moved."""
-    things, period = state.site, flight.scenario.control_period
+    things = state.site
     _move_orbiter(flight, state, inputs)
     _move_prong(flight, state)
     for k, floating in enumerate(things.floating):
         if floating is not None:
-            floating.move(period)
-            things.rides[k] = floating.pose
+            things.floating[k] = drifted(flight, state, k, floating)
+            things.ride(flight.site, k)
     before, fast = things.contacts.inhibit, things.fast
     _look_around(flight, state)
     _tell_contacts(flight, state, before)
-    capture(flight, state, pressed=inputs.effector is not None)
+    capture(flight, state, inputs)
     seat(flight, state, inputs.latch)
     if things.fast != fast and state.panel.sequence != "in progress":
         make_ready(flight, state)  # CMD CK told of the seat, or did not know of it
@@ -50,11 +54,13 @@ def work(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _look_around(flight: Flight, state: State) -> None:
-    """Where everything is now, what is near, and what that inhibits."""
+    """Find where everything is now, what is near, what touches, and what that inhibits."""
     site, things, plant, period = flight.site, state.site, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, things.watch, things.contacts
     # As the last step left them.
-    counts, things.lined_up = counted(flight, things.held, watch.placed, things.frames, things.lined_up, contacts)
+    counts, things.lined_up = counted(
+        flight, things.held, watch.placed, things.frames, things.lined_up, contacts, things.permitted
+    )
     now = look_around(
         *things.places(site),
         plant.angles,
@@ -68,13 +74,13 @@ def _look_around(flight: Flight, state: State) -> None:
         period,
         max(WATCHED, FAST * period),
         *watch.packed,
-        contacts.essential,
-        contacts.arm,
-        contacts.prong,
-        things.task,
         contacts.count,
     )
-    contacts.inhibit, things.nearest = Inhibit(now.arm, now.finger, now.changed), now.nearest
+    things.nearest = now.nearest
+    if now.touching or now.changed:
+        permit(flight, state)
+        contacts.essential = site.essential_while(slider(state), things.permitted)
+    contacts.judge(now.touching, now.changed, things.task)
 
 
 def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
@@ -103,7 +109,7 @@ def _translated(flight: Flight, state: State, command: Array) -> str:
         return ""
     without, here = frames_with(flight, state, things.prong.position), things.orbiter.copy()
     translate(things.orbiter, velocity, command, rule.speed, rule.reached_in, period)
-    group = deepened(things.watch, detrimental, without, frames_with(flight, state, things.prong.position))
+    group = worsened(looked_at(things.watch, without), detrimental, frames_with(flight, state, things.prong.position))
     if group < 0:
         return ""
     things.orbiter[:], velocity[:] = here, 0.0
@@ -112,15 +118,30 @@ def _translated(flight: Flight, state: State, command: Array) -> str:
 
 
 def _move_prong(flight: Flight, state: State) -> None:
-    """Close or open the prong; while the finger is inhibited only as far as no contact deepens."""
+    """Close or open the prong. While the finger is inhibited it makes no contact, and relieves those that it has."""
     site, things = flight.site, state.site
-    drive = _DRIVES[things.switch] if site.prong else 0.0
+    free = site.prong and flight.scenario.payload is None
+    drive = _DRIVES[things.switch] if free else 0.0
     prong, period = things.prong, flight.scenario.control_period
+    if drive > 0.0:
+        drive *= _room(flight, state, prong.after(drive, period) - prong.position)
     if drive != 0.0 and things.contacts.inhibit.finger:
         before, after = (frames_with(flight, state, at) for at in (prong.position, prong.after(drive, period)))
-        if deepened(things.watch, site.detrimental & site.by_prong, before, after) >= 0:
+        harmful = site.by_prong & (1 - things.contacts.essential)
+        if not relieves(looked_at(things.watch, before), site.by_prong, harmful, after):
             drive = 0.0
     prong.move(drive, period)
+
+
+def _room(flight: Flight, state: State, way: float) -> float:
+    """The share of a way [m] that the prong closes until it meets the bar that the hand holds."""
+    site, k = flight.site, state.site.held
+    if site.bar is None or k is None or (which := site.bar.which[k]) is None:
+        return 1.0
+    found = np.empty(FOUND)
+    acquire(state.site.watch.placed, which, site.bar.packed, found)
+    room = max(float(found[PRONG]), 0.0)
+    return 1.0 if way <= room else room / way
 
 
 def _tell_contacts(flight: Flight, state: State, before: Inhibit) -> None:
@@ -145,6 +166,6 @@ def _tell_contacts(flight: Flight, state: State, before: Inhibit) -> None:
         elif was and not is_now:
             log(flight, state, "inhibit", "info", f"{name} INHIBIT off")
     if now.arm:
-        things.advice = way_out_of_contact(flight, state)
-    elif things.advice:
+        way_out_of_contact(flight, state)
+    else:
         things.advice = ""

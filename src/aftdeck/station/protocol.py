@@ -573,6 +573,7 @@ class Limit(msgspec.Struct, frozen=True):
         "soft stop",
         "hard stop",
         "singularity",
+        "joint acceleration",
         "POR translation",
         "POR rotation",
         "POR acceleration",
@@ -787,7 +788,7 @@ class Frame(_Message, frozen=True, tag="frame"):
     safing: bool
     joint: int
     rate: Rate
-    sequence: Literal["idle", "ready", "in progress"]
+    sequence: Literal["idle", "checking", "ready", "in progress"]
     """READY and IN PROG of the automatic modes."""
     point: int
     """AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes."""

@@ -41,7 +41,7 @@ def left_alone(inputs: Inputs, frame: Frame | None, cause: str, *, under_way: bo
     if not frame.position_hold:
         inputs = msgspec.structs.replace(inputs, position_hold=True)
         changed = True
-    if cause in ("page gone", "page narrow", "another scenario") and frame.sequence == "in progress":
+    if cause in ("page gone", "page narrow", "another scenario") and frame.sequence in ("checking", "in progress"):
         inputs = msgspec.structs.replace(inputs, stop=True)
         changed = True
     return inputs, f"{CAUSES[cause]}: sticks at zero" if changed else ""

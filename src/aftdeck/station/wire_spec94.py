@@ -23,7 +23,7 @@ def _row(scenario: Scenario, number: int, name: str, mass: float) -> wire.Payloa
     """The limits in the steering's own rules with a payload of so much mass [kg], which is all that sets them."""
     model = scenario.arm.model
     rules = rules_of(model, por_with(model, mass, scenario.por), scenario.control_period)
-    coarse, vernier = rules["SINGLE", "coarse"], rules["SINGLE", "vernier"]
+    coarse, vernier = rules["SINGLE", "coarse", 8], rules["SINGLE", "vernier", 8]
     return wire.PayloadInfo(
         id=number,
         name=name,

@@ -26,7 +26,7 @@ from aftdeck.kinematics.linkage import (
 )
 from aftdeck.kinematics.rates import per_distance, resolved, rmsrat
 from aftdeck.law import law, reduced, sincos_near_zero, turned_on
-from aftdeck.steering.msteer import FLOOR
+from aftdeck.steering.msteer import NEAR_FLOOR
 
 Array = NDArray[np.float64]
 Six = tuple[float, float, float, float, float, float]
@@ -85,7 +85,7 @@ def steer_one(arm: Array, pace: Array, angles: Array, target: Array) -> None:
     a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
     wx, wy, wz = turn_left(axes(arm, a), target)
     vx, vy, vz = way_left(place(arm, a), target)
-    rates = rmsrat(arm, a, Twist(wx, wy, wz, vx, vy, vz), FLOOR)
+    rates = rmsrat(arm, a, Twist(wx, wy, wz, vx, vy, vz), NEAR_FLOOR)
     angles[0], angles[1], angles[2], angles[3], angles[4], angles[5] = flown(pace, rates, angles)
 
 
@@ -138,7 +138,7 @@ def _look(arm: Floats, block: Array, work: Array) -> None:
         work[n], work[n + 6 * LANES] = turned_on(work[n], work[n + 6 * LANES], work[n + QUARTERS * LANES])
     for i in range(LANES):
         a = _sines_of(work, i)
-        _keep_three(work, PER, i, per_distance(arm, a, FLOOR))
+        _keep_three(work, PER, i, per_distance(arm, a, NEAR_FLOOR))
         _keep_three(block, LEFT + 3, i, way_left(place(arm, a), _three(block, TARGET, i)))
     for i in range(LANES):
         target = _six(block, TARGET, i) + _six(block, TARGET + 6, i)

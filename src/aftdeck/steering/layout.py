@@ -13,8 +13,10 @@ from aftdeck.kinematics.linkage import LINKS
 DT = LINKS
 """Control period [s]."""
 STRICT = DT + 1
-"""1: the source's own behaviour, without the mending rules."""
-AS_FLOWN = STRICT + 1
+"""1: the source's own behaviour, without the corrections."""
+GUARDED = STRICT + 1
+"""1: computed modes slow the arm before its stops and singularities; the source does not know them."""
+AS_FLOWN = GUARDED + 1
 """1: a joint past its soft stop stops all joints in computed modes."""
 SPEED, TURN = AS_FLOWN + 1, AS_FLOWN + 2
 """V_L [m/s] and omega_L [rad/s]: greatest speed and angular rate of the point of resolution."""
@@ -24,7 +26,9 @@ RATE = TURN_UP + 1
 """(6,) joint rate limits in force [rad/s]."""
 RATE_UP = RATE + 6
 """(6,) joint accelerations [rad/s2]: of mode 8 and MASTER, and of the slowing before a stop."""
-LOW, HIGH = RATE_UP + 6, RATE_UP + 12
+MOST_UP = RATE_UP + 6
+"""(6,) greatest joint accelerations [rad/s2], watched in modes 1 to 7."""
+LOW, HIGH = MOST_UP + 6, MOST_UP + 12
 """(6,) stops in force [rad]: soft ones in computed modes, hard ones in mode 8 and DIRECT."""
 MOUNT = HIGH + 6
 """(9,) rotation from orbiter to L, row by row: T_LB."""
@@ -55,7 +59,9 @@ PLAN = TARGET + 12
 """(11,) what modes 1 and 3 work out once, where they set off; until then mode 1's final angles; see there."""
 MASTER = PLAN + 11
 """(6,) the master arm's joint angles [rad]."""
-COMMAND = MASTER + 6
+KEPT = MASTER + 6
+"""(6,) theta_0: where mode 8 holds the joints that are not selected [rad]."""
+COMMAND = KEPT + 6
 
 NO_LAW = 0.0
 """TEST: the arm comes to rest and stays."""
@@ -78,8 +84,10 @@ CLOCK = 19
 PACE = 20
 """How much of the last step's demand was flown, 0 to 1: the speed of that clock."""
 RISE = 21
-"""How much higher the shoulder stands than `rules` have it (L1), as measured [m]: what a telescope has made of it."""
-STATE = 22
+"""How much higher the shoulder is than in `rules` (L1), as measured [m]: the telescope's extension."""
+MEASURED = 22
+"""(6,) joint rates, as measured [rad/s]."""
+STATE = 28
 
 # report
 DEMAND = 0

@@ -21,6 +21,7 @@ from aftdeck.steering.layout import (
     ANGLES,
     AS_FLOWN,
     DT,
+    GUARDED,
     HIGH,
     LOW,
     RATE,
@@ -35,9 +36,10 @@ from aftdeck.steering.layout import (
 
 Array = NDArray[np.float64]
 
-CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop")
-"""What RATLMT can meet, by the number in a report; 4 is given by mode 8, whose stops are the hard ones."""
-BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP = 1, 2, 3, 4
+CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop", "joint acceleration", "joint acceleration passed")
+"""Which limit acted on the joint rates, by the number in a report. 4 is given by mode 8, whose stops are the hard ones;
+6 means that no factor of the motion kept the acceleration, and the line was kept instead."""
+BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION, PAST_ACCELERATION = 1, 2, 3, 4, 5, 6
 
 NEAREST = 0.02
 """Normalised distance at which an approach to a singularity comes to rest (assumed: 1.1 deg of elbow)."""
@@ -145,16 +147,26 @@ def _shortening(x: float, y: float, z: float, most: float) -> float:
 
 @law
 def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
-    """RATLMT: the ratio by which commanded joint rates are cut so that every one is within its limit."""
+    """RATLMT: the ratio by which commanded joint rates are cut so that each is within its limit.
+
+    Where the rules are guarded, it slows the arm before its stops and singularities too. The source knows rates alone.
+    """
+    limit = joint_ratio(rules, state, rates)
+    return singularity_ratio(rules, a, rates, limit) if rules[GUARDED] != 0.0 else limit
+
+
+@law
+def joint_ratio(rules: Array, state: Array, rates: Rates) -> Ratio:
+    """Return RATLMT's ratio for the joints' own limits: their rates and, where the rules are guarded, their stops."""
     ratio, cause, culprit = 1.0, 0, -1
-    as_flown = rules[AS_FLOWN] != 0.0
+    as_flown, guarded = rules[AS_FLOWN] != 0.0, rules[GUARDED] != 0.0
     for i in range(6):
         rate, angle = rates[i], state[ANGLES + i]
         past = angle > rules[HIGH + i] + OUTSIDE or angle < rules[LOW + i] - OUTSIDE
         if as_flown and past:
             return Ratio(0.0, BY_STOP, i)
         most, here = rules[RATE + i], BY_RATE
-        if not as_flown:
+        if guarded and not as_flown:
             gap = rules[HIGH + i] - angle if rate > 0.0 else angle - rules[LOW + i]
             allowed = braked(gap, rules[RATE_UP + i], rules[DT])
             if allowed < most:
@@ -163,6 +175,13 @@ def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
             left = most / abs(rate)
             if left < ratio:
                 ratio, cause, culprit = left, here, i
+    return Ratio(ratio, cause, culprit)
+
+
+@law
+def singularity_ratio(rules: Array, a: Sines, rates: Rates, limit: Ratio) -> Ratio:
+    """Return a ratio, or the smaller one that slows the arm before a singularity."""
+    ratio, cause, culprit = limit.ratio, limit.cause, limit.culprit
     for k in range(3):
         distance, towards = closing(rules, a, rates, k)
         allowed = APPROACH * max(abs(distance) - NEAREST, 0.0)

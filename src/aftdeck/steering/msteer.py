@@ -1,9 +1,10 @@
-"""MSTEER: one steering step, from where the arm is and what is asked to six joint rates.
+"""MSTEER: one steering step, from the measured arm and the command to six joint rates.
 
 JSC-12628, subroutine MSTEER: JACOBI, LNKAGE, ERATES, the mode's twist (VOTRAN), AVCLMT, RMSRAT, RATLMT, and
-ERATES times RATIO fed back to the next step's AVCLMT. Two things are added unless `strict`: what the mode asks
+ERATES times RATIO fed back to the next step's AVCLMT. Three things are added unless `strict`: the mode's demand
 is first cut to what the joints can give (RATLMT's ratio, taken before AVCLMT, so that no acceleration is spent
-on a hopeless speed-up), and the rate law is taken at the middle of the step that is about to be made.
+on a hopeless speed-up); the rate law is evaluated at the middle of the coming step; and one factor
+(`steering.one_factor`) cuts the whole motion, so that modes 1 and 3 stay on their plans.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 
 from aftdeck.kinematics.jacobian import Jacobian, Rates, Twist, erates, jacobi
 from aftdeck.kinematics.linkage import Sines, Tip, lifted, sines, tip
-from aftdeck.kinematics.rates import rmsrat
+from aftdeck.kinematics.rates import FLOOR, rmsrat
 from aftdeck.law import law
 from aftdeck.steering.layout import (
     ANGLE,
@@ -26,8 +27,11 @@ from aftdeck.steering.layout import (
     DIRECT_LAW,
     DISTANCE,
     DT,
+    GO,
+    GUARDED,
     LAW,
     MASTER_LAW,
+    MEASURED,
     OFFSET,
     PACE,
     POINT,
@@ -40,7 +44,7 @@ from aftdeck.steering.layout import (
     STRICT,
     TWIST,
 )
-from aftdeck.steering.limiters import BY_RATE, NEAREST, avclmt, ratlmt
+from aftdeck.steering.limiters import BY_RATE, NEAREST, avclmt, joint_ratio, ratlmt
 from aftdeck.steering.modes import (
     closed_loop,
     direct,
@@ -53,12 +57,13 @@ from aftdeck.steering.modes import (
     position,
     single_joint,
 )
+from aftdeck.steering.one_factor import one_factor
 from aftdeck.steering.turn import from_hand
 
 Array = NDArray[np.float64]
 
-FLOOR = 0.5 * NEAREST
-"""Normalised distance from a singularity that the rate law works with at least, where the arm starts nearer."""
+NEAR_FLOOR = 0.5 * NEAREST
+"""Normalised distance from a singularity that the guarded rate law works with at least, where the arm starts nearer."""
 
 
 @law
@@ -79,36 +84,45 @@ def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
 
 
 @law
-def measured(angles: Array, rise: float, state: Array) -> None:
-    """Take up where the arm is: joint angles (6,) [rad], and how much higher the shoulder is than in `rules` [m]."""
+def measured(angles: Array, rates: Array, rise: float, state: Array) -> None:
+    """Take over what is measured.
+
+    Args:
+        angles: (6,) joint angles [rad].
+        rates: (6,) joint rates [rad/s].
+        rise: how much higher the shoulder is than in `rules` [m].
+        state: takes them.
+    """
     state[RISE] = rise
     for i in range(6):
         state[ANGLES + i] = angles[i]
+        state[MEASURED + i] = rates[i]
 
 
 @law
 def _sines_at(rules: Array, state: Array, ahead: float) -> Sines:
-    """Sines and cosines where the joints will be in a while [s] at the last step's rates."""
+    """Sines and cosines where the joints will be in a while [s] at their measured rates."""
     return sines(
         rules,
-        state[ANGLES] + ahead * state[RATES],
-        state[ANGLES + 1] + ahead * state[RATES + 1],
-        state[ANGLES + 2] + ahead * state[RATES + 2],
-        state[ANGLES + 3] + ahead * state[RATES + 3],
-        state[ANGLES + 4] + ahead * state[RATES + 4],
-        state[ANGLES + 5] + ahead * state[RATES + 5],
+        state[ANGLES] + ahead * state[MEASURED],
+        state[ANGLES + 1] + ahead * state[MEASURED + 1],
+        state[ANGLES + 2] + ahead * state[MEASURED + 2],
+        state[ANGLES + 3] + ahead * state[MEASURED + 3],
+        state[ANGLES + 4] + ahead * state[MEASURED + 4],
+        state[ANGLES + 5] + ahead * state[MEASURED + 5],
     )
 
 
 @law
 def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian) -> None:
-    """Modes 1 and 8, DIRECT and MASTER, which command joint rates."""
+    """Modes 1 and 8, DIRECT and MASTER, which command joint rates: singularities do not concern them."""
     if command[LAW] == 1.0:
         wanted = position.rates(rules, command, state, report)
-        limit = ratlmt(rules, state, a, wanted)
-        report[RATIO], report[CAUSE], report[CULPRIT] = limit.ratio, limit.cause, limit.culprit
-        rates = cut(rules, wanted, limit.ratio)
-        _run_clock(rules, state, limit.ratio)
+        factor = _position_factor(rules, command, state, report, a, j, wanted)
+        rates = cut(rules, wanted, factor)
+        state[PACE] = factor
+        share = 1.0 if rules[STRICT] != 0.0 else factor
+        state[CLOCK] = position.clock_after(command, state[CLOCK], share, rules[DT])
     elif command[LAW] == DIRECT_LAW:
         rates = direct.rates(rules, command, state, report)
     elif command[LAW] == MASTER_LAW:
@@ -116,9 +130,27 @@ def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: 
     else:
         rates = single_joint.rates(rules, command, state, report)
     twist = erates(a, j, rates)
-    report[DEMAND], report[DEMAND + 1], report[DEMAND + 2] = twist.wx, twist.wy, twist.wz
-    report[DEMAND + 3], report[DEMAND + 4], report[DEMAND + 5] = twist.vx, twist.vy, twist.vz
+    _note_demand(report, twist)
     feed_back(state, rates, twist, 0.0)
+
+
+@law
+def _position_factor(
+    rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian, wanted: Rates
+) -> float:
+    """How much of mode 1's joint rates is flown; the limits that act, into the report.
+
+    The tip's limits hold as well, but not in the source, where RATLMT alone acts.
+    """
+    limit = joint_ratio(rules, state, wanted)
+    if rules[STRICT] != 0.0 or command[GO] == 0.0:
+        report[RATIO], report[CAUSE], report[CULPRIT] = limit.ratio, limit.cause, limit.culprit
+        return limit.ratio
+    present = _present(rules, state, a, j, False, 0.0, 0.0, 0.0)
+    found = one_factor(rules, state, wanted, erates(a, j, wanted), present, limit)
+    report[RATIO], report[CAUSE], report[CULPRIT] = found.factor, found.cause, found.culprit
+    report[POR_CAUSE] = found.por_cause
+    return found.factor
 
 
 @law
@@ -126,29 +158,46 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
     """Modes 2 to 7, which command a twist of the point of resolution."""
     here = lifted(tip(rules, _sines_at(rules, state, 0.0)), state[RISE])
     wanted = _wanted(rules, command, state, report, here)
-    report[DEMAND], report[DEMAND + 1], report[DEMAND + 2] = wanted.wx, wanted.wy, wanted.wz
-    report[DEMAND + 3], report[DEMAND + 4], report[DEMAND + 5] = wanted.vx, wanted.vy, wanted.vz
+    _note_demand(report, wanted)
     offset = rules[OFFSET] != 0.0 or rules[OFFSET + 1] != 0.0 or rules[OFFSET + 2] != 0.0
     x, y, z = 0.0, 0.0, 0.0
     if offset:
         x, y, z = from_hand(tip(rules, a), rules[OFFSET], rules[OFFSET + 1], rules[OFFSET + 2])
         if command[LAW] < 4.0:  # POSITION HOLD in the payload's modes: mode 2 asks a twist of the tip
             wanted = _carried(wanted, x, y, z)
-    if rules[STRICT] == 0.0:
-        possible = ratlmt(rules, state, a, rmsrat(rules, a, _carried(wanted, -x, -y, -z), FLOOR))
-        wanted = scaled(wanted, possible.ratio)
-        report[RATIO], report[CAUSE], report[CULPRIT] = possible.ratio, possible.cause, possible.culprit
+    floor = NEAR_FLOOR if rules[GUARDED] != 0.0 else FLOOR
     present = _present(rules, state, a, j, offset, x, y, z)
-    allowed, por_cause = avclmt(rules, wanted, present)
-    report[POR_CAUSE] = por_cause
-    rates = rmsrat(rules, a, _carried(allowed, -x, -y, -z), FLOOR)
+    planned = command[LAW] == 3.0 and command[GO] != 0.0 and rules[STRICT] == 0.0
+    if not planned:  # mode 3 keeps to its plan by one factor alone
+        if rules[STRICT] == 0.0:
+            possible = ratlmt(rules, state, a, rmsrat(rules, a, _carried(wanted, -x, -y, -z), floor))
+            wanted = scaled(wanted, possible.ratio)
+            report[RATIO], report[CAUSE], report[CULPRIT] = possible.ratio, possible.cause, possible.culprit
+        wanted, por_cause = avclmt(rules, wanted, present)
+        report[POR_CAUSE] = por_cause
+    rates = rmsrat(rules, a, _carried(wanted, -x, -y, -z), floor)
     limit = ratlmt(rules, state, a, rates)
-    if limit.cause != 0:
-        report[RATIO], report[CAUSE], report[CULPRIT] = report[RATIO] * limit.ratio, limit.cause, limit.culprit
-    if report[CAUSE] == BY_RATE and _below_limit(rules, rates, limit.ratio, int(report[CULPRIT])):
+    factor, cause, culprit = limit.ratio, limit.cause, limit.culprit
+    if rules[STRICT] == 0.0:
+        found = one_factor(rules, state, rates, wanted, present, limit)
+        factor, cause, culprit = found.factor, found.cause, found.culprit
+        if found.por_cause != 0:
+            report[POR_CAUSE] = found.por_cause
+    report[RATIO] = report[RATIO] * factor
+    if cause != 0:
+        report[CAUSE], report[CULPRIT] = cause, culprit
+    if report[CAUSE] == BY_RATE and _below_limit(rules, rates, factor, int(report[CULPRIT])):
         report[CAUSE], report[CULPRIT] = 0.0, -1.0  # it would be met later, but the arm is still speeding up
-    _run_clock(rules, state, report[RATIO])
-    feed_back(state, cut(rules, rates, limit.ratio), scaled(allowed, limit.ratio), 1.0 if offset else 0.0)
+    state[PACE] = 1.0 if rules[STRICT] != 0.0 else report[RATIO]
+    state[CLOCK] += state[PACE] * rules[DT]
+    feed_back(state, cut(rules, rates, factor), scaled(wanted, factor), 1.0 if offset else 0.0)
+
+
+@law
+def _note_demand(report: Array, t: Twist) -> None:
+    """Write the twist that the mode asks for into the report."""
+    report[DEMAND], report[DEMAND + 1], report[DEMAND + 2] = t.wx, t.wy, t.wz
+    report[DEMAND + 3], report[DEMAND + 4], report[DEMAND + 5] = t.vx, t.vy, t.vz
 
 
 @law
@@ -182,27 +231,33 @@ def _wanted(rules: Array, command: Array, state: Array, report: Array, here: Tip
 
 @law
 def _present(rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x: float, y: float, z: float) -> Twist:
-    """The present twist of the point of resolution, from which AVCLMT counts.
+    """The present twist of the point of resolution, from which accelerations count.
 
-    The source works it out by ERATES from the last joint rates at the new angles; mended, it is the twist that
-    the last step commanded, so that the turning of the arm under constant rates is no error to be limited.
-    (x, y, z) is the point's place from the tip, in L.
+    The source works it out by ERATES from the measured joint rates at the new angles. Corrected, it is the twist that
+    the last step commanded, so that the turning of the arm under constant rates is no error to be limited, and what
+    the joints did beside their commanded rates. (x, y, z) is the point's position from the tip, in L.
     """
-    if rules[STRICT] != 0.0:
-        r = Rates(
-            state[RATES], state[RATES + 1], state[RATES + 2], state[RATES + 3], state[RATES + 4], state[RATES + 5]
-        )
-        return _carried(erates(a, j, r), x, y, z)
-    last = Twist(state[TWIST], state[TWIST + 1], state[TWIST + 2], state[TWIST + 3], state[TWIST + 4], state[TWIST + 5])
+    actual = Rates(
+        state[MEASURED], state[MEASURED + 1], state[MEASURED + 2],
+        state[MEASURED + 3], state[MEASURED + 4], state[MEASURED + 5],
+    )  # fmt: skip
     was = state[POINT] != 0.0
-    if offset and not was:
-        return _carried(last, x, y, z)
+    if rules[STRICT] != 0.0:
+        return _carried(erates(a, j, actual), x, y, z)
     if was and not offset:  # the point has been given up: the tip's own velocity follows from the joint rates
-        r = Rates(
-            state[RATES], state[RATES + 1], state[RATES + 2], state[RATES + 3], state[RATES + 4], state[RATES + 5]
-        )
-        return erates(a, j, r)
-    return last
+        return erates(a, j, actual)
+    beside = Rates(
+        actual.r1 - state[RATES], actual.r2 - state[RATES + 1], actual.r3 - state[RATES + 2],
+        actual.r4 - state[RATES + 3], actual.r5 - state[RATES + 4], actual.r6 - state[RATES + 5],
+    )  # fmt: skip
+    more = erates(a, j, beside)
+    if was:  # the commanded twist is the point's already
+        more = _carried(more, x, y, z)
+    last = Twist(
+        state[TWIST] + more.wx, state[TWIST + 1] + more.wy, state[TWIST + 2] + more.wz,
+        state[TWIST + 3] + more.vx, state[TWIST + 4] + more.vy, state[TWIST + 5] + more.vz,
+    )  # fmt: skip
+    return _carried(last, x, y, z) if offset and not was else last
 
 
 @law
@@ -247,13 +302,6 @@ def cut(rules: Array, r: Rates, k: float) -> Rates:
 @law
 def _within(value: float, most: float) -> float:
     return min(max(value, -most), most)
-
-
-@law
-def _run_clock(rules: Array, state: Array, ratio: float) -> None:
-    """Phase time of modes 1 and 3: at RATIO, or, as in the source, on and on."""
-    state[PACE] = 1.0 if rules[STRICT] != 0.0 else ratio
-    state[CLOCK] += state[PACE] * rules[DT]
 
 
 @law

@@ -63,7 +63,10 @@ def _alone(left: float, most: float, up: float, dt: float) -> tuple[float, float
 
 @law
 def _as_restored(rules: Array, distance: float, angle: float) -> Profile:
-    """VCLOSE as the source has it, with TP = 0."""
+    """VCLOSE as the source has it, with TP = 0 and its small time epsilon taken as one step.
+
+    Each division is by at least half the time that the waiting part needs by itself: above 0 unless that part is done.
+    """
     t_v, eta = rules[SPEED] / rules[SPEED_UP], distance / rules[SPEED]
     if t_v <= eta:
         eta += 0.5 * t_v
@@ -80,8 +83,8 @@ def _as_restored(rules: Array, distance: float, angle: float) -> Profile:
     if remaining < rules[DT]:
         return Profile(0.0, 0.0, 0.0)
     if eta >= etap:
-        return Profile(rules[SPEED_UP] * t_v, angle / max(eta - 0.5 * t_w, rules[DT]), remaining)
-    return Profile(distance / max(etap - 0.5 * t_v, rules[DT]), rules[TURN_UP] * t_w, remaining)
+        return Profile(rules[SPEED_UP] * t_v, angle / (eta - 0.5 * t_w), remaining)
+    return Profile(distance / (etap - 0.5 * t_v), rules[TURN_UP] * t_w, remaining)
 
 
 class OpenProfile(NamedTuple):

@@ -11,7 +11,7 @@ from aftdeck.kinematics.linkage import sines
 from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 from aftdeck.steering.course import set_off
-from aftdeck.steering.layout import ANGLES, ARRIVED, CAUSE, CULPRIT, DT, GO, RATES, RATIO
+from aftdeck.steering.layout import ANGLES, ARRIVED, CAUSE, CULPRIT, DT, GO, MEASURED, RATES, RATIO
 from aftdeck.steering.msteer import msteer
 
 Array = NDArray[np.float64]
@@ -56,6 +56,7 @@ def rehearse(rules: Array, command: Array, state: Array, report: Array, most: fl
         msteer(rules, command, state, report)
         for i in range(6):
             state[ANGLES + i] += state[RATES + i] * dt
+            state[MEASURED + i] = state[RATES + i]
         step += 1
         d = distances(
             rules,

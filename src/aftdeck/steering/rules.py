@@ -1,4 +1,4 @@
-"""The `rules` array of each mode and rate setting: what the steering laws have to keep to."""
+"""The `rules` array of each panel position, rate setting and steering law: the limits that the law keeps."""
 
 from __future__ import annotations
 
@@ -13,10 +13,12 @@ from aftdeck.kinematics.payload import Payload
 from aftdeck.steering.layout import (
     AS_FLOWN,
     DT,
+    GUARDED,
     HAND,
     HELD,
     HIGH,
     LOW,
+    MOST_UP,
     MOUNT,
     NEAR,
     NEAR_TURN,
@@ -30,10 +32,15 @@ from aftdeck.steering.layout import (
     TURN,
     TURN_UP,
 )
-from aftdeck.steering.mode import MODES
+from aftdeck.steering.mode import MODES, Mode
 
 Array = NDArray[np.float64]
 Rate = Literal["coarse", "vernier"]
+Key = tuple[str, Rate, int]
+"""A panel position, its rate setting, and the steering law that it flies."""
+
+POSITION_LAW = 1
+"""The report's mode 1, which commands joint rates in the automatic panel positions."""
 
 
 def rules_of(
@@ -43,40 +50,49 @@ def rules_of(
     payload: Payload | None = None,
     *,
     strict: bool = False,
+    guarded: bool = True,
     as_flown: bool = False,
     near: float = 1e-4,
     near_turn: float = 2e-5,
-) -> dict[tuple[str, Rate], Array]:
-    """The rules of every mode (by panel position) and rate setting.
+) -> dict[Key, Array]:
+    """Return the rules of every panel position, rate setting and steering law.
 
-    Coarse and vernier choose the POR limits in computed modes, whose joints are held to the servo maxima, and
-    the joint rates in SINGLE, DIRECT and MASTER. With a payload these rates fall as the POR's speed does, so that the
-    tip is no faster than its limits mean it to be (assumed). Accelerations are those of the coarse limits, reached in
-    the POR's time, with either setting.
+    Coarse and vernier choose the POR limits, and the joint rates in modes 1 and 8, DIRECT and MASTER. The joints of
+    modes 2 to 7 are held to the servo maxima, and under `strict` those of mode 1 too. With a payload the coarse and
+    vernier joint rates fall in proportion to the POR's speed (assumed). Accelerations are those of the coarse limits,
+    with either setting.
     """
-    loaded = por.translation[0] / arm.por_limits(0.0).translation[0]
-    result: dict[tuple[str, Rate], Array] = {}
-    for position, mode in MODES.items():
-        for setting, rate in enumerate[Rate](("coarse", "vernier")):
-            rules = np.zeros(RULES)
-            rules[: len(arm.links)] = arm.links
-            rules[DT], rules[STRICT], rules[AS_FLOWN] = control_period, strict, as_flown
-            rules[SPEED], rules[TURN] = por.translation[setting], por.rotation[setting]
-            rules[SPEED_UP] = por.translation[0] / por.reached_in
-            rules[TURN_UP] = por.rotation[0] / por.reached_in
-            by_joint = mode.kind in ("single", "master")
-            stops = arm.limits.hard if mode.kind == "single" else arm.limits.soft
-            own = min(loaded, 1.0) * (arm.rates.coarse if rate == "coarse" else arm.rates.vernier)
-            rules[RATE : RATE + 6] = own if by_joint else arm.rates.servo
-            fastest = min(loaded, 1.0) * arm.rates.coarse if by_joint else arm.rates.servo
-            rules[RATE_UP : RATE_UP + 6] = fastest / por.reached_in
-            rules[LOW : LOW + 6], rules[HIGH : HIGH + 6] = stops[:, 0], stops[:, 1]
-            rules[MOUNT : MOUNT + 9] = arm.mount.rotation.T.ravel()
-            rules[HAND], rules[HAND + 1] = math.cos(arm.end_effector_roll), math.sin(arm.end_effector_roll)
-            rules[NEAR], rules[NEAR_TURN] = near, near_turn
-            rules[HELD : HELD + 9] = np.eye(3).ravel() if payload is None else payload.rotation.ravel()
-            if mode.loaded and payload is not None and not strict:
-                rules[OFFSET : OFFSET + 3] = payload.rotation @ (payload.centre + payload.por)
-            rules.setflags(write=False)
-            result[position, rate] = rules
+    shared = np.zeros(RULES)
+    shared[: len(arm.links)] = arm.links
+    shared[DT], shared[STRICT], shared[GUARDED], shared[AS_FLOWN] = control_period, strict, guarded, as_flown
+    shared[SPEED_UP], shared[TURN_UP] = por.acceleration, por.angular_acceleration
+    shared[MOST_UP : MOST_UP + 6] = arm.rates.acceleration
+    shared[MOUNT : MOUNT + 9] = arm.mount.rotation.T.ravel()
+    shared[HAND], shared[HAND + 1] = math.cos(arm.end_effector_roll), math.sin(arm.end_effector_roll)
+    shared[NEAR], shared[NEAR_TURN] = near, near_turn
+    shared[HELD : HELD + 9] = np.eye(3).ravel() if payload is None else payload.rotation.ravel()
+    share = min(por.translation[0] / arm.por_limits(0.0).translation[0], 1.0)
+    result: dict[Key, Array] = {}
+    for mode in MODES.values():
+        for law in mode.laws:
+            for setting, rate in enumerate[Rate](("coarse", "vernier")):
+                rules = shared.copy()
+                rules[SPEED], rules[TURN] = por.translation[setting], por.rotation[setting]
+                if _by_joint(mode, law, strict):
+                    fastest = share * arm.rates.coarse
+                    rules[RATE : RATE + 6] = share * (arm.rates.coarse if rate == "coarse" else arm.rates.vernier)
+                else:
+                    fastest = rules[RATE : RATE + 6] = arm.rates.servo
+                rules[RATE_UP : RATE_UP + 6] = fastest * (por.acceleration / por.translation[0])
+                stops = arm.limits.hard if mode.kind == "single" else arm.limits.soft
+                rules[LOW : LOW + 6], rules[HIGH : HIGH + 6] = stops[:, 0], stops[:, 1]
+                if mode.loaded and payload is not None and not strict:
+                    rules[OFFSET : OFFSET + 3] = payload.rotation @ (payload.centre + payload.por)
+                rules.setflags(write=False)
+                result[mode.position, rate, law] = rules
     return result
+
+
+def _by_joint(mode: Mode, law: int, strict: bool) -> bool:
+    """Return whether the coarse and vernier joint rates hold, not the servo maxima."""
+    return mode.kind in ("single", "master") or (law == POSITION_LAW and not strict)

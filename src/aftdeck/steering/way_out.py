@@ -19,7 +19,7 @@ from aftdeck.law import law
 from aftdeck.steering.layout import ANGLES, LAW, STICKS
 from aftdeck.steering.limiters import closing, ratlmt
 from aftdeck.steering.modes import end_effector, mixed, orbiter, payload
-from aftdeck.steering.msteer import FLOOR, carried_to_tip
+from aftdeck.steering.msteer import NEAR_FLOOR, carried_to_tip
 
 Array = NDArray[np.float64]
 
@@ -78,7 +78,7 @@ def _stick_rates(rules: Array, command: Array, a: Sines, here: Tip, k: int) -> R
         wanted = payload.demand(rules, command, here)
     else:
         wanted = mixed.demand(rules, command, here)
-    return rmsrat(rules, a, carried_to_tip(rules, here, wanted), FLOOR)
+    return rmsrat(rules, a, carried_to_tip(rules, here, wanted), NEAR_FLOOR)
 
 
 @law

@@ -1,4 +1,4 @@
-"""A frame of the worksite in one compiled call: where everything is, what is near, and what that inhibits."""
+"""A step of the worksite in one compiled call: where everything is, what is near, and what touches."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from aftdeck.bodies.pose import compose
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.law import law
-from aftdeck.worksite.contacts import two_frames
+from aftdeck.worksite.contacts import count_frames
 from aftdeck.worksite.layout import POSE, Indices, Mask
 from aftdeck.worksite.watch import nearest_group, watch
 
@@ -62,17 +62,15 @@ def place_everything(
 
 
 class Around(NamedTuple):
-    """What a look around found.
+    """Result of `look_around`.
 
     Attributes:
-        arm: the arm's motion is inhibited.
-        finger: the prong's motion is inhibited.
-        changed: a contact, of either kind, began, ended or began to inhibit.
+        touching: some group is in contact.
+        changed: a contact began, ended or is in its second step.
         nearest: the group of least clearance of those that count; -1: none.
     """
 
-    arm: bool
-    finger: bool
+    touching: bool
     changed: bool
     nearest: int
 
@@ -105,13 +103,9 @@ def look_around(
     bound: Array,
     memory: Array,
     found: Array,
-    essential: Mask,
-    by_arm: Mask,
-    by_prong: Mask,
-    mode: int,
     count: Indices,
 ) -> Around:
-    """`place_everything`, `watch` and `two_frames`, whose arguments these are.
+    """`place_everything`, `watch` and `count_frames`, whose arguments these are.
 
     `now` holds the frames of the last step, which go to `before`, and then those of this one.
     """
@@ -121,8 +115,8 @@ def look_around(
         solids, frame, pairs, begins, between, reach, active, counts, before, now, period, within,
         at, placed, bound, memory, found,
     )  # fmt: skip
-    inhibit = two_frames(found, essential, by_arm, by_prong, mode, count)
-    return Around(inhibit.arm, inhibit.finger, inhibit.changed, nearest_group(found, counts))
+    counted = count_frames(found, count)
+    return Around(counted.touching, counted.changed, nearest_group(found, counts))
 
 
 @law

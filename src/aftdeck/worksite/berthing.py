@@ -119,6 +119,21 @@ def places(trunnions: Array, payload: Pose) -> Array:
     return np.asarray(payload.position + trunnions @ payload.rotation.T)
 
 
+def inside(trunnions: Array, guides: Guides) -> Array:
+    """Return how far inside its guide's mouth each trunnion's centre is, (n,), negative outside [m].
+
+    Args:
+        trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
+        guides: of the seat.
+    """
+    along, across, up = (guides.axes @ (trunnions - guides.seats)[:, :, None])[:, :, 0].T
+    throat, height, play = (
+        np.array([getattr(guide, name) for guide in guides.guides]) for name in ("throat", "height", "play")
+    )
+    room = throat + np.maximum(up, 0.0) * np.array(guides.opening)
+    return np.asarray(np.min([up, height - up, room - np.abs(along), play - np.abs(across)], axis=0))
+
+
 def in_guides(trunnions: Array, guides: Guides, units: Units) -> tuple[Condition, ...]:
     """Whether each trunnion is in the capture region of its guide: a condition for each, told by what is tightest.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from math import cos, pi
+from math import cos, pi, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -24,6 +24,8 @@ FITTINGS = ("probe", "receptacle", "grapple fixture", "trunnions")
 """What a cargo may have besides its body; such a part is called after the cargo and the fitting."""
 _UPWARDS = pi / 2
 """Where the middle of a prism's first side stands, from y to z [rad]: one is on top, one below."""
+_ROUNDING = 1e-9
+"""How far a bar may end beyond its payload's top [m]: not at all, but for rounding."""
 _REPORT = np.diag([1.0, -1.0, -1.0])
 """The report's axes (x aft, y port, z down) as columns in a cargo's."""
 
@@ -86,6 +88,7 @@ def _pieces(file: CargoFile) -> Iterator[_Piece]:
         bodies += [-half - probe.length / 2.0, 0.0, 0.0]
         yield _Piece("probe", bodies, drawn(bodies, probe.material))
     if bar := file.receptacle:
+        _check_on_top(file, bar)
         bodies = _bar(bar, top)
         yield _Piece("receptacle", bodies, drawn(bodies, bar.material))
     if file.grapple:
@@ -108,7 +111,19 @@ def _apothem(file: CargoFile) -> float:
 def _bar(bar: ReceptacleFile, top: float) -> Array:
     """The report's RECPT, numbered in the report's axes, so that c is its top."""
     own = (CORNERS - 0.5) * np.array([bar.length, bar.width, bar.height])
-    return moved(own[None], Pose(np.array([0.0, 0.0, top + bar.height / 2.0]), _REPORT))
+    return moved(own[None], Pose(np.array([*bar.at, top + bar.height / 2.0], dtype=np.float64), _REPORT))
+
+
+def _check_on_top(file: CargoFile, bar: ReceptacleFile) -> None:
+    """Refuse a bar that ends beyond the flat top of its payload (ValueError); a cylinder's top is as wide as it is."""
+    wide = file.body.across * sin(pi / file.body.sides) if isinstance(file.body, PrismBody) else 2.0 * file.body.radius
+    for axis, middle, size, room in (("x", bar.at[0], bar.length, file.body.length), ("y", bar.at[1], bar.width, wide)):
+        beyond = abs(middle) + 0.5 * size - 0.5 * room
+        if beyond > _ROUNDING:
+            raise ValueError(
+                f"the bar ends {beyond:.3g} m beyond the top, which is {room:.4g} m along {axis}; its middle is at "
+                f"{middle:.4g} m and its size is {size:.4g} m"
+            )
 
 
 def _fixture(grapple: GrappleFile) -> _Piece:

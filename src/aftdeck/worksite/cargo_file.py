@@ -48,7 +48,7 @@ class ProbeFile(Table, frozen=True, kw_only=True):
 
 
 class ReceptacleFile(Table, frozen=True, kw_only=True):
-    """The bar that the concept's hand grips, in the middle of the cargo's top."""
+    """The bar that the concept's hand grips, on the cargo's top."""
 
     length: Length
     """Along x."""
@@ -56,6 +56,8 @@ class ReceptacleFile(Table, frozen=True, kw_only=True):
     """Along y."""
     height: Length
     """Along z."""
+    at: tuple[Length, Length] = (Length(0.0), Length(0.0))
+    """x and y of its middle, from the middle of the top."""
     material: Material
 
     def __post_init__(self) -> None:

@@ -1,17 +1,19 @@
 """The operator's thirteen input channels, TABLE I, in units of V.
 
 Switches have levels, which encode exactly and decode from the nearest one; the six joint angles of the master arm are
-proportional, 1 V for a whole turn (assumed). Source: the final report of the Remote Manipulator Simulation; the
-levels of channels 10 and G are read as 1/2 V where the scan shows 3 V.
+proportional ("scaling set by analog adjustments"): 8 rad at 1 V, a power of two, so that no bit of an angle is lost on
+the way there and back. Source: the final report of the Remote Manipulator Simulation, TABLE I; the levels of channels
+10 and G are read as 1/2 V where the scan shows 3 V.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isfinite, tau
+from math import isfinite
 from typing import Final, Literal, NamedTuple, TypeVar, get_args
 
 from aftdeck.errors import InputError
+from aftdeck.worksite.words import Way
 
 _T = TypeVar("_T")
 
@@ -22,14 +24,14 @@ Angles = tuple[float, float, float, float, float, float]
 
 CHANNELS = 13
 JOINTS = ("HO", "PO", "P1", "H2", "P2", "R2")
-TURN: Final = tau
-"""Joint angle at 1 V [rad] (assumed)."""
+FULL_SCALE: Final = 8.0
+"""Joint angle at 1 V [rad]; ours: more than a whole turn."""
 NOISE: Final = 0.125
 """How far beyond -1 to 1 V a channel may be read [V]: half the least step between levels (assumed)."""
 
 RUN: Mapping[bool, float] = {False: 0.0, True: 1.0}
 START: Mapping[Start, float] = {"full problem": 0.0, "mode 1": 1.0, "mode 2 or 3": -1.0}
-WAY: Mapping[int, float] = {0: 0.0, 1: 1.0, -1: -1.0}
+WAY: Mapping[Way, float] = {0: 0.0, 1: 1.0, -1: -1.0}
 CAMERA: Mapping[CameraMotion, float] = {"+pan": 1.0, "-pan": 0.5, "none": 0.0, "+tilt": -0.5, "-tilt": -1.0}
 STATION: Mapping[Station, float] = {
     "A": 1.0,
@@ -50,7 +52,7 @@ class OperatorInputs(NamedTuple):
     Attributes:
         initialise: channel 1: initialise, else run.
         start: channel 2: what to initialise to.
-        angles: channels 3 to 8: HO, PO, P1, H2, P2, R2 of the master arm [rad], at most a whole turn either way.
+        angles: channels 3 to 8: HO, PO, P1, H2, P2, R2 of the master arm [rad], at most 8 either way.
         telescope: channel 9: 1 longer, -1 shorter, 0 stop.
         camera: channel 10.
         zoom: channel 11: 1 in, -1 out, 0 none.
@@ -61,24 +63,24 @@ class OperatorInputs(NamedTuple):
     initialise: bool
     start: Start
     angles: Angles
-    telescope: int
+    telescope: Way
     camera: CameraMotion
-    zoom: int
+    zoom: Way
     station: Station
-    prong: int
+    prong: Way
 
 
 def encode_inputs(inputs: OperatorInputs) -> tuple[float, ...]:
     """The thirteen channels [V].
 
     Raises:
-        InputError: a setting without a level, or an angle beyond a whole turn; names the channel.
+        InputError: a setting without a level, or an angle beyond the scale; names the channel.
     """
     angles = []
     for channel, (name, angle) in enumerate(zip(JOINTS, inputs.angles, strict=True), 3):
-        if not abs(angle) <= TURN:
-            raise InputError(f"channel {channel}, {name}, is {angle:g} rad; it holds at most a whole turn either way")
-        angles.append(angle / TURN)
+        if not abs(angle) <= FULL_SCALE:
+            raise InputError(f"channel {channel}, {name}, is {angle:g} rad; it holds -{FULL_SCALE:g} to {FULL_SCALE:g}")
+        angles.append(angle / FULL_SCALE)
     return (
         _level(RUN, inputs.initialise, "channel 1, initialise"),
         _level(START, inputs.start, "channel 2, what to initialise to"),
@@ -104,7 +106,7 @@ def decode_inputs(volts: Sequence[float]) -> OperatorInputs:
             raise InputError(f"channel {channel} is {value:g} V; it has to be finite")
         if abs(value) > 1.0 + NOISE:
             raise InputError(f"channel {channel} is {value:g} V; it has to be -1 to 1 V, to within {NOISE:g} V")
-    ho, po, p1, h2, p2, r2 = (value * TURN for value in volts[2:8])
+    ho, po, p1, h2, p2, r2 = (value * FULL_SCALE for value in volts[2:8])
     return OperatorInputs(
         initialise=_nearest(RUN, volts[0]),
         start=_nearest(START, volts[1]),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,13 +82,13 @@ def parts_in_two_frames(listed: Sequence[tuple[Where, Sequence[Solid]]]) -> Iter
 
 
 def blind_cameras(
-    cameras: Sequence[Camera],
+    cameras: Mapping[int, Camera],
     bodies: Sequence[Body],
     solids: Sequence[Solid],
     cargoes: Sequence[Cargo],
     clearance: float,
 ) -> Iterator[Problem]:
-    """Cameras that stand in a solid, or nearer to one than a clearance [m].
+    """Cameras that stand in a solid, or nearer to one than a clearance [m]; `cameras` by their index in the file.
 
     A camera on a body is held against all bodies' solids, as they stand at the start; one on a cargo against the
     cargo's own. What a camera is itself made of is called after it (``camera A``) and left out. Cameras on the arm,
@@ -96,7 +96,7 @@ def blind_cameras(
     """
     still = {body.name: body.pose for body in bodies}
     own = {cargo.name: cargo.solids for cargo in cargoes}
-    for i, camera in enumerate(cameras):
+    for i, camera in cameras.items():
         if camera.kind == "window":
             continue
         pose = still.get(camera.body)

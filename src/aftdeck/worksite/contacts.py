@@ -1,9 +1,12 @@
 """Contacts, detrimental and essential, and the two-frame rule: what a collision inhibits.
 
-Remote Manipulator Simulation, final report, chapter IV, subroutine COLLIDE: a detrimental collision raises its flag in
-the first frame; in the second in succession it inhibits motion, until it is relieved. In mode 1 the prong moves apart
-from the arm: a collision of the prong alone inhibits the finger, any other the arm; in the later modes both. Two
-frames are two control steps.
+Source: *Remote Manipulator Simulation*, final report, chapter IV.B, subroutine COLLIDE. A detrimental collision raises
+its flag in the first frame. Found in the second frame in succession it inhibits motion, until it is relieved. In mode 1
+any collision of the effector, the prong (HEX 3) included, inhibits the arm, and one of the prong inhibits the finger as
+well. In the later modes every collision inhibits both. Frames are control steps here.
+
+Essential contacts inhibit nothing. A pair of parts is essential only where its relation permits the contact
+(`simulation.relations`) or where what the arm holds slides along a wall (`worksite.sliding`).
 """
 
 from __future__ import annotations
@@ -31,12 +34,12 @@ _TOLD = 5e-4
 
 
 class Inhibit(NamedTuple):
-    """What the contacts of a frame do.
+    """Flags that the contacts of a step set.
 
     Attributes:
         arm: the arm's motion is inhibited.
         finger: the prong's motion is inhibited.
-        changed: a contact, of either kind, began, ended or began to inhibit in this frame.
+        changed: a contact, of either kind, began, ended or began to inhibit in this step.
     """
 
     arm: bool
@@ -44,31 +47,52 @@ class Inhibit(NamedTuple):
     changed: bool
 
 
+class Counted(NamedTuple):
+    """Result of `count_frames`.
+
+    Attributes:
+        touching: some group is in contact.
+        changed: a count changed.
+    """
+
+    touching: bool
+    changed: bool
+
+
 @law
-def two_frames(found: Array, essential: Mask, arm: Mask, prong: Mask, mode: int, count: Indices) -> Inhibit:
-    """The two-frame rule over all groups.
+def count_frames(found: Array, count: Indices) -> Counted:
+    """Update the number of successive steps in which each group was in contact.
 
     Args:
-        found: (g, 15) of this frame.
-        essential: (g,) 1 for groups that are made to touch: they are counted, and never inhibit.
-        arm: (g,) 1 for groups of which a part moves with the arm; others' contacts are not its to relieve.
-        prong: (g,) 1 for groups of the prong.
-        mode: the report's mode, 1 to 4.
-        count: (g,) in how many successive frames each group has been in contact, at most 2; brought up to date.
+        found: (g, 15) of this step.
+        count: (g,) updated; at most 2.
     """
-    by_arm, by_prong, changed = False, False, False
+    touching, changed = False, False
     for g in range(len(count)):
         now = min(count[g] + 1, FRAMES) if found[g, CLEARANCE] <= CONTACT else 0
         changed = changed or now != count[g]
+        touching = touching or now > 0
         count[g] = now
-        if now == FRAMES and essential[g] == 0 and arm[g] != 0:
-            if prong[g] != 0:
-                by_prong = True
-            else:
-                by_arm = True
-    if mode == ACQUISITION:
-        return Inhibit(by_arm, by_prong, changed)
-    return Inhibit(by_arm or by_prong, by_arm or by_prong, changed)
+    return Counted(touching, changed)
+
+
+@law
+def two_frames(count: Indices, essential: Mask, arm: Mask, prong: Mask, mode: int) -> tuple[bool, bool]:
+    """Return whether arm and finger are inhibited.
+
+    Args:
+        count: (g,) in how many successive steps each group was in contact.
+        essential: (g,) 1 for groups whose contact belongs to the task: they never inhibit.
+        arm: (g,) 1 for groups of which a part moves with the arm; other contacts are not the arm's to relieve.
+        prong: (g,) 1 for groups of the prong.
+        mode: the report's mode, 1 to 4.
+    """
+    by_arm, by_prong = False, False
+    for g in range(len(count)):
+        if count[g] == FRAMES and essential[g] == 0 and arm[g] != 0:
+            by_arm = True
+            by_prong = by_prong or prong[g] != 0
+    return by_arm, by_prong if mode == ACQUISITION else by_arm
 
 
 class Contact(msgspec.Struct, frozen=True):
@@ -98,7 +122,7 @@ class Contacts:
 
     Attributes:
         layout: the groups.
-        essential: (g,) 1 for groups that are made to touch.
+        essential: (g,) 1 for groups whose contact belongs to the task; the caller sets it.
         arm: (g,) 1 for groups of which a part moves with the arm, what it holds included; the caller sets it.
         prong: (g,) 1 for groups of the prong; none, of an arm without one.
         count: (g,) in how many successive frames each group has been in contact, at most 2.
@@ -112,8 +136,16 @@ class Contacts:
         self.inhibit = Inhibit(arm=False, finger=False, changed=False)
 
     def look(self, found: Array, mode: int) -> Inhibit:
-        """Take what `Watch.look` found (g, 15) as one more frame, in one of the report's modes."""
-        self.inhibit = Inhibit(*two_frames(found, self.essential, self.arm, self.prong, mode, self.count))
+        """Take what `Watch.look` found (g, 15) as one more step, in one of the report's modes."""
+        counted = count_frames(found, self.count)
+        return self.judge(counted.touching, counted.changed, mode)
+
+    def judge(self, touching: bool, changed: bool, mode: int) -> Inhibit:
+        """Set and return the flags, from the counts as they are now and what `count_frames` returned."""
+        arm, finger = False, False
+        if touching:
+            arm, finger = two_frames(self.count, self.essential, self.arm, self.prong, mode)
+        self.inhibit = Inhibit(bool(arm), bool(finger), bool(changed))
         return self.inhibit
 
     def standing(self, found: Array, units: Units) -> tuple[Contact, ...]:

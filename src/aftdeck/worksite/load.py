@@ -3,19 +3,32 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
+
+import msgspec
 
 from aftdeck.arms.geometry import frozen
 from aftdeck.bodies.cameras import Camera, Vec3
 from aftdeck.bodies.solid import Solid
+from aftdeck.dimensions import KEY, derive
 from aftdeck.errors import InputError, ScenarioError
-from aftdeck.files import Problem, Text, parse, read, sentences
+from aftdeck.files import Problem, Text, examine, line_of, read, sentences
 from aftdeck.shapes import Shape
 from aftdeck.worksite.cargo import FITTINGS, cargo_of
 from aftdeck.worksite.check import bay_without_walls, blind_cameras, misnamed, parts_in_two_frames
 from aftdeck.worksite.housing import Housed, housed
-from aftdeck.worksite.model import BarAcquisition, Bay, Body, Cargo, Seat, SnareCapture, Translation, Worksite
+from aftdeck.worksite.model import (
+    BarAcquisition,
+    Bay,
+    Body,
+    Cargo,
+    Essential,
+    Seat,
+    SnareCapture,
+    Translation,
+    Worksite,
+)
 from aftdeck.worksite.schema import BarFile, BayFile, BodyFile, PortFile, SnareFile, WorksiteFile
 from aftdeck.worksite.seats import disc, seat_of
 from aftdeck.worksite.solids import as_solids, drawn, moved, solids_of
@@ -28,13 +41,38 @@ def worksites() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in _BUILT_IN.glob("*.toml")))
 
 
-def load_worksite(name_or_path: str | Path) -> Worksite:
+def load_worksite(name_or_path: str | Path, dimensions: Mapping[str, float | str] | None = None) -> Worksite:
     """Worksite of a built-in name (``orbiter``) or of the TOML file at a path.
+
+    Args:
+        name_or_path: of the file.
+        dimensions: values in place of those in the file's ``[dimensions]``.
 
     Raises:
         ScenarioError: no such name or file, or things in it that cannot be drawn or stand in each other's way; says
             what and where.
     """
+    return _of_text(_file(name_or_path), tuple((dimensions or {}).items()))
+
+
+def dimensions_of(name_or_path: str | Path, over: Mapping[str, float | str]) -> dict[str, str | float]:
+    """Return a worksite's dimensions as derived, with others in place of its own; those that are wrong are left out.
+
+    Raises:
+        ScenarioError: no such name, or a file that is no TOML.
+    """
+    file, _ = examine(_Dimensions, _file(name_or_path), {(KEY, key): value for key, value in over.items()}, derive)
+    return {} if file is None else file.dimensions
+
+
+class _Dimensions(msgspec.Struct, frozen=True):
+    """What of a worksite's file names quantities."""
+
+    dimensions: dict[str, str | float] = msgspec.field(default_factory=dict)
+
+
+def _file(name_or_path: str | Path) -> Text:
+    """The file of a built-in name or a path, as it was read."""
     built_in = str(name_or_path) in worksites()
     path = _BUILT_IN / f"{name_or_path}.toml" if built_in else Path(name_or_path)
     if not path.is_file():
@@ -44,14 +82,19 @@ def load_worksite(name_or_path: str | Path) -> Worksite:
                 + ", ".join(worksites())
             ]
         )
-    source = read(path)
-    return _of_text(source.text, path.name)
+    return read(path)
 
 
 @functools.lru_cache(maxsize=8)
-def _of_text(text: str, name: str) -> Worksite:
+def _of_text(source: Text, dimensions: tuple[tuple[str, float | str], ...]) -> Worksite:
     """The worksite of a file's text, made and checked once: nothing changes it."""
-    file = parse(WorksiteFile, Text(name, text))
+    name, text = source
+    file, problems = examine(WorksiteFile, source, {(KEY, key): value for key, value in dimensions}, derive)
+    if file is None or problems:
+        raise ScenarioError(sentences(problems, name, text))
+    if unknown := [key for key, _ in dimensions if line_of((KEY, key), text) in (None, line_of((KEY,), text))]:
+        there = ", ".join(key for key in file.dimensions if key not in unknown) or "none"
+        raise ScenarioError([f"{name} has no dimension {', '.join(map(repr, unknown))}; there are: {there}"])
     problems = list(misnamed(file))
     worksite = None if problems else _made(file, text, problems)
     if worksite is None or problems:
@@ -63,17 +106,18 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
     """The worksite without what is wrong in it, which is noted."""
     cameras = _cameras(file, problems)
     made = [
-        _body(body, i, _discs(file, body.name), housed(cameras, file, body.name), problems)
+        _body(body, i, _discs(file, body.name), housed(tuple(cameras.values()), file, body.name), problems)
         for i, body in enumerate(file.body)
     ]
     bodies = tuple(body for body, _ in made)
     solids = tuple(solid for _, own in made for solid in own)
     seats = _seats(file, made, problems)
-    cargoes = _cargoes(file, seats, problems)
+    listed = _cargoes(file, seats, problems)
+    cargoes = tuple(listed.values())
     problems += parts_in_two_frames(
         [
             *((("body", i), own) for i, (_, own) in enumerate(made)),
-            *((("cargo", i), cargo.solids) for i, cargo in enumerate(cargoes)),
+            *((("cargo", i), cargo.solids) for i, cargo in listed.items()),
         ]
     )
     parts = dict.fromkeys(solid.part for own in (solids, *(cargo.solids for cargo in cargoes)) for solid in own)
@@ -85,14 +129,18 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
         name=file.name,
         title=file.title,
         bodies=bodies,
-        cameras=cameras,
+        cameras=tuple(cameras.values()),
         text=text,
+        dimensions=file.dimensions,
         origin=_plain(file.origin),
         solids=solids,
         seats=seats,
         cargoes=cargoes,
         essential=tuple(
-            (a, b) for pair in file.essential for a in _named(pair[0], parts) for b in _named(pair[1], parts)
+            Essential((a, b), pair.relation, float(pair.depth))
+            for pair in file.essential
+            for a in _named(pair.parts[0], parts)
+            for b in _named(pair.parts[1], parts)
         ),
         acquisition=_acquisition(file.acquisition),
         bay=bay,
@@ -142,25 +190,27 @@ def _seats(
     return tuple(seats)
 
 
-def _cargoes(file: WorksiteFile, seats: Sequence[Seat], problems: list[Problem]) -> tuple[Cargo, ...]:
+def _cargoes(file: WorksiteFile, seats: Sequence[Seat], problems: list[Problem]) -> dict[int, Cargo]:
+    """The cargoes that can be made, by their index in the file."""
     by_name = {seat.name: seat for seat in seats}
-    cargoes = []
+    cargoes = {}
     for i, cargo in enumerate(file.cargo):
         try:
-            cargoes.append(cargo_of(cargo, by_name))
+            cargoes[i] = cargo_of(cargo, by_name)
         except ValueError as error:
             problems.append(Problem(("cargo", i), f"cargo {cargo.name}: {error}"))
-    return tuple(cargoes)
+    return cargoes
 
 
-def _cameras(file: WorksiteFile, problems: list[Problem]) -> tuple[Camera, ...]:
-    cameras = []
+def _cameras(file: WorksiteFile, problems: list[Problem]) -> dict[int, Camera]:
+    """The cameras that can be made, by their index in the file."""
+    cameras = {}
     for i, camera in enumerate(file.camera):
         try:
-            cameras.append(camera.camera(file.drive))
+            cameras[i] = camera.camera(file.drive)
         except ValueError as error:
             problems.append(Problem(("camera", i), str(error)))
-    return tuple(cameras)
+    return cameras
 
 
 def _named(name: str, parts: Collection[str]) -> tuple[str, ...]:
@@ -174,7 +224,9 @@ def _named(name: str, parts: Collection[str]) -> tuple[str, ...]:
 def _acquisition(file: BarFile | SnareFile | None) -> BarAcquisition | SnareCapture | None:
     match file:
         case BarFile():
-            return BarAcquisition(*map(float, (file.spacing, file.window, file.front, file.rear, file.fingers_within)))
+            return BarAcquisition(
+                *map(float, (file.prong_spacing, file.window, file.front, file.rear, file.fingers_within))
+            )
         case SnareFile():
             envelope = (file.radial, file.nearest, file.farthest, file.pitch, file.yaw, file.roll)
             return SnareCapture(*map(float, (*envelope, file.ring, file.carriage, file.tension)))

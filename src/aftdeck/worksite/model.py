@@ -143,8 +143,8 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
 class BarAcquisition(msgspec.Struct, frozen=True):
     """When the concept's hand has acquired a bar; the report's names in brackets."""
 
-    spacing: float
-    """Between the fingers, below which the prong is fully closed (PRGSPC) [m]."""
+    prong_spacing: float
+    """From the palm's centre line to the prong's inner face, at most which the prong is closed (PRGSPC) [m]."""
     window: float
     """Of the palm's height over the bar's top (TOPB) [m]."""
     front: float
@@ -178,6 +178,21 @@ class SnareCapture(msgspec.Struct, frozen=True):
     """To rigidize or derigidize [s]."""
 
 
+Relation = Literal["acquisition", "docking", "guides", "capture"]
+"""By which conditions two parts may touch: those of the bar, the port, the V-guides or the grapple fixture."""
+
+
+class Essential(msgspec.Struct, frozen=True):
+    """Two parts that the task brings into contact, where and how deep they may touch."""
+
+    parts: tuple[str, str]
+    """One is a cargo's, the other the arm's or a body's."""
+    relation: Relation
+    """Outside of it the contact is detrimental."""
+    depth: float
+    """How deep the two may be in each other, and how far past the relation's planes [m]."""
+
+
 class Bay(msgspec.Struct, frozen=True):
     """The inside of the cargo bay, in the frame ``orbiter``; a cargo that is all above it has been extracted."""
 
@@ -205,6 +220,8 @@ class Worksite(msgspec.Struct, frozen=True, eq=False):
     cameras: tuple[Camera, ...]
     text: str
     """The file, as it was read."""
+    dimensions: dict[str, str | float]
+    """Its dimensions as derived, for which a scenario may give other values."""
     origin: Vec3
     """Structural Xo, Yo, Zo of the scene's origin [m]."""
     solids: tuple[Solid, ...]
@@ -212,8 +229,8 @@ class Worksite(msgspec.Struct, frozen=True, eq=False):
     seats: tuple[Seat, ...]
     cargoes: tuple[Cargo, ...]
     """On offer: a scenario names those that are there."""
-    essential: tuple[tuple[str, str], ...]
-    """Pairs of parts that are made to touch: reported, never inhibiting. Some are the arm's."""
+    essential: tuple[Essential, ...]
+    """Pairs of parts that the task brings into contact; some parts are the arm's."""
     acquisition: BarAcquisition | SnareCapture | None
     bay: Bay | None
     translation: Translation | None

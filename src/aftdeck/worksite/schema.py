@@ -9,12 +9,23 @@ from __future__ import annotations
 
 from typing import Literal
 
+import msgspec
+
 from aftdeck.bodies.camera_file import CameraFile, DriveFile
 from aftdeck.shapes import Material, Shape
 from aftdeck.units import Angle, Length, Speed, Time
 from aftdeck.worksite.cargo_file import CargoFile
+from aftdeck.worksite.model import Relation
 from aftdeck.worksite.solid_file import SolidFile
 from aftdeck.worksite.tables import Placed, Point, Range, Table, Text, ordered, positive
+
+FITTING_OF: dict[Relation, str] = {
+    "acquisition": "receptacle",
+    "docking": "probe",
+    "guides": "trunnions",
+    "capture": "grapple fixture",
+}
+"""Which of a cargo's fittings a relation is about."""
 
 
 class BodyFile(Placed, frozen=True, kw_only=True):
@@ -89,8 +100,8 @@ SeatFile = PortFile | RetentionFile
 class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
     """When the concept's hand has acquired a bar; the report's names in brackets."""
 
-    spacing: Length
-    """Between the fingers, below which the prong is fully closed (PRGSPC)."""
+    prong_spacing: Length
+    """From the palm's centre line to the prong's inner face, at most which the prong is closed (PRGSPC)."""
     window: Length
     """Of the palm's height over the bar's top (TOPB)."""
     front: Length
@@ -103,7 +114,7 @@ class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
 
     def __post_init__(self) -> None:
         """Refuse distances that are not above zero (ValueError)."""
-        positive(spacing=self.spacing, window=self.window, fingers_within=self.fingers_within)
+        positive(prong_spacing=self.prong_spacing, window=self.window, fingers_within=self.fingers_within)
 
 
 class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare"):
@@ -133,6 +144,29 @@ class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare")
         positive(ring=self.ring, carriage=self.carriage, tension=self.tension)
         if not self.nearest < self.farthest:
             raise ValueError(f"nearest is {self.nearest:g} m and farthest {self.farthest:g} m; nearest has to be less")
+
+
+class EssentialFile(Table, frozen=True, kw_only=True):
+    """Two parts that the task brings into contact: by which conditions they may touch, and how deep."""
+
+    parts: tuple[Text, Text]
+    """A cargo's fitting by its own name (``receptacle``), of every cargo, and a part of the arm or of a body."""
+    relation: Relation
+    """``acquisition``: the bar before the palm and between the fingers (conditions 1 to 3). ``docking``: the probe in
+    the docking envelope, no farther from the port than docking allows. ``guides``: the trunnion in its V-guide.
+    ``capture``: the pin in the capture envelope."""
+    depth: Length
+    """How deep the two may be in each other, and how far past the planes of the relation."""
+    source: Text
+
+    def __post_init__(self) -> None:
+        """Refuse a depth that is not above zero, and a relation of another fitting (ValueError)."""
+        positive(depth=self.depth)
+        fitting = FITTING_OF[self.relation]
+        if not any(part == fitting or part.endswith(f" {fitting}") for part in self.parts):
+            raise ValueError(
+                f"relation {self.relation!r} is that of a {fitting}; parts are {self.parts[0]!r} and {self.parts[1]!r}"
+            )
 
 
 class _Inside(Table, frozen=True, kw_only=True):
@@ -182,6 +216,8 @@ class WorksiteFile(Table, frozen=True, kw_only=True):
 
     name: Text
     title: Text
+    dimensions: dict[str, str | float] = msgspec.field(default_factory=dict)
+    """Named quantities, of which others are derived (`aftdeck.dimensions`)."""
     origin: Point
     """Structural Xo, Yo, Zo of the scene's origin."""
     body: tuple[BodyFile, ...]
@@ -192,8 +228,7 @@ class WorksiteFile(Table, frozen=True, kw_only=True):
     housing: tuple[HousingFile, ...] = ()
     camera_clearance: Length = Length(0.0)
     """Least distance of a camera from every solid."""
-    essential: tuple[tuple[Text, Text], ...] = ()
-    """Pairs of parts that are made to touch; a cargo's fittings by their own names (``receptacle``)."""
+    essential: tuple[EssentialFile, ...] = ()
     acquisition: BarFile | SnareFile | None = None
     bay: BayFile | None = None
     translation: TranslationFile | None = None

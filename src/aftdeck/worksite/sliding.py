@@ -18,7 +18,7 @@ from aftdeck.kinematics.rates import rmsrat
 from aftdeck.law import law
 from aftdeck.steering.layout import ANGLES, DT, RATES, RISE, TWIST
 from aftdeck.steering.limiters import ratlmt
-from aftdeck.steering.msteer import FLOOR, cut, feed_back, scaled
+from aftdeck.steering.msteer import NEAR_FLOOR, cut, feed_back, scaled
 from aftdeck.worksite.found import CLEARANCE
 from aftdeck.worksite.layout import Mask
 from aftdeck.worksite.slide import LEAST, OUTWARD, POINT, slide
@@ -88,7 +88,7 @@ def slid(
             if lacking <= EXACT and (changed <= EXACT or k == 0):
                 return
         twist = slide(asked, x, y, z, wanted)
-        rates = rmsrat(rules, a, twist, FLOOR)
+        rates = rmsrat(rules, a, twist, NEAR_FLOOR)
         ratio = ratlmt(rules, steering, a, rates).ratio
         twist = scaled(twist, ratio)
         feed_back(steering, cut(rules, rates, ratio), twist, 0.0)

@@ -218,16 +218,16 @@ def _tell(placed: Array, frame: Indices, pairs: Indices, now: Array, motions: Ar
     """Write what the pair of a group, just measured, says into the group's row (15,)."""
     k = int(row[WHICH])
     i, j = pairs[k, 0], pairs[k, 1]
-    _copy(memory, k, row)
+    copy_pair(memory, k, row)
     if row[CLEARANCE] <= CONTACT:
-        _way_out(placed[i], placed[j], row)
+        way_apart(placed[i], placed[j], row)
     va = velocity(now, motions, frame[i], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
     vb = velocity(now, motions, frame[j], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
     row[SPEED] = row[NORMAL] * (va[0] - vb[0]) + row[NORMAL + 1] * (va[1] - vb[1]) + row[NORMAL + 2] * (va[2] - vb[2])
 
 
 @law
-def _copy(memory: Array, k: int, row: Array) -> None:
+def copy_pair(memory: Array, k: int, row: Array) -> None:
     """Copy what is remembered of pair k into its group's row."""
     row[CLEARANCE] = memory[k, packed.CLEARANCE]
     for c in range(3):
@@ -239,7 +239,7 @@ def _copy(memory: Array, k: int, row: Array) -> None:
 
 
 @law
-def _way_out(a: Array, b: Array, row: Array) -> None:
+def way_apart(a: Array, b: Array, row: Array) -> None:
     """Write the plane of two solids in contact into their group's row."""
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)

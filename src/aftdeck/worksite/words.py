@@ -242,14 +242,12 @@ def fixed(value: float, scale: int, name: str) -> int:
     2**n itself, which no word holds (the 1 of a normal at B0), is written as the greatest number below it.
 
     Raises:
-        InputError: NaN, or a number outside of [-2**n, 2**n].
+        InputError: NaN, or a number that lies more than half a step outside of [-2**n, 2**n].
     """
-    most = 2.0**scale
-    if not (isfinite(value) and -most <= value <= most):
+    most, half = 2.0**scale, 1 << (BITS - 1)
+    if not (isfinite(value) and abs(round(value / most * half)) <= half):
         raise InputError(f"{name} is {value:.9g}; a word at scale B{scale} holds {-most:g} to {most:g}")
-    half = 1 << (BITS - 1)
-    steps = min(round(value / most * half), half - 1)
-    return steps & ((1 << BITS) - 1)
+    return min(round(value / most * half), half - 1) & ((1 << BITS) - 1)
 
 
 def number(word: int, scale: int) -> float:

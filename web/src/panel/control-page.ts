@@ -125,8 +125,8 @@ export class ControlPage {
       setPressed(key, frame.payload_axes === (i === 1));
     });
     this.keyed.set(frame, units);
-    this.check.set(frame.check);
-    this.checked.hidden = frame.check === null;
+    this.check.set(frame);
+    this.checked.hidden = this.check.element.hidden;
     const none = this.keyed.follows() ? 'None keyed in: this is the present point.' : remaining(frame, units);
     setText(this.togo, this.keyed.edited() ? 'Not keyed in yet.' : none);
     this.points.set(frame, units);

@@ -93,6 +93,7 @@ export function joints(desk: Desk): Part {
 
 const SHORT: Readonly<Record<Limit['kind'], string>> = {
   'joint rate': 'rate',
+  'joint acceleration': 'acc',
   'soft stop': 'soft',
   'hard stop': 'hard',
   singularity: 'sing',

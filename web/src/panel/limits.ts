@@ -75,6 +75,7 @@ function level(kind: Limit['kind']): Line['level'] {
     case 'POR acceleration':
       return 'info';
     case 'joint rate':
+    case 'joint acceleration':
     case 'soft stop':
     case 'hard stop':
     case 'singularity':

@@ -41,7 +41,7 @@ export function targetGroup(desk: Desk): TargetGroup {
         setAbout(element, keyed.edited() ? 'not keyed in yet' : frame.aim ? 'keyed in' : none);
         setText(togo, remaining(frame, units));
       }
-      check.set(frame.check);
+      check.set(frame);
     },
   };
 }

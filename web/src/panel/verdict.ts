@@ -1,11 +1,11 @@
-/** CMD CK: whether the way to the target is clear. */
+/** CMD CK: CHECKING while the motion to the target is rehearsed, then the verdict. */
 
-import type { Check } from '../protocol';
+import type { Frame } from '../protocol';
 import { el, setAttribute, setClass, setText } from './dom';
 
 export interface Verdict {
   readonly element: HTMLElement;
-  set(check: Check | null): void;
+  set(frame: Pick<Frame, 'check' | 'sequence'>): void;
 }
 
 export function verdict(): Verdict {
@@ -14,12 +14,13 @@ export function verdict(): Verdict {
   const element = el('p', { class: 'check' }, el('b', {}, 'Cmd ck'), sign, text);
   return {
     element,
-    set(check) {
-      element.hidden = check === null;
+    set({ check, sequence }) {
+      const told = sequence === 'checking' ? 'CHECKING' : (check?.text ?? '');
+      element.hidden = told === '';
       setClass(element, 'good', check?.good === true);
       setClass(element, 'caution', check?.good === false);
-      setText(text, check?.text ?? '');
-      setAttribute(element, 'title', check?.text ?? '');
+      setText(text, told);
+      setAttribute(element, 'title', told);
     },
   };
 }

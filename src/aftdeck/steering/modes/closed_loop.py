@@ -57,7 +57,8 @@ def note_arrival(rules: Array, state: Array, report: Array) -> None:
     w = math.sqrt(state[TWIST] ** 2 + state[TWIST + 1] ** 2 + state[TWIST + 2] ** 2)
     v = math.sqrt(state[TWIST + 3] ** 2 + state[TWIST + 4] ** 2 + state[TWIST + 5] ** 2)
     near = report[DISTANCE] <= rules[NEAR] and report[ANGLE] <= rules[NEAR_TURN]
-    if rules[STRICT] != 0.0:  # as restored, the phase ends when VCLOSE's time has run out
-        near = near or report[REMAINING] == 0.0
+    if rules[STRICT] != 0.0:  # in the source the phase ends when VCLOSE's time has run out
+        report[ARRIVED] = 1.0 if report[REMAINING] == 0.0 else 0.0
+        return
     slow = v <= SLOW * rules[SPEED_UP] * rules[DT] and w <= SLOW * rules[TURN_UP] * rules[DT]
     report[ARRIVED] = 1.0 if near and slow else 0.0

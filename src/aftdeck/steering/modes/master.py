@@ -12,28 +12,14 @@ the smooth arrival, are ours.
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.law import law
-from aftdeck.steering.layout import (
-    ANGLES,
-    ARRIVED,
-    CAUSE,
-    CULPRIT,
-    DT,
-    HIGH,
-    LOW,
-    MASTER,
-    RATE,
-    RATE_UP,
-    RATES,
-    RATIO,
-)
+from aftdeck.steering.layout import ANGLES, ARRIVED, CAUSE, CULPRIT, DT, HIGH, LOW, MASTER, RATE, RATE_UP, RATES
 from aftdeck.steering.limiters import BY_STOP, braked
+from aftdeck.steering.ramp import ramped, rate_towards
 
 Array = NDArray[np.float64]
 
@@ -49,29 +35,12 @@ def _goal(rules: Array, command: Array, state: Array, i: int) -> float:
 
 
 @law
-def _followed(rules: Array, state: Array, report: Array, goal: float, i: int) -> float:
-    """Rate of joint i [rad/s] towards where it goes."""
-    angle, before = state[ANGLES + i], state[RATES + i]
-    most = rules[RATE + i]
-    asked = math.copysign(min(braked(abs(goal - angle), rules[RATE_UP + i], rules[DT]), most), goal - angle)
-    change = rules[RATE_UP + i] * rules[DT]
-    rate = before + min(max(asked - before, -change), change)
-    gap = rules[HIGH + i] - angle if rate > 0.0 else angle - rules[LOW + i]
-    allowed = braked(gap, rules[RATE_UP + i], rules[DT])
-    if abs(rate) > allowed:  # a joint that came too fast, from a mode in which this stop does not act
-        report[RATIO] = min(report[RATIO], allowed / abs(rate))
-        report[CAUSE], report[CULPRIT] = BY_STOP, i
-        rate = math.copysign(allowed, rate)
-    return float(min(max(rate, -most), most))
-
-
-@law
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     """The joint rates [rad/s] of this step, into the state too; stops that act, and arrival, into the report."""
     there = 1.0
     for i in range(6):
         goal = _goal(rules, command, state, i)
-        rate = _followed(rules, state, report, goal, i)
+        rate = ramped(rules, state, report, rate_towards(rules, state, goal, i), i, BY_STOP)
         left = abs(goal - state[ANGLES + i])
         if goal != command[MASTER + i] and braked(left, rules[RATE_UP + i], rules[DT]) < rules[RATE + i]:
             report[CAUSE], report[CULPRIT] = BY_STOP, i

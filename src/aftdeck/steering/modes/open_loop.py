@@ -1,8 +1,9 @@
 """Mode 3, automatic, open-loop velocity: mode 2's first solution, flown without correction.
 
 Inputs: the final tip pose; PROCEED and STOP.
-Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
-Ends: when its clock has run to ETA. The clock runs at RATIO: where limits slow the arm, it follows the same
+Limits: POR limits for speed and acceleration, servo maxima and accelerations of the joints, soft stops, singularities;
+one factor for the whole twist.
+Ends: when its clock has run to ETA. The clock runs at that factor: where limits slow the arm, it follows the same
 path more slowly; `strict` lets the clock run on, as in the source, and the arm falls short.
 Source: JSC-12628, subroutines OPERIN (MODE = 3), LATRAJ, VTOPEN, VOTRAN.
 

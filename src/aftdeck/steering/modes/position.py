@@ -1,13 +1,14 @@
 """Mode 1, automatic, position: all joints start and stop together.
 
-Inputs: the final tip pose (the joint angles nearest to the present ones) or final joint angles; PROCEED, STOP.
-Limits: servo maxima for the joints, scaled together (RATLMT), soft stops, singularities. The tip's own limits
-do not act: the tip goes where the joints take it, as in the source.
-Ends: when its clock has run to ETA = 1/RATIO + V_L/dV_L; the clock runs at RATLMT's ratio.
+Inputs: the final tip pose (CMD CK chooses among the joint angles that reach it) or final joint angles; PROCEED, STOP.
+Limits: coarse or vernier joint rates, scaled by the load; the tip's speed and acceleration; joint accelerations; soft
+stops; one factor for all joints. Singularities do not act: no Jacobian is inverted. Under `strict` only the servo
+maxima (RATLMT), as in the source.
+Ends: when its clock has run to ETA = 1/RATIO + V_L/dV_L; the clock advances by the way that was flown.
 Source: JSC-12628, introduction (mode 1), subroutine OPERIN (MODE = 1). The ramps of V_L/dV_L at both ends, and
 the triangle where the move is too short for them, are ours; the source says that acceleration is accounted for.
 
-Its plan: the way of each joint (6) [rad], then ETA, ramp time and the share of the way made a second at full
+Its plan: the way of each joint (6) [rad], then ETA, ramp time and the share of the way flown a second at full
 rate [1/s]. Until it is made, the joints' final angles stand in place of their ways.
 """
 
@@ -26,10 +27,10 @@ from aftdeck.steering.layout import (
     CLOCK,
     DT,
     GO,
+    MEASURED,
     PACE,
     PLAN,
     RATE,
-    RATES,
     REMAINING,
     SPEED,
     SPEED_UP,
@@ -81,6 +82,29 @@ def _made(command: Array, time: float) -> float:
 
 
 @law
+def _when(command: Array, made: float) -> float:
+    """The phase time at which a share of the way is made: the inverse of `_made`."""
+    eta: float = command[_ETA]
+    ramp: float = command[_RAMP]
+    full: float = command[_FULL]
+    at_ramp = 0.5 * full * ramp
+    if made <= at_ramp:
+        return math.sqrt(2.0 * made * ramp / full)
+    if made < 1.0 - at_ramp:
+        return made / full + 0.5 * ramp
+    return eta - math.sqrt(2.0 * max(1.0 - made, 0.0) * ramp / full)
+
+
+@law
+def clock_after(command: Array, time: float, factor: float, period: float) -> float:
+    """The phase time after a step of which only a factor was flown [s]: where the plan has the joints then."""
+    if factor >= 1.0 or command[GO] == 0.0:
+        return time + factor * period
+    here = _made(command, time)
+    return max(time, _when(command, here + factor * (_made(command, time + period) - here)))
+
+
+@law
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     """The joint rates that mode 1 asks for in this step; a ramp to rest, all joints together, unless under way."""
     if command[GO] != 0.0:
@@ -98,14 +122,14 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
         )
     share = 0.0
     for i in range(6):
-        share = max(share, abs(state[RATES + i]) / rules[RATE + i])
+        share = max(share, abs(state[MEASURED + i]) / rules[RATE + i])
     slower = rules[DT] * rules[SPEED_UP] / rules[SPEED]
     k = max(share - slower, 0.0) / share if share > 0.0 else 0.0
     return Rates(
-        k * state[RATES],
-        k * state[RATES + 1],
-        k * state[RATES + 2],
-        k * state[RATES + 3],
-        k * state[RATES + 4],
-        k * state[RATES + 5],
+        k * state[MEASURED],
+        k * state[MEASURED + 1],
+        k * state[MEASURED + 2],
+        k * state[MEASURED + 3],
+        k * state[MEASURED + 4],
+        k * state[MEASURED + 5],
     )

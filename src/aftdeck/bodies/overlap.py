@@ -1,0 +1,67 @@
+"""How deep convex hexahedra are in each other, in plain NumPy: for checks at load, which must not wait for a compiler.
+
+The theorem of separating axes over all face normals and all pairs of edges. Laws in flight use `bodies.watch`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.hexahedron import CORNERS, ENDS
+
+Array = NDArray[np.float64]
+
+_SHORT = 1e-12
+"""Squared length below which a product of two unit edges names no direction [1]: they are parallel."""
+
+
+def overlap(a: Array, b: Array) -> float:
+    """Return the length of the shortest move that takes two hexahedra (8, 3) apart [m]; 0 where they do not overlap."""
+    normals = np.concatenate([_normals(a), _normals(b)])
+    if (depth := _least(normals, a, b)) <= 0.0:
+        return 0.0
+    crossed = np.cross(_edges(a)[:, None], _edges(b)[None]).reshape(-1, 3)
+    size = (crossed**2).sum(axis=1)
+    some = size > _SHORT
+    return max(0.0, min(depth, _least(crossed[some] / np.sqrt(size[some])[:, None], a, b)))
+
+
+def deepest(some: Sequence[Array], others: Sequence[Array]) -> float:
+    """Return how deep any of some hexahedra is in any of the others [m]; 0 where none overlap."""
+    return max((overlap(a, b) for a, b in _near(some, others)), default=0.0)
+
+
+def _near(some: Sequence[Array], others: Sequence[Array]) -> Iterator[tuple[Array, Array]]:
+    """Yield the pairs whose boxes along the axes overlap."""
+    if not len(some) or not len(others):
+        return
+    a, b = np.array(some), np.array(others)
+    low, high = np.maximum(a.min(axis=1)[:, None], b.min(axis=1)), np.minimum(a.max(axis=1)[:, None], b.max(axis=1))
+    for i, j in np.argwhere((low < high).all(axis=2)).tolist():
+        yield a[i], b[j]
+
+
+def _least(directions: Array, a: Array, b: Array) -> float:
+    """Return by how much two bodies overlap along that of some unit directions (n, 3) along which it is least [m]."""
+    if not len(directions):
+        return np.inf
+    one, other = directions @ a.T, directions @ b.T
+    ways = np.minimum(one.max(axis=1) - other.min(axis=1), other.max(axis=1) - one.min(axis=1))
+    return float(ways.min())
+
+
+def _normals(body: Array) -> Array:
+    """(6, 3) unit normals of the faces."""
+    corners = body[CORNERS]
+    normals = np.cross(corners[:, 3] - corners[:, 0], corners[:, 2] - corners[:, 1])
+    return np.asarray(normals / np.linalg.norm(normals, axis=1)[:, None])
+
+
+def _edges(body: Array) -> Array:
+    """(12, 3) unit edges."""
+    ends = body[ENDS]
+    edges = ends[:, 1] - ends[:, 0]
+    return np.asarray(edges / np.linalg.norm(edges, axis=1)[:, None])

@@ -1,0 +1,53 @@
+"""Files of the 1972 report's channels and words, for the commands that write them or fly by them."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+from aftdeck.cli.printing import print_complaint
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.words_file import WordsWriter, check_arm, new_words_file, operator_of, read_channels
+
+Stepped = Callable[[Simulation], None]
+Operator = Callable[[Simulation], Inputs | None]
+
+
+@contextmanager
+def writing(scenario: Scenario, path: Path) -> Iterator[Stepped]:
+    """Write a flight's channels and words; what they could not say is told at the end.
+
+    Raises:
+        InputError: another arm, or a file that is there already or cannot be written.
+    """
+    with new_words_file(scenario, path) as file:
+        writer = WordsWriter(file, scenario)
+        yield writer.step
+    if writer.unsaid:
+        print_complaint(f"{path}: {_listed(writer.unsaid)}: these have no channel or code in the report")
+
+
+def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator, tuple[str, ...]]:
+    """Return the scenario, an operator who gives the samples of a file, and the scenario's changes as KEY=VALUE.
+
+    The channels are what the report's program read: no command delay holds them back, and the scenario loses its own.
+
+    Raises:
+        InputError: another arm, or a file that is none of channels.
+    """
+    check_arm(scenario)
+    channels = read_channels(path, scenario.control_period)
+    if channels.unsaid:
+        print_complaint(f"{path}: {_listed(channels.unsaid)}: flown without them, the flight goes otherwise")
+    changes = ("command_delay=0",) if scenario.delay else ()
+    return replace(scenario, delay=0), operator_of(channels.samples), changes
+
+
+def _listed(unsaid: Counter[str]) -> str:
+    """``latch in 1 step, rate in 300 steps``."""
+    return ", ".join(f"{name} in {steps} step{'s' if steps != 1 else ''}" for name, steps in sorted(unsaid.items()))

@@ -1,0 +1,224 @@
+"""Named dimensions of a file, and quantities that are derived from them.
+
+A file's ``[dimensions]`` table names quantities; any other value of the file may then be a string that begins with
+``=`` and computes a quantity from them: ``"= payload_length / 2 - 2 ft"``. Allowed are numbers, with a unit or without,
+names, ``+ - * /``, brackets, ``min``, ``max``, ``sqrt``, ``cos``, ``sin`` and ``tan``. Units are checked: lengths are
+not added to angles, and a result takes the place of a quantity of its own kind. A dimension may be derived from those
+above it.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+from aftdeck.files import Problem, Where
+from aftdeck.units import Angle, AngularRate, Length, Mass, Quantity, Speed, Time, short
+
+KEY = "dimensions"
+"""The table's name."""
+_LONGEST = 300
+"""Characters of an expression at most: no dimension needs more, and deep brackets cannot exhaust the parser."""
+_LITERAL = re.compile(r"(?<![\w.])((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(?:\s*([A-Za-z]+(?:/s\b)?))?")
+_NAME = re.compile(r"[a-z][a-z0-9_]*")
+
+Powers = tuple[float, float, float, float]
+"""Of metre, kilogram, second and radian."""
+_PLAIN: Powers = (0.0, 0.0, 0.0, 0.0)
+_KINDS: dict[Powers, type[Quantity]] = {
+    (1.0, 0.0, 0.0, 0.0): Length,
+    (0.0, 0.0, 0.0, 1.0): Angle,
+    (1.0, 0.0, -1.0, 0.0): Speed,
+    (0.0, 0.0, -1.0, 1.0): AngularRate,
+    (0.0, 1.0, 0.0, 0.0): Mass,
+    (0.0, 0.0, 1.0, 0.0): Time,
+}
+
+
+class _Value(NamedTuple):
+    number: float
+    """In SI."""
+    powers: Powers
+
+
+_WRONG = _Value(math.nan, _PLAIN)
+"""Of a dimension that has no value."""
+
+
+def derive(raw: dict[str, Any]) -> list[Problem]:
+    """Put the values of derived quantities in their places in a file's raw contents; return what is wrong."""
+    given = raw.get(KEY, {})
+    if not isinstance(given, dict):
+        return [Problem((KEY,), f"expected a table of named quantities, got {short(given)}")]
+    problems: list[Problem] = []
+    names: dict[str, _Value] = {}
+    for name, value in given.items():
+        try:
+            names[name] = _dimension(name, value, names)
+            given[name] = _written(names[name])
+        except ValueError as error:
+            names[name] = _WRONG
+            problems.append(Problem((KEY, name), str(error)))
+    return problems + _substituted(raw, names)
+
+
+def derive_from(given: Mapping[str, str | float], raw: dict[str, Any]) -> list[Problem]:
+    """As `derive`, in a file whose expressions use another file's dimensions, as `derive` left them there."""
+    return _substituted(raw, {name: _dimension(name, value, {}) for name, value in given.items()})
+
+
+def has_formulas(raw: dict[str, Any]) -> bool:
+    """Return whether any of a file's raw contents is an expression."""
+    return next(_formulas(raw, ()), None) is not None
+
+
+def _substituted(raw: dict[str, Any], names: Mapping[str, _Value]) -> list[Problem]:
+    problems = []
+    for holder, key, where, text in list(_formulas(raw, ())):
+        try:
+            holder[key] = _written(_computed(text[1:], names))
+        except ValueError as error:
+            problems.append(Problem(where, str(error)))
+    return problems
+
+
+def _formulas(value: Any, where: Where) -> Iterator[tuple[Any, Any, Where, str]]:
+    """Yield each list or table that holds an expression, its key there, its place in the file and its text."""
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, inner in items:
+        if (*where, key) == (KEY,):
+            continue
+        if isinstance(inner, str) and inner.startswith("="):
+            yield value, key, (*where, key), inner
+        else:
+            yield from _formulas(inner, (*where, key))
+
+
+def _dimension(name: str, given: object, names: Mapping[str, _Value]) -> _Value:
+    """Return a dimension's value; `names` are those above it."""
+    if not _NAME.fullmatch(name):
+        raise ValueError(f"{name!r} is no name of a dimension: small letters, digits and _, a letter first")
+    if name in _FUNCTIONS:
+        raise ValueError(f"{name!r} is a function's name; call the dimension otherwise")
+    if isinstance(given, str):
+        return _computed(given.removeprefix("="), names)
+    if isinstance(given, bool) or not isinstance(given, int | float) or not math.isfinite(given):
+        raise ValueError(f"expected a quantity such as '12 ft', or an expression, got {short(given)}")
+    return _Value(float(given), _PLAIN)
+
+
+def _written(value: _Value) -> str | float:
+    """Return a value as a file would give it, in SI with its unit."""
+    if value.powers == _PLAIN:
+        return value.number
+    if value.powers not in _KINDS:
+        raise ValueError(f"the result is no {', '.join(kind.noun for kind in _KINDS.values())} or number")
+    return f"{value.number!r} {_KINDS[value.powers].unit}"
+
+
+def _computed(text: str, names: Mapping[str, _Value]) -> _Value:
+    """Return the value of an expression (ValueError where it has none)."""
+    if len(text) > _LONGEST:
+        raise ValueError(f"an expression has at most {_LONGEST} characters, got {len(text)}")
+    literals: list[_Value] = []
+
+    def placeholder(match: re.Match[str]) -> str:
+        literals.append(_literal(float(match[1]), match[2]))
+        return f"__{len(literals) - 1}"
+
+    try:
+        tree = ast.parse(_LITERAL.sub(placeholder, text).strip(), mode="eval").body
+    except (SyntaxError, RecursionError):
+        raise ValueError(f"{short(text.strip())} is no expression of numbers, units, names and + - * / ( )") from None
+    value = _value(tree, {**names, **{f"__{i}": literal for i, literal in enumerate(literals)}})
+    if not math.isfinite(value.number):
+        raise ValueError(f"{short(text.strip())} has no finite value")
+    return value
+
+
+def _literal(number: float, unit: str | None) -> _Value:
+    if unit is None:
+        return _Value(number, _PLAIN)
+    for powers, kind in _KINDS.items():
+        try:
+            return _Value(float(kind.read(f"{number!r} {unit}")), powers)
+        except ValueError:
+            continue
+    raise ValueError(f"{unit!r} is no unit of a {', '.join(kind.noun for kind in _KINDS.values())}")
+
+
+def _value(node: ast.expr, names: Mapping[str, _Value]) -> _Value:
+    match node:
+        case ast.Name(id=name):
+            if name not in names:
+                there = ", ".join(known for known in names if not known.startswith("__")) or "none"
+                raise ValueError(f"no dimension {name!r}; there are: {there}")
+            if names[name] is _WRONG:
+                raise ValueError(f"the dimension {name!r}, which it uses, is wrong")
+            return names[name]
+        case ast.UnaryOp(op=ast.USub(), operand=inner):
+            value = _value(inner, names)
+            return _Value(-value.number, value.powers)
+        case ast.BinOp(left=left, op=op, right=right):
+            return _joined(_value(left, names), op, _value(right, names))
+        case ast.Call(func=ast.Name(id=name), args=args, keywords=[]) if name in _FUNCTIONS:
+            return _called(name, [_value(arg, names) for arg in args])
+        case _:
+            raise ValueError(f"{ast.unparse(node)!r} cannot be computed; use numbers, names, + - * / and functions")
+
+
+def _joined(a: _Value, op: ast.operator, b: _Value) -> _Value:
+    match op:
+        case ast.Add() | ast.Sub():
+            _alike([a, b])
+            return _Value(a.number + b.number if isinstance(op, ast.Add) else a.number - b.number, a.powers)
+        case ast.Mult():
+            return _Value(a.number * b.number, _sum(a.powers, b.powers, 1.0))
+        case ast.Div():
+            if b.number == 0.0:
+                raise ValueError("it divides by 0")
+            return _Value(a.number / b.number, _sum(a.powers, b.powers, -1.0))
+        case _:
+            raise ValueError("it may use + - * / alone")
+
+
+def _sum(a: Powers, b: Powers, sign: float) -> Powers:
+    m, kg, s, rad = (x + sign * y for x, y in zip(a, b, strict=True))
+    return m, kg, s, rad
+
+
+def _alike(values: list[_Value]) -> None:
+    """Refuse to add or compare quantities of unlike kinds (ValueError)."""
+    if len({value.powers for value in values}) > 1:
+        kinds = [_KINDS[value.powers].noun if value.powers in _KINDS else "number" for value in values]
+        raise ValueError(f"{' and '.join(map(_with_article, dict.fromkeys(kinds)))} cannot be added or compared")
+
+
+def _with_article(noun: str) -> str:
+    return f"{'an' if noun.startswith('a') else 'a'} {noun}"
+
+
+_FUNCTIONS = ("min", "max", "sqrt", "cos", "sin", "tan")
+_ANGLE: Powers = (0.0, 0.0, 0.0, 1.0)
+
+
+def _called(name: str, args: list[_Value]) -> _Value:
+    if name in ("min", "max"):
+        if not args:
+            raise ValueError(f"{name} needs at least 1 value")
+        _alike(args)
+        return (min if name == "min" else max)(args, key=lambda value: value.number)
+    if len(args) != 1:
+        raise ValueError(f"{name} takes 1 value, got {len(args)}")
+    (arg,) = args
+    if name == "sqrt":
+        if arg.number < 0.0:
+            raise ValueError(f"sqrt of {arg.number:g}, which is below 0")
+        m, kg, s, rad = (power / 2.0 for power in arg.powers)
+        return _Value(math.sqrt(arg.number), (m, kg, s, rad))
+    if arg.powers not in (_ANGLE, _PLAIN):
+        raise ValueError(f"{name} takes an angle")
+    return _Value(getattr(math, name)(arg.number), _PLAIN)

@@ -1,0 +1,152 @@
+"""VOTRAN, AVCLMT and RATLMT: a mode's command in B, and what the limits leave of it."""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from aftdeck.errors import InputError
+from aftdeck.jsc12628.quantities import UNTURNED, Array, Units, array, metres, positive, strict_rules, tip_of
+from aftdeck.kinematics.jacobian import Twist
+from aftdeck.steering import limiters
+from aftdeck.steering.layout import DT as PERIOD
+from aftdeck.steering.layout import HELD, RATE, RATES, SPEED, SPEED_UP, STATE, TURN, TURN_UP
+from aftdeck.steering.modes import open_loop
+from aftdeck.steering.turn import from_hand, from_payload
+
+_NONE = np.zeros(3)
+
+
+class Wanted(NamedTuple):
+    """Commanded velocities of the tip.
+
+    Attributes:
+        omega_C: (3,) angular velocity [rad/s].
+        V_C: (3,) velocity.
+    """
+
+    omega_C: Array
+    V_C: Array
+
+
+class Vtopen(NamedTuple):
+    """The open-loop profile of mode 3.
+
+    Attributes:
+        R_V: greatest speed.
+        R_omega: greatest angular rate [rad/s].
+        ETA: the phase's end [s].
+        t_v1: end of the speeding up [s].
+        t_v2: beginning of the slowing down [s].
+        t_w1: the same of the rotation [s].
+        t_w2: the same of the rotation [s].
+    """
+
+    R_V: float
+    R_omega: float
+    ETA: float
+    t_v1: float
+    t_v2: float
+    t_w1: float
+    t_w2: float
+
+
+class Ratlmt(NamedTuple):
+    """Joint rates within their limits.
+
+    Attributes:
+        RATIO: of all of them to those commanded, at most 1.
+        theta_dot_C: (6,) [rad/s].
+    """
+
+    RATIO: float
+    theta_dot_C: Array
+
+
+def votran(
+    mode: Literal[2, 3, 4, 5, 6, 7], omega_C: ArrayLike, V_C: ArrayLike, *, T_B7: ArrayLike = UNTURNED,
+    T_78: ArrayLike = UNTURNED, profile: Vtopen | None = None, TP: float = 0.0,
+) -> Wanted:  # fmt: skip
+    """Return a mode's commanded velocities in B (JSC-12628, subroutine VOTRAN, p. 33).
+
+    Args:
+        mode: 2 and 4: they are given in B. 5: in the end effector's frame 7. 6: in the payload's frame 8. 7: rotation
+            in frame 8, translation in B. 3: R_omega U_omega and R_V U_V, which are scaled by the profile's ramps.
+        omega_C: (3,) omega_C', commanded angular velocity [rad/s].
+        V_C: (3,) V_C', commanded velocity, in any unit of length.
+        T_B7: (3, 3) the end effector's frame, for modes 5 to 7.
+        T_78: (3, 3) the payload's axes in frame 7, for modes 6 and 7.
+        profile: for mode 3.
+        TP: phase time so far [s], for mode 3.
+
+    Raises:
+        InputError: another mode, or mode 3 without its profile.
+    """
+    omega, v = array(omega_C, (3,), "omega_C"), array(V_C, (3,), "V_C")
+    tip, rules = tip_of(_NONE, array(T_B7, (3, 3), "T_B7")), strict_rules()
+    rules[HELD : HELD + 9] = array(T_78, (3, 3), "T_78").ravel()
+    match mode:
+        case 2 | 4:
+            return Wanted(omega, v)
+        case 3 if profile is not None:
+            time = float(array(TP, (), "TP"))
+            turn, go = (open_loop._share(time, profile.ETA, ramp) for ramp in (profile.t_w1, profile.t_v1))
+            return Wanted(turn * omega, go * v)
+        case 3:
+            raise InputError("votran: mode 3 needs the profile of VTOPEN")
+        case 5:
+            return Wanted(np.array(from_hand(tip, *omega.tolist())), np.array(from_hand(tip, *v.tolist())))
+        case 6:
+            turned = (np.array(from_payload(rules, tip, *vector.tolist())) for vector in (omega, v))
+            return Wanted(*turned)
+        case 7:
+            return Wanted(np.array(from_payload(rules, tip, *omega.tolist())), v)
+    raise InputError(f"mode: got {mode!r}, expected 2 to 7; 1 and 8 command joints, not the tip")
+
+
+def avclmt(
+    omega_C: ArrayLike, V_C: ArrayLike, omega: ArrayLike, V: ArrayLike, *, V_L: float, omega_L: float,
+    V_L_dot: float, omega_L_dot: float, DT: float, units: Units = "m",
+) -> Wanted:  # fmt: skip
+    """Return commanded velocities held to the tip's limits, acceleration first (JSC-12628, subroutine AVCLMT, p. 6).
+
+    Args:
+        omega_C: (3,) commanded angular velocity [rad/s].
+        V_C: (3,) commanded velocity.
+        omega: (3,) present angular velocity [rad/s].
+        V: (3,) present velocity.
+        V_L: greatest speed.
+        omega_L: greatest angular rate [rad/s].
+        V_L_dot: greatest acceleration.
+        omega_L_dot: greatest angular acceleration [rad/s2].
+        DT: control period [s].
+        units: of lengths given and returned.
+    """
+    length, rules = metres(units), strict_rules()
+    rules[PERIOD] = positive(DT, "DT")
+    rules[SPEED], rules[TURN] = positive(V_L, "V_L") * length, positive(omega_L, "omega_L")
+    rules[SPEED_UP], rules[TURN_UP] = positive(V_L_dot, "V_L_dot") * length, positive(omega_L_dot, "omega_L_dot")
+    wanted = Twist(*array(omega_C, (3,), "omega_C").tolist(), *(array(V_C, (3,), "V_C") * length).tolist())
+    present = Twist(*array(omega, (3,), "omega").tolist(), *(array(V, (3,), "V") * length).tolist())
+    allowed = np.array(limiters.avclmt(rules, wanted, present)[0])
+    return Wanted(allowed[:3], allowed[3:] / length)
+
+
+def ratlmt(theta_dot_C: ArrayLike, theta_dot_L: ArrayLike) -> Ratlmt:
+    """Return joint rates cut in one ratio, so that each is within its limit (JSC-12628, subroutine RATLMT, p. 24).
+
+    Stops and singularities, which the simulation's RATLMT sees to as well, are not looked at.
+
+    Args:
+        theta_dot_C: (6,) commanded joint rates [rad/s].
+        theta_dot_L: (6,) greatest joint rates [rad/s].
+    """
+    rates, most = array(theta_dot_C, (6,), "theta_dot_C"), array(theta_dot_L, (6,), "theta_dot_L")
+    if (most <= 0.0).any():
+        raise InputError(f"theta_dot_L: got {most}, expected numbers above 0")
+    rules, state = strict_rules(), np.zeros(STATE)
+    rules[RATE : RATE + 6], state[RATES : RATES + 6] = most, rates
+    ratio = 1.0 / max(limiters.rate_ratio(rules, state), 1.0)
+    return Ratlmt(ratio, ratio * rates)

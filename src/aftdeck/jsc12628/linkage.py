@@ -1,0 +1,221 @@
+"""LNKAGE, JACOBI, ERATES, RMSRAT, RMANGS and RMSIST: the arm's geometry."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from aftdeck.errors import InputError, LimitError, UnreachableError
+from aftdeck.frames import Pose
+from aftdeck.jsc12628.quantities import Array, Units, array, metres
+from aftdeck.kinematics import inverse, jacobian
+from aftdeck.kinematics.arm import Arm
+from aftdeck.kinematics.linkage import sines, spin
+
+
+class Lnkage(NamedTuple):
+    """Where the arm is.
+
+    Attributes:
+        r_6B: (3,) the tip.
+        T_B7: (3, 3) the end effector's frame.
+        T_B5: (3, 3) the wrist-pitch frame, in which JACOBI's matrix stands; for the concept arm the lower arm's.
+    """
+
+    r_6B: Array
+    T_B7: Array
+    T_B5: Array
+
+
+class Erates(NamedTuple):
+    """How the tip moves.
+
+    Attributes:
+        omega: (3,) angular velocity [rad/s].
+        V: (3,) velocity.
+    """
+
+    omega: Array
+    V: Array
+
+
+class Rmsist(NamedTuple):
+    """The arm at the start of a case.
+
+    Attributes:
+        theta: (6,) joint angles [rad].
+        theta_dot: (6,) joint rates [rad/s].
+        r_6B: (3,) the tip.
+        T_B7: (3, 3) the end effector's frame.
+        omega: (3,) the tip's angular velocity [rad/s].
+        V: (3,) the tip's velocity.
+    """
+
+    theta: Array
+    theta_dot: Array
+    r_6B: Array
+    T_B7: Array
+    omega: Array
+    V: Array
+
+
+def lnkage(arm: Arm, theta: ArrayLike, units: Units = "m") -> Lnkage:
+    """Return tip position and orientation (JSC-12628, subroutine LNKAGE, p. 14).
+
+    Args:
+        arm: with its telescope's length, if it has one.
+        theta: (6,) joint angles [rad].
+        units: of `r_6B`.
+    """
+    length, q = metres(units), array(theta, (6,), "theta")
+    tip = arm.model.mount.to("orbiter", arm.forward(q))
+    return Lnkage(tip.position / length, tip.rotation, arm.model.mount.rotation @ _link_axes(arm, q))
+
+
+def jacobi(arm: Arm, theta: ArrayLike, units: Units = "m") -> Array:
+    """Return the Jacobian a in frame 5, b = a theta_dot (JSC-12628, subroutine JACOBI, p. 10).
+
+    Args:
+        arm: as for `lnkage`.
+        theta: (6,) joint angles [rad].
+        units: of the lower three rows.
+
+    Returns:
+        (6, 6): rows angular velocity [1], then velocity of the tip, along the axes of `Lnkage.T_B5`; columns joints.
+    """
+    length, q = metres(units), array(theta, (6,), "theta")
+    j = jacobian.jacobi(arm.model.links, sines(arm.model.links, *q.tolist()))
+    rows = np.array(
+        [
+            [j.a11, 0.0, 0.0, 0.0, j.a15, j.a16],
+            [0.0, 1.0, 1.0, j.a24, j.a25, j.a26],
+            [j.a31, 0.0, 0.0, j.a34, j.a35, j.a36],
+            [j.a41, j.a42, j.a43, j.a44, j.a45, 0.0],
+            [j.a51, 0.0, 0.0, j.a54, j.a55, 0.0],
+            [j.a61, j.a62, j.a63, j.a64, j.a65, 0.0],
+        ]
+    )
+    rows[3:] /= length
+    return rows
+
+
+def erates(arm: Arm, theta: ArrayLike, theta_dot: ArrayLike, units: Units = "m") -> Erates:
+    """Return the tip's velocities for joint rates (JSC-12628, subroutine ERATES, p. 9).
+
+    Args:
+        arm: as for `lnkage`.
+        theta: (6,) joint angles [rad].
+        theta_dot: (6,) joint rates [rad/s].
+        units: of `V`.
+    """
+    length, links = metres(units), arm.model.links
+    a = sines(links, *array(theta, (6,), "theta").tolist())
+    rates = jacobian.Rates(*array(theta_dot, (6,), "theta_dot").tolist())
+    twist = arm.model.mount.rotation @ np.array(jacobian.erates(a, jacobian.jacobi(links, a), rates)).reshape(2, 3).T
+    return Erates(twist[:, 0], twist[:, 1] / length)
+
+
+def rmsrat(arm: Arm, theta: ArrayLike, omega_C: ArrayLike, V_C: ArrayLike, units: Units = "m") -> Array:
+    """Return the joint rates that give the tip commanded velocities (JSC-12628, subroutine RMSRAT, p. 29).
+
+    Args:
+        arm: as for `lnkage`.
+        theta: (6,) joint angles [rad].
+        omega_C: (3,) commanded angular velocity [rad/s].
+        V_C: (3,) commanded velocity.
+        units: of `V_C`.
+
+    Returns:
+        (6,) joint rates theta_dot_C [rad/s].
+
+    Raises:
+        SingularityError: the arm is at a singularity; which one.
+    """
+    to_l = arm.model.mount.rotation.T
+    omega, v = to_l @ array(omega_C, (3,), "omega_C"), to_l @ array(V_C, (3,), "V_C") * metres(units)
+    return np.asarray(arm.joint_rates(array(theta, (6,), "theta"), np.concatenate([omega, v])))
+
+
+def rmangs(arm: Arm, r_6B: ArrayLike, T_B7: ArrayLike, units: Units = "m") -> Array:
+    """Return the joint angles of a pose, on the source's own branch (JSC-12628, subroutine RMANGS, p. 25).
+
+    `Arm.inverse` gives all branches. On the source's, theta_1 is the arc tangent of the wrist's direction, theta_5 lies
+    within 90 deg, and the elbow is above the line from shoulder to wrist. Joint limits are not looked at.
+
+    Args:
+        arm: as for `lnkage`.
+        r_6B: (3,) the tip.
+        T_B7: (3, 3) the end effector's frame.
+        units: of `r_6B`.
+
+    Returns:
+        (6,) joint angles [rad], within 180 deg.
+
+    Raises:
+        SingularityError: the pose fixes no single set of angles.
+        UnreachableError: this branch does not reach it.
+    """
+    given = Pose(array(r_6B, (3,), "r_6B") * metres(units), array(T_B7, (3, 3), "T_B7"))
+    pose = arm.model.mount.from_("orbiter", given)
+    arm.inverse(pose, limits=False)
+    angles, excess = np.empty((inverse.BRANCHES, 6)), np.empty(inverse.BRANCHES)
+    inverse.rmangs(arm.model.links, np.concatenate([pose.position, pose.rotation.ravel()]), angles, excess)
+    if excess[0] != 0.0:
+        raise UnreachableError(
+            f"RMANGS's own branch does not reach this pose, by {abs(excess[0]):.4g} m; others do: see Arm.inverse",
+            abs(float(excess[0])),
+        )
+    return np.asarray(angles[0])
+
+
+def rmsist(
+    arm: Arm,
+    theta: ArrayLike | None = None,
+    theta_dot: ArrayLike = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    *,
+    r_6B: ArrayLike | None = None,
+    T_B7: ArrayLike | None = None,
+    units: Units = "m",
+) -> Rmsist:
+    """Return the arm's initial state from joint angles or from a pose (JSC-12628, subroutine RMSIST, p. 28).
+
+    Args:
+        arm: as for `lnkage`.
+        theta: (6,) joint angles [rad]; None: those of RMANGS for `r_6B` and `T_B7`.
+        theta_dot: (6,) joint rates [rad/s].
+        r_6B: (3,) the tip, where `theta` is None.
+        T_B7: (3, 3) the end effector's frame, where `theta` is None.
+        units: of lengths given and returned.
+
+    Raises:
+        InputError: neither angles nor a pose, or both.
+        LimitError: a joint outside its hard limits.
+        SingularityError: as `rmangs`.
+        UnreachableError: as `rmangs`.
+    """
+    if theta is not None and r_6B is None and T_B7 is None:
+        angles = array(theta, (6,), "theta")
+    elif theta is None and r_6B is not None and T_B7 is not None:
+        angles = rmangs(arm, r_6B, T_B7, units)
+    else:
+        raise InputError("rmsist: give either theta, or r_6B and T_B7")
+    for name, angle, (low, high) in zip(arm.joints, angles.tolist(), arm.limits.hard.tolist(), strict=True):
+        if not low <= angle <= high:
+            raise LimitError(
+                f"{name}: got {np.degrees(angle):g} deg, expected {np.degrees(low):g} to {np.degrees(high):g} deg",
+                name,
+                angle,
+                (low, high),
+            )
+    rates = array(theta_dot, (6,), "theta_dot")
+    here, moving = lnkage(arm, angles, units), erates(arm, angles, rates, units)
+    return Rmsist(angles, rates, here.r_6B, here.T_B7, moving.omega, moving.V)
+
+
+def _link_axes(arm: Arm, theta: Array) -> Array:
+    """Return the axes (3, 3) in L, as columns, of the frame in which JACOBI's matrix stands."""
+    a = sines(arm.model.links, *theta.tolist())
+    j = jacobian.jacobi(arm.model.links, a)
+    return np.array([spin(a, j.s, j.c, *axis) for axis in np.eye(3).tolist()]).T

@@ -1,0 +1,73 @@
+"""Arguments of the report's subroutines: units of length, and arrays of a shape."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from aftdeck.errors import InputError
+from aftdeck.kinematics.linkage import Tip
+from aftdeck.steering.layout import RULES, STRICT
+from aftdeck.units import FOOT
+
+Array = NDArray[np.float64]
+Units = Literal["m", "ft"]
+"""Of every length in a call: metres or feet."""
+
+UNTURNED = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+"""The rotation that turns nothing."""
+_METRES: dict[Units, float] = {"m": 1.0, "ft": FOOT}
+
+
+def metres(units: Units) -> float:
+    """Return how many metres the unit of length has.
+
+    Raises:
+        InputError: another unit.
+    """
+    if units not in _METRES:
+        raise InputError(f"units: got {units!r}, expected 'm' or 'ft'")
+    return _METRES[units]
+
+
+def array(values: ArrayLike, shape: tuple[int, ...], name: str) -> Array:
+    """Return finite numbers of a shape, as float64.
+
+    Raises:
+        InputError: what is given is something else; names the argument.
+    """
+    try:
+        given = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: got {values!r}, expected numbers") from None
+    if given.shape != shape:
+        raise InputError(f"{name}: got shape {given.shape}, expected {shape}")
+    if not np.isfinite(given).all():
+        raise InputError(f"{name}: got {given}, expected finite numbers")
+    return given
+
+
+def positive(value: float, name: str) -> float:
+    """Return a finite number above zero.
+
+    Raises:
+        InputError: it is not; names the argument.
+    """
+    number = float(array(value, (), name))
+    if number <= 0.0:
+        raise InputError(f"{name}: got {number:g}, expected a number above 0")
+    return number
+
+
+def strict_rules() -> Array:
+    """Return a `rules` array of the steering laws that holds nothing but that the source is flown as published."""
+    rules = np.zeros(RULES)
+    rules[STRICT] = 1.0
+    return rules
+
+
+def tip_of(position: Array, rotation: Array) -> Tip:
+    """Return a pose as the laws take it: position [m] and the rotation row by row."""
+    return Tip(*position.tolist(), *rotation.ravel().tolist())

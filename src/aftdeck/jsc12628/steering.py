@@ -1,0 +1,196 @@
+"""OPERIN and MSTEER: a phase begun in one of the eight modes, and its steering step by step."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from aftdeck.errors import InputError
+from aftdeck.frames import Pose
+from aftdeck.jsc12628.quantities import UNTURNED, Array, Units, array, metres, positive, strict_rules
+from aftdeck.kinematics.arm import Arm
+from aftdeck.steering import msteer as laws
+from aftdeck.steering.course import set_off
+from aftdeck.steering.layout import (
+    ANGLES,
+    ARRIVED,
+    CLOCK,
+    COMMAND,
+    DRIVE,
+    GO,
+    HAND,
+    HELD,
+    HIGH,
+    JOINT,
+    KEPT,
+    LAW,
+    LOW,
+    MEASURED,
+    MOUNT,
+    PLAN,
+    RATE,
+    RATE_UP,
+    RATES,
+    RATIO,
+    REMAINING,
+    REPORT,
+    SPEED,
+    SPEED_UP,
+    STATE,
+    STICKS,
+    TARGET,
+    TURN,
+    TURN_UP,
+    TWIST,
+)
+from aftdeck.steering.layout import DT as PERIOD
+
+_NO_STOP = 1e6
+"""Joint angle [rad] that no joint comes to: the source's joints have no stops."""
+_ZERO = (0.0, 0.0, 0.0)
+
+
+class Phase:
+    """A phase under way: its limits and command, and what the last step left.
+
+    Attributes:
+        arm: that flies it.
+        mode: the report's, 1 to 8.
+        units: of lengths given and returned.
+        TP: phase time so far [s].
+    """
+
+    def __init__(self, arm: Arm, mode: int, units: Units, rules: Array, command: Array, state: Array) -> None:
+        self.arm, self.mode, self.units, self.TP = arm, mode, units, 0.0
+        self._rules, self._command, self._state = rules, command, state
+
+    def _step(self, theta: Array, theta_dot: Array | None) -> Array:
+        """Fly one step of the laws; return their report."""
+        state, report = self._state, np.zeros(REPORT)
+        state[ANGLES : ANGLES + 6] = theta
+        state[MEASURED : MEASURED + 6] = state[RATES : RATES + 6] if theta_dot is None else theta_dot
+        laws.msteer(self._rules, self._command, state, report)
+        self.TP = round(self.TP / self._rules[PERIOD] + 1.0) * float(self._rules[PERIOD])
+        return report
+
+
+class Msteer(NamedTuple):
+    """A steering step.
+
+    Attributes:
+        theta_dot_C: (6,) commanded joint rates [rad/s].
+        omega_C: (3,) the tip's commanded angular velocity [rad/s].
+        V_C: (3,) its commanded velocity.
+        RATIO: what RATLMT left of the joint rates.
+        ETA: the phase's estimated end [s]; infinite in modes 4 to 8, which an operator ends.
+        done: whether an automatic phase has come to its end.
+    """
+
+    theta_dot_C: Array
+    omega_C: Array
+    V_C: Array
+    RATIO: float
+    ETA: float
+    done: bool
+
+
+def operin(
+    arm: Arm, mode: Literal[1, 2, 3, 4, 5, 6, 7, 8], theta_0: ArrayLike, *, V_L: float, omega_L: float,
+    V_L_dot: float, omega_L_dot: float, theta_dot_L: ArrayLike, DT: float, theta_F: ArrayLike | None = None,
+    r_6BF: ArrayLike | None = None, T_B7F: ArrayLike | None = None, omega_C: ArrayLike = _ZERO, V_C: ArrayLike = _ZERO,
+    T_78: ArrayLike = UNTURNED, joint: int = 0, theta_dot_C: float = 0.0, units: Units = "m",
+) -> Phase:  # fmt: skip
+    """Begin a phase (JSC-12628, subroutine OPERIN, p. 19).
+
+    Args:
+        arm: as for `lnkage`.
+        mode: 1 automatic position, 2 closed loop, 3 open loop, 4 orbiter, 5 end effector, 6 payload, 7 mixed, 8 single
+            joint.
+        theta_0: (6,) joint angles [rad].
+        V_L: greatest speed of the tip.
+        omega_L: its greatest angular rate [rad/s].
+        V_L_dot: its greatest acceleration.
+        omega_L_dot: its greatest angular acceleration [rad/s2].
+        theta_dot_L: (6,) greatest joint rates [rad/s].
+        DT: control period [s].
+        theta_F: (6,) final joint angles [rad], for mode 1.
+        r_6BF: (3,) the tip's final position, for modes 2 and 3.
+        T_B7F: (3, 3) its final orientation, for modes 2 and 3.
+        omega_C: (3,) omega_C' [rad/s], for modes 4 to 7, in the frame that the mode names.
+        V_C: (3,) V_C', likewise.
+        T_78: (3, 3) the payload's axes in frame 7, for modes 6 and 7.
+        joint: 0 to 5, for mode 8.
+        theta_dot_C: theta_dot_C', that joint's rate [rad/s], for mode 8.
+        units: of lengths given, and of those that `msteer` returns.
+
+    Raises:
+        InputError: another mode, or what the mode needs is missing; names the argument.
+    """
+    if mode not in range(1, 9):
+        raise InputError(f"mode: got {mode!r}, expected 1 to 8")
+    length, rules, command, state = metres(units), strict_rules(), np.zeros(COMMAND), np.zeros(STATE)
+    rules[: len(arm.model.links)] = arm.model.links
+    rules[PERIOD] = positive(DT, "DT")
+    rules[SPEED], rules[TURN] = positive(V_L, "V_L") * length, positive(omega_L, "omega_L")
+    rules[SPEED_UP], rules[TURN_UP] = positive(V_L_dot, "V_L_dot") * length, positive(omega_L_dot, "omega_L_dot")
+    rules[RATE : RATE + 6] = [positive(rate, "theta_dot_L") for rate in array(theta_dot_L, (6,), "theta_dot_L")]
+    rules[RATE_UP : RATE_UP + 6] = rules[RATE : RATE + 6] * (rules[SPEED_UP] / rules[SPEED])
+    rules[LOW : LOW + 6], rules[HIGH : HIGH + 6] = -_NO_STOP, _NO_STOP
+    rules[MOUNT : MOUNT + 9] = arm.model.mount.rotation.T.ravel()
+    rules[HAND], rules[HAND + 1] = math.cos(arm.model.end_effector_roll), math.sin(arm.model.end_effector_roll)
+    rules[HELD : HELD + 9] = array(T_78, (3, 3), "T_78").ravel()
+    command[LAW] = mode
+    state[ANGLES : ANGLES + 6] = command[KEPT : KEPT + 6] = array(theta_0, (6,), "theta_0")
+    if mode == 1:
+        command[PLAN : PLAN + 6] = array(_needed(theta_F, "theta_F", mode), (6,), "theta_F")
+    elif mode in (2, 3):
+        position = array(_needed(r_6BF, "r_6BF", mode), (3,), "r_6BF") * length
+        rotation = array(_needed(T_B7F, "T_B7F", mode), (3, 3), "T_B7F")
+        final = arm.model.mount.from_("orbiter", Pose(position, rotation))
+        command[TARGET : TARGET + 12] = [*final.position, *final.rotation.ravel()]
+    command[STICKS : STICKS + 3] = array(omega_C, (3,), "omega_C") / rules[TURN]
+    command[STICKS + 3 : STICKS + 6] = array(V_C, (3,), "V_C") * length / rules[SPEED]
+    if joint not in range(6):
+        raise InputError(f"joint: got {joint!r}, expected 0 to 5")
+    command[JOINT] = joint
+    command[DRIVE] = float(array(theta_dot_C, (), "theta_dot_C")) / rules[RATE + joint]
+    if mode in (1, 2, 3):
+        set_off(rules, command, state)
+    return Phase(arm, mode, units, rules, command, state)
+
+
+def msteer(phase: Phase, theta: ArrayLike, theta_dot: ArrayLike | None = None) -> Msteer:
+    """Fly one steering step of a phase (JSC-12628, subroutine MSTEER, p. 16); its phase time goes on by DT.
+
+    Args:
+        phase: as `operin` began it, changed in place.
+        theta: (6,) actual joint angles [rad].
+        theta_dot: (6,) actual joint rates [rad/s]; None: those commanded by the last step.
+    """
+    rates = None if theta_dot is None else array(theta_dot, (6,), "theta_dot")
+    report = phase._step(array(theta, (6,), "theta"), rates)
+    state, to_b = phase._state, phase.arm.model.mount.rotation
+    automatic = phase._command[GO] != 0.0
+    since = float(state[CLOCK]) if phase.mode in (1, 3) else phase.TP
+    return Msteer(
+        state[RATES : RATES + 6].copy(),
+        to_b @ state[TWIST : TWIST + 3],
+        to_b @ state[TWIST + 3 : TWIST + 6] / metres(phase.units),
+        float(report[RATIO]),
+        since - float(phase._rules[PERIOD]) + float(report[REMAINING]) if automatic else math.inf,
+        bool(automatic and report[ARRIVED]),
+    )
+
+
+def _needed(value: ArrayLike | None, name: str, mode: int) -> ArrayLike:
+    """Return an argument that a mode cannot do without.
+
+    Raises:
+        InputError: it is None.
+    """
+    if value is None:
+        raise InputError(f"{name}: mode {mode} needs it")
+    return value

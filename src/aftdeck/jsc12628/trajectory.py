@@ -1,0 +1,124 @@
+"""LATRAJ, VCLOSE and VTOPEN: which way to a target, and how fast."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from aftdeck.jsc12628.limits import Vtopen
+from aftdeck.jsc12628.quantities import Array, Units, array, metres, positive, strict_rules, tip_of
+from aftdeck.steering import aim, profiles
+from aftdeck.steering.layout import DT as PERIOD
+from aftdeck.steering.layout import SPEED, SPEED_UP, TURN, TURN_UP
+
+
+class Latraj(NamedTuple):
+    """The way to a target.
+
+    Attributes:
+        delta_V: distance.
+        U_V: (3,) line of sight, a unit vector; zero at the target.
+        delta_omega: angle [rad], 0 to pi.
+        U_omega: (3,) angle of sight: the axis of the turn, a unit vector; zero where there is nothing to turn.
+    """
+
+    delta_V: float
+    U_V: Array
+    delta_omega: float
+    U_omega: Array
+
+
+class Vclose(NamedTuple):
+    """What mode 2 commands in a step.
+
+    Attributes:
+        V_C: speed along U_V.
+        omega_C: angular rate about U_omega [rad/s].
+        ETA: estimated end of the phase [s].
+    """
+
+    V_C: float
+    omega_C: float
+    ETA: float
+
+
+def latraj(r_6B: ArrayLike, T_B7: ArrayLike, r_6BF: ArrayLike, T_B7F: ArrayLike, units: Units = "m") -> Latraj:
+    """Return line of sight and angle of sight to a target (JSC-12628, subroutine LATRAJ, p. 11).
+
+    The angle comes from an arc tangent where the source has an arc cosine: the same angle, with its digits.
+
+    Args:
+        r_6B: (3,) the tip.
+        T_B7: (3, 3) the end effector's frame.
+        r_6BF: (3,) the tip's final position.
+        T_B7F: (3, 3) its final orientation.
+        units: of lengths given and returned.
+    """
+    length = metres(units)
+    tip = tip_of(array(r_6B, (3,), "r_6B") * length, array(T_B7, (3, 3), "T_B7"))
+    target = np.concatenate([array(r_6BF, (3,), "r_6BF") * length, array(T_B7F, (3, 3), "T_B7F").ravel()])
+    way = aim.latraj(tip, target)
+    return Latraj(
+        way.distance / length, np.array([way.ux, way.uy, way.uz]), way.angle, np.array([way.ax, way.ay, way.az])
+    )
+
+
+def vclose(
+    delta_V: float, delta_omega: float, *, V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float,
+    DT: float, TP: float = 0.0, units: Units = "m",
+) -> Vclose:  # fmt: skip
+    """Return the closed-loop rates towards a target, as published (JSC-12628, subroutine VCLOSE, p. 30).
+
+    A difference of times by which the source would divide is taken as `DT` at least.
+
+    Args:
+        delta_V: distance left.
+        delta_omega: angle left [rad].
+        V_L: greatest speed.
+        omega_L: greatest angular rate [rad/s].
+        V_L_dot: greatest acceleration.
+        omega_L_dot: greatest angular acceleration [rad/s2].
+        DT: control period [s]; within it of the end both rates are zero.
+        TP: phase time so far [s].
+        units: of lengths given and returned.
+    """
+    length = metres(units)
+    rules = _limits(V_L, omega_L, V_L_dot, omega_L_dot, length)
+    rules[PERIOD] = positive(DT, "DT")
+    way, turn = _way(delta_V, delta_omega)
+    profile = profiles.vclose(rules, way * length, turn)
+    return Vclose(profile.speed / length, profile.turn, float(array(TP, (), "TP")) + profile.remaining)
+
+
+def vtopen(
+    delta_V: float, delta_omega: float, *, V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float,
+    units: Units = "m",
+) -> Vtopen:  # fmt: skip
+    """Return the open-loop profile to a target (JSC-12628, subroutine VTOPEN, p. 36); arguments as of `vclose`."""
+    length = metres(units)
+    way, turn = _way(delta_V, delta_omega)
+    found = profiles.vtopen(_limits(V_L, omega_L, V_L_dot, omega_L_dot, length), way * length, turn)
+    return Vtopen(
+        found.speed / length,
+        found.turn,
+        found.eta,
+        found.t_v1,
+        found.eta - found.t_v1,
+        found.t_w1,
+        found.eta - found.t_w1,
+    )
+
+
+def _way(delta_V: float, delta_omega: float) -> tuple[float, float]:
+    """Return distance and angle as floats."""
+    return float(array(delta_V, (), "delta_V")), float(array(delta_omega, (), "delta_omega"))
+
+
+def _limits(V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float, length: float) -> Array:
+    """Return the laws' rules with the limits of the tip's motion."""
+    rules = strict_rules()
+    rules[SPEED], rules[TURN] = positive(V_L, "V_L") * length, positive(omega_L, "omega_L")
+    rules[SPEED_UP], rules[TURN_UP] = positive(V_L_dot, "V_L_dot") * length, positive(omega_L_dot, "omega_L_dot")
+    return rules

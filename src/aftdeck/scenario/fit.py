@@ -1,0 +1,201 @@
+"""Whether what a scenario brings together fits: payloads in their places, the hand at their bars, the telescope.
+
+Everything is tried with the solids that are there, at load and without compiled code. What makes a run senseless is an
+error: a payload that starts inside something, a seat that a payload starts in or that the script uses and that does
+not hold it, a bar that the hand can never take. Other seats that a payload would not fit are cautions, which
+``aftdeck check`` shows. What needs the arm's joints is tried by `simulation.survey`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.geometry import PRONG, STAND
+from aftdeck.arms.load import ArmModel
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.arms.solids import solids_of
+from aftdeck.bodies.overlap import deepest
+from aftdeck.bodies.solid import Solid
+from aftdeck.files import Problem, Where
+from aftdeck.frames import Pose
+from aftdeck.kinematics.linkage import L5
+from aftdeck.scenario.relative import at_cargo, composed, inverted, scene_in_l
+from aftdeck.scenario.target import AtCargo
+from aftdeck.worksite.cargo import part_of
+from aftdeck.worksite.conditions import Units, shown
+from aftdeck.worksite.model import BarAcquisition, Cargo, Worksite
+
+Array = NDArray[np.float64]
+Parts = dict[str, list[Array]]
+"""Hexahedra (8, 3) by the part that they belong to [m]."""
+
+TOLERANCE = 1e-3
+"""Overlap up to which two solids count as touching [m]; assumed: more than the rounding of dimensions in files."""
+_HERE = Pose(np.zeros(3), np.eye(3))
+
+
+class Misfit(NamedTuple):
+    """Something that does not fit.
+
+    Attributes:
+        problem: what, and where in the scenario's file.
+        senseless: whether no run of the scenario makes sense with it.
+    """
+
+    problem: Problem
+    senseless: bool
+
+
+def misfits(
+    model: ArmModel, worksite: Worksite, cargo: Sequence[Cargo], used: frozenset[str], held: frozenset[int]
+) -> Iterator[Misfit]:
+    """Yield everything that does not fit.
+
+    Args:
+        model: the arm.
+        worksite: the place.
+        cargo: the payloads that are there, in the order of the scenario's file.
+        used: names of the seats that the script brings payloads to.
+        held: which payloads the hand holds at every start, so that none begins where its own table says.
+    """
+    around = _placed(worksite.solids, _HERE)
+    yield from _telescope(model, worksite, around)
+    for k, one in enumerate(cargo):
+        where: Where = ("cargo", k)
+        if not one.start.seat and k not in held:
+            own = _placed(one.solids, one.start.pose)
+            for what in _deep(own, around, model.units):
+                yield Misfit(Problem(where, f"{one.name} starts where {what}"), True)
+        for i, other in enumerate(cargo[:k]):
+            if held & {i, k}:
+                continue
+            for what in _deep(
+                _placed(one.solids, one.start.pose), _placed(other.solids, other.start.pose), model.units
+            ):
+                yield Misfit(Problem(where, f"{one.name} and {other.name} start where {what}"), True)
+        senseless = [*_grasp(model, worksite, one), *_struck(model, worksite, one)]
+        yield from (Misfit(Problem(where, what), True) for what in senseless)
+        yield from _seats(model, worksite, one, where, around, used, not senseless)
+
+
+def _seats(
+    model: ArmModel,
+    worksite: Worksite,
+    one: Cargo,
+    where: Where,
+    around: Parts,
+    used: frozenset[str],
+    graspable: bool,
+) -> Iterator[Misfit]:
+    """Yield what a payload, and the hand at its bar, are inside of in each seat that takes the payload."""
+    held = hands(model, worksite, one) if graspable else {}
+    for seat in worksite.seats:
+        if seat.lacks(one.probe, one.trunnions):
+            continue
+        pose = seat.seated(one.probe)
+        senseless = seat.name in used or seat.name == one.start.seat
+        if inside := "; ".join(_deep(_placed(one.solids, pose), around, model.units)):
+            yield Misfit(Problem(where, f"{one.name} in the seat {seat.name!r}: {inside}"), senseless)
+        for how, hand in held.items():
+            for what in _deep(_moved(hand, pose), around, model.units):
+                text = f"the hand, {how}, at {one.name} in the seat {seat.name!r}: {what}"
+                yield Misfit(Problem(where, text), senseless)
+
+
+def _telescope(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[Misfit]:
+    """Yield what the telescope is inside of at either end of its travel."""
+    if not isinstance(model.source, HeadingArmFile):
+        return
+    scene = inverted(scene_in_l(model.mount, worksite.origin))
+    stand = model.source.stand
+    for length in (float(stand.least.value), float(stand.greatest.value)):
+        own = _placed(
+            [solid for solid in solids_of(model) if solid.frame == STAND],
+            composed(scene, Pose(np.array([0.0, 0.0, -length]), np.eye(3))),
+        )
+        for what in _deep(own, around, model.units):
+            at = shown(length, "m", model.units)
+            yield Misfit(Problem(("arm",), f"with the shoulder {at} up, {what}"), True)
+
+
+def _grasp(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
+    """Yield why a prong can never take a payload's bar, or never let it go."""
+    rule, file, bar = worksite.acquisition, model.source, one.receptacle
+    if not isinstance(file, HeadingArmFile) or not isinstance(rule, BarAcquisition) or bar is None:
+        return
+    hand, units = file.effector, model.units
+
+    def size(value: float) -> str:
+        return shown(value, "m", units)
+
+    opened, closed = -float(hand.prong_open.value), -float(hand.prong_closed.value)
+    finger = float(hand.fixed_finger.value)
+    length, width, _ = np.ptp(bar, axis=0).tolist()
+    spacing = size(rule.prong_spacing)
+    if rule.prong_spacing >= opened:
+        yield (
+            f"prong_spacing (PRGSPC) is {spacing}, and the open prong is {size(opened)} from the palm's centre line: "
+            f"it has to be less, or the hand never lets {one.name} go"
+        )
+    if rule.prong_spacing < closed:
+        yield (
+            f"prong_spacing (PRGSPC) is {spacing}, and the closed prong is {size(closed)} from the palm's centre "
+            f"line: it has to be at least that, or the hand never acquires {one.name}"
+        )
+    room = min(finger + min(opened, rule.prong_spacing), 2.0 * finger)  # with the palm's middle over the bar's
+    if width > room:
+        yield f"the bar of {one.name} is {size(width)} wide; the hand spans {size(room)} when it has acquired a bar"
+    if rule.front + rule.rear > length:
+        inwards = size(rule.front + rule.rear)
+        yield f"the bar of {one.name} is {size(length)} long; front and rear (FRONT, REAR) leave out {inwards} of it"
+
+
+def _struck(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
+    """Yield what of a payload the hand is inside of at its bar; the bar itself it may take off the palm's middle."""
+    bar = part_of(one.name, "receptacle")
+    own = {part: bodies for part, bodies in _placed(one.solids, _HERE).items() if part != bar}
+    for how, solids in hands(model, worksite, one).items():
+        for what in _deep(solids, own, model.units):
+            yield f"the hand, {how}, at the bar of {one.name}: {what}"
+
+
+def hands(model: ArmModel, worksite: Worksite, one: Cargo) -> Mapping[str, Parts]:
+    """Return the concept's hand at a payload's bar, in the payload's axes: with its prong open, and as it acquires."""
+    rule, file = worksite.acquisition, model.source
+    if not isinstance(file, HeadingArmFile) or not isinstance(rule, BarAcquisition) or one.receptacle is None:
+        return {}
+    tip = at_cargo(model, one, AtCargo(0, above=0.5 * rule.window))
+    joint = composed(tip, Pose(np.array([-float(model.links[L5]), 0.0, 0.0]), np.eye(3)))
+    last = model.linkage.frames[-1]
+    own = [solid for solid in solids_of(model) if solid.frame == last]
+    prong = [solid for solid in solids_of(model) if solid.frame == PRONG]
+    opened, closed = float(file.effector.prong_open.value), float(file.effector.prong_closed.value)
+    found: dict[str, Parts] = {}
+    for how, y in (("open", opened), ("closed", max(opened, min(closed, -0.5 * float(np.ptp(one.receptacle[:, 1])))))):
+        at = composed(joint, Pose(np.array([0.0, y, 0.0]), np.eye(3)))
+        found[how] = {**_placed(own, joint), **_placed(prong, at)}
+    return found
+
+
+def _placed(solids: Sequence[Solid], pose: Pose) -> Parts:
+    """Return solids by part, in the frame in which their own has a pose."""
+    found: Parts = {}
+    for solid in solids:
+        found.setdefault(solid.part, []).append(solid.vertices @ pose.rotation.T + pose.position)
+    return found
+
+
+def _moved(parts: Parts, pose: Pose) -> Parts:
+    return {part: [body @ pose.rotation.T + pose.position for body in own] for part, own in parts.items()}
+
+
+def _deep(some: Parts, others: Parts, units: Units) -> Iterator[str]:
+    """Yield which part is how deep in which."""
+    for a, own in some.items():
+        for b, there in others.items():
+            if (depth := deepest(own, there)) > TOLERANCE:
+                yield f"{a} is {shown(depth, 'm', units)} inside {b}"

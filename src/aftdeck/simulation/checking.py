@@ -1,0 +1,85 @@
+"""CMD CK under way: a part of the state, since its rehearsal goes on over many control steps."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from aftdeck.scenario.target import Target
+from aftdeck.simulation.frame import Cause, Six
+from aftdeck.steering.mode import LawChoice
+
+if TYPE_CHECKING:
+    from aftdeck.simulation.rehearsal import Rehearsal
+    from aftdeck.simulation.state import State
+
+
+class Way(msgspec.Struct, frozen=True):
+    """One way to a target that CMD CK may rehearse."""
+
+    law: LawChoice
+    joints: Six | None
+    """Mode 1's final joint angles [rad]; None: a straight line."""
+    least: float
+    """The shortest time that it can take [s]; 0 where that is not known."""
+    name: str
+    """What sets it apart from other ways, for people: ``wrist turned over``."""
+
+
+class Tried(msgspec.Struct, frozen=True):
+    """How a way went."""
+
+    way: Way
+    good: bool
+    """Whether it reaches its target; under `strict` whether it comes to its end."""
+    cause: Cause
+    seconds: float
+    """How long it takes, or when it fails [s]."""
+    text: str
+    """Why it fails, or by how much it ends beside its target, for people."""
+    near: str
+    """A singularity that is passed near, for people; empty: none."""
+
+
+class Checking:
+    """CMD CK under way.
+
+    Attributes:
+        target: what is checked.
+        start: the state from which the motion is rehearsed; None until the arm is at rest.
+        ways: still to be rehearsed, the one under way first.
+        tried: rehearsed.
+        rehearsal: of the first of `ways`; None until it begins.
+    """
+
+    def __init__(self, target: Target) -> None:
+        self.target = target
+        self.start: State | None = None
+        self.ways: list[Way] = []
+        self.tried: list[Tried] = []
+        self.rehearsal: Rehearsal | None = None
+
+
+def begin_check(state: State, target: Target) -> None:
+    """Ask for CMD CK of a target; `simulation.check` carries it out, step by step."""
+    state.panel.check, state.panel.sequence = None, "checking"
+    state.checking = Checking(target)
+
+
+class Premises(msgspec.Struct, frozen=True):
+    """What a verdict of CMD CK rests on: where it is the same, the verdict still holds."""
+
+    target: Target
+    law: LawChoice
+    rate: str
+    held: int | None
+    angles: tuple[float, ...]
+    stand: float
+
+
+def premises(state: State, target: Target) -> Premises:
+    """Return what a verdict on this target would rest on now."""
+    panel, plant = state.panel, state.plant
+    angles = tuple(plant.angles.tolist())
+    return Premises(target, panel.law, panel.rate, state.site.held, angles, plant.stand.position)

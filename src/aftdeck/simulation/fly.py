@@ -1,0 +1,48 @@
+"""What a flight and its rehearsal have in common: one control step from the operator's inputs to contacts and seats."""
+
+from __future__ import annotations
+
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.holds import hold_position
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.panel import operate
+from aftdeck.simulation.restrain import restrain
+from aftdeck.simulation.state import State
+from aftdeck.simulation.work import work
+from aftdeck.steering.course import set_off
+from aftdeck.steering.layout import GO, RATES
+from aftdeck.steering.msteer import msteer
+
+
+def fly(flight: Flight, state: State, inputs: Inputs) -> None:
+    """Fly one control step from where the arm is measured to be."""
+    state.measure()
+    operate(flight, state, inputs)
+    go(flight, state, inputs)
+
+
+def go(flight: Flight, state: State, inputs: Inputs) -> None:
+    """Steer, let contacts and seats restrain the motion, move the plant and the worksite.
+
+    Args:
+        flight: what never changes.
+        state: changed in place, with the command that the panel has set.
+        inputs: the operator's; of these the telescope, the orbiter and the latches move the worksite.
+    """
+    # an automatic motion is planned where it begins
+    if state.panel.sequence != "in progress":
+        state.command[GO] = 0.0
+    elif state.command[GO] == 0.0:
+        set_off(state.rules_while(under_way=True), state.command, state.steering)
+    hold_position(flight, state)
+
+    # steering commands the joint rates
+    msteer(state.rules, state.command, state.steering, state.report)
+    rates = state.steering[RATES : RATES + 6]
+
+    # contacts, seats and walls restrain them
+    telescope = restrain(flight, state, inputs.telescope)
+
+    # the plant moves, and with it the worksite: contacts, captures, seats
+    state.plant.move(rates, flight.scenario.control_period, telescope)
+    work(flight, state, inputs)

@@ -1,0 +1,72 @@
+"""LATCH and UNLATCH: which payload a command is for, and the question before what nothing else holds is let go."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+from aftdeck.simulation.berths import Berth
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.log import log
+from aftdeck.simulation.state import State
+from aftdeck.worksite.around import nearest_place
+
+Pressed = Literal["latch", "unlatch"]
+
+NEAR = 3.0
+"""A cargo farther from its place in a seat than this [m] is not yet being brought there."""
+CONFIRM = 10.0
+"""How long UNLATCH of what nothing else holds waits for the second command that confirms it [s]; assumed."""
+
+
+def nearest_berth(flight: Flight, state: State, k: int) -> Berth | None:
+    """The place in a seat that a cargo is nearest to, if it is near to one."""
+    site = flight.site
+    nearest = nearest_place(state.site.frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
+    return None if nearest < 0 else site.berths[k][nearest]
+
+
+def meant(flight: Flight, state: State, pressed: Pressed | None) -> int | None:
+    """Return the payload that LATCH or UNLATCH is for: the one in the grasp; with none there, the nearest to the hand.
+
+    Of several, those that the command can act on come first: UNLATCH on what latches or a port hold, LATCH on what
+    they do not hold and that is near its place in a seat.
+    """
+    site, things = flight.site, state.site
+    if pressed is None or things.held is not None:
+        return things.held
+    hand = things.frames[site.last_joint, :3]
+    ways = []
+    for k, thing in enumerate(things.cargo):
+        if thing.seat:
+            fits = not site.lies(thing.seat) and (pressed == "unlatch" or not _latched(flight, state, k))
+        else:
+            fits = pressed == "latch" and nearest_berth(flight, state, k) is not None
+        ways.append((not fits, math.dist(hand.tolist(), things.frames[site.cargo_row(k), :3].tolist()), k))
+    return min(ways)[2] if ways else None
+
+
+def _latched(flight: Flight, state: State, k: int) -> bool:
+    """Return whether a seat holds a cargo for good: it is docked, or the latches are closed and not opening."""
+    thing = state.site.cargo[k]
+    return thing.latches.closed == 1.0 and thing.latches.motion != "unlatch"
+
+
+def confirmed(flight: Flight, state: State, k: int, title: str) -> bool:
+    """Return whether UNLATCH of a cargo may be done; log the question where nothing but its seat holds it.
+
+    A second UNLATCH within `CONFIRM` is the answer. A switch that is held over several steps is one command.
+    """
+    thing, tick = state.site.cargo[k], state.tick
+    if thing.held or thing.latches.motion == "unlatch":
+        return True
+    steps, thing.asked = tick - thing.asked if thing.asked else math.inf, tick
+    if steps == 1:
+        return False
+    if steps * flight.scenario.control_period <= CONFIRM:
+        thing.asked = 0
+        return True
+    name = flight.site.cargo[k].title
+    text = f"UNLATCH again within {CONFIRM:g} s to confirm: nothing but the {title} holds {name}"
+    log(flight, state, "unlatch", "caution", text)
+    return False

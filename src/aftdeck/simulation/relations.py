@@ -1,0 +1,113 @@
+"""Essential contacts: where two parts that the task brings into contact may touch, and how deep.
+
+Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision is essential where the two stand "in the
+physical relationship required to achieve acquisition". Everywhere else, and deeper than the worksite's file allows, a
+contact of the same two parts is detrimental.
+"""
+
+from __future__ import annotations
+
+from math import hypot
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies.pair import CONTACT, PAIR
+from aftdeck.bodies.pose import POSE, pose_of, relative
+from aftdeck.bodies.watch import measure
+from aftdeck.frames import oriend
+from aftdeck.simulation.berths import Berth
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.grasp import fixture_in_hand
+from aftdeck.simulation.seating import approached
+from aftdeck.simulation.site import Meeting, Site
+from aftdeck.simulation.state import State
+from aftdeck.worksite.acquisition import FIXED, FOUND, PALM, PRONG, acquire
+from aftdeck.worksite.berthing import inside, places
+from aftdeck.worksite.docking import BEFORE, DISTANCE, INSIDE
+from aftdeck.worksite.found import CLEARANCE
+
+Array = NDArray[np.float64]
+
+
+def permit(flight: Flight, state: State) -> None:
+    """Set which groups may be in contact as they are now, `state.site.permitted`.
+
+    Args:
+        flight: what never changes.
+        state: after its look. Groups of the task that do not touch stay permitted.
+    """
+    things = state.site
+    things.permitted[:] = flight.site.essential
+    for meeting in flight.site.meetings:
+        clearance = things.watch.found[meeting.group, CLEARANCE]
+        if clearance <= CONTACT and not (clearance >= -meeting.depth and _related(flight, state, meeting)):
+            things.permitted[meeting.group] = 0
+
+
+def _related(flight: Flight, state: State, meeting: Meeting) -> bool:
+    """Return whether the two parts stand to each other as the task needs it."""
+    site, k, depth = flight.site, meeting.cargo, meeting.depth
+    match meeting.relation:
+        case "acquisition":
+            return _about_the_bar(state, site, k, depth)
+        case "docking":
+            ports = (berth for berth in site.berths[k] if berth.port is not None)
+            return any(_at_the_port(flight, state, k, berth, depth) for berth in ports)
+        case "guides":
+            guided = (berth for berth in site.berths[k] if berth.guides is not None)
+            return any(_in_the_mouth(state, site, meeting, berth) for berth in guided)
+        case "capture":
+            return _in_the_envelope(flight, state, k, depth)
+
+
+def _about_the_bar(state: State, site: Site, k: int, depth: float) -> bool:
+    """Conditions 1 to 3 of acquisition: the bar before the palm and between the fingers."""
+    if site.bar is None or (which := site.bar.which[k]) is None:
+        return False
+    found = np.empty(FOUND)
+    acquire(state.site.watch.placed, which, site.bar.packed, found)
+    return bool(min(found[PALM], found[FIXED], found[PRONG]) >= -depth)
+
+
+def _at_the_port(flight: Flight, state: State, k: int, berth: Berth, depth: float) -> bool:
+    """The probe in the docking envelope, and its face no farther from the port than docking allows."""
+    found = approached(flight, state, k, berth)
+    return bool(found[BEFORE] >= -depth and found[INSIDE] >= -depth and found[DISTANCE] <= berth.docking.distance)
+
+
+def _in_the_mouth(state: State, site: Site, meeting: Meeting, berth: Berth) -> bool:
+    """Every trunnion that touches stands in its own V-guide."""
+    assert berth.guides is not None
+    k, stands = meeting.cargo, np.empty(POSE)
+    frames = state.site.frames
+    relative(frames[berth.row], frames[site.cargo_row(k)], stands)
+    room = inside(places(site.cargo[k].trunnions, pose_of(stands)), berth.guides)
+    return all(room[trunnion] >= -meeting.depth for trunnion in _touching(state, site, meeting))
+
+
+def _touching(state: State, site: Site, meeting: Meeting) -> set[int]:
+    """The trunnions of a group that are in contact."""
+    layout, placed, found = site.layout, state.site.watch.placed, set()
+    for i, j in layout.pairs[layout.begins[meeting.group] : layout.begins[meeting.group + 1]].tolist():
+        trunnion = meeting.trunnions[i if i in meeting.trunnions else j]
+        if measure(placed[i], placed[j], np.zeros(PAIR)) <= CONTACT:
+            found.add(trunnion)
+    return found
+
+
+def _in_the_envelope(flight: Flight, state: State, k: int, depth: float) -> bool:
+    """The pin in the capture envelope, or in the snares' reach beyond it: the fixture's base may be touched."""
+    site = flight.site
+    if site.snares is None or (fixture := fixture_in_hand(flight, state, k)) is None:
+        return False
+    envelope, pose = site.snares.envelope, pose_of(fixture)
+    out, y, z = pose.position.tolist()
+    roll, pitch, yaw = (abs(angle) for angle in oriend(pose.rotation))
+    return bool(
+        hypot(y, z) <= envelope.radial
+        and out >= envelope.nearest - depth
+        and roll <= envelope.roll
+        and pitch <= envelope.pitch
+        and yaw <= envelope.yaw
+    )

@@ -1,0 +1,188 @@
+"""A file of the report's channels and words: a line of JSON for each control step, written from a flight or flown.
+
+A line has ``time_s``, ``volts`` (TABLE I, thirteen numbers in full precision), ``words`` (TABLE II, 32 in octal) and,
+where something commanded or seen has neither channel nor code, ``unsaid`` with its names. Flying a file reads
+``volts`` alone, and ``time_s`` and ``unsaid`` where they are there.
+"""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, NamedTuple, TextIO
+
+import msgspec
+
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.errors import InputError
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.begin import first_state
+from aftdeck.simulation.flight import Flight, prepare
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.report_channels import inputs_from, reading_of
+from aftdeck.simulation.report_words import Places, block_of, places_of
+from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.state import State
+from aftdeck.worksite.channels import CHANNELS, OperatorInputs, decode_inputs, encode_inputs
+from aftdeck.worksite.words import encode_block
+
+ON_TIME = 1e-6
+"""How far a line's time may be from its step's [s]."""
+
+
+class Line(NamedTuple):
+    """One control step in the report's terms.
+
+    Attributes:
+        volts: the thirteen channels [V].
+        words: the 32 words.
+        unsaid: names of what has no channel or no code.
+    """
+
+    volts: tuple[float, ...]
+    words: tuple[int, ...]
+    unsaid: tuple[str, ...]
+
+
+class WordsWriter:
+    """Writes the line of each step of a flight, from its first on.
+
+    Attributes:
+        steps: written so far.
+        unsaid: of how many lines each name is unsaid.
+    """
+
+    def __init__(self, file: TextIO, scenario: Scenario) -> None:
+        self._file = file
+        self._before = places_of(first_state(prepare(scenario)))
+        self.steps, self.unsaid = 0, Counter[str]()
+
+    def step(self, sim: Simulation) -> None:
+        """Write the step just made."""
+        flight, state = sim._flight, sim._state
+        line = line_of(flight, state, self._before)
+        self._before = places_of(state)
+        self.steps += 1
+        self.unsaid.update(line.unsaid)
+        time = round(state.tick * flight.scenario.control_period, 9)
+        told = {"time_s": time, "volts": line.volts, "words": [f"{word:08o}" for word in line.words]}
+        if line.unsaid:
+            told["unsaid"] = line.unsaid
+        self._file.write(json.dumps(told) + "\n")
+
+
+def line_of(flight: Flight, state: State, before: Places) -> Line:
+    """Return the line of the step just made; `before`: the places before it."""
+    reading, block = reading_of(flight, state), block_of(flight, state, before)
+    unsaid = dict.fromkeys((*reading.unsaid, *block.unsaid))
+    return Line(encode_inputs(reading.inputs), encode_block(block.block), tuple(unsaid))
+
+
+@contextmanager
+def new_words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
+    """Open a new file for the words of a scenario; it is taken away again where the flight raises an error.
+
+    Raises:
+        InputError: another arm, or a file that is there already or cannot be written.
+    """
+    check_arm(scenario)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("x", encoding="ascii") as file:
+            try:
+                yield file
+            except BaseException:
+                path.unlink()
+                raise
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written: {error.strerror or error}") from None
+
+
+def check_arm(scenario: Scenario) -> None:
+    """Refuse a scenario of another arm than the report's.
+
+    Raises:
+        InputError: it has no heading-pitch-pitch-heading-pitch-roll arm.
+    """
+    if not isinstance(scenario.arm.model.source, HeadingArmFile):
+        raise InputError(
+            "the report's channels and words speak of its own arm, a heading-pitch-pitch-heading-pitch-roll one with "
+            f"a telescope; {scenario.name} flies {scenario.arm.name}"
+        )
+
+
+class _Sample(msgspec.Struct, frozen=True):
+    """A line of a file of channels, as far as it is flown."""
+
+    volts: Annotated[tuple[float, ...], msgspec.Meta(min_length=CHANNELS, max_length=CHANNELS)]
+    time_s: float | None = None
+    unsaid: tuple[str, ...] = ()
+
+
+class Channels(NamedTuple):
+    """A file of channels.
+
+    Attributes:
+        samples: the operator's inputs, one for each control step.
+        unsaid: of how many lines each name is unsaid.
+    """
+
+    samples: tuple[OperatorInputs, ...]
+    unsaid: Counter[str]
+
+
+def read_channels(path: Path, period: float) -> Channels:
+    """Return the samples of a file of channels.
+
+    Args:
+        path: the file.
+        period: control period of the flight, at which they are sampled [s].
+
+    Raises:
+        InputError: no file, an empty one, or a line that is no sample, of another time, or beyond the scale; names
+            the line.
+    """
+    if path.exists() and not path.is_file():  # a pipe or a device may never end
+        raise InputError(f"{path}: cannot be read: it is not a file")
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    samples, unsaid = [], Counter[str]()
+    for number, line in enumerate(text.splitlines(), 1):
+        try:
+            sample = msgspec.json.decode(line, type=_Sample)
+            if sample.time_s is not None and not abs(sample.time_s - number * period) <= ON_TIME:
+                raise InputError(
+                    f"time_s is {sample.time_s:g}, its step's is {number * period:g} s; a file has one line for each "
+                    f"control step, every {period:g} s"
+                )
+            samples.append(decode_inputs(sample.volts))
+        except (msgspec.DecodeError, InputError) as error:
+            raise InputError(f"{path}:{number}: {error}") from None
+        unsaid.update(sample.unsaid)
+    if not samples:
+        raise InputError(f"{path}: has no lines; each control step needs one with its thirteen volts")
+    return Channels(tuple(samples), unsaid)
+
+
+def operator_of(samples: Sequence[OperatorInputs]) -> Callable[[Simulation], Inputs | None]:
+    """Return an operator that gives each sample in its step; None after the last one.
+
+    The operator raises an InputError, which names the sample's line, for one that the scenario cannot fly.
+    """
+    given = enumerate(samples, 1)
+
+    def inputs(sim: Simulation) -> Inputs | None:
+        number, said = next(given, (0, None))
+        if said is None:
+            return None
+        try:
+            return inputs_from(said, sim._state.site.switch, sim._state.cameras.names)
+        except InputError as error:
+            raise InputError(f"line {number} of the channels: {error}") from None
+
+    return inputs

@@ -1,0 +1,44 @@
+"""How modes 8 and MASTER bring a joint to a rate, or to an angle, within its acceleration and before its stops."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.law import law
+from aftdeck.steering.layout import ANGLES, CAUSE, CULPRIT, DT, HIGH, LOW, MEASURED, RATE, RATE_UP, RATIO
+from aftdeck.steering.limiters import braked
+
+Array = NDArray[np.float64]
+
+
+@law
+def rate_towards(rules: Array, state: Array, goal: float, i: int) -> float:
+    """Return the rate of joint i [rad/s] from which it still comes to rest at an angle [rad]."""
+    way = goal - state[ANGLES + i]
+    return math.copysign(min(braked(abs(way), rules[RATE_UP + i], rules[DT]), rules[RATE + i]), way)
+
+
+@law
+def ramped(rules: Array, state: Array, report: Array, asked: float, i: int, stop: int) -> float:
+    """Return the rate of joint i [rad/s]: towards what is asked by at most its acceleration, and in time for its stop.
+
+    Args:
+        rules: of the mode.
+        state: measured angles and rates.
+        report: takes the stop where it acts.
+        asked: the rate wanted [rad/s].
+        i: the joint, 0 to 5.
+        stop: which kind of stop acts: a number of `limiters.CAUSES`.
+    """
+    change, before = rules[RATE_UP + i] * rules[DT], state[MEASURED + i]
+    rate = before + min(max(asked - before, -change), change)
+    gap = rules[HIGH + i] - state[ANGLES + i] if rate > 0.0 else state[ANGLES + i] - rules[LOW + i]
+    allowed = braked(gap, rules[RATE_UP + i], rules[DT])
+    if abs(rate) > allowed:
+        report[RATIO] = min(report[RATIO], allowed / abs(rate))
+        report[CAUSE], report[CULPRIT] = stop, i
+        rate = math.copysign(allowed, rate)
+    return float(min(max(rate, -rules[RATE + i]), rules[RATE + i]))

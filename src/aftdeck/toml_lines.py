@@ -1,0 +1,141 @@
+"""Line numbers in a TOML text: the line on which each table, key and list item begins.
+
+`tomllib` returns values without their places. This scanner reads the same grammar (TOML 1.0) for places alone; it is
+for texts that `tomllib` has already accepted, and finds no errors of its own.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from bisect import bisect_right
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+_SPACE = re.compile(r"[ \t]*")
+_GAP = re.compile(r"(?:[ \t\r\n]+|#[^\n]*)*")
+"""Everything that separates expressions, and the items of a list."""
+_STRING = re.compile(
+    r'"""(?:[^\\]|\\.)*?"{3,5}'  # three quotes end it; one or two more may be its last characters
+    r"|'''.*?'{3,5}"
+    r'|"[^"\\]*(?:\\.[^"\\]*)*"'
+    r"|'[^']*'",
+    re.DOTALL,
+)
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+_SCALAR = re.compile(r"[^,\]}#\n]+")
+"""A number, boolean or date, with the blanks that follow it."""
+
+
+@dataclass(slots=True)
+class Located:
+    """A table, list or value of a file.
+
+    Attributes:
+        line: on which it begins, from 1; 0 for the file itself.
+        parts: what is in it, by key, or by index from 0 in a list.
+    """
+
+    line: int
+    parts: dict[str | int, Located] = field(default_factory=dict)
+
+
+@lru_cache(maxsize=4)
+def located(text: str) -> Located:
+    """Return the places of everything in a TOML text that `tomllib` accepts."""
+    return _Scanner(text).file()
+
+
+class _Scanner:
+    """A position in a text. Each method reads on from there."""
+
+    def __init__(self, text: str) -> None:
+        self._text, self._at = text, 0
+        self._starts = [0, *(match.end() for match in re.finditer("\n", text))]
+
+    def file(self) -> Located:
+        """Read the whole text."""
+        table = root = Located(0)
+        while self._skip(_GAP) < len(self._text):
+            if self._take("[["):
+                table = self._table(root, self._key(), another=True)
+                self._take("]]")
+            elif self._take("["):
+                table = self._table(root, self._key(), another=False)
+                self._take("]")
+            else:
+                self._pair(table)
+        return root
+
+    def _table(self, root: Located, key: list[str], another: bool) -> Located:
+        """Return the table that a header opens; `another`: one more of a list of tables."""
+        table, line = root, self._line()
+        for depth, part in enumerate(key, 1):
+            table = table.parts.setdefault(part, Located(line))
+            if another and depth == len(key):
+                table = table.parts.setdefault(len(table.parts), Located(line))
+            elif table.parts and 0 in table.parts:  # a header speaks of the last table listed so far
+                table = table.parts[len(table.parts) - 1]
+        return table
+
+    def _pair(self, table: Located) -> None:
+        """Read ``key = value`` into a table."""
+        line = self._line()
+        for part in self._key():
+            table = table.parts.setdefault(part, Located(line))
+        self._take("=")
+        self._value(table)
+
+    def _value(self, value: Located) -> None:
+        """Read a value; what a list or an inline table holds becomes its parts."""
+        self._skip(_SPACE)
+        if self._take("["):
+            self._skip(_GAP)
+            while not self._take("]"):
+                self._value(value.parts.setdefault(len(value.parts), Located(self._line())))
+                self._skip(_GAP)
+                self._take(",")
+                self._skip(_GAP)
+        elif self._take("{"):
+            self._skip(_GAP)
+            while not self._take("}"):
+                self._pair(value)
+                self._skip(_GAP)
+                self._take(",")
+                self._skip(_GAP)
+        elif string := _STRING.match(self._text, self._at):
+            self._at = string.end()
+        else:
+            start = self._at
+            assert self._skip(_SCALAR) > start, "tomllib accepted this text, so a value begins here"
+
+    def _key(self) -> list[str]:
+        """Read a dotted key."""
+        parts = []
+        while True:
+            self._skip(_SPACE)
+            bare = _BARE_KEY.match(self._text, self._at)
+            found = bare or _STRING.match(self._text, self._at)
+            assert found is not None, "tomllib accepted this text, so a key begins here"
+            parts.append(found[0] if bare else next(iter(tomllib.loads(f"{found[0]} = 0"))))
+            self._at = found.end()
+            self._skip(_SPACE)
+            if not self._take("."):
+                return parts
+
+    def _take(self, sign: str) -> bool:
+        """Step over a sign that comes next; False where another does."""
+        if not self._text.startswith(sign, self._at):
+            return False
+        self._at += len(sign)
+        return True
+
+    def _skip(self, pattern: re.Pattern[str]) -> int:
+        """Step over what a pattern matches; return the new position."""
+        if match := pattern.match(self._text, self._at):
+            self._at = match.end()
+        return self._at
+
+    def _line(self) -> int:
+        """Return the line of the position, from 1."""
+        return bisect_right(self._starts, self._at)

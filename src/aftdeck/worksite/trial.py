@@ -1,0 +1,215 @@
+"""What a motion would do to the contacts, found by trying it: how much clearance is won, and how far parts slide.
+
+Every pair of solids that touch counts by itself: of a body made of several solids, the deepest pair alone would not say
+which way leads out of all of them.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.bodies import pair as packed
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.bodies.watch import measure
+from aftdeck.law import law
+from aftdeck.worksite.found import CLEARANCE, FOUND, NORMAL, POINT_A, POINT_B, WHICH
+from aftdeck.worksite.layout import Indices, Mask
+from aftdeck.worksite.watch import Watch, copy_pair, nearest_pair, not_nearer, place_moved, travelled, way_apart
+
+Array = NDArray[np.float64]
+
+STEP = 1.0
+"""What is farther apart than this [m] comes into no contact in a step."""
+WORST, GROUP, GAINED, SLID, DEEPEST, LESSENED, MADE = range(7)
+"""Where the fields of `Trial` are in a row."""
+
+
+class Trial(NamedTuple):
+    """What a motion would do to the contacts.
+
+    Attributes:
+        worst: the greatest fall of the clearance of a contact, present or new, negative; without a fall the least rise,
+            inf where there is no contact [m].
+        which: the group of that contact; -1 where there is none.
+        gained: by how much the clearances of the solids in harmful contacts rise, taken together; inf without one [m].
+        slid: how far a touching point of one moves along the other body, at most [m].
+        deeper: how much deeper in each other two parts are then than now, at most; negative or 0 where none are [m].
+        lessened: by how much the depths of all contacts together are less then than now [m].
+        made: whether a contact is made that is not there now.
+    """
+
+    worst: float
+    which: int
+    gained: float
+    slid: float
+    deeper: float
+    lessened: float
+    made: bool
+
+
+@law
+def tried(
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    between: Indices,
+    reach: Array,
+    counts: Mask,
+    harmful: Mask,
+    after: Array,
+    at: Array,
+    placed: Array,
+    bound: Array,
+    memory: Array,
+    found: Array,
+) -> Trial:
+    """What a motion would do to the contacts of the groups that count.
+
+    Args:
+        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,), between (g, 2), reach (F,): of the layout.
+        frame: see solids.
+        pairs: see solids.
+        begins: see solids.
+        between: see solids.
+        reach: see solids.
+        counts: (g,) 1 for groups to keep from each other; they have to be active.
+        harmful: (g,) 1 for those of them whose relief counts.
+        after: (F, 12) the frames after the motion, in L.
+        at: (F, 12) and placed (n, 52): copies of the watch's; used up.
+        placed: see at.
+        bound: (g,) the watch's.
+        memory: (m, 17) the watch's; nothing changes it.
+        found: (g, 15) what the watch found before the motion.
+    """
+    ways, own, was = np.empty(len(after)), memory.copy(), np.full(len(memory), np.inf)
+    slid, touching = 0.0, False
+    for g in range(len(counts)):
+        if counts[g] != 0 and harmful[g] != 0 and found[g, CLEARANCE] <= CONTACT:
+            touching = True
+            for k in range(begins[g], begins[g + 1]):
+                slid = max(slid, _slid(placed, frame, at, after, pairs[k], own, k, was))
+    travelled(after, at, reach, ways)
+    place_moved(solids, frame, after, at, placed)
+    worst, which, gained, deeper, lessened, made = np.inf, -1, 0.0, -np.inf, 0.0, False
+    for g in range(len(counts)):
+        if counts[g] == 0:
+            continue
+        before, limit = found[g, CLEARANCE], np.inf
+        if before > CONTACT:
+            limit = 2.0 * CONTACT
+            if bound[g] - ways[between[g, 0]] - ways[between[g, 1]] >= limit:
+                continue
+        elif harmful[g] != 0:
+            won = _won(placed, pairs, begins[g], begins[g + 1], own, was)
+            gained, lessened = gained + won[0], lessened + won[1]
+        k = nearest_pair(placed, pairs, own, begins[g], begins[g + 1], int(found[g, WHICH]), limit)
+        if k < 0:
+            continue
+        clearance = own[k, packed.CLEARANCE]
+        if clearance - before < worst and (before <= CONTACT or clearance <= CONTACT):
+            worst, which = clearance - before, g
+        made = made or (before > CONTACT and clearance <= CONTACT)
+        deeper = max(deeper, min(before, 0.0) - clearance)
+        if before > CONTACT or harmful[g] == 0:
+            lessened += min(clearance, 0.0) - min(before, 0.0)
+    return Trial(worst, which, gained if touching else np.inf, slid, deeper, lessened, made)
+
+
+@law
+def _won(placed: Array, pairs: Indices, begin: int, end: int, own: Array, was: Array) -> tuple[float, float]:
+    """By how much the clearances of a group's touching solids rise, and by how much their depths fall [m]."""
+    gained, lessened = 0.0, 0.0
+    for k in range(begin, end):
+        if was[k] == np.inf:
+            continue
+        now = measure(placed[pairs[k, 0]], placed[pairs[k, 1]], own[k])
+        gained += now - was[k] if was[k] <= CONTACT else min(now, 0.0)
+        lessened += min(now, 0.0) - min(was[k], 0.0)
+    return gained, lessened
+
+
+@law
+def _slid(
+    placed: Array, frame: Indices, at: Array, after: Array, pair: Indices, memory: Array, k: int, was: Array
+) -> float:
+    """How far the touching points of two solids move along each other, square to their way apart [m].
+
+    The clearance of the pair as it is now goes into was[k]; inf where the two are too far apart to matter.
+    """
+    i, j = pair[0], pair[1]
+    a, b = placed[i], placed[j]
+    if not_nearer(a, b, memory[k], STEP):
+        return 0.0
+    was[k] = measure(a, b, memory[k])
+    if was[k] > CONTACT:
+        return 0.0
+    row = np.empty(FOUND)
+    copy_pair(memory, k, row)
+    way_apart(a, b, row)
+    p = _carried(at[frame[i]], after[frame[i]], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
+    q = _carried(at[frame[j]], after[frame[j]], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
+    x, y, z = p[0] - q[0], p[1] - q[1], p[2] - q[2]
+    out = x * row[NORMAL] + y * row[NORMAL + 1] + z * row[NORMAL + 2]
+    return sqrt(max(x * x + y * y + z * z - out * out, 0.0))
+
+
+@law
+def _carried(at: Array, after: Array, x: float, y: float, z: float) -> tuple[float, float, float]:
+    """How a point that a frame carries moves as the frame goes from one pose (12,) to another [m]."""
+    x, y, z = x - at[0], y - at[1], z - at[2]
+    px = at[3] * x + at[6] * y + at[9] * z
+    py = at[4] * x + at[7] * y + at[10] * z
+    pz = at[5] * x + at[8] * y + at[11] * z
+    return (
+        after[0] - at[0] + after[3] * px + after[4] * py + after[5] * pz - x,
+        after[1] - at[1] + after[6] * px + after[7] * py + after[8] * pz - y,
+        after[2] - at[2] + after[9] * px + after[10] * py + after[11] * pz - z,
+    )
+
+
+@law
+def tried_many(
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    between: Indices,
+    reach: Array,
+    counts: Mask,
+    harmful: Mask,
+    afters: Array,
+    at: Array,
+    placed: Array,
+    bound: Array,
+    memory: Array,
+    found: Array,
+    trials: Array,
+) -> None:
+    """`tried` for each of several motions, afters (k, F, 12), into trials (k, 7); what the watch holds is copied."""
+    for k in range(len(afters)):
+        t = tried(
+            solids, frame, pairs, begins, between, reach, counts, harmful, afters[k],
+            at.copy(), placed.copy(), bound, memory, found,
+        )  # fmt: skip
+        trials[k, WORST], trials[k, GROUP], trials[k, GAINED] = t.worst, t.which, t.gained
+        trials[k, SLID], trials[k, DEEPEST] = t.slid, t.deeper
+        trials[k, LESSENED], trials[k, MADE] = t.lessened, 1.0 if t.made else 0.0
+
+
+def trials_of(watch: Watch, counts: Mask, harmful: Mask, afters: Array) -> Array:
+    """Return what each of several motions, afters (k, F, 12), would do, (k, 7); arguments as of `tried`."""
+    own, trials = watch.layout, np.empty((len(afters), len(Trial._fields)))
+    tried_many(
+        *own.packed,
+        counts & watch.active,
+        harmful,
+        afters,
+        *watch.packed,
+        trials,
+    )
+    return trials

@@ -1,0 +1,259 @@
+"""What does not fit together is told at load, with both names and how deep; what fits flies."""
+
+from __future__ import annotations
+
+import functools
+import os
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import aftdeck
+from aftdeck.bodies.overlap import overlap
+from aftdeck.errors import ScenarioError
+from aftdeck.scenario.load import load_scenario, parse_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.survey import survey
+from aftdeck.worksite import load_worksite
+from tests.bodies.minkowski import depth
+
+FOOT = 0.3048
+seeds = st.integers(0, 2**32 - 1)
+
+
+@functools.cache
+def script() -> str:
+    return load_scenario("concept-1972-script").text
+
+
+def resized(dimensions: dict[str, str], text: str = "") -> Scenario:
+    """The built-in problem, or another scenario's text, with other dimensions."""
+    table = "".join(f'{name} = "{value}"\n' for name, value in dimensions.items())
+    return parse_scenario(f"{text or script()}\n[dimensions]\n{table}", "test", "test.toml", Path("."))
+
+
+def refusal(dimensions: dict[str, str], text: str = "") -> str:
+    with pytest.raises(ScenarioError) as raised:
+        resized(dimensions, text)
+    return "\n".join(raised.value.problems)
+
+
+# --- depth, by another way --------------------------------------------------------------------------------
+
+
+@settings(max_examples=60)
+@given(seeds)
+def test_the_depth_of_an_overlap_is_that_of_another_solver(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    solids = [solid.vertices for solid in load_worksite("orbiter").solids]
+    a, b = (solids[k] for k in rng.integers(len(solids), size=2))
+    turn = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    turn *= np.sign(np.linalg.det(turn))
+    b = (b - b.mean(axis=0)) @ turn.T + a.mean(axis=0) + rng.normal(size=3) * 2.0
+    assert overlap(a, b) == pytest.approx(depth(a, b), abs=1e-7)
+
+
+# --- section VI: one number moves what depends on it ------------------------------------------------------
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "dimensions",
+    [
+        {},
+        {"payload_length": "58 ft", "payload_width": "14 ft"},
+        {"payload_length": "60 ft", "payload_width": "15 ft", "bay_length": "62 ft", "bay_width": "17 ft"},
+        {"payload_length": "24 ft", "payload_width": "11 ft", "bar_aft": "2 ft"},
+    ],
+)
+def test_a_payload_of_any_size_flies_the_whole_problem(dimensions: dict[str, str]) -> None:
+    assert flies_clean(resized(dimensions))
+
+
+def test_the_reports_largest_payload_is_refused_in_the_reports_bay_saying_by_how_much() -> None:
+    said = refusal({"payload_length": "60 ft", "payload_width": "15 ft"})
+    assert "payload is 18 in inside aft body" in said and "test.toml:" in said
+
+
+def flies_clean(made: Scenario) -> bool:
+    """Whether the script ends; no contact is detrimental, and no payload overlaps a body, as another solver has it."""
+    sim = aftdeck.Simulation(made)
+    step = 0
+    while not sim.ended:
+        sim.advance()
+        step += 1
+        if step % 10 == 0:
+            assert not [c for c in sim.look().work.contacts if not c.essential]
+            if step % 50 == 0:
+                assert deepest_apart(made, sim) < 1e-6
+    return sim.ended == "completed"
+
+
+def deepest_apart(made: Scenario, sim: aftdeck.Simulation) -> float:
+    """How deep the payload is in any body of the worksite, by another solver [m]."""
+    frame = sim.look()
+    worst = 0.0
+    away = np.array(frame.work.orbiter)
+    scene = np.diag([1.0, -1.0, -1.0])
+    for cargo, held in zip(made.cargo, frame.work.cargo, strict=True):
+        for solid in cargo.solids:
+            body = solid.vertices @ np.array(held.orientation).T + np.array(held.position)
+            low, high = body.min(axis=0), body.max(axis=0)
+            for other in made.worksite.solids:
+                there = other.vertices @ scene.T - (away if other.frame == "space" else 0.0)
+                if (low < there.max(axis=0)).all() and (there.min(axis=0) < high).all():
+                    worst = max(worst, depth(body, there))
+    return worst
+
+
+EDITED = {
+    "payload_length": (10.0, 64.0),
+    "payload_width": (4.0, 16.0),
+    "payload_middle": (20.0, 36.0),
+    "payload_floor_room": (-1.0, 2.0),
+    "bay_length": (50.0, 66.0),
+    "bay_width": (12.0, 18.0),
+    "bay_depth": (11.0, 16.0),
+    "bar_length": (0.8, 4.0),
+    "bar_width": (0.3, 0.9),
+    "bar_height": (0.55, 1.0),
+    "bar_aft": (-3.0, 3.0),
+    "probe_length": (0.5, 2.0),
+    "port_aft": (-5.0, -2.0),
+    "port_up": (20.0, 23.0),
+    "cae_apothem": (6.0, 9.0),
+}
+"""Ranges from which dimensions are edited [ft]."""
+
+
+def edited(rng: np.random.Generator) -> dict[str, str]:
+    names = rng.choice(list(EDITED), size=int(rng.integers(1, 5)), replace=False)
+    return {str(name): f"{rng.uniform(*EDITED[str(name)])!r} ft" for name in names}
+
+
+EDITS = int(os.environ.get("AFTDECK_EDITS", "10"))
+"""How many edits are tried; 1,000 with AFTDECK_EDITS=1000."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(EDITS))
+def test_edited_dimensions_are_refused_with_names_and_depth_or_fly_clean(seed: int) -> None:
+    """What is in reach of the arm only beyond a stop is a caution of the survey, and no collision."""
+    dimensions = edited(np.random.default_rng(seed))
+    try:
+        made = resized(dimensions)
+    except ScenarioError as error:
+        said = r"\d (in|ft) (inside|wide|long)|m beyond the top|inside ends at|camera .* stands"
+        assert all(re.search(said, problem) for problem in error.problems), error.problems
+        return
+    if not flies_clean(made):
+        assert any(one.what.startswith("the hand cannot take payload in the seat") for one in survey(made)), dimensions
+
+
+# --- what passed as good ----------------------------------------------------------------------------------
+
+CONCEPT = """title = "test"
+arm = "concept-1972"
+worksite = "concept-1972"
+[initial]
+joints = ["0 deg", "32.25 deg", "-106.33 deg", "0 deg", "-15.92 deg", "0 deg"]
+stand = "16 ft"
+[[cargo]]
+name = "payload"
+"""
+
+
+def test_a_payload_that_starts_inside_the_cabin_is_refused() -> None:
+    said = refusal({}, CONCEPT + 'start = { position = ["-2 ft", "0 ft", "-7 ft"] }\n')
+    assert "test.toml:7: cargo[0]: payload starts where payload is " in said and "inside cabin" in said
+
+
+def test_two_payloads_that_start_in_each_other_are_refused() -> None:
+    flyer = '[[cargo]]\nname = "free flyer"\nstart = { position = ["28 ft", "0 ft", "-5 ft"] }\n'
+    assert re.search(r"free flyer is [\d.]+ ft inside payload", refusal({}, CONCEPT + flyer))
+
+
+def test_a_seat_under_the_floor_is_refused() -> None:
+    assert "payload is 9 in inside bay floor" in refusal({"payload_floor_room": "-0.75 ft"})
+
+
+@pytest.mark.parametrize(
+    ("dimensions", "said"),
+    [
+        ({"bar_width": "0.9 ft"}, r"the bar of payload is 10.8 in wide; the hand spans 9 in"),
+        ({"bar_height": "0.5 ft"}, r"fixed finger is 0\.\d+ in inside payload"),
+        ({"bar_length": "0.9 ft"}, r"front and rear .* leave out 12 in"),
+        ({"bar_aft": "14.5 ft"}, r"the bar ends 0\.305 m beyond"),
+        ({"bar_starboard": "4 ft"}, r"the bar ends 0\.305 m beyond"),
+    ],
+)
+def test_a_bar_that_the_hand_cannot_take_is_refused(dimensions: dict[str, str], said: str) -> None:
+    assert re.search(said, refusal(dimensions)), refusal(dimensions)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('prong_spacing = "0.425 ft"', 'prong_spacing = "1.3 ft"', "the open prong is 15 in from the palm's"),
+        ('prong_spacing = "0.425 ft"', 'prong_spacing = "0.3 ft"', "the closed prong is 4.5 in from the palm's"),
+        ('"0 ft", "= payload_up"]', '"0 ft", "-9 ft"]', "floor"),
+        ('position = ["= bay_forward - 1 ft", "-4 ft", "2 ft"]', 'position = ["2 ft", "-4 ft", "-2 ft"]', "camera A"),
+    ],
+)  # fmt: skip
+def test_a_worksite_that_does_not_fit_is_refused(tmp_path: Path, old: str, new: str, said: str) -> None:
+    place = load_worksite("concept-1972").text
+    assert place.count(old) == 1
+    (tmp_path / "place.toml").write_text(place.replace(old, new))
+    with pytest.raises(ScenarioError) as raised:
+        parse_scenario(CONCEPT.replace('worksite = "concept-1972"', 'worksite = "place.toml"'), "t", "t.toml", tmp_path)
+    assert said in "\n".join(raised.value.problems)
+
+
+def test_a_telescope_that_is_drawn_into_the_cabin_is_refused(tmp_path: Path) -> None:
+    arm = (Path(aftdeck.__file__).parent / "arms" / "concept-1972.toml").read_text(encoding="utf-8")
+    (tmp_path / "arm.toml").write_text(arm.replace('value = "9.5 ft"', 'value = "8 ft"'), encoding="utf-8")
+    with pytest.raises(ScenarioError, match=r"telescope is 2\.8 ft inside cabin"):
+        parse_scenario(CONCEPT.replace('arm = "concept-1972"', 'arm = "arm.toml"'), "t", "t.toml", tmp_path)
+
+
+def test_a_seat_that_nothing_uses_and_a_payload_would_not_fit_is_a_caution() -> None:
+    text = CONCEPT.replace('"payload"', '"free flyer"')
+    assert resized({}, text).cautions == ()
+    (caution,) = resized({"flyer_width": "15.5 ft"}, text).cautions
+    assert "bay wall" in caution.what and caution.where == ("cargo", 0)
+
+
+# --- over sampled poses -----------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["concept-1972", "concept-1972-script", "free-flyer", "srms-deploy", "first-flight"])
+def test_nothing_of_a_built_in_scenario_meets_anything_over_sampled_poses(name: str) -> None:
+    scenario = load_scenario(name)
+    assert scenario.cautions == () and survey(scenario) == []
+
+
+def test_a_camera_inside_an_arm_over_sampled_poses_is_told(tmp_path: Path) -> None:
+    place = load_worksite("concept-1972").text
+    old = 'position = ["18 ft", "-1.1 ft", "0 ft"]'
+    assert old in place
+    (tmp_path / "place.toml").write_text(place.replace(old, 'position = ["24.8 ft", "0 ft", "0.2 ft"]'))
+    text = CONCEPT.replace('worksite = "concept-1972"', 'worksite = "place.toml"')
+    found = survey(parse_scenario(text, "t", "t.toml", tmp_path))
+    assert found and all("camera G is inside wrist" in one.what for one in found)
+
+
+def test_a_seat_that_the_arm_reaches_only_beyond_a_stop_is_told() -> None:
+    assert "elbow_pitch" in survey(resized({"payload_length": "20 ft", "payload_width": "8 ft"}))[0].what
+
+
+def test_a_start_in_a_contact_is_told_with_its_depth() -> None:
+    text = CONCEPT.replace('"32.25 deg", "-106.33 deg"', '"20 deg", "-98 deg"')
+    found = survey(resized({}, text))
+    assert any(
+        re.search(r" is [\d.]+ (in|ft) inside payload", one.what) and one.where == ("initial",) for one in found
+    ), found

@@ -1,0 +1,168 @@
+"""LATCH and UNLATCH of a payload that nothing holds: what is in its place can be fixed, and is not let go unasked."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.errors import ScenarioError
+from aftdeck.scenario.load import parse_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.latch_command import CONFIRM
+from aftdeck.worksite.load import load_worksite
+from tests.simulation.anew import ANGLE, CAE, CAE_APOTHEM, DISTANCE, FOOT, SIZES, Array, docking, pose
+from tests.simulation.concept import scenario
+from tests.simulation.flights import log_of, srms
+from tests.simulation.test_seats import AT_STOWED
+from tests.simulation.test_shuttle_conditions import latching
+
+seeds = st.integers(0, 2**32 - 1)
+AT_PORT = CAE + np.array([CAE_APOTHEM + SIZES["payload"].length / 2.0 + 1.0, 0.0, 0.0])
+"""The docked payload's centre in the scene [ft]."""
+IN_BAY = AT_STOWED * [1.0, -1.0, -1.0]
+EXACT = 1e-6
+
+
+def floating(centre: Array, turned: Array) -> str:
+    """A [[cargo]] table of the payload that floats at a place in the scene [ft], turned [deg]."""
+    (x, y, z), (a, b, c) = centre.tolist(), turned.tolist()
+    place = f'position = ["{x!r} ft", "{y!r} ft", "{z!r} ft"], rotation = ["{a!r} deg", "{b!r} deg", "{c!r} deg"]'
+    return f'name = "payload"\nstart = {{ {place} }}'
+
+
+def pressed(made: Scenario) -> tuple[Frame, Frame]:
+    """The frame before LATCH, and the frame of it."""
+    sim = aftdeck.Simulation(made)
+    return sim.step(Inputs()), sim.step(Inputs(latch="latch"))
+
+
+@settings(max_examples=25)
+@given(seeds, st.floats(0.0, 1.0))
+def test_latch_docks_a_floating_payload_just_where_the_port_would_take_it(seed: int, spread: float) -> None:
+    rng = np.random.default_rng(seed)
+    off = spread * rng.uniform(-0.2, 0.2, 3) + [0.2 * spread, 0.0, 0.0]
+    try:
+        made = scenario(cargo=floating(AT_PORT + off, spread * rng.uniform(-2.0, 2.0, 3)))
+    except ScenarioError:
+        assume(False)  # it would start inside the element
+    before, after = pressed(made)
+    margins = docking(before)
+    assert not before.work.cargo[0].seat
+    if np.abs(margins).min() > EXACT:
+        assert (after.work.cargo[0].seat == "port") == bool((margins > 0.0).all())
+    assert any(line.startswith("LATCH refused") for line in log_of([after])) != (after.work.cargo[0].seat == "port")
+
+
+@settings(max_examples=25)
+@given(seeds, st.floats(0.0, 1.0))
+def test_latch_keeps_a_floating_payload_in_the_bay_just_within_its_tolerances(seed: int, spread: float) -> None:
+    rng = np.random.default_rng(seed)
+    off, turned = spread * rng.uniform(-0.25, 0.25, 3), spread * rng.uniform(-2.0, 2.0, 3)
+    before, after = pressed(scenario(cargo=floating(IN_BAY + off, turned)))
+    centre, axes = pose(before)
+    turn = math.acos(min(1.0, max(-1.0, (np.trace(axes @ np.diag([1.0, -1.0, -1.0])) - 1.0) / 2.0)))
+    margin = min(DISTANCE - float(np.linalg.norm(centre - AT_STOWED)), ANGLE - turn)
+    if abs(margin) > EXACT:
+        assert after.work.cargo[0].seat == ("bay" if margin > 0.0 else "")
+
+
+@settings(max_examples=15)
+@given(seeds, st.floats(0.0, 1.0))
+def test_latches_take_a_floating_payload_just_where_every_trunnion_is_ready(seed: int, spread: float) -> None:
+    """Places in which it would start inside something are refused at load."""
+    rng = np.random.default_rng(seed)
+    off = spread * rng.uniform(-0.05, 0.05, 3) * [1.0, 0.4, 0.2] + [0.0, 0.0, 0.04 * spread]
+    place = np.array(load_worksite("orbiter").seats[0].pose.position) / FOOT + off / FOOT
+    table = floating(place, spread * rng.uniform(-0.2, 0.2, 3))
+    text = srms(60.0).text.replace('name = "payload"', table)
+    try:
+        sim = aftdeck.Simulation(parse_scenario(text, "test", "test.toml", Path(".")))
+    except ScenarioError:
+        assume(False)
+    frame = sim.step(Inputs())
+    margins = latching(frame)
+    frame = sim.step(Inputs(latch="latch"))
+    if np.abs(margins).min() > EXACT:
+        assert (frame.work.cargo[0].seat == "bay") == bool((margins > 0.0).all())
+
+
+def port_scenario() -> Scenario:
+    return scenario(cargo='name = "payload"\nstart = { seat = "port" }')
+
+
+@settings(max_examples=25)
+@given(st.lists(st.integers(1, int(1.4 * CONFIRM / 0.02)), min_size=1, max_size=3))
+def test_a_port_lets_go_what_nothing_holds_only_at_a_second_unlatch_in_time(gaps: list[int]) -> None:
+    """A switch that is held, as one that is pressed in successive steps, is one command."""
+    sim, tick, asked, given_free = aftdeck.Simulation(port_scenario()), 0, -math.inf, False
+    for gap in [1, *gaps]:
+        frame = sim.step(Inputs())
+        for _ in range(gap - 1):
+            frame = sim.step(Inputs())
+        frame = sim.step(Inputs(latch="unlatch"))
+        tick += gap + 1
+        given_free = (tick - asked) * 0.02 <= CONFIRM
+        asked = tick
+        assert (frame.work.cargo[0].seat == "") == given_free
+        assert any(event.level == "caution" for event in frame.events)
+        if given_free:
+            return
+
+
+def test_a_held_unlatch_switch_asks_once_and_lets_nothing_go() -> None:
+    sim = aftdeck.Simulation(port_scenario())
+    frames = [sim.step(Inputs(latch="unlatch")) for _ in range(100)]
+    assert {frame.work.cargo[0].seat for frame in frames} == {"port"}
+    assert len(log_of(frames)) == 1
+
+
+def test_the_shuttles_latches_ask_before_they_open_on_what_nothing_holds() -> None:
+    sim = aftdeck.Simulation(srms(60.0, head="control_period = 0.08"))
+    frames = [sim.step(Inputs(latch="unlatch")), *[sim.step(Inputs()) for _ in range(400)]]
+    assert frames[-1].work.cargo[0].seat == "bay"
+    again = [
+        sim.step(Inputs()),
+        sim.step(Inputs(latch="unlatch")),
+        sim.step(Inputs()),
+        sim.step(Inputs(latch="unlatch")),
+    ]
+    later = again + [sim.step(Inputs()) for _ in range(400)]
+    assert not later[-1].work.cargo[0].seat
+    (freed,) = (event for frame in later for event in frame.events if event.kind == "unseated")
+    assert freed.level == "caution"
+    closed = [sim.step(Inputs(latch="latch")), *[sim.step(Inputs()) for _ in range(400)]]
+    assert closed[-1].work.cargo[0].seat == "bay" and "latched" in log_of(closed)
+
+
+def test_a_latch_command_is_for_the_payload_in_the_grasp_alone() -> None:
+    """UNLATCH opened every seat, whatever the arm held."""
+    docked = 'name = "payload"\n[[cargo]]\nname = "free flyer"\nstart = { seat = "port" }'
+    sim = aftdeck.Simulation(scenario((28.0, 0.0, -20.0), held=True, cargo=docked))
+    frames = [sim.step(Inputs(latch="unlatch")) for _ in range(3)] + [
+        sim.step(Inputs()),
+        sim.step(Inputs(latch="unlatch")),
+    ]
+    assert {frame.work.cargo[1].seat for frame in frames} == {"port"}
+    assert any(line.startswith("UNLATCH refused") for line in log_of(frames))
+
+
+@pytest.mark.parametrize("name", ["srms-deploy", "tutorial"])
+def test_every_seat_that_a_payload_starts_in_can_be_left_and_taken_again(name: str) -> None:
+    """Nothing holds it: what has stood in its seat is within the seat's envelope."""
+    sim = aftdeck.Simulation(name)
+    start = sim.step(Inputs()).work.cargo[0].seat
+    assert start
+    period = sim.scenario.control_period
+    for inputs in (Inputs(latch="unlatch"), Inputs(), Inputs(latch="unlatch")):
+        sim.step(inputs)
+    frames = [sim.step(Inputs()) for _ in range(round(31.0 / period))]
+    assert not frames[-1].work.cargo[0].seat
+    assert sim.step(Inputs(latch="latch")).work.cargo[0].seat == start

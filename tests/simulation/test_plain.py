@@ -1,0 +1,140 @@
+"""NumPy's numbers, arrays and texts are taken wherever Python's are, and the flight is the same."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.errors import InputError
+from aftdeck.files import Where
+from aftdeck.recording.run import record
+from aftdeck.scenario.load import load_scenario, parse_scenario
+from aftdeck.scenario.target import target_at
+from aftdeck.simulation.cameras import CameraDrive
+
+KINDS: list[Callable[[Any], Any]] = [
+    np.float64,
+    np.float32,
+    np.float16,
+    np.array,
+    lambda x: np.array(x, dtype=np.float32),
+    lambda x: int(x) if float(x).is_integer() else x,
+    lambda x: np.int64(x) if float(x).is_integer() else np.float64(x),
+    float,
+]
+"""Ways to hand in a number that half precision holds."""
+halves = st.integers(-64, 64).map(lambda k: k / 64)
+threes = st.tuples(halves, halves, halves)
+flags = st.one_of(st.none(), st.booleans())
+
+
+def choice(*names: str) -> st.SearchStrategy[str | None]:
+    return st.sampled_from([None, *names])
+
+
+ARM = load_scenario("concept-1972").arm
+HERE = target_at(ARM.forward(load_scenario("concept-1972").initial_angles))
+inputs = st.builds(
+    Inputs, translation=threes, rotation=threes, drive=halves, mode=choice("MASTER", "SINGLE", "OPR CMD", "END EFF"),
+    joint=st.one_of(st.none(), st.integers(0, 5)), rate=choice("coarse", "vernier"), law=choice("open loop"),
+    target=st.sampled_from([None, HERE]), rate_hold=st.booleans(), position_hold=flags, brakes=flags, safing=flags,
+    proceed=st.booleans(), stop=st.booleans(), effector=choice("stop", "close", "open"), latch=choice("latch"),
+    telescope=halves, orbiter=threes, master=st.one_of(st.none(), st.tuples(*[halves] * 6)),
+    camera=st.one_of(st.none(), st.builds(CameraDrive, st.sampled_from("ABF"), halves, halves, halves, st.booleans())),
+)  # fmt: skip
+
+
+def numpys(given: Inputs, data: st.DataObject) -> Inputs:
+    """The same inputs in NumPy's kinds."""
+
+    def number(value: float) -> Any:
+        return data.draw(st.sampled_from(KINDS))(value)
+
+    def some(values: Any) -> Any:
+        wrapped: Any = data.draw(st.sampled_from([tuple, list, np.array]))
+        return wrapped([number(value) for value in values])
+
+    def of(value: Any) -> Any:
+        if isinstance(value, bool):
+            return np.bool_(value)
+        if isinstance(value, str):
+            return np.str_(value)
+        if isinstance(value, int):
+            return np.int16(value)
+        if isinstance(value, float):
+            return number(value)
+        if isinstance(value, tuple):
+            return some(value)
+        if isinstance(value, CameraDrive):
+            return CameraDrive(*map(of, msgspec.structs.astuple(value)))
+        if isinstance(value, aftdeck.Target):
+            pose = value.pose
+            return aftdeck.Target(pose.position, tuple(pose.rotation))  # type: ignore[arg-type]
+        return value
+
+    return Inputs(*map(of, msgspec.structs.astuple(given)))
+
+
+@settings(max_examples=12)
+@given(st.lists(inputs, min_size=1, max_size=6), st.data())
+def test_a_flight_with_numpys_numbers_is_the_same(flight: list[Inputs], data: st.DataObject) -> None:
+    plain, other = aftdeck.Simulation("concept-1972"), aftdeck.Simulation("concept-1972", np.int64(0))  # type: ignore[arg-type]
+    for step in flight:
+        assert plain.step(step) == other.step(numpys(step, data))
+        one, two = (msgspec.msgpack.encode(sim.save()) for sim in (plain, other))
+        assert one == two and msgspec.msgpack.decode(two, type=type(plain.save())) == plain.save()
+
+
+def test_a_delayed_input_is_kept_in_plain_values() -> None:
+    scenario = parse_scenario(
+        load_scenario("concept-1972").text, "late", "late.toml", Path("."), {("command_delay",): np.float64(0.1)}
+    )
+    sim = aftdeck.Simulation(scenario)
+    sim.step(Inputs(translation=np.array([0.5, 0.0, -0.5]), joint=np.int8(3)))  # type: ignore[arg-type]
+    again = msgspec.msgpack.decode(msgspec.msgpack.encode(sim.save()), type=type(sim.save()))
+    assert again == sim.save()
+
+
+def test_deflections_of_either_zero_are_one() -> None:
+    """Digests tell -0.0 from 0.0, and a page's stick sends either."""
+    one, other = aftdeck.Simulation("first-flight"), aftdeck.Simulation("first-flight")
+    for sim, zero in ((one, 0.0), (other, -0.0)):
+        sim.step(Inputs((zero, 0.5, zero), (zero, zero, zero), zero, telescope=zero, orbiter=(zero, zero, zero)))
+    assert one.frame == other.frame and math.copysign(1.0, one.step().translation[0]) == 1.0
+
+
+def test_seeds_times_and_axes_may_be_numpys(tmp_path: Path) -> None:
+    sim = aftdeck.Simulation("first-flight", np.int32(7))  # type: ignore[arg-type]
+    sim.step(Inputs())
+    assert msgspec.json.encode(sim.save()) and sim.seed == 7
+    found = sim.ahead(np.float64(2.0), (np.int64(3), np.int64(-1)))  # type: ignore[arg-type]
+    assert found == sim.ahead(2.0, (3, -1)) and msgspec.json.encode(found)
+    given = iter([Inputs(), Inputs()])
+    done = record("first-flight", tmp_path / "run.mcap", np.int64(5), inputs=lambda _: next(given, None))  # type: ignore[arg-type]
+    assert done.summary.seed == 5 and msgspec.json.encode(done.summary)
+
+
+@settings(max_examples=10)
+@given(st.sampled_from(KINDS[:5]))
+def test_changes_of_a_scenario_may_be_numpys(kind: Callable[[Any], Any]) -> None:
+    text = load_scenario("first-flight").text
+    joints = np.array([0.0, 0.5, -0.5, 0.25, 0.0, 0.0], dtype=np.float32)
+    changes: dict[Where, object] = {("duration",): kind(2.0), ("seed",): np.uint8(3), ("initial",): {"joints": joints}}
+    found = parse_scenario(text, "t", "t.toml", Path("."), changes)
+    assert (found.duration, found.seed) == (2.0, 3) and found.initial_angles.tolist() == joints.tolist()
+
+
+@pytest.mark.parametrize("seed", [1.5, np.float64(1.0), "1", True, None.__class__])
+def test_a_seed_that_is_no_integer_is_refused(seed: Any) -> None:
+    with pytest.raises(InputError, match="seed"):
+        aftdeck.Simulation("first-flight", seed)

@@ -1,0 +1,180 @@
+"""TABLE I both ways: channels written from flights in MASTER and flown again give the same frames, bit for bit.
+
+More and longer flights: ``AFTDECK_CHANNEL_FLIGHTS=20 AFTDECK_CHANNEL_STEPS=5000 pytest tests/simulation/
+test_report_channels.py -k flown_again``.
+"""
+
+from __future__ import annotations
+
+import io
+import itertools
+import json
+import os
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+import aftdeck
+from aftdeck import Inputs
+from aftdeck.errors import InputError
+from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.cameras import CameraDrive
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.words_file import WordsWriter, operator_of, read_channels
+from tests.simulation import concept
+from tests.simulation.flights import anything
+
+STATIONS = "ABCDEFGH"
+FLIGHTS = int(os.environ.get("AFTDECK_CHANNEL_FLIGHTS", "1"))
+STEPS = int(os.environ.get("AFTDECK_CHANNEL_STEPS", "400"))
+
+
+def mastered(rng: np.random.Generator, scenario: Scenario, steps: int) -> Iterator[Inputs]:
+    """A flight in MASTER that moves all that TABLE I has, as a person would give it: switches when they change."""
+    angles = scenario.initial_angles.copy()
+    parts = [part for part in scenario.parts if part != "manoeuvring"] or ["full problem"]
+    yield Inputs(mode="MASTER")
+    for k in range(1, steps):
+        given: dict[str, object] = {}
+        if rng.random() < 0.3:
+            angles = angles + rng.uniform(-0.03, 0.03, 6)
+            given["master"] = tuple(angles.tolist())
+        if k % 9 == 0:
+            telescope = float(rng.choice([-1.0, 0.0, 1.0]))
+            switch = str(rng.choice(["stop", "close", "open"]))
+            motion = [0.0, 0.0]
+            motion[rng.integers(2)] = float(rng.choice([-1.0, 0.0, 1.0]))
+            zoom = float(rng.choice([-1.0, 0.0, 1.0]))
+            camera = CameraDrive(str(rng.choice(list(STATIONS))), motion[0], motion[1], zoom)
+        if k >= 9:
+            given |= {"telescope": telescope, "effector": switch if k % 9 == 0 else None}
+            given |= {"camera": camera if rng.random() < 0.8 else None}
+        if rng.random() < 0.01:
+            given |= {"initialise": str(rng.choice(parts)), "mode": "MASTER"}
+        yield msgspec.structs.replace(Inputs(), **given)
+
+
+def written(scenario: Scenario, given: Iterator[Inputs]) -> tuple[list[Frame], str]:
+    """The frames of a flight, and its file of channels and words."""
+    file = io.StringIO()
+    sim, writer, frames = aftdeck.Simulation(scenario), WordsWriter(file, scenario), []
+    for inputs in given:
+        frames.append(sim.step(inputs))
+        writer.step(sim)
+    return frames, file.getvalue()
+
+
+def flown_again(scenario: Scenario, text: str, folder: Path) -> list[Frame]:
+    path = folder / "channels.jsonl"
+    path.write_text(text)
+    samples = read_channels(path, scenario.control_period).samples
+    return list(aftdeck.run(scenario, inputs=operator_of(samples)).frames)
+
+
+SCENARIOS = {
+    "the whole problem": lambda: load_scenario("concept-1972"),
+    "the script's": lambda: load_scenario("concept-1972-script"),
+    "the free flyer's": lambda: load_scenario("free-flyer"),
+    "over the bar": lambda: concept.scenario(concept.ON_BAR),
+    "held in the bay": lambda: concept.scenario(concept.ON_BAR, held=True),
+    "held over the bay": lambda: concept.scenario((28.0, 0.0, -25.0), held=True),
+}
+
+
+QUICK, *SLOW = SCENARIOS
+
+
+@pytest.mark.parametrize("seed", range(FLIGHTS))
+@pytest.mark.parametrize("name", [QUICK, *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW)])
+def test_a_flight_in_master_flown_again_by_its_channels_is_the_same(name: str, seed: int, tmp_path: Path) -> None:
+    scenario = SCENARIOS[name]()
+    rng = np.random.default_rng([seed, len(name)])
+    frames, text = written(scenario, mastered(rng, scenario, STEPS))
+    assert all("unsaid" not in json.loads(line) for line in text.splitlines())
+    assert flown_again(scenario, text, tmp_path) == frames
+    assert {frame.mode for frame in frames} == {"MASTER"}
+    assert len({frame.angles for frame in frames}) > STEPS / 20  # over the bar contacts inhibit the arm for long
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_flight_differs_only_after_what_no_channel_says(seed: int, tmp_path: Path) -> None:
+    """Any inputs: up to the first line that names something unsaid, the flight by the channels is the same."""
+    rng = np.random.default_rng(seed)
+    scenario = load_scenario("concept-1972")
+    said, anyhow = mastered(rng, scenario, 60 + 40 * seed), anything(rng, 100, switches=0.5)
+    frames, text = written(scenario, itertools.chain(said, anyhow))
+    again = flown_again(scenario, text, tmp_path)
+    unsaid = [bool(json.loads(line).get("unsaid")) for line in text.splitlines()]
+    equal = [one == other for one, other in zip(frames, again, strict=True)]
+    assert unsaid.index(True) >= 60 + 40 * seed and False in equal
+    assert equal.index(False) >= unsaid.index(True)
+
+
+@pytest.mark.parametrize(
+    ("name", "inputs"),
+    [
+        ("rate", Inputs(rate="vernier")),
+        ("translation", Inputs(translation=(0.1, 0.0, 0.0))),
+        ("drive", Inputs(drive=0.5)),
+        ("latch", Inputs(latch="unlatch")),
+        ("orbiter", Inputs(orbiter=(0.0, 1.0, 0.0))),
+        ("mode", Inputs(mode="SINGLE")),
+        ("joint", Inputs(joint=3)),
+        ("brakes", Inputs(brakes=True)),
+        ("safing", Inputs(safing=True)),
+        ("law", Inputs(law="open loop")),
+        ("rate_hold", Inputs(rate_hold=True)),
+        ("proceed", Inputs(proceed=True)),
+        ("stop", Inputs(stop=True)),
+        ("telescope", Inputs(telescope=0.5)),
+        ("camera", Inputs(camera=CameraDrive("B", 1.0, 1.0))),
+        ("camera", Inputs(camera=CameraDrive("B", 0.5))),
+        ("station", Inputs(camera=CameraDrive("I", 1.0))),
+        ("initialise", Inputs(initialise="manoeuvring", mode="MASTER")),
+        ("master", Inputs(master=(9.0, 0.0, 0.0, 0.0, 0.0, 0.0))),
+    ],
+)
+def test_what_has_no_channel_is_named(name: str, inputs: Inputs) -> None:
+    scenario = load_scenario("concept-1972")
+    _, text = written(scenario, iter([Inputs(mode="MASTER"), inputs]))
+    first, second = (json.loads(line).get("unsaid", []) for line in text.splitlines())
+    assert first == [] and name in second
+
+
+def test_channels_are_what_arrives_after_the_command_delay(tmp_path: Path) -> None:
+    scenario = load_scenario("concept-1972")
+    late = replace(scenario, delay=5)
+    rng = np.random.default_rng(5)
+    frames, text = written(late, mastered(rng, scenario, 80))
+    again = flown_again(scenario, text, tmp_path)
+    start = [json.loads(line).get("unsaid", []) for line in text.splitlines()]
+    assert start[:5] == [["mode"]] * 5 and not any(start[5:])
+    assert [frame.angles for frame in again] == [frame.angles for frame in frames]
+
+
+GOOD = json.dumps({"volts": [0.0] * 13})
+
+
+@pytest.mark.parametrize(
+    ("text", "where"),
+    [
+        ("", "channels.jsonl: has no lines"),
+        (GOOD + "\n{", "channels.jsonl:2: "),
+        (GOOD + "\n" + json.dumps({"volts": [0.0] * 12}), "channels.jsonl:2: "),
+        (GOOD + "\n" + json.dumps({"volts": [0.0] * 12 + ["x"]}), "channels.jsonl:2: "),
+        (GOOD + "\n" + json.dumps({"volts": [0.0] * 12 + [7.0]}), "channels.jsonl:2: channel 13 is 7 V"),
+        (GOOD + "\n" + json.dumps({"volts": [0.0] * 13, "time_s": 0.06}), "channels.jsonl:2: time_s is 0.06"),
+        (GOOD + "\n\n", "channels.jsonl:2: "),
+    ],
+)
+def test_a_file_that_is_none_is_refused_with_its_line(text: str, where: str, tmp_path: Path) -> None:
+    path = tmp_path / "channels.jsonl"
+    path.write_text(text)
+    with pytest.raises(InputError) as caught:
+        read_channels(path, 0.02)
+    assert where in str(caught.value)

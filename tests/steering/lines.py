@@ -1,0 +1,147 @@
+"""Random straight moves, checked by another program: which joint angles the line leads through, by Pinocchio alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+import aftdeck
+from tests.kinematics.witnesses import Chain, Witness, in_pinocchio
+
+Array = NDArray[np.float64]
+
+CLEAR = 0.05
+"""Normalised distance from every singularity that counts as clear of it."""
+SAMPLES = 120
+"""Poses on a line at which its joint angles are found."""
+FURTHEST = math.radians(10.0)
+"""A joint that turns more than this between two samples stands on another branch or at a singularity."""
+
+
+class Move(NamedTuple):
+    """A straight move: joint angles at its start and at its end, on one branch [rad]."""
+
+    start: Array
+    end: Array
+
+
+def chain_of(arm: aftdeck.Arm) -> Chain:
+    """An arm of either family as joint centres and axes in L, from its file's lengths."""
+    length = {name: value for name, value in zip(("l1", "l2", "l3", "l4", "l5"), arm.model.links[:5], strict=True)}
+    upper, lower = arm.model.linkage.links[5:7]
+    up = np.array([0.0, 0.0, -length["l1"]])
+    elbow = up + length["l2"] * np.array([math.cos(upper), 0.0, -math.sin(upper)])
+    wrist = elbow + length["l3"] * np.array([math.cos(lower), 0.0, -math.sin(lower)])
+    bent = wrist + np.array([length["l4"], 0.0, 0.0])
+    tip = bent + np.array([length["l5"], 0.0, 0.0])
+    x, y, z = np.eye(3)
+    axes = np.array([z, y, y, z, y, x] if length["l4"] == 0.0 else [z, y, y, y, z, x])
+    return Chain(np.array([np.zeros(3), up, elbow, wrist, bent, bent, tip]), axes, np.eye(3))
+
+
+def distances(chain: Chain, q: Array) -> Array:
+    """Normalised distances from the shoulder, elbow and wrist singularities, from where the joints are."""
+
+    def pitched(v: Array, slope: float) -> Array:
+        return np.array(
+            [v[0] * math.cos(slope) + v[2] * math.sin(slope), v[2] * math.cos(slope) - v[0] * math.sin(slope)]
+        )
+
+    c = chain.centres
+    pitches = np.cumsum(q[1:4] if (chain.axes[3] == chain.axes[2]).all() else [q[1], q[2], 0.0])
+    upper, lower, hand = (pitched(b - a, s) for a, b, s in zip(c[1:4], c[2:5], pitches, strict=True))
+    out = abs(upper[0] + lower[0] + hand[0])
+    reach = np.linalg.norm(upper) + np.linalg.norm(lower) + np.linalg.norm(hand)
+    bend = abs(upper[0] * lower[1] - upper[1] * lower[0]) / (np.linalg.norm(upper) * np.linalg.norm(lower))
+    return np.array([out / reach, bend, abs(math.cos(q[4]))])
+
+
+def trapezoid(time: Array, eta: float, ramp: float) -> Array:
+    """The share of a way that a trapezoidal profile has made at a time: `ramp` up, as long down, `eta` in all."""
+    if ramp == 0.0:
+        return np.zeros_like(time)
+    up, down = np.minimum(time, ramp), np.minimum(eta - time, ramp)
+    rise, fall = up * up / (2.0 * ramp), down * down / (2.0 * ramp)
+    level = np.clip(time, ramp, eta - ramp) - ramp
+    return np.asarray((rise + level + np.where(time > eta - ramp, 0.5 * ramp - fall, 0.0)) / (eta - ramp))
+
+
+def shares_of_the_plan(arm: aftdeck.Arm, distance: float, angle: float, samples: int) -> tuple[Array, Array]:
+    """Shares of the way and of the turn, from 0 to 1, in time: VTOPEN, each with its own acceleration time."""
+    por = arm.model.por_limits(0.0)
+    alone = []
+    for way, most, up in (
+        (distance, por.translation[0], por.acceleration),
+        (angle, por.rotation[0], por.angular_acceleration),
+    ):
+        ramp = min(most / up, math.sqrt(way / up))
+        alone.append((way / most + ramp if ramp == most / up else 2.0 * ramp, ramp))
+    eta = max(alone)[0]
+    time = np.linspace(0.0, eta, samples + 1)
+    return trapezoid(time, eta, alone[0][1]), trapezoid(time, eta, alone[1][1])
+
+
+def along(see: Witness, arm: aftdeck.Arm, move: Move, clear: float, samples: int) -> Array | None:
+    """Joint angles (samples + 1, 6) along the line of a move in mode 3, or None where it leaves its branch.
+
+    That is: past a soft stop, near a singularity, through another branch, or to other angles than the move ends at.
+    """
+    chain, soft = chain_of(arm), arm.limits.soft
+    a, b = see(move.start), see(move.end)
+    turn = Rotation.from_matrix(b.rotation @ a.rotation.T).as_rotvec()
+    way = b.position - a.position
+    ways, turns = shares_of_the_plan(arm, float(np.linalg.norm(way)), float(np.linalg.norm(turn)), samples)
+    facing = Rotation.from_rotvec(turns[:, None] * turn).as_matrix() @ a.rotation
+    places = a.position + ways[:, None] * way
+    q, found = move.start, [move.start]
+    for place, matrix in zip(places[1:], facing[1:], strict=True):
+        before, q = q, _solved(see, q, place, matrix)
+        if not ((q >= soft[:, 0]) & (q <= soft[:, 1])).all() or np.abs(q - before).max() > FURTHEST * SAMPLES / samples:
+            return None
+        if (distances(chain, q) < clear).any():
+            return None
+        found.append(q)
+    return np.array(found) if np.abs(q - move.end).max() < 1e-6 else None
+
+
+def _solved(see: Witness, q: Array, place: Array, facing: Array) -> Array:
+    """The joint angles at a pose near to these, by Newton's steps; NaN where there are none."""
+    for _ in range(12):
+        now = see(q)
+        rest = 0.5 * sum(np.cross(now.rotation[:, k], facing[:, k]) for k in range(3))
+        error = np.concatenate([rest, place - now.position])
+        if np.abs(error).max() < 1e-9:
+            return q
+        try:
+            q = q + np.linalg.solve(now.jacobian, error)
+        except np.linalg.LinAlgError:
+            break
+    return np.full(6, np.nan)
+
+
+def random_moves(arm: aftdeck.Arm, seed: int) -> Iterator[Move]:
+    """Moves between joint angles inside the soft stops, near and far, without end."""
+    rng = np.random.default_rng(seed)
+    low, high = np.maximum(arm.limits.soft[:, 0], -math.pi), np.minimum(arm.limits.soft[:, 1], math.pi)
+    while True:
+        start = rng.uniform(low, high)
+        reach = rng.choice([0.2, 0.5, 1.5])
+        end = np.clip(start + reach * rng.uniform(-1.0, 1.0, 6), low, high)
+        yield Move(start, end)
+
+
+def clear_moves(arm: aftdeck.Arm, seed: int, count: int, clear: float = CLEAR) -> list[Move]:
+    """So many random moves whose lines Pinocchio finds inside the soft stops and clear of the singularities."""
+    found: list[Move] = []
+    see = in_pinocchio(chain_of(arm))
+    for move in random_moves(arm, seed):
+        if len(found) == count:
+            break
+        if all(along(see, arm, move, clear, samples) is not None for samples in (SAMPLES // 12, SAMPLES)):
+            found.append(move)
+    return found

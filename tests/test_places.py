@@ -1,0 +1,171 @@
+"""Places in error messages: an index counts every item of the file's list, and the line is that of the item."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Union, cast, get_args, get_origin, get_type_hints
+
+import msgspec
+import pytest
+import tomlkit
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from aftdeck.arms import shapes as arm_shapes
+from aftdeck.arms.model import ArmFile, HeadingArmFile, YawArmFile
+from aftdeck.errors import ScenarioError
+from aftdeck.files import Text, examine, place
+from aftdeck.recording.bundle import parse_change
+from aftdeck.scenario import light
+from aftdeck.scenario.load import parse_scenario
+from aftdeck.scenario.schema import ScenarioFile
+from aftdeck.worksite import load as worksite_file
+from aftdeck.worksite import load_worksite
+from aftdeck.worksite.schema import WorksiteFile
+
+FILES: tuple[type[msgspec.Struct], ...] = (
+    ScenarioFile,
+    WorksiteFile,
+    YawArmFile,
+    HeadingArmFile,
+    arm_shapes._File,
+    light._File,
+)
+DEEPEST = 4
+"""Groups of shapes hold groups of shapes: lists of tables so far down are looked at."""
+
+
+def structs(kind: Any) -> list[type[msgspec.Struct]]:
+    """The structs that a field's value can be."""
+    if get_origin(kind) is Union or type(kind).__name__ == "UnionType":
+        return [struct for member in get_args(kind) for struct in structs(member)]
+    if getattr(kind, "__metadata__", None):
+        return structs(get_args(kind)[0])
+    return [kind] if isinstance(kind, type) and issubclass(kind, msgspec.Struct) else []
+
+
+def lists_of_tables(kind: type[msgspec.Struct], depth: int = DEEPEST) -> Iterator[tuple[str | None, ...]]:
+    """The way to each list of tables in a type: keys, with None after each that is a list."""
+    for name, hint in get_type_hints(kind, include_extras=False).items():
+        member = next((k for k in (hint, *get_args(hint)) if get_origin(k) is tuple), None)
+        listed = get_args(member)[0] if member is not None and get_args(member)[1:] == (...,) else None
+        for inner in structs(listed if listed is not None else hint):
+            way: tuple[str | None, ...] = (name, None) if listed is not None else (name,)
+            if listed is not None:
+                yield way
+            if depth > len(way):
+                yield from ((*way, *rest) for rest in lists_of_tables(inner, depth - len(way)))
+
+
+WAYS = sorted({(kind, way) for kind in FILES for way in lists_of_tables(kind)}, key=str)
+
+
+def test_the_lists_of_tables_are_found() -> None:
+    found = {(kind.__name__, place(tuple(0 if part is None else part for part in way))) for kind, way in WAYS}
+    assert {("ScenarioFile", "phase[0]"), ("ScenarioFile", "sequence[0].point[0]")} <= found
+    assert {("WorksiteFile", "body[0].solids[0]"), ("YawArmFile", "por[0]"), ("_File", "camera[0]")} <= found
+    assert len(found) > 20
+
+
+@pytest.mark.parametrize(("kind", "way"), WAYS, ids=lambda value: getattr(value, "__name__", None) or str(value))
+@settings(max_examples=8)
+@given(data=st.data())
+def test_an_unknown_field_is_told_with_its_own_index_and_line(
+    kind: type[msgspec.Struct], way: tuple[str | None, ...], data: st.DataObject
+) -> None:
+    """`[[a]]` tables, each with some `[[a.b]]`: a field that no type has stands in some of the innermost."""
+    union, lines, expected = kind, [], {}
+    if (config := kind.__struct_config__).tag:  # a family of arms
+        union, lines = cast("type[msgspec.Struct]", ArmFile), [f'{config.tag_field} = "{config.tag}"']
+
+    def write(depth: int, header: list[str], where: tuple[str | int, ...]) -> None:
+        if depth == len(way):
+            if data.draw(st.booleans()):
+                lines.append("nonsense = 1")
+                expected[place((*where, "nonsense"))] = len(lines)
+            return
+        part = way[depth]
+        assert part is not None
+        if depth + 1 < len(way) and way[depth + 1] is None:
+            for k in range(data.draw(st.integers(1, 3))):
+                lines.append(f"[[{'.'.join((*header, part))}]]")
+                write(depth + 2, [*header, part], (*where, part, k))
+        else:
+            write(depth + 1, [*header, part], (*where, part))
+
+    write(0, [], ())
+    _, problems = examine(union, Text("f.toml", "\n".join(lines)))
+    told = [problem.sentence("f.toml", "\n".join(lines)) for problem in problems]
+    found = {m[2]: int(m[1]) for m in (re.match(r"f\.toml:(\d+): (\S*nonsense): ", one) for one in told) if m}
+    if any("nonsense" in one for one in told):  # a union whose kind is not given is complained of as a whole
+        assert found == expected
+
+
+WORKSITE = tomllib.loads((Path(worksite_file.__file__).parent / "concept-1972.toml").read_text())
+INSIDE = [float(x) for x in load_worksite("concept-1972").solids[0].vertices.mean(axis=0)]
+"""A place in a solid of the orbiter's, in the scene."""
+STILL = [
+    i
+    for i, camera in enumerate(WORKSITE["camera"])
+    if camera["body"] == WORKSITE["body"][0]["name"] and camera.get("kind") != "window"
+]
+"""Cameras fixed to the orbiter."""
+
+
+@pytest.mark.slow
+@settings(max_examples=8)
+@given(st.permutations(STILL), st.integers(1, len(STILL) - 1))
+def test_a_camera_is_counted_among_all_that_are_listed(order: list[int], broken: int) -> None:
+    """Some cameras cannot be made, the others stand in a solid: each is told by its own index."""
+    wrong = tomlkit.parse(tomlkit.dumps(WORKSITE)).unwrap()
+    for i in order[:broken]:
+        wrong["camera"][i]["drive"] = "none such"
+    for i in order[broken:]:
+        wrong["camera"][i]["position"] = INSIDE
+    found = worksite_problems(wrong)
+    names = {f"camera[{i}]": WORKSITE["camera"][i]["name"] for i in STILL}
+    told = {m[1]: m[2] for m in (re.search(r": (camera\[\d+\])\S*: camera ([^ ']+)", one) for one in found) if m}
+    assert told == names
+
+
+@settings(max_examples=6)
+@given(st.permutations(range(4)), st.integers(1, 3))
+def test_a_cargo_is_counted_among_all_that_are_listed(order: list[int], broken: int) -> None:
+    """Some cargoes start in no seat, another's part is that of a body: each is told by its own index."""
+    wrong = tomlkit.parse(tomlkit.dumps(WORKSITE)).unwrap()
+    first = dict(wrong["cargo"][0])
+    part = load_worksite("concept-1972").solids[0].part
+    wrong["camera"] = [camera for camera in wrong["camera"] if camera["body"] != first["name"]]
+    wrong["cargo"] = [{**first, "name": f"cargo {i}"} for i in range(4)]
+    for i in order[:broken]:
+        wrong["cargo"][i]["start"] = {"seat": "none such"}
+    wrong["cargo"][order[broken]]["name"] = part
+    found = worksite_problems(wrong)
+    told = {int(m[1]) for m in (re.search(r": cargo\[(\d+)\]: ", one) for one in found) if m}
+    assert told == set(order[: broken + 1])
+    assert [one for one in found if f": cargo[{order[broken]}]: the part {part!r}" in one]
+
+
+def worksite_problems(raw: dict[str, Any]) -> tuple[str, ...]:
+    with pytest.raises(ScenarioError) as caught:
+        worksite_file._of_text(Text("w.toml", tomlkit.dumps(raw)), ())
+    return caught.value.problems
+
+
+@settings(max_examples=4)
+@given(st.lists(st.booleans(), min_size=1, max_size=5))
+def test_a_phase_without_a_name_is_called_by_its_place_in_the_file(named: list[bool]) -> None:
+    phases = "".join(
+        '[[phase]]\nmode = "ORB UNL"\nduration = 1\n' + (f'name = "own {k}"\n' if own else "")
+        for k, own in enumerate(named)
+    )
+    text = 'title = "t"\n[initial]\njoints = [0, 1, -1, 0, 0, 0]\n' + phases
+    found = parse_scenario(text, "t", "t.toml", Path("."))
+    for k, (own, phase) in enumerate(zip(named, found.phases, strict=True)):
+        assert phase.name == (f"own {k}" if own else f"ORB UNL, phase[{k}]")
+        where, value = parse_change(f"phase[{k}].rate=vernier")
+        changed = parse_scenario(text, "t", "t.toml", Path("."), {where: value})
+        assert [one.rate for one in changed.phases].index("vernier") == k
