@@ -63,6 +63,18 @@ def taken(way: WayOut, mode: str) -> aftdeck.Inputs:
     return aftdeck.Inputs((x, y, z) if stick == "THC" else ZERO, ZERO if stick == "THC" else (x, y, z), mode=mode)
 
 
+def freed(text: str, mode: str) -> aftdeck.Inputs:
+    """A contact's way out taken at its word; it may name a mode to enter before the stick."""
+    way = text.removeprefix("way out: ").removeprefix("ORB UNL, ")
+    moved_to = "ORB UNL" if "ORB UNL, " in text else mode
+    if way.startswith("SINGLE"):
+        _, *joint, sign = way.split(" ")
+        return taken(WayOut("contact", way, "joint", ARM.joints.index("_".join(joint)), 1 if sign == "+" else -1), mode)
+    stick = "translation" if way.startswith("THC") else "rotation"
+    axis = ("X", "Y", "Z", "roll", "pitch", "yaw").index(way[5:]) % 3
+    return taken(WayOut("contact", way, stick, axis, 1 if way[4] == "+" else -1), moved_to)
+
+
 def clear(cause: str, frame: Frame) -> bool:
     """Whether a singularity is no longer near, or a joint is back inside its reach limits."""
     if cause in ("shoulder", "elbow", "wrist"):
@@ -74,12 +86,19 @@ def clear(cause: str, frame: Frame) -> bool:
 def follow(start: Array, mode: str, extra: str, seconds: float) -> None:
     """From each thing that holds the arm, follow what the frame advises, read anew every 2 s, until it is left."""
     made = scenario(start.tolist(), f"control_period = 0.08\nduration = 80\n{extra}")
-    causes = [way.cause for way in aftdeck.Simulation(made).step(aftdeck.Inputs(mode=mode)).ways_out]
+    first = aftdeck.Simulation(made).step(aftdeck.Inputs(mode=mode))
+    causes = [*first.singular, *(ARM.joints[joint] for joint, zone in enumerate(first.zones) if zone)]
     assert causes, start
+    assert [way.cause for way in first.ways_out] == ([] if first.work.arm_inhibit else causes)
     for cause in causes:
         sim = aftdeck.Simulation(made)
         frame, read = sim.step(aftdeck.Inputs(mode=mode)), []
         while not clear(cause, frame):
+            if frame.work.arm_inhibit:
+                assert not frame.ways_out, "only the contact's own way out is flown"
+                assert frame.time_s < seconds, (start.tolist(), mode, extra, cause, frame.work.inhibits)
+                frame = fly(sim, 2.0, freed(frame.work.inhibits[-1], mode))[-1]
+                continue
             advice = next(way for way in frame.ways_out if way.cause == cause)
             read.append(advice.text)
             assert frame.time_s < seconds, (start.tolist(), mode, extra, cause, read)

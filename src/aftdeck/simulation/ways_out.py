@@ -24,8 +24,11 @@ STICKS = ("RHC +roll", "RHC −roll", "RHC +pitch", "RHC −pitch", "RHC +yaw", 
 
 
 def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...]) -> tuple[WayOut, ...]:
-    """What leads away from everything that holds or is about to hold the arm."""
-    if not singular and not any(zones):
+    """What leads away from everything that holds or is about to hold the arm.
+
+    Nothing while a contact inhibits it: the contact's own way out comes first (`contact_out.py`).
+    """
+    if state.site.contacts.inhibit.arm or (not singular and not any(zones)):
         state.panel.advice.clear()
         return ()
     found = [_from_singularity(flight, state, NAMES.index(name), zones) for name in singular]
