@@ -14,7 +14,7 @@ from aftdeck.steering.mode import LawChoice
 from tests.reference.tables import table
 from tests.steering.flying import PAYLOAD, Array, at_rate, joint_target, kinds, scenario, target
 
-LIMITS = table("srms-limits")
+LIMITS, ARM = table("srms-limits"), aftdeck.load_arm("srms")
 HARD, SOFT = np.radians(LIMITS["hard"]), np.radians(LIMITS["soft"])
 MODES = (
     "OPR CMD", "AUTO 1", "AUTO 2", "TEST", "ORB UNL", "ORB UNL",
@@ -116,8 +116,8 @@ def check(
     now = np.array(frame.angles)
     assert np.isfinite([*frame.angles, *frame.rates, *frame.twist, *frame.twist_commanded, frame.ratio]).all(), where
     assert np.isfinite([*frame.twist_demanded, *frame.resolution, *frame.singularity]).all(), where
-    assert all(any(way.cause == name for way in frame.ways_out) for name in frame.singular), where
-    assert len(frame.ways_out) == len(frame.singular) + sum(zone > 0 for zone in frame.zones), where
+    held_by = [*frame.singular, *(name for name, zone in zip(ARM.joints, frame.zones, strict=True) if zone)]
+    assert [way.cause for way in frame.ways_out] == ([] if frame.work.arm_inhibit else held_by), where
     assert all(abs(r) <= m for r, m in zip(frame.rates_commanded, frame.rate_limits, strict=True)), where
     assert (outside(now, HARD) <= outside(was, HARD) + GRAIN).all(), where
     if frame.mode not in JOINT_MODES and mended:
