@@ -55,7 +55,7 @@ def test_vtopens_times_and_rates_are_those_worked_out_by_hand(
 
 def test_vtopen_of_no_way_at_all_takes_no_time_and_asks_for_nothing() -> None:
     rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
-    assert tuple(vtopen(rules, 0.0, 0.0)) == (0.0, 0.0, 0.0, 0.0, 0.0)
+    assert set(vtopen(rules, 0.0, 0.0)) == {0.0}
 
 
 @pytest.mark.parametrize("period", [0.02, 0.08])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -70,7 +71,7 @@ def freed(text: str, mode: str) -> aftdeck.Inputs:
     if way.startswith("SINGLE"):
         _, *joint, sign = way.split(" ")
         return taken(WayOut("contact", way, "joint", ARM.joints.index("_".join(joint)), 1 if sign == "+" else -1), mode)
-    stick = "translation" if way.startswith("THC") else "rotation"
+    stick: Literal["translation", "rotation"] = "translation" if way.startswith("THC") else "rotation"
     axis = ("X", "Y", "Z", "roll", "pitch", "yaw").index(way[5:]) % 3
     return taken(WayOut("contact", way, stick, axis, 1 if way[4] == "+" else -1), moved_to)
 

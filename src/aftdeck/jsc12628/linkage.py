@@ -12,7 +12,8 @@ from aftdeck.frames import Pose
 from aftdeck.jsc12628.quantities import Array, Units, array, metres
 from aftdeck.kinematics import inverse, jacobian
 from aftdeck.kinematics.arm import Arm
-from aftdeck.kinematics.linkage import sines, spin
+from aftdeck.kinematics.linkage import sines
+from aftdeck.kinematics.observe import observe_link
 
 
 class Lnkage(NamedTuple):
@@ -71,7 +72,9 @@ def lnkage(arm: Arm, theta: ArrayLike, units: Units = "m") -> Lnkage:
     """
     length, q = metres(units), array(theta, (6,), "theta")
     tip = arm.model.mount.to("orbiter", arm.forward(q))
-    return Lnkage(tip.position / length, tip.rotation, arm.model.mount.rotation @ _link_axes(arm, q))
+    wrist_pitch = np.empty((3, 3))
+    observe_link(arm.model.links, q, arm.model.mount.rotation, wrist_pitch)
+    return Lnkage(tip.position / length, tip.rotation, wrist_pitch)
 
 
 def jacobi(arm: Arm, theta: ArrayLike, units: Units = "m") -> Array:
@@ -212,10 +215,3 @@ def rmsist(
     rates = array(theta_dot, (6,), "theta_dot")
     here, moving = lnkage(arm, angles, units), erates(arm, angles, rates, units)
     return Rmsist(angles, rates, here.r_6B, here.T_B7, moving.omega, moving.V)
-
-
-def _link_axes(arm: Arm, theta: Array) -> Array:
-    """Return the axes (3, 3) in L, as columns, of the frame in which JACOBI's matrix stands."""
-    a = sines(arm.model.links, *theta.tolist())
-    j = jacobian.jacobi(arm.model.links, a)
-    return np.array([spin(a, j.s, j.c, *axis) for axis in np.eye(3).tolist()]).T

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.kinematics.jacobian import Rates, erates, jacobi
-from aftdeck.kinematics.linkage import sines, tip
+from aftdeck.kinematics.linkage import sines, spin, tip
 from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 
@@ -27,6 +27,27 @@ def observe(arm: Array, angles: Array, rates: Array, seen: Array) -> None:
     for i in range(6):
         seen[12 + i] = w[i]
     seen[18], seen[19], seen[20] = distances(arm, a)
+
+
+@law
+def observe_link(arm: Array, angles: Array, mount: Array, axes: Array) -> None:
+    """LNKAGE's T_B5: the frame in which JACOBI's matrix stands, its axes as columns in the orbiter's body axes.
+
+    For the Shuttle's arm that is the wrist-pitch frame, for the concept's the lower arm's.
+
+    Args:
+        arm: packed links.
+        angles: (6,) [rad].
+        mount: (3, 3) from L to the orbiter's body axes.
+        axes: (3, 3) out.
+    """
+    a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
+    j = jacobi(arm, a)
+    for column in range(3):
+        along, out, up = 1.0 if column == 0 else 0.0, 1.0 if column == 1 else 0.0, 1.0 if column == 2 else 0.0
+        x, y, z = spin(a, j.s, j.c, along, out, up)
+        for row in range(3):
+            axes[row, column] = mount[row, 0] * x + mount[row, 1] * y + mount[row, 2] * z
 
 
 @law

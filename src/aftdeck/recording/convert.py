@@ -20,13 +20,14 @@ from aftdeck.recording.records import (
     LightRecord,
     LimitRecord,
     LockRecord,
+    TimesRecord,
     WayOutRecord,
 )
 from aftdeck.recording.told import Numbers
 from aftdeck.scenario.light import Lighting, LockedExposure
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.cameras import CameraDrive
-from aftdeck.simulation.frame import Check, Event, Frame, Goal, Limit, Six, Vec3, WayOut
+from aftdeck.simulation.frame import Check, Event, Frame, Goal, Limit, Six, Times, Vec3, WayOut
 from aftdeck.simulation.inputs import Inputs
 
 DECIMALS = 9
@@ -162,6 +163,8 @@ def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> Frame
         work=work_record(frame.work),
         events=tuple(EventRecord(e.time_s, e.kind, e.level, e.text) for e in frame.events),
         views=tuple([round(angle, DECIMALS) for view in frame.views for angle in view]),
+        times=_times_record(frame.times),
+        wrist_pitch=None if frame.wrist_pitch is None else _attitude(frame.wrist_pitch),
     )
 
 
@@ -216,6 +219,8 @@ def frame_of(record: FrameRecord) -> Frame:
         work=work_of(record.work),
         events=tuple(Event(e.time_s, e.kind, e.level, e.text) for e in record.events),
         sha256=record.sha256,
+        times=Times(*msgspec.structs.astuple(record.times)),
+        wrist_pitch=None if record.wrist_pitch is None else _rows(record.wrist_pitch),
         views=tuple([Setting(*record.views[i : i + 3]) for i in range(0, len(record.views), 3)]),
     )
 
@@ -234,6 +239,11 @@ def lighting_of(record: LightRecord) -> Lighting:
 
 def _camera_record(drive: CameraDrive) -> CameraRecord:
     return CameraRecord(drive.camera, float(drive.pan), float(drive.tilt), float(drive.zoom), drive.slow)
+
+
+def _times_record(times: Times) -> TimesRecord:
+    eta, etap = (None if time is None else round(time, DECIMALS) for time in (times.eta_s, times.etap_s))
+    return TimesRecord(round(times.tp_s, DECIMALS), eta, etap)
 
 
 def _goal_record(goal: Goal) -> GoalRecord:

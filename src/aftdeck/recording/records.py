@@ -117,6 +117,14 @@ class GoalRecord(Message, frozen=True):
     remaining_s: Annotated[float, told("time to arrival; 0 when not under way", "s")]
 
 
+class TimesRecord(Message, frozen=True):
+    """JSC-12628's times of the phase under way, from its beginning."""
+
+    tp_s: Annotated[float, told("TP: how long it has lasted", "s")] = 0.0
+    eta_s: Annotated[float | None, told("ETA: when it ends; null: unknown", "s")] = None
+    etap_s: Annotated[float | None, told("ETAP: when its rotation alone would end; null: unknown", "s")] = None
+
+
 class EventRecord(Message, frozen=True):
     """A line of the log."""
 
@@ -179,6 +187,10 @@ class FrameRecord(Message, frozen=True):
     views: Annotated[
         Numbers, told("pan, tilt and field of view of each camera that turns, as the worksite lists them", "rad")
     ]
+    times: Annotated[TimesRecord, told("of the phase under way; all 0 or null in files made before")] = TimesRecord()
+    wrist_pitch: Annotated[
+        Numbers | None, told("T_B5: attitude of frame 5, quaternion w x y z; null in files made before", "1", "orbiter")
+    ] = None
 
 
 class Note(EventRecord, frozen=True):

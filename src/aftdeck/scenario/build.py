@@ -15,7 +15,7 @@ from aftdeck.scenario.limits import check_por, limited_arm, por_with
 from aftdeck.scenario.model import PhasePlan, Scenario
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
 from aftdeck.scenario.payload import held_payload
-from aftdeck.scenario.phases import phase_plan
+from aftdeck.scenario.phases import script
 from aftdeck.scenario.places import Things
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
@@ -67,8 +67,7 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         problems.wrong(("payload",), "stays in the grasp for good; where there is a [[cargo]], say initial.grasped")
     elif cargo and begin is not None and begin.grasped is None and MODES[mode.position].loaded:
         problems.wrong(("mode",), f"{mode.position} moves a payload, and none is in the grasp: give initial.grasped")
-    loads = bool(payload or cargo)
-    phases = [phase_plan(problems, arm, phase, i, loads, sequences, things) for i, phase in enumerate(spec.phase)]
+    phases = script(problems, arm, spec.phase, payload, spec.limits.por, sequences, things)
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
     light = lighting(problems, spec.light, lamps)

@@ -5,14 +5,17 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import msgspec
+
 from aftdeck.arms.geometry import frozen
 from aftdeck.arms.limits import Array, JointRates, Limits, limit_problems
 from aftdeck.arms.load import ArmModel, PorLimits
 from aftdeck.errors import AftdeckError, ScenarioError
-from aftdeck.files import beside
+from aftdeck.files import Where, beside
 from aftdeck.kinematics.arm import Arm, load_arm
+from aftdeck.scenario.model import RateLimits
 from aftdeck.scenario.problems import Problems
-from aftdeck.scenario.schema import LimitsOverride, PorOverride
+from aftdeck.scenario.schema import LimitsOverride, PorOverride, RatesOverride
 
 
 def limited_arm(problems: Problems, name_or_path: str, over: LimitsOverride, folder: Path) -> Arm | None:
@@ -30,15 +33,46 @@ def limited_arm(problems: Problems, name_or_path: str, over: LimitsOverride, fol
 
 
 def _limited(problems: Problems, model: ArmModel, over: LimitsOverride) -> ArmModel:
-    def pick(name: str, own: Array) -> Array:
-        given = getattr(over, name)
-        return own if given is None else frozen(given)
-
-    limits = Limits(**{name: pick(name, own) for name, own in model.limits._asdict().items()})
-    rates = JointRates(**{name: pick(name, own) for name, own in model.rates._asdict().items()})
+    limits = Limits(**{name: _pick(over, name, own) for name, own in model.limits._asdict().items()})
+    rates = _rates(model, over)
     for problem in limit_problems(model.joints, limits, rates):
         problems.wrong(("limits",), problem)
     return replace(model, limits=limits, rates=rates)
+
+
+def _pick(over: RatesOverride, name: str, own: Array) -> Array:
+    given = getattr(over, name)
+    return own if given is None else frozen(given)
+
+
+def _rates(model: ArmModel, over: RatesOverride) -> JointRates:
+    return JointRates(**{name: _pick(over, name, own) for name, own in model.rates._asdict().items()})
+
+
+def phase_limits(
+    problems: Problems, model: ArmModel, mass: float, own: PorOverride, over: RatesOverride, where: Where
+) -> RateLimits | None:
+    """Return the limits of a phase of the script; None where it gives none.
+
+    Args:
+        problems: gathers what is wrong.
+        model: the arm with the scenario's limits.
+        mass: of what it carries in the phase [kg].
+        own: the scenario's limits of the point of resolution.
+        over: what the phase puts in place of them.
+        where: its place in the file.
+    """
+    if over == RatesOverride():
+        return None
+    rates = _rates(model, over)
+    for problem in limit_problems(model.joints, model.limits, rates):
+        problems.wrong(where, problem)
+    given = {name: value for name in PorOverride.__struct_fields__ if (value := getattr(over.por, name)) is not None}
+    if over.por.reached_in is not None:
+        own = msgspec.structs.replace(own, acceleration=None, angular_acceleration=None)
+    por = msgspec.structs.replace(own, **given)
+    check_por(problems, over.por, por_with(model, mass, por), (*where, "por"))
+    return RateLimits(rates, por)
 
 
 def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
@@ -55,14 +89,14 @@ def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
     return PorLimits(translation, rotation, pick(over.acceleration, speeding), pick(over.angular_acceleration, turning))
 
 
-def check_por(problems: Problems, over: PorOverride, por: PorLimits) -> None:
+def check_por(problems: Problems, over: PorOverride, por: PorLimits, where: Where = ("limits", "por")) -> None:
     """Note limits that are not above 0, vernier limits above the coarse ones, and an acceleration given twice."""
     for name in PorOverride.__struct_fields__:
         given = getattr(over, name)
         if given is not None and given <= 0.0:
-            problems.wrong(("limits", "por", name), f"is above 0, got {given:g}")
+            problems.wrong((*where, name), f"is above 0, got {given:g}")
         elif given is not None and over.reached_in is not None and "acceleration" in name:
-            problems.wrong(("limits", "por", name), "give either reached_in or accelerations, not both")
+            problems.wrong((*where, name), "give either reached_in or accelerations, not both")
     for name, (coarse, vernier) in (("vernier_translation", por.translation), ("vernier_rotation", por.rotation)):
         if vernier > coarse > 0.0:
-            problems.wrong(("limits", "por", name), f"is at most the coarse limit {coarse:g}, got {vernier:g}")
+            problems.wrong((*where, name), f"is at most the coarse limit {coarse:g}, got {vernier:g}")

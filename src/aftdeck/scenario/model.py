@@ -7,14 +7,35 @@ from typing import Literal
 
 import numpy as np
 
+from aftdeck.arms.limits import JointRates
 from aftdeck.files import Problem
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.schema import FreeContact, PorOverride, Rate, Until
 from aftdeck.scenario.target import Place, Target
-from aftdeck.steering.mode import LawChoice, PanelPosition
+from aftdeck.steering.mode import MODES, LawChoice, PanelPosition
 from aftdeck.worksite.model import Cargo, Worksite
+
+
+@dataclass(frozen=True, eq=False)
+class RateLimits:
+    """Limits of rates and accelerations.
+
+    Attributes:
+        joints: of the joints.
+        por: of the point of resolution, in place of the arm's.
+    """
+
+    joints: JointRates
+    por: PorOverride
+
+
+@dataclass(frozen=True, eq=False)
+class Attached:
+    """What a phase of the script puts into the grasp: `payload`, or nothing where that is None."""
+
+    payload: Payload | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,8 +48,11 @@ class PhasePlan:
         rate: coarse or vernier.
         translation: THC, each in [-1, 1].
         rotation: RHC (roll, pitch, yaw), each in [-1, 1].
+        velocity: V_C' in place of the THC [m/s]; None: the THC.
+        angular_velocity: omega_C' in place of the RHC [rad/s]; None: the RHC.
         joint: selected joint, 0 to 5.
         drive: SINGLE/DIRECT DRIVE in [-1, 1].
+        joint_rate: theta_dot_C' in place of the drive [rad/s]; None: the drive.
         joint_at: angle to bring the joint to [rad], or None.
         target: final tip pose, or where it is found as the phase begins, or None.
         law: which of the report's modes 1 to 3 an automatic mode flies; None: as it is.
@@ -38,6 +62,8 @@ class PhasePlan:
         latch: pressed as the phase begins; None: not.
         stand_at: length to bring the telescope to [m]; None: it stays.
         orbiter: translation of the orbiter, each in [-1, 1].
+        limits: that hold while the phase lasts; None: the scenario's.
+        attaches: what is in the grasp from the phase on; None: it stays as it is.
         until: what the phase waits for; None: its mode's own end.
         duration: length, or longest length in automatic modes [s]; None: no limit.
     """
@@ -47,8 +73,11 @@ class PhasePlan:
     rate: Rate
     translation: tuple[float, float, float]
     rotation: tuple[float, float, float]
+    velocity: tuple[float, float, float] | None
+    angular_velocity: tuple[float, float, float] | None
     joint: int
     drive: float
+    joint_rate: float | None
     joint_at: float | None
     target: Target | Place | None
     law: LawChoice | None
@@ -58,8 +87,17 @@ class PhasePlan:
     latch: Literal["latch", "unlatch"] | None
     stand_at: float | None
     orbiter: tuple[float, float, float]
+    limits: RateLimits | None
+    attaches: Attached | None
     until: Until | None
     duration: float | None
+
+    @property
+    def timed(self) -> bool:
+        """Whether nothing but its duration ends the phase."""
+        driven = MODES[self.mode].kind == "single" and self.joint_at is None
+        waits = self.until is not None or self.stand_at is not None
+        return (driven or MODES[self.mode].kind in ("manual", "test")) and not waits
 
 
 @dataclass(frozen=True)

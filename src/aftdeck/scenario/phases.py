@@ -2,50 +2,82 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import cast
 
 from aftdeck.errors import InputError
 from aftdeck.files import Where, place
 from aftdeck.kinematics.arm import Arm
-from aftdeck.scenario.model import PhasePlan, Sequences
+from aftdeck.kinematics.payload import Payload
+from aftdeck.scenario.attached import attachment
+from aftdeck.scenario.limits import phase_limits
+from aftdeck.scenario.model import Attached, PhasePlan, RateLimits, Sequences
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
 from aftdeck.scenario.places import Things, goal
 from aftdeck.scenario.poses import check_angle
 from aftdeck.scenario.problems import Problems
-from aftdeck.scenario.schema import Phase
+from aftdeck.scenario.schema import AngularVelocity, Phase, PorOverride, Velocity
 from aftdeck.steering.mode import MODES, Mode
 
 Six = tuple[float, float, float, float, float, float]
 
 _USED: dict[str, set[str]] = {
     "automatic": {"law"},
-    "manual": {"translation", "rotation"},
-    "single": {"joint", "drive", "joint_at"},
+    "manual": {"translation", "rotation", "velocity", "angular_velocity"},
+    "single": {"joint", "drive", "joint_rate", "joint_at"},
     "test": set(),
     "master": {"master"},
 }
 """What a phase may say, by the kind of its mode; OPR CMD and ORB LD take more."""
 
 
-def phase_plan(
-    problems: Problems, arm: Arm, phase: Phase, i: int, loads: bool, sequences: Sequences, things: Things
-) -> PhasePlan | None:
-    """The script's phase `i` (from 0), ready to fly; None where its mode is none.
+def script(
+    problems: Problems,
+    arm: Arm,
+    phases: Sequence[Phase],
+    payload: Payload | None,
+    por: PorOverride,
+    sequences: Sequences,
+    things: Things,
+) -> list[PhasePlan | None]:
+    """The phases, ready to fly; None where a mode is none.
 
     Args:
         problems: gathers what is wrong.
-        arm: that flies it.
-        phase: as decoded.
-        i: its place in the file.
-        loads: whether there is anything to carry.
+        arm: that flies them.
+        phases: as decoded.
+        payload: in the grasp at the start; None: nothing, or a payload of the worksite.
+        por: the scenario's limits of the point of resolution.
         sequences: points of AUTO 1-4.
         things: what targets may be given by.
     """
-    where: Where = ("phase", i)
-    chosen = chosen_mode(problems, phase.mode, (*where, "mode"))
-    if chosen is None:
-        return None
-    check_mode(problems, chosen.position, loads, sequences, (*where, "mode"))
+    plans: list[PhasePlan | None] = []
+    held = payload
+    for i, phase in enumerate(phases):
+        where: Where = ("phase", i)
+        attaches, held = attachment(problems, phase, held, bool(things.cargo), where)
+        chosen = chosen_mode(problems, phase.mode, (*where, "mode"))
+        if chosen is None:
+            plans.append(None)
+            continue
+        check_mode(problems, chosen.position, bool(held or things.cargo), sequences, (*where, "mode"))
+        mass = held.mass if held else 0.0
+        limits = phase_limits(problems, arm.model, mass, por, phase.limits, (*where, "limits"))
+        plans.append(_phase_plan(problems, arm, phase, where, chosen, things, limits, attaches))
+    return plans
+
+
+def _phase_plan(
+    problems: Problems,
+    arm: Arm,
+    phase: Phase,
+    where: Where,
+    chosen: Chosen,
+    things: Things,
+    limits: RateLimits | None,
+    attaches: Attached | None,
+) -> PhasePlan:
+    """One phase, ready to fly."""
     there = None if phase.target is None else goal(problems, arm, phase.target, things, (*where, "target"))
     joint = _joint(problems, arm, phase, where)
     _check_phase(problems, arm, phase, chosen, joint, where)
@@ -55,8 +87,11 @@ def phase_plan(
         rate=phase.rate,
         translation=phase.translation,
         rotation=phase.rotation,
+        velocity=_three(phase.velocity),
+        angular_velocity=_three(phase.angular_velocity),
         joint=joint,
         drive=phase.drive,
+        joint_rate=None if phase.joint_rate is None else float(phase.joint_rate),
         joint_at=None if phase.joint_at is None else float(phase.joint_at),
         target=there,
         law=chosen.law or phase.law,
@@ -66,9 +101,15 @@ def phase_plan(
         latch=phase.latch,
         stand_at=_stand(problems, arm, phase, where),
         orbiter=phase.orbiter,
+        limits=limits,
+        attaches=attaches,
         until=phase.until,
         duration=None if phase.duration is None else float(phase.duration),
     )
+
+
+def _three(given: Velocity | AngularVelocity | None) -> tuple[float, float, float] | None:
+    return None if given is None else (float(given[0]), float(given[1]), float(given[2]))
 
 
 def _joint(problems: Problems, arm: Arm, phase: Phase, where: Where) -> int:
@@ -119,14 +160,20 @@ def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> No
         "law": phase.law is not None,
         "translation": phase.translation != (0.0, 0.0, 0.0),
         "rotation": phase.rotation != (0.0, 0.0, 0.0),
+        "velocity": phase.velocity is not None,
+        "angular_velocity": phase.angular_velocity is not None,
         "payload_axes": phase.payload_axes is not None,
         "joint": phase.joint is not None,
         "drive": phase.drive != 0.0,
+        "joint_rate": phase.joint_rate is not None,
         "joint_at": phase.joint_at is not None,
         "master": phase.master is not None,
     }
     used = _USED[mode.kind] | ({"target"} if mode.position == "OPR CMD" else set())
     used |= {"payload_axes"} if mode.position == "ORB LD" else set()
+    for stick, physical in (("translation", "velocity"), ("rotation", "angular_velocity"), ("drive", "joint_rate")):
+        if given[stick] and given[physical]:
+            problems.wrong((*where, physical), f"give either {stick} or {physical}, not both")
     for name, present in given.items():
         if present and name not in used:
             takes = ", ".join(sorted(used)) or "nothing"
@@ -138,10 +185,11 @@ def _check_single(problems: Problems, arm: Arm, phase: Phase, mode: Mode, joint:
     if phase.joint is None:
         problems.wrong(where, f"mode {mode.position} needs a joint")
     if phase.joint_at is None and phase.duration is None:
-        problems.wrong(where, f"mode {mode.position} needs joint_at, or drive with a duration")
+        problems.wrong(where, f"mode {mode.position} needs joint_at, or drive or joint_rate and a duration")
     if phase.joint_at is None:
         return
-    if phase.drive != 0.0:
-        problems.wrong(where, "give either joint_at or drive, not both")
+    for name, given in (("drive", phase.drive != 0.0), ("joint_rate", phase.joint_rate is not None)):
+        if given:
+            problems.wrong(where, f"give either joint_at or {name}, not both")
     if phase.joint in arm.joints:
         check_angle(problems, arm, joint, phase.joint_at, (*where, "joint_at"))

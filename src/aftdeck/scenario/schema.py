@@ -15,6 +15,8 @@ Stick = Annotated[float, msgspec.Meta(ge=-1.0, le=1.0)]
 Sticks = tuple[Stick, Stick, Stick]
 SixAngles = tuple[Angle, Angle, Angle, Angle, Angle, Angle]
 Point = tuple[Length, Length, Length]
+Velocity = tuple[Speed, Speed, Speed]
+AngularVelocity = tuple[AngularRate, AngularRate, AngularRate]
 Row = tuple[float, float, float]
 Rate = Literal["coarse", "vernier"]
 Until = Literal["captured", "released", "latched", "unlatched"]
@@ -136,12 +138,9 @@ class PorOverride(_Part, frozen=True):
     angular_acceleration: AngularAcceleration | None = None
 
 
-class LimitsOverride(_Part, frozen=True):
-    """Limits in place of the arm's."""
+class RatesOverride(_Part, frozen=True):
+    """Limits of rates and accelerations in place of others: of the joints, and of the point of resolution (`por`)."""
 
-    hard: SixRanges | None = None
-    soft: SixRanges | None = None
-    reach: SixRanges | None = None
     servo: SixRates | None = None
     coarse: SixRates | None = None
     vernier: SixRates | None = None
@@ -149,13 +148,20 @@ class LimitsOverride(_Part, frozen=True):
     por: PorOverride = PorOverride()
 
 
-class PayloadSpec(_Part, frozen=True):
-    """What the end effector holds.
+class LimitsOverride(RatesOverride, frozen=True):
+    """Limits in place of the arm's."""
+
+    hard: SixRanges | None = None
+    soft: SixRanges | None = None
+    reach: SixRanges | None = None
+
+
+class AttachedSpec(_Part, frozen=True):
+    """A payload as the steering takes it.
 
     `position` is r_87, the payload's centre in its own axes as seen from the tip; `roll`, `pitch`, `yaw`
     (azimuth first, as ENDORI) or `matrix` turn frame 7 into the payload's axes (T_78). `por` is the payload's
-    point of resolution in its axes, from its centre. Its `shape` entries are how it looks, about its centre, and its
-    `body` entries what of it collides, which covers that from outside.
+    point of resolution in its axes, from its centre.
     """
 
     mass: Mass
@@ -165,6 +171,15 @@ class PayloadSpec(_Part, frozen=True):
     yaw: Angle = Angle(0.0)
     matrix: tuple[Row, Row, Row] | None = None
     por: Point = (Length(0.0), Length(0.0), Length(0.0))
+
+
+class PayloadSpec(AttachedSpec, frozen=True):
+    """What the end effector holds.
+
+    Its `shape` entries are how it looks, about its centre, and its `body` entries what of it collides, which covers
+    that from outside.
+    """
+
     shape: tuple[Shape, ...] = ()
     body: tuple[Cover, ...] = ()
 
@@ -180,6 +195,13 @@ class Phase(_Part, frozen=True):
     a `duration`, or `joint_at`, the angle to bring the joint to. MASTER takes the `master` arm's angles and ends when
     the arm has followed.
 
+    In place of stick positions, manual modes take `velocity` (V_C') and `angular_velocity` (omega_C') along and about
+    the axes in which the sticks act, and SINGLE and DIRECT take `joint_rate` (theta_dot_C'). Beyond the limits in force
+    they are flown at those, along the same line.
+
+    `limits` hold for the phase (V_L, omega_L, their accelerations, theta_dot_L); flown by hand, the scenario's hold. A
+    `payload` is in the grasp from the phase on (PA, T_78, r_87), until another is, or `detached` says none.
+
     In every mode a phase may put the `effector` switch, press `latch`, bring the telescope to `stand_at`, translate the
     `orbiter`, and wait `until` something has come about; `duration` is then the longest time allowed.
     """
@@ -189,8 +211,11 @@ class Phase(_Part, frozen=True):
     rate: Rate = "coarse"
     translation: Sticks = (0.0, 0.0, 0.0)
     rotation: Sticks = (0.0, 0.0, 0.0)
+    velocity: Velocity | None = None
+    angular_velocity: AngularVelocity | None = None
     joint: str | None = None
     drive: Stick = 0.0
+    joint_rate: AngularRate | None = None
     joint_at: Angle | None = None
     target: PoseSpec | None = None
     law: Literal["position", "closed loop", "open loop"] | None = None
@@ -200,6 +225,9 @@ class Phase(_Part, frozen=True):
     latch: Literal["latch", "unlatch"] | None = None
     stand_at: Length | None = None
     orbiter: Sticks = (0.0, 0.0, 0.0)
+    limits: RatesOverride = RatesOverride()
+    payload: AttachedSpec | None = None
+    detached: bool = False
     until: Until | None = None
     duration: Time | None = None
 

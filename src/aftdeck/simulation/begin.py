@@ -13,7 +13,7 @@ from aftdeck.simulation.carried import carrying
 from aftdeck.simulation.checking import Checking
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import floating
-from aftdeck.simulation.grasp import steer_with, take_hold
+from aftdeck.simulation.grasp import put_effector, steer, take_hold
 from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
@@ -27,7 +27,6 @@ from aftdeck.steering.layout import KEPT, MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.conditions import reasons
 from aftdeck.worksite.latches import Latches
-from aftdeck.worksite.snare import Snare
 
 
 def first_state(flight: Flight) -> State:
@@ -67,9 +66,7 @@ def take_up(flight: Flight, state: State) -> None:
     """Work out what follows from a state that was just restored: the steering's rules, what is watched."""
     things = state.site
     things.settle(flight.site)
-    state.carried = carrying(flight.scenario, flight.scenario.payload)
-    if things.held is not None:
-        steer_with(flight, state, things.held)
+    steer(flight, state)
     permit(flight, state)
     things.contacts.essential = flight.site.essential_while(slider(state), things.permitted)
 
@@ -98,6 +95,8 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
         return
     task = state.site.task
     state.become(_state_at(flight, parts[part]))
+    state.panel.began = state.tick - 1
+    steer(flight, state)
     if MODES[state.panel.mode].loaded and state.carried.payload is None:
         state.panel.mode = "ORB UNL"  # nothing is in the grasp in this part
     log(flight, state, "initialise", "info", f"initialised to {part}")
@@ -134,11 +133,11 @@ def _put(flight: Flight, state: State, start: Start) -> None:
     things.settle(site)
     frames[:] = frames_with(flight, state, things.prong.position)
     if scenario.payload is not None:
-        _close_effector(flight, state)
+        put_effector(flight, state, holding=True)
         frames[:] = frames_with(flight, state, things.prong.position)
     if start.grasped is not None:
         k = start.grasped.cargo
-        _close_effector(flight, state)
+        put_effector(flight, state, holding=True)
         frames[:] = frames_at(flight, state, start.grasped.angles, start.grasped.stand, things.prong.position)
         things.cargo[k].seat = ""
         take_hold(flight, state, k)
@@ -152,11 +151,3 @@ def _put(flight: Flight, state: State, start: Start) -> None:
     )
     things.nearest = things.watch.nearest(counts)
     change_task(flight, state)
-
-
-def _close_effector(flight: Flight, state: State) -> None:
-    """Put the end effector as it is with a payload in its grasp: the prong closed, or the snares rigid."""
-    things = state.site
-    things.prong.position = things.prong.high
-    if not flight.site.prong:
-        things.snare = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from aftdeck.bodies.pose import POSE, compose, inverse, pose_of
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.grasp import let_go, nearest_fixture, steer_with, take_hold
+from aftdeck.simulation.grasp import let_go, nearest_fixture, steer, take_hold
 from aftdeck.simulation.hand import Bar, Snares
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log, refuse
@@ -121,7 +121,7 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
     things.ride(site, k)
     if snare.drawn == 1.0:
         thing.steered = thing.grasp
-        steer_with(flight, state, k)
+        steer(flight, state)
     return True
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.limits import por_with
-from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.model import RateLimits, Scenario
 from aftdeck.steering.rules import Key, rules_of
 
 Array = NDArray[np.float64]
@@ -27,12 +28,14 @@ class Carried(NamedTuple):
     rules: dict[Key, Array]
 
 
-def carrying(scenario: Scenario, payload: Payload | None) -> Carried:
-    """The arm with a payload in its grasp, or with none."""
-    model = scenario.arm.model
+def carrying(scenario: Scenario, payload: Payload | None, limits: RateLimits | None = None) -> Carried:
+    """The arm with a payload in its grasp, or with none, and with limits in place of the scenario's."""
+    model, por = scenario.arm.model, scenario.por
+    if limits is not None:
+        model, por = replace(model, rates=limits.joints), limits.por
     rules = rules_of(
         model,
-        por_with(model, payload.mass if payload else 0.0, scenario.por),
+        por_with(model, payload.mass if payload else 0.0, por),
         scenario.control_period,
         payload,
         strict=scenario.strict,

@@ -76,10 +76,13 @@ class Premises(msgspec.Struct, frozen=True):
     held: int | None
     angles: tuple[float, ...]
     stand: float
+    limits: int
+    attached: int
 
 
 def premises(state: State, target: Target) -> Premises:
     """Return what a verdict on this target would rest on now."""
     panel, plant = state.panel, state.plant
     angles = tuple(plant.angles.tolist())
-    return Premises(target, panel.law, panel.rate, state.site.held, angles, plant.stand.position)
+    held, script = state.site.held, state.script
+    return Premises(target, panel.law, panel.rate, held, angles, plant.stand.position, script.limits, script.attached)

@@ -34,6 +34,8 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
         state.command[GO] = 0.0
     elif state.command[GO] == 0.0:
         set_off(state.rules_while(under_way=True), state.command, state.steering)
+        if state.command[GO] != 0.0:
+            state.panel.began = state.tick - 1
     hold_position(flight, state)
 
     # steering commands the joint rates

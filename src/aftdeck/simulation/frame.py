@@ -97,6 +97,20 @@ class Goal(msgspec.Struct, frozen=True, gc=False):
     """ETA - TP [s]; 0 when not under way, and while modes 1 and 3 still bring the arm to rest."""
 
 
+class Times(msgspec.Struct, frozen=True, gc=False):
+    """JSC-12628's times of the phase under way, counted from its beginning.
+
+    A phase is an automatic motion from where it sets off, else a phase of the script, else a panel position entered.
+    """
+
+    tp_s: float = 0.0
+    """TP: how long it has lasted [s]."""
+    eta_s: float | None = None
+    """ETA: when it ends, as estimated in the automatic modes and given in a script's others [s]; None: unknown."""
+    etap_s: float | None = None
+    """ETAP: when the rotation would end if it went as fast as permitted [s]; in modes 2 and 3, else None."""
+
+
 class Frame(msgspec.Struct, frozen=True, gc=False):
     """The state after a control step, the inputs that it flew and what acted in it.
 
@@ -158,6 +172,9 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     """Tip [m]."""
     orientation: tuple[Vec3, Vec3, Vec3]
     """Rows of the matrix whose columns are frame 7's axes."""
+    wrist_pitch: tuple[Vec3, Vec3, Vec3] | None
+    """T_B5: rows of the matrix from the wrist-pitch frame 5 to the orbiter's body axes; the concept arm's: its lower
+    arm's frame. None: of a recording that does not tell it."""
     resolution: Vec3
     """The point of resolution [m]: the payload's in ORB LD and PL, else the tip."""
     payload: tuple[Vec3, tuple[Vec3, Vec3, Vec3]] | None
@@ -181,6 +198,8 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     ways_out: tuple[WayOut, ...]
     """For each singularity that is near and each joint past a limit: what leads away from it."""
     goal: Goal | None
+    times: Times
+    """TP, ETA and ETAP."""
     work: Work
     """Contacts, captures, and where the worksite's things are."""
     events: tuple[Event, ...]

@@ -16,6 +16,7 @@ from aftdeck.simulation.log import log
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.motion import motion
+from aftdeck.worksite.snare import Snare
 
 Array = NDArray[np.float64]
 
@@ -37,13 +38,31 @@ def regrasp(flight: Flight, state: State, k: int) -> None:
     thing.grasp = thing.steered = in_hand(flight, state, k).tolist()
     if (fixture := fixture_in_hand(flight, state, k)) is not None:
         thing.first, thing.since = fixture.tolist(), state.site.snare.drawn
-    steer_with(flight, state, k)
+    steer(flight, state)
 
 
-def steer_with(flight: Flight, state: State, k: int) -> None:
-    """The steering takes the mass, the axes and, as point of resolution, the centre of what is held."""
-    thing = state.site.cargo[k]
-    state.carried = carrying(flight.scenario, _payload(flight, k, np.array(thing.steered)))
+def steer(flight: Flight, state: State) -> None:
+    """The steering takes what is in the grasp, and the limits of the script's phase.
+
+    Of a payload of the worksite that is its mass, its axes and, as point of resolution, its centre.
+    """
+    phases, script = flight.scenario.phases, state.script
+    payload, held = flight.scenario.payload, [k for k, thing in enumerate(state.site.cargo) if thing.held]
+    if held:
+        payload = _payload(flight, held[0], np.array(state.site.cargo[held[0]].steered))
+    elif script.attached >= 0 and (attached := phases[script.attached].attaches) is not None:
+        payload = attached.payload
+    state.carried = carrying(flight.scenario, payload, phases[script.limits].limits if script.limits >= 0 else None)
+
+
+def put_effector(flight: Flight, state: State, *, holding: bool) -> None:
+    """Put the end effector as it is with a payload in its grasp, the prong closed or the snares rigid, or with none."""
+    things = state.site
+    if flight.site.prong:
+        things.prong.position = things.prong.high if holding else things.prong.low
+    else:
+        held = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
+        things.snare = held if holding else Snare()
 
 
 def in_grasp(flight: Flight, state: State) -> Payload | None:
@@ -95,7 +114,7 @@ def let_go(flight: Flight, state: State, k: int) -> None:
     things, panel = state.site, state.panel
     thing = things.cargo[k]
     thing.held, thing.grasp, thing.first, thing.steered, thing.since = False, None, None, None, 0.0
-    state.carried = carrying(flight.scenario, None)
+    steer(flight, state)
     if MODES[panel.mode].loaded:
         panel.mode, panel.held, panel.holding, panel.sequence = "ORB UNL", None, None, "idle"
         log(flight, state, "mode", "info", "ORB UNL entered: nothing is in the grasp any more")

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.frames import Rows, angle_between
-from aftdeck.kinematics.observe import CARRIED, observe_payload
+from aftdeck.kinematics.observe import CARRIED, observe_link, observe_payload
 from aftdeck.simulation.acting import acting_limits
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.frame import Frame, Goal, Six, Vec3
+from aftdeck.simulation.frame import Frame, Goal, Six, Times, Vec3
 from aftdeck.simulation.grasp import in_grasp
 from aftdeck.simulation.look_work import look_work
 from aftdeck.simulation.seal import seal
@@ -19,6 +19,7 @@ from aftdeck.simulation.state import State
 from aftdeck.steering.layout import (
     DEMAND,
     DRIVE,
+    GO,
     RATE,
     RATES,
     RATIO,
@@ -26,6 +27,7 @@ from aftdeck.steering.layout import (
     SPEED,
     STICKS,
     TURN,
+    TURN_REMAINING,
     TWIST,
 )
 from aftdeck.steering.mode import MODES
@@ -72,6 +74,7 @@ def look(flight: Flight, state: State) -> Frame:
         zones=panel.zones,
         position=position,
         orientation=orientation,
+        wrist_pitch=_wrist_pitch(flight, state),
         resolution=resolution,
         payload=payload,
         twist=twist,
@@ -84,6 +87,7 @@ def look(flight: Flight, state: State) -> Frame:
         singular=panel.singular,
         ways_out=state.ways_out,
         goal=_goal(state, position, orientation, report[REMAINING]),
+        times=_times(flight, state),
         work=look_work(flight, state),
         events=tuple(state.events),
         views=state.cameras.views,
@@ -105,6 +109,28 @@ def _carried(
     if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # the source moves the tip in every mode
         return position, _six(seen, 12), payload
     return _vec3(carried, 12), (seen[12], seen[13], seen[14], carried[15], carried[16], carried[17]), payload
+
+
+def _wrist_pitch(flight: Flight, state: State) -> Rows:
+    """LNKAGE's T_B5."""
+    model, axes = flight.scenario.arm.model, np.empty((3, 3))
+    observe_link(model.links, state.plant.angles, model.mount.rotation, axes)
+    return _rows(axes.ravel().tolist(), 0)
+
+
+def _times(flight: Flight, state: State) -> Times:
+    """TP, ETA and ETAP: the laws tell what is left at the beginning of a step."""
+    panel, period, report = state.panel, flight.scenario.control_period, state.report
+    steered = (state.tick - 1 - panel.began) * period
+    eta = etap = None
+    if panel.sequence == "in progress":
+        if state.command[GO] != 0.0:
+            eta = steered + float(report[REMAINING])
+            etap = None if panel.law == "position" else steered + float(report[TURN_REMAINING])
+    elif state.by_script and state.phase and not state.script.ended:
+        phase = flight.scenario.phases[state.script.phase]
+        eta = phase.duration if phase.timed else None
+    return Times(steered + period, eta, etap)
 
 
 def _vec3(values: list[float], at: int) -> Vec3:

@@ -109,6 +109,7 @@ def _enter(flight: Flight, state: State, position: str) -> None:
     if mode.kind == "single":  # theta_0 of mode 8
         state.command[KEPT : KEPT + 6] = state.plant.angles
     panel.mode, panel.held, panel.holding, panel.point = position, None, None, 0
+    panel.began = state.tick - 1
     log(flight, state, "mode", "info", f"{position} entered: {mode.title}")
     make_ready(flight, state)
 

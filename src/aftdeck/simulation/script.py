@@ -11,11 +11,12 @@ from functools import lru_cache
 from aftdeck.scenario.model import PhasePlan
 from aftdeck.scenario.target import Place, Target
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.grasp import put_effector, steer
+from aftdeck.simulation.inputs import Inputs, Vec3
 from aftdeck.simulation.log import log
 from aftdeck.simulation.places import found
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import ARRIVED, DT, RATE, RATE_UP, RATES
+from aftdeck.steering.layout import ARRIVED, DT, RATE, RATE_UP, RATES, SPEED, TURN
 from aftdeck.steering.limiters import braked
 from aftdeck.steering.mode import MODES
 
@@ -31,12 +32,13 @@ def play(flight: Flight, state: State) -> Inputs:
     while script.phase < len(phases) and not script.ended:
         phase = phases[script.phase]
         if script.began < 0:
-            script.began = state.tick
+            script.began, state.panel.began = state.tick, state.tick - 1
             log(flight, state, "phase", "info", f"phase {phase.name!r} begins")
             target = found(flight, state, phase.target) if isinstance(phase.target, Place) else phase.target
             if isinstance(target, str):
                 _fail(flight, state, f"phase {phase.name!r} failed: {target}")
                 continue
+            _prepare(flight, state, phase)
             return _opening(flight, state, phase, target)
         if _over(flight, state, phase, state.tick):
             script.phase, script.began = script.phase + 1, -1
@@ -45,6 +47,26 @@ def play(flight: Flight, state: State) -> Inputs:
     if not script.ended and phases:
         script.ended = "completed"
     return Inputs(stop=True)
+
+
+def hand_over(flight: Flight, state: State) -> None:
+    """A person flies: the limits of the script's phase hold no more."""
+    if state.script.limits >= 0:
+        state.script.limits = -1
+        steer(flight, state)
+
+
+def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
+    """JSC-12628's phase initialisation: the phase's limits, and what it puts into the grasp or takes out of it."""
+    script = state.script
+    limits = script.phase if phase.limits is not None else -1
+    if limits == script.limits and phase.attaches is None:
+        return
+    script.limits = limits
+    if phase.attaches is not None:
+        script.attached = script.phase
+        put_effector(flight, state, holding=phase.attaches.payload is not None)
+    steer(flight, state)
 
 
 def conclude(flight: Flight, state: State) -> None:
@@ -69,6 +91,7 @@ def phase_name(flight: Flight, state: State) -> str:
 
 def _opening(flight: Flight, state: State, phase: PhasePlan, target: Target | None) -> Inputs:
     """Switches are set at the first step of a phase, and its sticks move from then on."""
+    sticks = _sticks(flight, state, phase)
     return Inputs(
         mode=phase.mode,
         joint=phase.joint,
@@ -77,13 +100,13 @@ def _opening(flight: Flight, state: State, phase: PhasePlan, target: Target | No
         payload_axes=phase.payload_axes,
         target=target,
         proceed=MODES[phase.mode].kind == "automatic",
-        translation=phase.translation,
-        rotation=phase.rotation,
-        drive=phase.drive,
+        translation=sticks.translation,
+        rotation=sticks.rotation,
+        drive=sticks.drive,
         master=phase.master,
         effector=phase.effector,
         latch=phase.latch,
-        telescope=_telescope(flight, state, phase),
+        telescope=sticks.telescope,
         orbiter=phase.orbiter,
     )
 
@@ -91,26 +114,41 @@ def _opening(flight: Flight, state: State, phase: PhasePlan, target: Target | No
 def _continuing(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
     if state.panel.sequence == "ready" and _waiting(flight, state):
         return Inputs(proceed=True)
-    telescope = _telescope(flight, state, phase)
     if phase.joint_at is None:
-        return _sticks(phase, telescope)
+        return _sticks(flight, state, phase)
     rules = state.carried.rules[phase.mode, phase.rate, MODES[phase.mode].laws[0]]
     gap = phase.joint_at - float(state.plant.angles[phase.joint])
     rate = braked(abs(gap), float(rules[RATE_UP + phase.joint]), float(rules[DT]))
     drive = min(1.0, rate / float(rules[RATE + phase.joint]))
+    telescope = _telescope(flight, state, phase)
     return Inputs(drive=drive if gap > 0.0 else -drive, telescope=telescope, orbiter=phase.orbiter)
 
 
+def _sticks(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
+    """The sticks of a phase in its manual modes."""
+    rules = state.carried.rules[phase.mode, phase.rate, MODES[phase.mode].laws[0]]
+    most = float(rules[SPEED]), float(rules[TURN]), float(rules[RATE + phase.joint])
+    return _deflected(phase, _telescope(flight, state, phase), most)
+
+
 @lru_cache(maxsize=64)
-def _sticks(phase: PhasePlan, telescope: float) -> Inputs:
-    """The sticks of a phase in its manual modes: the same, step after step."""
+def _deflected(phase: PhasePlan, telescope: float, most: tuple[float, float, float]) -> Inputs:
+    """The sticks where full deflection is so much [m/s], [rad/s], [rad/s of the joint]: the same, step after step."""
+    speed, turn, rate = most
+    drive = phase.drive if phase.joint_rate is None else phase.joint_rate / max(rate, abs(phase.joint_rate))
     return Inputs(
-        translation=phase.translation,
-        rotation=phase.rotation,
-        drive=phase.drive,
+        translation=phase.translation if phase.velocity is None else _deflection(phase.velocity, speed),
+        rotation=phase.rotation if phase.angular_velocity is None else _deflection(phase.angular_velocity, turn),
+        drive=drive,
         telescope=telescope,
         orbiter=phase.orbiter,
     )
+
+
+def _deflection(rate: Vec3, most: float) -> Vec3:
+    """How far a stick is deflected for a velocity; one beyond the limit keeps its direction."""
+    whole = max(most, *map(abs, rate))
+    return rate[0] / whole, rate[1] / whole, rate[2] / whole
 
 
 def _telescope(flight: Flight, state: State, phase: PhasePlan) -> float:
@@ -142,7 +180,7 @@ def _over(flight: Flight, state: State, phase: PhasePlan, tick: int) -> bool:
         if late:
             _fail(flight, state, f"phase {phase.name!r} failed: not {_awaited(phase)} within its {phase.duration:g} s")
         return False
-    if MODES[phase.mode].kind in ("manual", "test") or (MODES[phase.mode].kind == "single" and phase.joint_at is None):
+    if phase.timed:
         return late
     if _arrived(flight, state, phase):
         return True

@@ -104,7 +104,8 @@ def _arrive(flight: Flight, state: State, passing: bool) -> None:
     if goes_on:
         try:
             begin(flight, state, points[panel.point].target)
-            state.command[GO] = 1.0 if passing else 0.0  # mode 2 has no plan that would begin at rest
+            if passing:  # mode 2 has no plan that would begin at rest
+                state.command[GO], panel.began = 1.0, state.tick - 1
         except AftdeckError as error:
             _end(panel, "given up", beside)
             log(flight, state, "check", "caution", f"{panel.mode} stops: {error}")

@@ -68,6 +68,8 @@ class Panel(msgspec.Struct):
     proceeding: bool = False
     """PROCEED was pressed: the motion begins once CMD CK is GOOD."""
     sequence: Sequence = "idle"
+    began: int = 0
+    """Tick after which the report's phase began: a motion that set off, a phase of the script, a mode entered."""
     ending: Ending = ""
     """How an automatic motion ended in this step."""
     beside: str = ""
@@ -99,6 +101,10 @@ class Script(msgspec.Struct):
     """Index of the phase; the number of phases once the last has ended."""
     began: int = -1
     """Tick at which the phase began; -1 before that."""
+    limits: int = -1
+    """Index of the phase whose limits hold; -1: the scenario's do."""
+    attached: int = -1
+    """Index of the phase that said last what is in the grasp; -1: none has."""
     ended: Literal["", "completed", "time", "fault"] = ""
 
 

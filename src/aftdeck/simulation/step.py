@@ -10,7 +10,7 @@ from aftdeck.simulation.fly import go
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.notice import notice
 from aftdeck.simulation.panel import operate
-from aftdeck.simulation.script import conclude, phase_name, play
+from aftdeck.simulation.script import conclude, hand_over, phase_name, play
 from aftdeck.simulation.state import State
 
 
@@ -34,6 +34,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> None:
         inputs = play(flight, state)
         state.phase = phase_name(flight, state)
     else:
+        hand_over(flight, state)
         inputs = delayed(state, inputs)
     state.flown = inputs
     if inputs.initialise is not None:

@@ -106,4 +106,6 @@ REMAINING = 12
 """Estimated time to the end of an automatic mode [s]: ETA - TP."""
 ARRIVED = 13
 """1: an automatic mode has come to its end, or every joint to its master's angle."""
-REPORT = 14
+TURN_REMAINING = 14
+"""Estimated time to the end of the rotation alone in modes 2 and 3 [s]: ETAP - TP."""
+REPORT = 15

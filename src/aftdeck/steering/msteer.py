@@ -42,6 +42,7 @@ from aftdeck.steering.layout import (
     REMAINING,
     RISE,
     STRICT,
+    TURN_REMAINING,
     TWIST,
 )
 from aftdeck.steering.limiters import BY_RATE, NEAREST, avclmt, joint_ratio, ratlmt
@@ -75,6 +76,7 @@ def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
     """
     report[RATIO], report[CAUSE], report[CULPRIT], report[POR_CAUSE] = 1.0, 0.0, -1.0, 0.0
     report[DISTANCE], report[ANGLE], report[REMAINING], report[ARRIVED] = 0.0, 0.0, 0.0, 0.0
+    report[TURN_REMAINING] = 0.0
     a = _sines_at(rules, state, 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT])
     j = jacobi(rules, a)
     if command[LAW] == 1.0 or command[LAW] >= 8.0:

@@ -21,11 +21,15 @@ Array = NDArray[np.float64]
 
 
 class Profile(NamedTuple):
-    """Speed [m/s] and angular rate [rad/s] towards the target, and the time left, ETA - TP [s]."""
+    """Speed [m/s] and angular rate [rad/s] towards the target, and the time left [s].
+
+    That is ETA - TP for both together, and ETAP - TP for the rotation alone.
+    """
 
     speed: float
     turn: float
     remaining: float
+    turn_remaining: float
 
 
 @law
@@ -40,9 +44,9 @@ def vclose(rules: Array, distance: float, angle: float) -> Profile:
         if time > 0.0:
             own = min(turn_brake, time)
             turn = min(turn, angle / (time - 0.5 * (own - dt)))
-        return Profile(speed, turn, time)
+        return Profile(speed, turn, time, turn_time)
     own = min(brake, turn_time)
-    return Profile(min(speed, distance / (turn_time - 0.5 * (own - dt))), turn, turn_time)
+    return Profile(min(speed, distance / (turn_time - 0.5 * (own - dt))), turn, turn_time, turn_time)
 
 
 @law
@@ -81,18 +85,23 @@ def _as_restored(rules: Array, distance: float, angle: float) -> Profile:
         etap = t_w
     remaining = max(eta, etap)
     if remaining < rules[DT]:
-        return Profile(0.0, 0.0, 0.0)
+        return Profile(0.0, 0.0, 0.0, 0.0)
     if eta >= etap:
-        return Profile(rules[SPEED_UP] * t_v, angle / (eta - 0.5 * t_w), remaining)
-    return Profile(distance / (etap - 0.5 * t_v), rules[TURN_UP] * t_w, remaining)
+        return Profile(rules[SPEED_UP] * t_v, angle / (eta - 0.5 * t_w), remaining, etap)
+    return Profile(distance / (etap - 0.5 * t_v), rules[TURN_UP] * t_w, remaining, etap)
 
 
 class OpenProfile(NamedTuple):
-    """Greatest speed [m/s] and angular rate [rad/s], the phase's length ETA [s], and both acceleration times [s]."""
+    """Greatest speed [m/s] and angular rate [rad/s], and times [s].
+
+    The times are the phase's length ETA, that of its rotation alone at the greatest rate (ETAP), and both
+    acceleration times.
+    """
 
     speed: float
     turn: float
     eta: float
+    etap: float
     t_v1: float
     t_w1: float
 
@@ -105,7 +114,7 @@ def vtopen(rules: Array, distance: float, angle: float) -> OpenProfile:
     eta = max(eta, etap)
     speed = distance / (eta - t_v1) if distance > 0.0 else 0.0
     turn = angle / (eta - t_w1) if angle > 0.0 else 0.0
-    return OpenProfile(speed, turn, eta, t_v1, t_w1)
+    return OpenProfile(speed, turn, eta, etap, t_v1, t_w1)
 
 
 @law

@@ -30,6 +30,7 @@ from aftdeck.steering.layout import (
     SPEED_UP,
     STRICT,
     TARGET,
+    TURN_REMAINING,
     TURN_UP,
     TWIST,
 )
@@ -47,6 +48,7 @@ def demand(rules: Array, command: Array, tip: Tip, report: Array) -> Twist:
     aim = latraj(tip, command[TARGET:PLAN])
     profile = vclose(rules, aim.distance, aim.angle)
     report[DISTANCE], report[ANGLE], report[REMAINING] = aim.distance, aim.angle, profile.remaining
+    report[TURN_REMAINING] = profile.turn_remaining
     w, v = profile.turn * command[GO], profile.speed * command[GO]
     return Twist(w * aim.ax, w * aim.ay, w * aim.az, v * aim.ux, v * aim.uy, v * aim.uz)
 

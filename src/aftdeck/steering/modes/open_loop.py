@@ -7,7 +7,7 @@ Ends: when its clock has run to ETA. The clock runs at that factor: where limits
 path more slowly; `strict` lets the clock run on, as in the source, and the arm falls short.
 Source: JSC-12628, subroutines OPERIN (MODE = 3), LATRAJ, VTOPEN, VOTRAN.
 
-Its plan: velocity (3) [m/s] and angular velocity (3) [rad/s] at full speed, then ETA, t_v1 and t_w1 [s].
+Its plan: velocity (3) [m/s] and angular velocity (3) [rad/s] at full speed, then ETA, t_v1, t_w1 and ETAP [s].
 """
 
 from __future__ import annotations
@@ -31,12 +31,13 @@ from aftdeck.steering.layout import (
     RISE,
     STRICT,
     TARGET,
+    TURN_REMAINING,
 )
 from aftdeck.steering.profiles import vtopen
 
 Array = NDArray[np.float64]
 
-_VELOCITY, _TURNING, _ETA, _T_V1, _T_W1 = PLAN, PLAN + 3, PLAN + 6, PLAN + 7, PLAN + 8
+_VELOCITY, _TURNING, _ETA, _T_V1, _T_W1, _ETAP = PLAN, PLAN + 3, PLAN + 6, PLAN + 7, PLAN + 8, PLAN + 9
 
 
 @law
@@ -57,6 +58,7 @@ def plan(rules: Array, command: Array, state: Array) -> None:
     command[_VELOCITY], command[_VELOCITY + 1], command[_VELOCITY + 2] = v * aim.ux, v * aim.uy, v * aim.uz
     command[_TURNING], command[_TURNING + 1], command[_TURNING + 2] = w * aim.ax, w * aim.ay, w * aim.az
     command[_ETA], command[_T_V1], command[_T_W1] = profile.eta, profile.t_v1, profile.t_w1
+    command[_ETAP] = profile.etap
     state[CLOCK], state[PACE] = 0.0, 1.0
 
 
@@ -77,6 +79,7 @@ def demand(rules: Array, command: Array, state: Array, report: Array) -> Twist:
     v = command[GO] * _share(time, eta, command[_T_V1])
     w = command[GO] * _share(time, eta, command[_T_W1])
     report[REMAINING] = max(eta - state[CLOCK], 0.0)
+    report[TURN_REMAINING] = max(command[_ETAP] - state[CLOCK], 0.0)
     report[ARRIVED] = 1.0 if command[GO] != 0.0 and state[CLOCK] >= eta - 1e-9 else 0.0
     return Twist(
         w * command[_TURNING],
