@@ -99,6 +99,57 @@ def test_a_target_below_the_bays_floor_fails_and_names_the_contact_its_place_and
     assert re.search(r"FAIL.*: \S.* touches \S.* at X -?\d+, Y -?\d+, Z -?\d+ in, \d+ s from here", verdict.text)
 
 
+@pytest.mark.parametrize("switch", ["brakes", "safing"])
+@laws
+def test_an_arm_that_a_switch_holds_fails_at_once_and_is_checked_anew_once_it_is_free(law: str, switch: str) -> None:
+    sim = aftdeck.Simulation(scenario(BAY, f'{OPR}law = "{law}"'))
+    goal = joint_target(sim.scenario.arm, [q + 5.0 for q in BAY])
+    frame = sim.step(msgspec.structs.replace(aftdeck.Inputs(target=goal), **{switch: True}))
+    assert frame.check is not None and (frame.check.cause, frame.sequence) == ("switch", "idle")
+    sim.step(msgspec.structs.replace(aftdeck.Inputs(), **{switch: False}))
+    assert finished(sim, aftdeck.Inputs(proceed=True), 200.0)[-1].check.good  # type: ignore[union-attr]
+    assert sim.frame is not None and sim.frame.goal is not None and sim.frame.goal.distance < 1e-3
+
+
+def test_a_verdict_does_not_outlive_the_place_of_what_is_round_the_arm() -> None:
+    """Before: GOOD for a way to the port was flown after the orbiter had moved, 0.04 in into the port's element."""
+    script = aftdeck.run("concept-1972-script")
+    aside, port = (next(f for f in reversed(script.frames) if f.phase == phase) for phase in ("aside", "to the port"))
+    sim = aftdeck.Simulation("concept-1972")
+    sim.step(aftdeck.Inputs(initialise="manoeuvring"))
+    there = aftdeck.Target(aside.position, aside.orientation)
+    finished(sim, aftdeck.Inputs(mode="OPR CMD", target=there, proceed=True), 200.0)
+    first = checked(sim, aftdeck.Inputs(target=aftdeck.Target(port.position, port.orientation)))[-1].check
+    assert first is not None and first.good
+    fly(sim, 10.0, aftdeck.Inputs(orbiter=(1.0, 0.0, 0.0)))
+    for _ in range(500):
+        sim.step(aftdeck.Inputs())
+    frames = [sim.step(aftdeck.Inputs(proceed=True))]
+    assert frames[0].sequence == "checking"
+    while frames[-1].sequence in ("checking", "in progress"):
+        frames.append(sim.step(aftdeck.Inputs()))
+        assert len(frames) < 5000
+    verdict = frames[-1].check
+    assert verdict is not None and verdict.good == (frames[-1].goal is not None and frames[-1].goal.distance < 1e-3)
+    assert not (verdict.good and any(frame.work.arm_inhibit for frame in frames))
+
+
+def test_an_arm_in_contact_fails_and_names_what_it_touches_and_where() -> None:
+    sim = aftdeck.Simulation(scenario(BAY, 'worksite = "orbiter"\n'))
+    frame = sim.step(aftdeck.Inputs())
+    while not frame.work.arm_inhibit:
+        frame = sim.step(aftdeck.Inputs((0.0, 0.0, 1.0)))
+        assert frame.time_s < 200.0
+    contact = frame.work.contacts[0]
+    tip = sim.scenario.arm.forward(np.array(frame.angles))
+    down = sim.scenario.arm.model.mount.rotation.T @ np.array([0.0, 0.0, 0.5])
+    goal = target_at(Pose(tip.position + down, tip.rotation))
+    for law in ("position", "closed loop", "open loop"):
+        verdict = checked(sim, aftdeck.Inputs(mode="OPR CMD", law=law, target=goal))[-1].check  # type: ignore[arg-type]
+        assert verdict is not None and verdict.cause == "contact"
+        assert contact.a in verdict.text and contact.b in verdict.text and re.search(r"X -?\d+, Y -?\d+", verdict.text)
+
+
 def fastest_by_hand(arm: aftdeck.Arm, start: Array, goal: aftdeck.Target) -> float:
     """Least time in which any branch inside the soft stops is flown by mode 1, each by itself [s]."""
     low, high = arm.limits.soft.T

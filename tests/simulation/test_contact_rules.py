@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import aftdeck
 from aftdeck import Inputs
+from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.restrain import ESCAPE
@@ -133,3 +136,19 @@ def test_a_reflected_body_keeps_its_speed_and_goes_back() -> None:
     assert np.linalg.norm(frames["stop"][-1].work.cargo[0].velocity) == pytest.approx(0.0, abs=1e-9)
     down = frames["reflect"][0].work.cargo[0].velocity
     assert frames["reflect"][-1].work.cargo[0].velocity == pytest.approx(np.negative(down), abs=1e-3)
+
+
+def test_a_body_that_the_arm_flies_into_is_told_with_the_speed_of_both() -> None:
+    """Before: 0.047 in/s for an arm that came at 5.9 in/s."""
+    along: Vec3 = (1.0, 0.0, 0.0)
+    given = [Inputs(along)] * 600 + [Inputs(along, effector="open")] + [Inputs(along)] * 300
+    text = Path("src/aftdeck/scenario/builtin/srms-berth.toml").read_text().split("[[phase]]")[0]
+    frames = flown(parse_scenario(text, "test", "test.toml", Path(".")), [*given, *[Inputs((-1.0, 0.0, 0.0))] * 2000])[
+        1
+    ]
+    met = next(k for k, frame in enumerate(frames) if any(event.kind == "bump" for event in frame.events))
+    (told,) = (event.text for event in frames[met].events if event.kind == "bump")
+    speed = float(re.search(r"([\d.]+) in/s", told)[1]) * INCH  # type: ignore[index]
+    assert speed > 0.05 and speed == pytest.approx(
+        max(contact.closing for contact in frames[met].work.contacts), rel=0.05
+    )

@@ -95,6 +95,14 @@ def test_a_flight_with_numpys_numbers_is_the_same(flight: list[Inputs], data: st
         assert one == two and msgspec.msgpack.decode(two, type=type(plain.save())) == plain.save()
 
 
+def test_a_targets_joint_angles_may_be_an_array() -> None:
+    made = load_scenario("first-flight")
+    plain = target_at(made.arm.forward(made.initial_angles), tuple(made.initial_angles.tolist()))
+    other = aftdeck.Target(plain.position, plain.rotation, np.array(plain.joints))  # type: ignore[arg-type]
+    one, two = aftdeck.Simulation(made), aftdeck.Simulation(made)
+    assert one.step(Inputs(target=plain)) == two.step(Inputs(target=other))
+
+
 def test_a_delayed_input_is_kept_in_plain_values() -> None:
     scenario = parse_scenario(
         load_scenario("concept-1972").text, "late", "late.toml", Path("."), {("command_delay",): np.float64(0.1)}

@@ -11,7 +11,7 @@ from aftdeck.simulation.frame import Check
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.rehearsal import Rehearsal
 from aftdeck.simulation.sequence import begin
-from aftdeck.simulation.standstill import held_fast
+from aftdeck.simulation.standstill import held_fast, standing
 from aftdeck.simulation.state import State
 from aftdeck.simulation.ways import ways
 from aftdeck.steering.layout import MEASURED
@@ -49,6 +49,8 @@ def _check_on(flight: Flight, state: State, checking: Checking) -> Check | None:
         moving = np.abs(state.steering[MEASURED : MEASURED + 6]).max() > 0.0
         if moving and MODES[state.panel.mode].kind == "automatic":
             return None
+        if stopped := standing(state.panel):
+            return Check(False, f"FAIL: {stopped}", cause="switch")
         if fast := held_fast(flight, state):
             return Check(False, f"FAIL: {fast}", cause="seat")
         try:

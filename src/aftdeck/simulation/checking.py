@@ -74,15 +74,30 @@ class Premises(msgspec.Struct, frozen=True):
     law: LawChoice
     rate: str
     held: int | None
-    angles: tuple[float, ...]
-    stand: float
     limits: int
     attached: int
+    standing: bool
+    """BRAKES or SAFING is on."""
+    angles: tuple[float, ...]
+    """(6,) as measured [rad]."""
+    moving: tuple[float, ...]
+    """(3,) how fast the orbiter translates [m/s]."""
+    frames: bytes
+    """Where everything is in L as last looked at: what the arm holds, the worksite and what floats."""
 
 
 def premises(state: State, target: Target) -> Premises:
     """Return what a verdict on this target would rest on now."""
-    panel, plant = state.panel, state.plant
-    angles = tuple(plant.angles.tolist())
-    held, script = state.site.held, state.script
-    return Premises(target, panel.law, panel.rate, held, angles, plant.stand.position, script.limits, script.attached)
+    panel, things, script = state.panel, state.site, state.script
+    return Premises(
+        target,
+        panel.law,
+        panel.rate,
+        things.held,
+        script.limits,
+        script.attached,
+        panel.brakes or panel.safing,
+        tuple(state.plant.angles.tolist()),
+        tuple(things.orbiter_velocity.tolist()),
+        things.frames.tobytes(),
+    )

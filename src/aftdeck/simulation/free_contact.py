@@ -16,8 +16,10 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import Floating
 from aftdeck.simulation.log import log
 from aftdeck.simulation.state import State
+from aftdeck.worksite.check import ARM
 from aftdeck.worksite.conditions import shown
 from aftdeck.worksite.found import CLEARANCE, NORMAL, POINT_A, POINT_B
+from aftdeck.worksite.motion import motion
 from aftdeck.worksite.restrain import looked_at, worsened
 from aftdeck.worksite.watch import Watch
 
@@ -72,11 +74,13 @@ def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Wat
     first = site.layout.frames[site.layout.between_frames[group, 0]] == site.cargo[k].name
     row = here.found[group]
     into = row[NORMAL : NORMAL + 3] if first else -row[NORMAL : NORMAL + 3]
-    arm = row[POINT_A : POINT_A + 3] if first else row[POINT_B : POINT_B + 3]
-    arm = arm - _frames(flight, state, k, floating)[site.cargo_row(k), :3]
-    other = site.layout.frames[site.layout.between_frames[group, 1 if first else 0]]
-    against = _velocity(flight, state, other)
-    straight, turning = _closing(floating, against, arm, into)
+    point = row[POINT_A : POINT_A + 3] if first else row[POINT_B : POINT_B + 3]
+    frames = _frames(flight, state, k, floating)
+    arm = point - frames[site.cargo_row(k), :3]
+    other = int(site.layout.between_frames[group, 1 if first else 0])
+    against = _velocity(flight, state, site.layout.frames[other])
+    surface = against + _of_arm(flight, state, frames, other, point)
+    straight, turning = _closing(floating, surface, arm, into)
     reflects = flight.scenario.free_contact == "reflect" and not floating.met
     if reflects:
         stopped.motion[3:] -= 2.0 * max(straight, 0.0) * into
@@ -94,7 +98,10 @@ def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Wat
 
 
 def _velocity(flight: Flight, state: State, frame: str) -> Array:
-    """(3,) how fast what a body met moves in space, in L's axes [m/s]; of the arm, that of the orbiter it stands on."""
+    """(3,) how fast what a body met moves in space, in L's axes [m/s]; of the arm, that of the orbiter it stands on.
+
+    A body that stops against a part of the arm is not carried along by it.
+    """
     site, things = flight.site, state.site
     for k, one in enumerate(site.cargo):
         if one.name != frame:
@@ -104,6 +111,16 @@ def _velocity(flight: Flight, state: State, frame: str) -> Array:
         if things.cargo[k].seat and site.in_space(things.cargo[k].seat):
             return np.zeros(3)
     return np.zeros(3) if frame == "space" else site.axes @ things.orbiter_velocity
+
+
+def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Array) -> Array:
+    """(3,) how fast a point of a frame moves in L [m/s] where the arm moves it; else 0."""
+    name, held = flight.site.layout.frames[frame], state.site.held
+    if not name.startswith(ARM) and (held is None or name != flight.site.cargo[held].name):
+        return np.zeros(3)
+    now = motion(state.site.frames[frame], frames[frame], flight.scenario.control_period)
+    turn = np.array([now.wx, now.wy, now.wz])
+    return np.array([now.vx, now.vy, now.vz]) + np.cross(turn, point - frames[frame, :3])
 
 
 def _closing(floating: Floating, against: Array, arm: Array, into: Array) -> tuple[float, float]:

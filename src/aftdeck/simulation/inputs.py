@@ -152,7 +152,8 @@ def _check_target(arm: Arm, target: Target) -> None:
     sizes = (len(position), *(len(row) for row in rotation), 6 if joints is None else len(joints))
     if sizes != (3, 3, 3, 3, 6):
         raise InputError(f"a target has a position (3), a rotation (3, 3) and six joint angles or none, got {target}")
-    if not all(math.isfinite(x) for x in (*position, *(x for row in rotation for x in row), *(joints or ()))):
+    numbers = (*position, *(x for row in rotation for x in row), *(() if joints is None else joints))
+    if not all(map(math.isfinite, numbers)):
         raise InputError(f"a target has finite numbers, got {target}")
     if joints is None:
         return

@@ -70,18 +70,18 @@ class Rehearsal:
                 self._nearest, self._which = near, which
             if copy.site.fast:  # a port or latches take the payload: that ends the motion as well
                 return self._tried(True, "", self.steps * period, f"then {fixed_in(flight, copy)}", "")
-            if copy.site.contacts.inhibit.changed and (text := self._contact()):
+            if copy.site.contacts.inhibit.changed and (text := self._contact(self._touching)):
                 return self._tried(False, "contact", self.steps * period, text, "")
             if self.steps * period >= LONGEST:
                 return self._tried(False, "time", self.steps * period, f"target not reached within {LONGEST:.0f} s", "")
         return None
 
-    def _contact(self) -> str:
-        """A contact that inhibits the arm and was not there at the start, and where; empty: there is none."""
+    def _contact(self, besides: frozenset[int] = frozenset()) -> str:
+        """A contact that inhibits the arm, of a group not among `besides`, and where; empty: there is none."""
         copy, scenario = self._copy, self._flight.scenario
         things = copy.site
         for contact in things.contacts.standing(things.watch.found, scenario.arm.model.units):
-            if contact.inhibits and contact.group not in self._touching:
+            if contact.inhibits and contact.group not in besides:
                 point = things.watch.found[contact.group, POINT_A : POINT_A + 3]
                 x, y, z = scenario.arm.model.mount.to("panel", Pose(point, np.eye(3))).position / INCH
                 return f"{contact.a} touches {contact.b} at X {x:.0f}, Y {y:.0f}, Z {z:.0f} in"
@@ -112,7 +112,7 @@ class Rehearsal:
         if halt == "seat":
             return "seat", held_fast(flight, self._copy)
         if halt == "contact":
-            return "contact", "a contact holds the arm"
+            return "contact", self._contact() or "a contact holds the arm"
         if cause == BY_SINGULARITY:
             return "limit", f"the {NAMES[culprit]} singularity lies in the way"
         return "limit", f"{spoken(flight.scenario.arm.joints[culprit])} meets its {CAUSES[cause]}"
