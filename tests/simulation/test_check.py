@@ -145,7 +145,7 @@ def test_an_arm_in_contact_fails_and_names_what_it_touches_and_where() -> None:
     down = sim.scenario.arm.model.mount.rotation.T @ np.array([0.0, 0.0, 0.5])
     goal = target_at(Pose(tip.position + down, tip.rotation))
     for law in ("position", "closed loop", "open loop"):
-        verdict = checked(sim, aftdeck.Inputs(mode="OPR CMD", law=law, target=goal))[-1].check  # type: ignore[arg-type]
+        verdict = checked(sim, aftdeck.Inputs(mode="OPR CMD", law=law, target=goal))[-1].check
         assert verdict is not None and verdict.cause == "contact"
         assert contact.a in verdict.text and contact.b in verdict.text and re.search(r"X -?\d+, Y -?\d+", verdict.text)
 
