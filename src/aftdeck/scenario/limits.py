@@ -37,7 +37,7 @@ def _limited(problems: Problems, model: ArmModel, over: LimitsOverride) -> ArmMo
     limits = Limits(**{name: pick(name, own) for name, own in model.limits._asdict().items()})
     rates = JointRates(**{name: pick(name, own) for name, own in model.rates._asdict().items()})
     for problem in limit_problems(model.joints, limits, rates):
-        problems.wrong(("limits",), problem)
+        problems.wrong(("limits", *problem.where[1:]), problem.what)
     return replace(model, limits=limits, rates=rates)
 
 
