@@ -29,6 +29,7 @@ from aftdeck.worksite.berthing import over
 from aftdeck.worksite.contacts import FRAMES, Contacts
 from aftdeck.worksite.docking import BEFORE, DISTANCE, INSIDE
 from aftdeck.worksite.found import CLEARANCE
+from aftdeck.worksite.model import Relation
 from aftdeck.worksite.watch import Watch
 
 Array = NDArray[np.float64]
@@ -85,16 +86,22 @@ def _inhibited(contacts: Contacts, among: Mask) -> bool:
 
 def _outside(site: Site, watch: Watch, frames: Array, nearest: int, permitted: Mask) -> Iterator[int]:
     """Yield the groups of the task that touch, or would touch, where their relation does not permit it."""
+    known: dict[tuple[int, Relation], bool] = {}
     for meeting in site.meetings:
-        g = meeting.group
+        g, of = meeting.group, (meeting.cargo, meeting.relation)
         if not watch.active[g]:
             continue
         if watch.found[g, CLEARANCE] <= CONTACT:
             if not permitted[g]:
                 yield g
-        # `bound` is the least that the clearance can be, and nothing farther apart is lined up
-        elif watch.bound[g] >= NEAR or not _lined_up(site, frames, meeting, told=nearest == g):
+        elif watch.bound[g] >= NEAR:  # the least that the clearance can be: nothing farther apart is lined up
             yield g
+        else:
+            if of not in known:
+                told = any(other.group == nearest for other in site.meetings if (other.cargo, other.relation) == of)
+                known[of] = _lined_up(site, frames, meeting, told=told)
+            if not known[of]:
+                yield g
 
 
 def _lined_up(site: Site, frames: Array, meeting: Meeting, *, told: bool) -> bool:
