@@ -3,6 +3,7 @@ from __future__ import annotations
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -147,6 +148,19 @@ def test_check_passes_every_built_in_scenario(run: Run) -> None:
         assert (code, err) == (0, "")
         assert out.startswith(f"{name}: good. ")
         assert run.json("check", name) == {"scenario": name, "problems": [], "cautions": []}
+
+
+def test_run_tells_cautions_on_standard_error_alone(run: Run, tmp_path: Path) -> None:
+    text = load_scenario("concept-1972").text.replace('"payload"', '"free flyer"')
+    path = tmp_path / "wide.toml"
+    duration = next(line for line in text.splitlines() if line.startswith("duration"))
+    wide = text.replace(duration, 'duration = "0.1 s"') + '\n[dimensions]\nflyer_width = "15.5 ft"\n'
+    path.write_text(wide, encoding="utf-8")
+    code, out, err = run("run", str(path), "--json")
+    assert code == 0 and json.loads(out)["ended"] == "time"
+    assert re.search(r"^caution: wide\.toml:\d+: cargo\[0\]: .*bay wall", err, re.MULTILINE), err
+    path.write_text(wide.replace("15.5 ft", "13 ft"), encoding="utf-8")
+    assert "caution:" not in run("run", str(path), "--json")[2]
 
 
 def test_check_lists_every_error_with_its_line(run: Run, tmp_path: Path) -> None:

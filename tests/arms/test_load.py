@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -109,11 +110,11 @@ def problems(tmp_path: Path, old: str, new: str) -> list[str]:
             "vernier = { value = [0.5",
             "a: expected 0 < vernier <= coarse <= servo, got 0.5",
         ),
-        ("mass = 0\n", "mass = 1\n", "por[0]: the first row is for no payload (mass 0), got 1 kg"),
-        ('mass = "10 t"', 'mass = "1 t"', "por[2]: masses increase from row to row, got 1000 after 1000 kg"),
+        ("mass = 0\n", "mass = 1\n", "por[0].mass: the first row is for no payload (mass 0), got 1 kg"),
+        ('mass = "10 t"', 'mass = "1 t"', "por[2].mass: masses increase from row to row, got 1000 after 1000 kg"),
         ("reached_in = 2\n", "reached_in = 0\n", "por[0]: speeds and the time are above 0"),
         ("vernier_translation = 0.2", "vernier_translation = 0.7", "por[0]: "),
-        ("total = { value = 9", "total = { value = 10", "masses: the parts add up to 9 kg, the total says 10 kg"),
+        ("total = { value = 9", "total = { value = 10", "masses.total: the parts add up to 9 kg, the total says 10 kg"),
         ("elbow = 1", "elbow = -1", "masses"),
         ("title =", "colour =", "the field 'title' is missing"),
         ("[mount]", "[muont]", "the field 'mount' is missing"),
@@ -122,7 +123,7 @@ def problems(tmp_path: Path, old: str, new: str) -> list[str]:
 def test_a_bad_arm_file_is_refused_with_what_is_wrong_and_where(tmp_path: Path, old: str, new: str, said: str) -> None:
     found = problems(tmp_path, old, new)
     assert any(said in problem for problem in found), found
-    assert all(problem.startswith("bad.toml") for problem in found)
+    assert all(re.match(r"bad\.toml:\d+: |bad\.toml: the field '\w+' is missing", problem) for problem in found), found
 
 
 def test_everything_wrong_with_an_arm_file_comes_at_once(tmp_path: Path) -> None:
@@ -131,7 +132,14 @@ def test_everything_wrong_with_an_arm_file_comes_at_once(tmp_path: Path) -> None
     file.write_text(text.replace("singular = { value = 0.1", "singular = { value = 7"), encoding="utf-8")
     with pytest.raises(ScenarioError) as caught:
         aftdeck.load_arm(file)
-    assert len(caught.value.problems) == 3
+    assert [problem.split(": ", 1)[0] for problem in caught.value.problems] == [
+        f"bad.toml:{line_of(text.replace('singular = { value = 0.1', 'singular = { value = 7'), what)}"
+        for what in ("value = -0.4,", "singular = { value = 7", "total = { value = 7")
+    ]
+
+
+def line_of(text: str, what: str) -> int:
+    return text[: text.index(what)].count("\n") + 1
 
 
 def test_the_masses_of_the_parts_add_up_to_the_published_arm() -> None:

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from aftdeck.bodies.camera_file import CameraFile, DriveFile, TravelFile, cameras_of
 from aftdeck.bodies.cameras import Camera, Drive, Setting, Vec3, setting, square, view
+from aftdeck.files import Problem
 from aftdeck.units import Angle, AngularRate, Length
 
 directions = st.tuples(*[st.floats(-1.0, 1.0)] * 3).filter(lambda v: math.hypot(*v) > 0.1)
@@ -70,8 +71,8 @@ def test_a_camera_that_starts_outside_of_its_drives_ranges_is_refused() -> None:
     cameras, problems = cameras_of([listed("unit"), listed("unit", (1.0, -1.0, 0.0)), listed("other")], [UNIT])
     assert [setting(one).pan for one in cameras] == [0.0]
     assert problems == [
-        "camera[1]: camera T starts with a pan of 0.7854 rad; its drive 'unit' goes from -0.5 to 0.5",
-        "camera[2]: camera T's drive 'other' is not listed; there are: unit",
+        Problem(("camera", 1), "camera T starts with a pan of 0.7854 rad; its drive 'unit' goes from -0.5 to 0.5"),
+        Problem(("camera", 2), "camera T's drive 'other' is not listed; there are: unit"),
     ]
 
 

@@ -66,9 +66,10 @@ def test_one_call_does_what_its_parts_do_one_by_one(name: str) -> None:
         counts = counted(
             sim._flight,
             things.held,
-            things.watch.placed,
+            things.watch,
             things.frames,
             things.lined_up,
+            things.nearest,
             things.contacts,
             things.permitted,
         )[0]

@@ -13,10 +13,11 @@ import math
 from collections.abc import Iterator
 
 from aftdeck.arms.model import BoomsFile, EffectorFile, HeadingArmFile, StandFile
+from aftdeck.files import Problem
 
 
-def body_problems(file: HeadingArmFile) -> list[str]:
-    """A sentence for everything that does not fit."""
+def body_problems(file: HeadingArmFile) -> list[Problem]:
+    """Everything that does not fit, each with its place."""
     return [
         *_stand_problems(file.stand),
         *_effector_problems(file.effector),
@@ -34,23 +35,26 @@ def _bends(file: HeadingArmFile) -> tuple[float, float]:
     return elbow, math.acos(min(cosines))
 
 
-def _stand_problems(stand: StandFile) -> Iterator[str]:
+def _stand_problems(stand: StandFile) -> Iterator[Problem]:
     least, start, greatest = stand.least.value, stand.start.value, stand.greatest.value
     if not 0.0 < least <= start <= greatest:
-        yield f"stand: expected 0 < least <= start <= greatest, got {least:g}, {start:g}, {greatest:g} m"
+        yield Problem(("stand",), f"expected 0 < least <= start <= greatest, got {least:g}, {start:g}, {greatest:g} m")
     below = stand.top_below_shoulder.value
     if not 0.0 < below < least:
-        yield f"stand.top_below_shoulder: is above 0 and less than the least length, got {below:g} m"
+        what = f"is above 0 and less than the least length, got {below:g} m"
+        yield Problem(("stand", "top_below_shoulder"), what)
     yield from _above_zero("stand", rate=stand.rate.value, side=stand.side.value)
     tube, sleeve = stand.tube_side.value, stand.side.value
     if not 0.0 < tube <= sleeve:
-        yield f"stand.tube_side: is above 0 and at most the stand's side, {sleeve:g} m, got {tube:g} m"
+        what = f"is above 0 and at most the stand's side, {sleeve:g} m, got {tube:g} m"
+        yield Problem(("stand", "tube_side"), what)
 
 
-def _effector_problems(e: EffectorFile) -> Iterator[str]:
+def _effector_problems(e: EffectorFile) -> Iterator[Problem]:
     for name, (near, far) in (("palm", e.palm.value), ("fingers", e.fingers.value)):
         if not 0.0 <= near < far:
-            yield f"effector.{name}: ends farther along the hand than it begins, got {near:g} to {far:g} m"
+            what = f"ends farther along the hand than it begins, got {near:g} to {far:g} m"
+            yield Problem(("effector", name), what)
     yield from _above_zero(
         "effector",
         palm_half_width=e.palm_half_width.value,
@@ -61,16 +65,18 @@ def _effector_problems(e: EffectorFile) -> Iterator[str]:
     )
     opened, closed, fixed = e.prong_open.value, e.prong_closed.value, e.fixed_finger.value
     if not opened < closed < fixed:
-        yield (
-            "effector: the prong closes towards the fixed finger: expected prong_open < prong_closed < fixed_finger, "
-            f"got {opened:g}, {closed:g}, {fixed:g} m"
+        yield Problem(
+            ("effector",),
+            "the prong closes towards the fixed finger: expected prong_open < prong_closed < fixed_finger, "
+            f"got {opened:g}, {closed:g}, {fixed:g} m",
         )
 
 
-def _boom_problems(b: BoomsFile, elbow: float, wrist: float) -> Iterator[str]:
+def _boom_problems(b: BoomsFile, elbow: float, wrist: float) -> Iterator[Problem]:
     begin, end = b.stub.value
     if not begin < end:
-        yield f"booms.stub: ends farther along the hand than it begins, got {begin:g} to {end:g} m"
+        what = f"ends farther along the hand than it begins, got {begin:g} to {end:g} m"
+        yield Problem(("booms", "stub"), what)
     diagonal = math.sqrt(2.0)
     for pin, boom, set_back, half_width, bend in (
         ("elbow", "the arm's booms", b.set_back.value, 0.5 * b.side.value, elbow),
@@ -79,9 +85,10 @@ def _boom_problems(b: BoomsFile, elbow: float, wrist: float) -> Iterator[str]:
     ):
         if bend >= math.pi or set_back < half_width * math.tan(0.5 * bend):
             needed = "" if bend >= math.pi else f": {half_width * math.tan(0.5 * bend):g} m is needed"
-            yield (
-                f"booms: {boom} set back by {set_back:g} m from the {pin} cannot bend by {math.degrees(bend):g} deg, "
-                f"as its hard limits let it{needed}"
+            yield Problem(
+                ("booms",),
+                f"{boom} set back by {set_back:g} m from the {pin} cannot bend by {math.degrees(bend):g} deg, "
+                f"as its hard limits let it{needed}",
             )
     for pin, side, room in (
         ("shoulder", b.shoulder_housing.value, b.set_back.value),
@@ -90,10 +97,11 @@ def _boom_problems(b: BoomsFile, elbow: float, wrist: float) -> Iterator[str]:
     ):
         corner = 0.5 * math.sqrt(3.0) * side
         if not 0.0 < corner <= room:
-            yield f"booms.{pin}_housing: its corners lie {corner:g} m from the pin, the booms begin at {room:g} m"
+            what = f"its corners lie {corner:g} m from the pin, the booms begin at {room:g} m"
+            yield Problem(("booms", f"{pin}_housing"), what)
 
 
-def _above_zero(table: str, **lengths: float) -> Iterator[str]:
+def _above_zero(table: str, **lengths: float) -> Iterator[Problem]:
     for name, value in lengths.items():
         if value <= 0.0:
-            yield f"{table}.{name}: is above 0, got {value:g}"
+            yield Problem((table, name), f"is above 0, got {value:g}")

@@ -14,13 +14,14 @@ from aftdeck.arms.covers import cover_problem
 from aftdeck.arms.geometry import linkage_of
 from aftdeck.arms.limits import JointRates, Limits, limit_problems
 from aftdeck.arms.model import ArmFile, HeadingArmFile, HeadingGeometry, PorRow, YawArmFile, YawGeometry
+from aftdeck.files import Problem
 
 MASS_TOLERANCE = 1e-3
 """How far the parts' masses may be from the total [1]."""
 
 
-def arm_problems(file: ArmFile) -> list[str]:
-    """A sentence for everything wrong in a decoded arm file."""
+def arm_problems(file: ArmFile) -> list[Problem]:
+    """Everything wrong in a decoded arm file, each with its place."""
     if isinstance(file, HeadingArmFile):
         found = _boom_problems(file.geometry) + body_problems(file)
     else:
@@ -29,62 +30,70 @@ def arm_problems(file: ArmFile) -> list[str]:
     rates = JointRates(*(np.array(getattr(file.rates, name).value) for name in JointRates._fields))
     found += limit_problems(file.joints, limits, rates)
     if len(set(file.joints)) < len(file.joints):
-        found.append(f"joints: six different names are needed, got {', '.join(file.joints)}")
+        found.append(Problem(("joints",), f"six different names are needed, got {', '.join(file.joints)}"))
     if not 0.0 < file.limits.singular.value < 1.0:
-        found.append(f"limits.singular: lies between 0 and 1, got {file.limits.singular.value:g}")
+        found.append(Problem(("limits", "singular"), f"lies between 0 and 1, got {file.limits.singular.value:g}"))
     return found + _por_problems(file.por) + _mass_problems(file)
 
 
-def _geometry_problems(g: YawGeometry) -> list[str]:
+def _geometry_problems(g: YawGeometry) -> list[Problem]:
     lengths = {
         "shoulder_yaw_to_pitch": g.shoulder_yaw_to_pitch.value,
         "wrist_pitch_to_yaw": g.wrist_pitch_to_yaw.value,
         "wrist_yaw_to_tip": g.wrist_yaw_to_tip.value,
     }
-    found = [f"geometry.{name}: a length is not negative, got {v:g} m" for name, v in lengths.items() if v < 0.0]
+    found = [
+        Problem(("geometry", name), f"a length is not negative, got {v:g} m") for name, v in lengths.items() if v < 0.0
+    ]
     for name, (along, _) in (("upper_arm", g.upper_arm.value), ("lower_arm", g.lower_arm.value)):
         if along <= 0.0:
-            found.append(f"geometry.{name}: the length along the arm is above 0, got {along:g} m")
+            found.append(Problem(("geometry", name), f"the length along the arm is above 0, got {along:g} m"))
     return found
 
 
-def _cover_problems(file: YawArmFile) -> list[str]:
+def _cover_problems(file: YawArmFile) -> list[Problem]:
     frames = linkage_of(file).frames
     found = []
     for i, body in enumerate(file.bodies):
         if body.frame not in frames:
-            found.append(f"bodies[{i}].frame: {body.frame!r} is no frame of the arm; there are: {', '.join(frames)}")
+            what = f"{body.frame!r} is no frame of the arm; there are: {', '.join(frames)}"
+            found.append(Problem(("bodies", i, "frame"), what))
         if problem := cover_problem(body, body.part):
-            found.append(f"bodies[{i}]: {problem}")
+            found.append(Problem(("bodies", i), problem))
     return found
 
 
-def _boom_problems(g: HeadingGeometry) -> list[str]:
+def _boom_problems(g: HeadingGeometry) -> list[Problem]:
     lengths = {"upper_arm": g.upper_arm.value, "lower_arm": g.lower_arm.value}
-    return [f"geometry.{name}: a boom's length is above 0, got {v:g} m" for name, v in lengths.items() if v <= 0.0]
+    return [
+        Problem(("geometry", name), f"a boom's length is above 0, got {v:g} m")
+        for name, v in lengths.items()
+        if v <= 0.0
+    ]
 
 
-def _por_problems(rows: tuple[PorRow, ...]) -> list[str]:
+def _por_problems(rows: tuple[PorRow, ...]) -> list[Problem]:
     found = []
     if rows[0].mass != 0.0:
-        found.append(f"por[0]: the first row is for no payload (mass 0), got {rows[0].mass:g} kg")
+        found.append(Problem(("por", 0, "mass"), f"the first row is for no payload (mass 0), got {rows[0].mass:g} kg"))
     for i, (low, high) in enumerate(pairwise(rows)):
         if high.mass <= low.mass:
-            found.append(f"por[{i + 1}]: masses increase from row to row, got {high.mass:g} after {low.mass:g} kg")
+            what = f"masses increase from row to row, got {high.mass:g} after {low.mass:g} kg"
+            found.append(Problem(("por", i + 1, "mass"), what))
     for i, r in enumerate(rows):
-        values = (r.vernier_translation, r.translation, r.vernier_rotation, r.rotation, r.reached_in)
+        where, values = ("por", i), (r.vernier_translation, r.translation, r.vernier_rotation, r.rotation, r.reached_in)
         if min(values) <= 0.0:
-            found.append(f"por[{i}]: speeds and the time are above 0, got {', '.join(f'{v:g}' for v in values)}")
+            found.append(Problem(where, f"speeds and the time are above 0, got {', '.join(f'{v:g}' for v in values)}"))
         if r.vernier_translation > r.translation or r.vernier_rotation > r.rotation:
-            found.append(
-                f"por[{i}]: vernier limits are at most the coarse ones, got {', '.join(f'{v:g}' for v in values)}"
-            )
+            what = f"vernier limits are at most the coarse ones, got {', '.join(f'{v:g}' for v in values)}"
+            found.append(Problem(where, what))
     return found
 
 
-def _mass_problems(file: ArmFile) -> list[str]:
+def _mass_problems(file: ArmFile) -> list[Problem]:
     parts, published = file.masses.parts.value, file.masses.total.value
     total = sum(getattr(parts, name) for name in parts.__struct_fields__)
     if abs(total - published) <= MASS_TOLERANCE * total:
         return []
-    return [f"masses: the parts add up to {total:g} kg, the total says {published:g} kg"]
+    what = f"the parts add up to {total:g} kg, the total says {published:g} kg"
+    return [Problem(("masses", "total"), what)]

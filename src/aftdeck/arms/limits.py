@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.files import Problem
+
 Array = NDArray[np.float64]
 
 
@@ -42,8 +44,8 @@ class JointRates(NamedTuple):
     acceleration: Array
 
 
-def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[str]:
-    """A sentence for each joint whose limits do not lie inside each other."""
+def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[Problem]:
+    """Each joint whose limits do not lie inside each other, with its place in an arm's file."""
     found = []
     for i, joint in enumerate(joints):
         chain = [*(s[i, 0] for s in limits), *(s[i, 1] for s in reversed(limits))]
@@ -52,12 +54,13 @@ def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> 
                 f"{name} {low:g} to {high:g} deg"
                 for name, (low, high) in zip(Limits._fields, (np.degrees(s[i]) for s in limits), strict=True)
             )
-            found.append(f"{joint}: reach limits lie inside soft stops inside hard stops, got {shown}")
+            what = f"{joint}: reach limits lie inside soft stops inside hard stops, got {shown}"
+            found.append(Problem(("limits",), what))
         vernier, coarse, servo = rates.vernier[i], rates.coarse[i], rates.servo[i]
         if not 0.0 < vernier <= coarse <= servo:
-            found.append(
-                f"{joint}: expected 0 < vernier <= coarse <= servo, got {vernier:g}, {coarse:g}, {servo:g} rad/s"
-            )
+            what = f"{joint}: expected 0 < vernier <= coarse <= servo, got {vernier:g}, {coarse:g}, {servo:g} rad/s"
+            found.append(Problem(("rates",), what))
         if not rates.acceleration[i] > 0.0:
-            found.append(f"{joint}: expected an acceleration above 0, got {rates.acceleration[i]:g} rad/s2")
+            what = f"{joint}: expected an acceleration above 0, got {rates.acceleration[i]:g} rad/s2"
+            found.append(Problem(("rates", "acceleration"), what))
     return found

@@ -15,7 +15,7 @@ from aftdeck.arms.geometry import PRONG, STAND, Linkage, frozen, linkage_of, rai
 from aftdeck.arms.limits import JointRates, Limits
 from aftdeck.arms.model import ArmFile, HeadingArmFile, PorRow
 from aftdeck.errors import ArmError, InputError, ScenarioError
-from aftdeck.files import Text, parse, read
+from aftdeck.files import Text, parse, read, sentences
 from aftdeck.frames import Mount, rotation_x
 
 Array = NDArray[np.float64]
@@ -173,7 +173,7 @@ def load_model(name_or_path: str | Path) -> ArmModel:
     source = read(path)
     file = parse(cast("type[ArmFile]", ArmFile), source)  # a union is no `type` to the type checker
     if problems := arm_problems(file):
-        raise ScenarioError([f"{path.name}: {problem}" for problem in problems])
+        raise ScenarioError(sentences(problems, *source))
     return _model(file, source.text, read(path.parent / file.shapes) if file.shapes else None)
 
 

@@ -13,7 +13,7 @@ from aftdeck.arms.model import HeadingArmFile
 from aftdeck.bodies.camera_file import CameraFile, DriveFile, cameras_of
 from aftdeck.bodies.cameras import Camera
 from aftdeck.errors import ScenarioError
-from aftdeck.files import parse
+from aftdeck.files import Problem, parse, sentences
 from aftdeck.shapes import Box, Shape
 
 
@@ -53,7 +53,7 @@ def shapes_of(model: ArmModel) -> ArmShapes:
         cameras, problems = cameras_of(file.camera, file.drive)
         problems += _problems(file, model.frames)
         if problems:
-            raise ScenarioError([f"{model.shapes.name}: {problem}" for problem in problems])
+            raise ScenarioError(sentences(problems, *model.shapes))
         return ArmShapes({body.name: body.shapes for body in file.body}, cameras)
     blocks = blocks_of(model.source, model.linkage.frames) if isinstance(model.source, HeadingArmFile) else ()
     return ArmShapes(
@@ -71,12 +71,14 @@ def _box(block: Block) -> Box:
     )
 
 
-def _problems(file: _File, frames: tuple[str, ...]) -> Iterator[str]:
+def _problems(file: _File, frames: tuple[str, ...]) -> Iterator[Problem]:
     """Frames that are not the arm's, and cameras on none of them."""
     allowed = ", ".join(frames)
     names = tuple(body.name for body in file.body)
     if names != frames:
-        yield f"body: the frames are {', '.join(names) or 'none'}; they have to be, in order, {allowed}"
+        what = f"the frames are {', '.join(names) or 'none'}; they have to be, in order, {allowed}"
+        yield Problem(("body",), what)
     for i, camera in enumerate(file.camera):
         if camera.body not in frames:
-            yield f"camera[{i}].body: {camera.body!r} is no frame of the arm; there are: {allowed}"
+            what = f"{camera.body!r} is no frame of the arm; there are: {allowed}"
+            yield Problem(("camera", i, "body"), what)

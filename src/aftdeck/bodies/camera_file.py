@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import msgspec
 
 from aftdeck.bodies.cameras import Camera, Drive, Kind, Pane, Travel, Vec3, along, setting, square
+from aftdeck.files import Problem
 from aftdeck.units import Angle, AngularRate, Length
 
 
@@ -117,12 +118,12 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return camera
 
 
-def cameras_of(files: Sequence[CameraFile], drives: Sequence[DriveFile]) -> tuple[tuple[Camera, ...], list[str]]:
-    """The cameras of a file, and a sentence, with its place in the file, for each one that cannot be had."""
+def cameras_of(files: Sequence[CameraFile], drives: Sequence[DriveFile]) -> tuple[tuple[Camera, ...], list[Problem]]:
+    """The cameras of a file, and why, with its place in the file, for each one that cannot be had."""
     cameras, problems = [], []
     for i, file in enumerate(files):
         try:
             cameras.append(file.camera(drives))
         except ValueError as error:
-            problems.append(f"camera[{i}]: {error}")
+            problems.append(Problem(("camera", i), str(error)))
     return tuple(cameras), problems

@@ -10,10 +10,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from aftdeck.cli.app import Host, Json, NoBrowser, Port, ScenarioName, Seed, app
-from aftdeck.cli.printing import Progress, print_complaint, print_json, print_summary, print_table
+from aftdeck.cli.printing import Progress, print_cautions, print_complaint, print_json, print_summary, print_table
 from aftdeck.errors import AftdeckError, InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from aftdeck.files import Problem
     from aftdeck.scenario.model import Scenario
     from aftdeck.simulation.summary import Summary
 
@@ -49,8 +52,10 @@ def fly(
         if text is not None and record is None:
             raise InputError(f"{name} goes with --record DIR: it is written into each recording, and nowhere else")
     taking_part = trial(participant, condition)
+    loaded = load_scenario(scenario)
+    print_cautions(_cautions(loaded))
     serve(
-        load_scenario(scenario),
+        loaded,
         seed,
         host=host,
         port=port,
@@ -90,6 +95,7 @@ def run(
     if out is not None and words is not None and out.resolve() == words.resolve():
         raise InputError(f"--out and --words both name {words}; each needs a file of its own")
     loaded = load_scenario(scenario)
+    print_cautions(_cautions(loaded))
     if channels is None and not loaded.phases:
         print_complaint(
             f"{loaded.name} has no script: its {loaded.duration:g} s pass with nobody at the controls; "
@@ -146,11 +152,17 @@ def _flown(
         return done.summary, None
 
 
+def _cautions(scenario: Scenario, surveyed: Sequence[Problem] = ()) -> tuple[str, ...]:
+    """Return a sentence for each caution: those that loading found, and those of a survey."""
+    from aftdeck.files import sentences
+
+    return tuple(sentences([*scenario.cautions, *surveyed], f"{scenario.name}.toml", scenario.text))
+
+
 @app.command(short_help="Check a scenario file: every error at once.", epilog="Example: aftdeck check my-scenario.toml")
 def check(scenario: ScenarioName, as_json: Json = False) -> None:
     """Check a scenario file: every error at once, each with its place, and cautions over sampled poses."""
     from aftdeck.errors import ScenarioError
-    from aftdeck.files import sentences
     from aftdeck.scenario.load import load_scenario
 
     problems: tuple[str, ...] = ()
@@ -159,7 +171,7 @@ def check(scenario: ScenarioName, as_json: Json = False) -> None:
         loaded = load_scenario(scenario)
         from aftdeck.simulation.survey import survey
 
-        cautions = tuple(sentences([*loaded.cautions, *survey(loaded)], f"{loaded.name}.toml", loaded.text))
+        cautions = _cautions(loaded, survey(loaded))
     except AftdeckError as error:
         problems = error.problems if isinstance(error, ScenarioError) else (str(error),)
     if as_json:
@@ -167,8 +179,7 @@ def check(scenario: ScenarioName, as_json: Json = False) -> None:
     else:
         for problem in problems:
             print(problem, file=sys.stderr)
-        for caution in cautions:
-            print(f"caution: {caution}", file=sys.stderr)
+        print_cautions(cautions)
         if not problems:
             print(f"{scenario}: good. {loaded.title}, arm {loaded.arm.name}, {len(loaded.phases)} phases.")
     if problems:

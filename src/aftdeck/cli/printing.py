@@ -9,7 +9,7 @@ import textwrap
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
 
     from rich.progress import Progress as Bar
 
@@ -35,6 +35,12 @@ def print_summary(s: Summary) -> None:
 def print_complaint(text: str) -> None:
     """Say what went wrong beside a command that was done all the same."""
     print(f"aftdeck: {text}", file=sys.stderr, flush=True)
+
+
+def print_cautions(cautions: Iterable[str]) -> None:
+    """Say on standard error what does not fit in a scenario that can be flown all the same."""
+    for caution in cautions:
+        print(f"caution: {caution}", file=sys.stderr, flush=True)
 
 
 def print_json(value: object, indent: int | None = None) -> None:

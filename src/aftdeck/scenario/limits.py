@@ -36,7 +36,7 @@ def _limited(problems: Problems, model: ArmModel, over: LimitsOverride) -> ArmMo
     limits = Limits(**{name: _pick(over, name, own) for name, own in model.limits._asdict().items()})
     rates = _rates(model, over)
     for problem in limit_problems(model.joints, limits, rates):
-        problems.wrong(("limits",), problem)
+        problems.wrong(("limits", *problem.where[1:]), problem.what)
     return replace(model, limits=limits, rates=rates)
 
 
@@ -66,7 +66,7 @@ def phase_limits(
         return None
     rates = _rates(model, over)
     for problem in limit_problems(model.joints, model.limits, rates):
-        problems.wrong(where, problem)
+        problems.wrong((*where, *problem.where[1:]), problem.what)
     given = {name: value for name in PorOverride.__struct_fields__ if (value := getattr(over.por, name)) is not None}
     if over.por.reached_in is not None:
         own = msgspec.structs.replace(own, acceleration=None, angular_acceleration=None)

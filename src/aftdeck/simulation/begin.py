@@ -19,7 +19,7 @@ from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
 from aftdeck.simulation.pursuit import holding
 from aftdeck.simulation.rehearsal import Rehearsal
-from aftdeck.simulation.relations import permit
+from aftdeck.simulation.relations import permitted
 from aftdeck.simulation.restrain import slider
 from aftdeck.simulation.state import Saved, SavedChecking, State
 from aftdeck.simulation.tasks import change_task
@@ -67,7 +67,7 @@ def take_up(flight: Flight, state: State) -> None:
     things = state.site
     things.settle(flight.site)
     steer(flight, state)
-    permit(flight, state)
+    things.permitted[:] = permitted(flight.site, things.watch, things.frames)
     things.contacts.essential = flight.site.essential_while(slider(state), things.permitted)
 
 
@@ -144,10 +144,10 @@ def _put(flight: Flight, state: State, start: Start) -> None:
         frames[:] = frames_with(flight, state, things.prong.position)
     things.before[:] = frames
     things.watch.look(frames, frames, scenario.control_period)
-    permit(flight, state)
+    things.permitted[:] = permitted(site, things.watch, frames)
     things.contacts.look(things.watch.found, things.task)
     counts, things.lined_up = counted(
-        flight, things.held, things.watch.placed, frames, None, things.contacts, things.permitted
+        flight, things.held, things.watch, frames, None, -1, things.contacts, things.permitted
     )
     things.nearest = things.watch.nearest(counts)
     change_task(flight, state)

@@ -13,6 +13,7 @@ from aftdeck.simulation.carried import carrying
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import floating
 from aftdeck.simulation.log import log
+from aftdeck.simulation.site import Site
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.motion import motion
@@ -36,7 +37,7 @@ def regrasp(flight: Flight, state: State, k: int) -> None:
     """What is held is held as it stands now, and steered so; the carriage draws in what is left from here on."""
     thing = state.site.cargo[k]
     thing.grasp = thing.steered = in_hand(flight, state, k).tolist()
-    if (fixture := fixture_in_hand(flight, state, k)) is not None:
+    if (fixture := fixture_in_hand(flight.site, state.site.frames, k)) is not None:
         thing.first, thing.since = fixture.tolist(), state.site.snare.drawn
     steer(flight, state)
 
@@ -86,9 +87,14 @@ def in_hand(flight: Flight, state: State, k: int) -> Array:
     return grasp
 
 
-def fixture_in_hand(flight: Flight, state: State, k: int) -> Array | None:
-    """(12,) the grapple fixture of a cargo in the end effector's axes E; None where it has none for this hand."""
-    site, frames = flight.site, state.site.frames
+def fixture_in_hand(site: Site, frames: Array, k: int) -> Array | None:
+    """(12,) the grapple fixture of a cargo in the end effector's axes E; None where it has none for this hand.
+
+    Args:
+        site: what never changes.
+        frames: (F, 12) in L.
+        k: which cargo.
+    """
     fixture = site.snares.fixtures[k] if site.snares is not None else None
     if fixture is None:
         return None
@@ -103,7 +109,7 @@ def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple
     """The cargo whose fixture is nearest to the end effector, and that (12,) in its axes, if one is so near [m]."""
     best, least = None, within
     for k in range(len(flight.site.cargo)):
-        fixture = fixture_in_hand(flight, state, k)
+        fixture = fixture_in_hand(flight.site, state.site.frames, k)
         if fixture is not None and (away := math.hypot(*fixture[:3].tolist())) < least:
             best, least = (k, fixture), away
     return best

@@ -1,23 +1,36 @@
-"""A payload that the hand is lined up with: how near the two are is judged by the conditions of capture alone.
+"""Of which watched pairs the nearest is told: of all but those that are, or come, together as the task needs it.
 
-Else every capture would be an alarm. Whether they touch is watched as ever, and a touch that inhibits the arm is told.
+Else every capture, docking and berthing would be an alarm. A payload that the hand is lined up with is judged by the
+conditions of capture alone; a probe and trunnions are lined up where they would touch inside their relation
+(`simulation.relations`) if what is left of the way was gone straight. Whether they touch is watched as ever, and a
+touch that inhibits the arm is told.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.bodies.pose import POSE, compose, pose_of, relative
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.bodies.pose import pose_of
 from aftdeck.frames import oriend
+from aftdeck.simulation.berths import Berth
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.grasp import NEAR
+from aftdeck.simulation.grasp import NEAR, fixture_in_hand
 from aftdeck.simulation.hand import Bar, Snares
-from aftdeck.simulation.site import Site
+from aftdeck.simulation.relations import trunnions_at
+from aftdeck.simulation.seating import approached
+from aftdeck.simulation.site import Meeting, Site
 from aftdeck.worksite.acquisition import AWAY, FIXED, FOUND, PALM, PRONG, acquire
+from aftdeck.worksite.berthing import over
 from aftdeck.worksite.contacts import FRAMES, Contacts
+from aftdeck.worksite.docking import BEFORE, DISTANCE, INSIDE
+from aftdeck.worksite.found import CLEARANCE
+from aftdeck.worksite.model import Relation
+from aftdeck.worksite.watch import Watch
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.uint8]
@@ -30,9 +43,10 @@ times; assumed."""
 def counted(
     flight: Flight,
     held: int | None,
-    placed: Array,
+    watch: Watch,
     frames: Array,
     before: int | None,
+    nearest: int,
     contacts: Contacts,
     permitted: Mask,
 ) -> tuple[Mask, int | None]:
@@ -41,19 +55,23 @@ def counted(
     Args:
         flight: what never changes.
         held: the cargo that the hand has; it takes no other.
-        placed: (n, 52) solids in L.
+        watch: after its look at
         frames: (F, 12) in L.
         before: the cargo that the hand was lined up with until now.
+        nearest: the group that was told until now; -1: none.
         contacts: as of the step before; where hand and cargo inhibit the arm, the two are told of after all.
         permitted: (g,) groups that the task brings into contact, but those that touch where it does not.
 
     Returns:
         (g,) those that should not touch, but the hand and the cargo that it is lined up with; and which that is.
     """
-    site, counts = flight.site, 1 - permitted
+    site = flight.site
+    counts = site.detrimental.copy()
+    for group in _outside(site, watch, frames, nearest, permitted):
+        counts[group] = 1
     k = None
     if held is None and site.bar is not None:
-        k = _about_the_bar(site.bar, placed)
+        k = _about_the_bar(site.bar, watch.placed)
     elif held is None and site.snares is not None:
         k = _before_the_snares(site, site.snares, frames, before)
     if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
@@ -64,6 +82,66 @@ def counted(
 def _inhibited(contacts: Contacts, among: Mask) -> bool:
     """Whether one of these groups' contacts inhibits the arm."""
     return bool(np.any((contacts.count == FRAMES) & (contacts.essential == 0) & (contacts.arm != 0) & (among != 0)))
+
+
+def _outside(site: Site, watch: Watch, frames: Array, nearest: int, permitted: Mask) -> Iterator[int]:
+    """Yield the groups of the task that touch, or would touch, where their relation does not permit it."""
+    known: dict[tuple[int, Relation], bool] = {}
+    for meeting in site.meetings:
+        g, of = meeting.group, (meeting.cargo, meeting.relation)
+        if not watch.active[g]:
+            continue
+        if watch.found[g, CLEARANCE] <= CONTACT:
+            if not permitted[g]:
+                yield g
+        elif watch.bound[g] >= NEAR:  # the least that the clearance can be: nothing farther apart is lined up
+            yield g
+        else:
+            if of not in known:
+                told = any(other.group == nearest for other in site.meetings if (other.cargo, other.relation) == of)
+                known[of] = _lined_up(site, frames, meeting, told=told)
+            if not known[of]:
+                yield g
+
+
+def _lined_up(site: Site, frames: Array, meeting: Meeting, *, told: bool) -> bool:
+    """Return whether the two parts would touch inside their relation if they went on straight towards each other.
+
+    What was told is lined up only where that is inside by the relation's depth, so that no lamp flickers. A hand is
+    lined up with all of a payload at once, which the caller finds.
+    """
+    k, depth = meeting.cargo, meeting.depth
+    inside = depth if told else 0.0
+    match meeting.relation:
+        case "docking":
+            ports = (berth for berth in site.berths[k] if berth.port is not None)
+            return any(_before_the_port(site, frames, k, berth, depth, inside) for berth in ports)
+        case "guides":
+            guided = (berth for berth in site.berths[k] if berth.guides is not None)
+            return any(_over_the_guides(site, frames, k, berth, depth, inside) for berth in guided)
+        case "acquisition" | "capture":
+            return False
+
+
+def _before_the_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
+    """The probe before the port's face, and where docking allows it if it went straight there."""
+    row = site.cargo_row(k)
+    found = approached(berth, frames, row)
+    if found[BEFORE] < -depth or found[DISTANCE] > NEAR:
+        return False
+    assert berth.port is not None
+    inward = frames[berth.row, 3:].reshape(3, 3) @ berth.port[3:].reshape(3, 3) @ berth.seat.envelope[0, :3]
+    there = frames.copy()
+    there[row, :3] += found[BEFORE] * inward
+    found = approached(berth, there, row)
+    return bool(found[INSIDE] >= inside and found[DISTANCE] <= berth.docking.distance - inside)
+
+
+def _over_the_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
+    """Every trunnion over the mouth of its own V-guide, or in it."""
+    assert berth.guides is not None
+    height, room = over(trunnions_at(site, frames, k, berth), berth.guides)
+    return bool(height.min() >= -depth and height.max() <= NEAR and room.min() >= inside)
 
 
 def _about_the_bar(bar: Bar, placed: Array) -> int | None:
@@ -80,18 +158,15 @@ def _about_the_bar(bar: Bar, placed: Array) -> int | None:
 
 def _before_the_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:
     """The cargo whose pin stands on the end effector's axis, more or less, and the right way round."""
-    envelope, effector, place, found = snares.envelope, np.empty(POSE), np.empty(POSE), np.empty(POSE)
-    compose(frames[site.last_joint], site.effector, effector)
-    for k, fixture in enumerate(snares.fixtures):
-        if fixture is None:
+    envelope = snares.envelope
+    for k in range(len(snares.fixtures)):
+        if (fixture := fixture_in_hand(site, frames, k)) is None:
             continue
-        compose(frames[site.cargo_row(k)], fixture, place)
-        relative(effector, place, found)
         wide = WIDEST if k == before else WIDER
-        out, y, z = found[:3].tolist()
+        out, y, z = fixture[:3].tolist()
         if hypot(y, z) > wide * envelope.radial or abs(out) > NEAR:
             continue
-        roll, pitch, yaw = (abs(angle) for angle in oriend(pose_of(found).rotation))
+        roll, pitch, yaw = (abs(angle) for angle in oriend(pose_of(fixture).rotation))
         if roll <= wide * envelope.roll and pitch <= wide * envelope.pitch and yaw <= wide * envelope.yaw:
             return k
     return None

@@ -19,6 +19,7 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Six
 from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.look_work import near_of
+from aftdeck.simulation.relations import permitted
 from aftdeck.simulation.standstill import standing
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import ANGLES, DRIVE, GO, LAW, REPORT, RISE, STICKS, TWIST
@@ -65,7 +66,7 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     cargo: tuple[tuple[Vec3, Rows], ...]
     """Centre and axes (rows) of each payload of the worksite then, in L [m]."""
     nearest: Near | None
-    """The watched pair with the least clearance then, of those not made to touch."""
+    """The watched pair with the least clearance then, of those that count then (`lined_up`)."""
     contact_s: float | None
     """When the first contact is found on the way, to a tenth of `seconds`; None: none is [s]."""
     stopping: float
@@ -97,6 +98,10 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
     rules, report = state.rules, np.zeros(REPORT)
     site, things, stand = flight.site, state.site, state.plant.stand
     driven = stand.velocity / stand.rate if stand.rate else 0.0
+    outside = counted(
+        flight, things.held, things.watch, things.frames, things.lined_up, things.nearest, things.contacts,
+        things.permitted,
+    )[0]  # fmt: skip
     watch, height, contact, period = things.watch.copy(), stand.position, None, seconds / SAMPLES
     for sample in range(1, SAMPLES + 1):
         rehearse(rules, command, steering, report, period)
@@ -105,10 +110,12 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         angles = steering[ANGLES : ANGLES + 6]
         frames = frames_at(flight, state, angles, height, things.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
-        touching = watch.nearest(site.detrimental)
+        may = permitted(site, watch, frames)
+        # what is lined up now is docked or latched before it gets deep
+        touching = watch.nearest(site.detrimental | (outside & (1 - may)))
         if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
-    counts = counted(flight, things.held, watch.placed, frames, things.lined_up, things.contacts, things.permitted)[0]
+    counts = counted(flight, things.held, watch, frames, things.lined_up, things.nearest, things.contacts, may)[0]
     watch.look_near(frames, frames, period, counts, 0.0)
     group = watch.nearest(counts)
     a, b, c, d, e, f = angles.tolist()

@@ -41,7 +41,7 @@ def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
         found = np.empty(FOUND)
         acquire(state.site.watch.placed, which, site.bar.packed, found)
         return acquisition(found, site.bar.tolerances, units)
-    if site.snares is not None and (fixture := fixture_in_hand(flight, state, k)) is not None:
+    if site.snares is not None and (fixture := fixture_in_hand(site, state.site.frames, k)) is not None:
         return in_envelope(pose_of(fixture), site.snares.envelope, units)
     return ()
 

@@ -221,15 +221,18 @@ def conditions_at(flight: Flight, state: State, k: int, berth: Berth) -> tuple[C
 
 def _beyond(flight: Flight, state: State, k: int, berth: Berth) -> bool:
     """Whether a cargo's probe is farther from a port than docking allows, so that no other condition matters."""
-    return berth.port is not None and approached(flight, state, k, berth)[DISTANCE] > berth.docking.distance
+    if berth.port is None:
+        return False
+    found = approached(berth, state.site.frames, flight.site.cargo_row(k))
+    return bool(found[DISTANCE] > berth.docking.distance)
 
 
-def approached(flight: Flight, state: State, k: int, berth: Berth) -> Array:
-    """Return how a cargo's probe stands to a port, (6,) of `worksite.docking`."""
+def approached(berth: Berth, frames: Array, cargo_row: int) -> Array:
+    """Return how a cargo's probe stands to a port, (6,) of `worksite.docking`, with the frames (F, 12) in L."""
     assert berth.port is not None
-    frames, found, port = state.site.frames, np.empty(FOUND), np.empty(POSE)
+    found, port = np.empty(FOUND), np.empty(POSE)
     compose(frames[berth.row], berth.port, port)
-    approach(berth.probe, berth.tip, frames[flight.site.cargo_row(k)], port, berth.seat.envelope, found)
+    approach(berth.probe, berth.tip, frames[cargo_row], port, berth.seat.envelope, found)
     return found
 
 
@@ -237,7 +240,7 @@ def _fitting(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condit
     """How the cargo has to stand to its place."""
     units = flight.scenario.arm.model.units
     if berth.port is not None:
-        return docking(approached(flight, state, k, berth), berth.docking, units)
+        return docking(approached(berth, state.site.frames, flight.site.cargo_row(k)), berth.docking, units)
     off = _off(flight, state, k, berth)
     if berth.guides is None:
         return retained(pose_of(off), berth.tolerances, units)

@@ -51,8 +51,8 @@ class Summary(msgspec.Struct, frozen=True):
     worst_rate_ratio: float
     """Largest |commanded joint rate| / limit in force."""
     min_clearance_m: float | None
-    """Least clearance of all watched pairs that are not made to touch, negative where they overlapped; None: no pair
-    was watched."""
+    """Least clearance of the pairs that CLEARANCE counts (`simulation.lined_up`), negative where they overlapped; None:
+    no pair was watched."""
     events: tuple[SummaryEvent, ...]
     frames_sha256: str
     """SHA-256 over the `sha256` of all frames."""
@@ -65,7 +65,7 @@ class Tally:
         ticks: steps taken in.
         events: of all of them.
         worst: largest |commanded joint rate| / limit in force.
-        least: least clearance of pairs not made to touch [m]; inf: no pair was watched.
+        least: least clearance of the pairs that count [m]; inf: no pair was watched.
     """
 
     def __init__(self) -> None:

@@ -69,8 +69,7 @@ class Things:
         fast: whether what the arm holds is fixed to something, so that the arm cannot move.
         carrier: (c,) for each payload, the row of the frame that carries it; -1: it floats.
         rides: (c, 12) its pose in that frame; where it floats, in L as that stood at the start.
-        nearest: the group of least clearance of those not made to touch, and not about to (`lined_up`); -1: none is
-            watched.
+        nearest: the group of least clearance of those that count (`simulation.lined_up`); -1: none is watched.
         lined_up: the cargo that the hand is about to take; None: none.
         orbiter: (3,) how far the orbiter has moved, forward, starboard, down [m].
         orbiter_velocity: (3,) how fast it does [m/s].

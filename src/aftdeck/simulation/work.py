@@ -14,7 +14,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
-from aftdeck.simulation.relations import permit
+from aftdeck.simulation.relations import permitted
 from aftdeck.simulation.restrain import slider
 from aftdeck.simulation.seating import seat
 from aftdeck.simulation.state import State
@@ -59,7 +59,7 @@ def _look_around(flight: Flight, state: State) -> None:
     layout, watch, contacts = site.layout, things.watch, things.contacts
     # As the last step left them.
     counts, things.lined_up = counted(
-        flight, things.held, watch.placed, things.frames, things.lined_up, contacts, things.permitted
+        flight, things.held, watch, things.frames, things.lined_up, things.nearest, contacts, things.permitted
     )
     now = look_around(
         *things.places(site),
@@ -78,7 +78,7 @@ def _look_around(flight: Flight, state: State) -> None:
     )
     things.nearest = now.nearest
     if now.touching or now.changed:
-        permit(flight, state)
+        things.permitted[:] = permitted(site, watch, things.frames)
         contacts.essential = site.essential_while(slider(state), things.permitted)
     contacts.judge(now.touching, now.changed, things.task)
 

@@ -113,7 +113,7 @@ class Measures:
             figures.append(Measure("Left to target", "length", frame.goal.distance, "", about, frame.goal.angle))
         if self._nearest is not None:
             least, pair, when = self._nearest
-            about = f"Of all watched pairs that are not made to touch: {pair}, at {when:.1f} s."
+            about = f"Of all watched pairs, but those that come together as the task needs it: {pair}, at {when:.1f} s."
             figures.append(Measure("Smallest clearance", "gap", least, "", about, level=self._worst_clearance))
         if self._captures:
             figures += self._capture_figures()

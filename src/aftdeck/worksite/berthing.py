@@ -69,14 +69,20 @@ class Guides(NamedTuple):
         guides: as they were given.
         seats: (n, 3) [m].
         axes: (n, 3, 3) unit vectors as rows: along, across (the trunnion's axis), up.
-        opening: of each V, its half width by its height [1].
+        opening: (n,) of each V, its half width by its height [1].
+        throat: (n,) of each, as of `Guide`, and so are
+        height: (n,) and
+        play: (n,).
         says: of each, how a trunnion's place is told: its height, how far it is aside, how far askew.
     """
 
     guides: tuple[Guide, ...]
     seats: Array
     axes: Array
-    opening: tuple[float, ...]
+    opening: Array
+    throat: Array
+    height: Array
+    play: Array
     says: tuple[tuple[tuple[str, str], tuple[str, str], tuple[str, str]], ...]
 
 
@@ -97,8 +103,10 @@ def prepare(guides: Sequence[Guide]) -> Guides:
                 "other"
             )
     seats = np.array([guide.seat for guide in guides]).reshape(-1, 3)
-    opening = tuple(math.tan(guide.half_angle) for guide in guides)
-    return Guides(tuple(guides), seats, axes, opening, tuple(_said(guide.name) for guide in guides))
+    opening = np.tan([guide.half_angle for guide in guides])
+    throat, height, play = np.array([(guide.throat, guide.height, guide.play) for guide in guides]).reshape(-1, 3).T
+    says = tuple(_said(guide.name) for guide in guides)
+    return Guides(tuple(guides), seats, axes, opening, throat, height, play, says)
 
 
 def _said(name: str) -> tuple[tuple[str, str], tuple[str, str], tuple[str, str]]:
@@ -126,12 +134,30 @@ def inside(trunnions: Array, guides: Guides) -> Array:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
         guides: of the seat.
     """
-    along, across, up = (guides.axes @ (trunnions - guides.seats)[:, :, None])[:, :, 0].T
-    throat, height, play = (
-        np.array([getattr(guide, name) for guide in guides.guides]) for name in ("throat", "height", "play")
-    )
-    room = throat + np.maximum(up, 0.0) * np.array(guides.opening)
-    return np.asarray(np.min([up, height - up, room - np.abs(along), play - np.abs(across)], axis=0))
+    along, across, up = _local(trunnions, guides)
+    room = guides.throat + np.maximum(up, 0.0) * guides.opening
+    return np.asarray(np.min([up, guides.height - up, room - np.abs(along), guides.play - np.abs(across)], axis=0))
+
+
+def over(trunnions: Array, guides: Guides) -> tuple[Array, Array]:
+    """Return how high over its seat each trunnion's centre is, and how far inside its guide when lowered straight.
+
+    Args:
+        trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
+        guides: of the seat.
+
+    Returns:
+        (n,) heights, and (n,) room to the guide's sides where the trunnion enters the mouth, or where it is in it;
+        negative outside [m].
+    """
+    along, across, up = _local(trunnions, guides)
+    room = guides.throat + np.minimum(np.maximum(up, 0.0), guides.height) * guides.opening
+    return up, np.minimum(room - np.abs(along), guides.play - np.abs(across))
+
+
+def _local(trunnions: Array, guides: Guides) -> Array:
+    """(3, n) where trunnions are in the axes of their guides: along, across, up from the seat [m]."""
+    return np.asarray((guides.axes @ (trunnions - guides.seats)[:, :, None])[:, :, 0].T)
 
 
 def in_guides(trunnions: Array, guides: Guides, units: Units) -> tuple[Condition, ...]:
@@ -142,11 +168,9 @@ def in_guides(trunnions: Array, guides: Guides, units: Units) -> tuple[Condition
         guides: of the seat.
         units: the operator's.
     """
-    local = (guides.axes @ (trunnions - guides.seats)[:, :, None])[:, :, 0].tolist()
+    local, opened = _local(trunnions, guides).T.tolist(), guides.opening.tolist()
     found = []
-    for guide, opening, says, (along, across, up) in zip(
-        guides.guides, guides.opening, guides.says, local, strict=True
-    ):
+    for guide, opening, says, (along, across, up) in zip(guides.guides, opened, guides.says, local, strict=True):
         room = guide.throat + max(up, 0.0) * opening
         height, aside, askew = min(up, guide.height - up), room - abs(along), guide.play - abs(across)
         name = f"{guide.name} trunnion in guide"

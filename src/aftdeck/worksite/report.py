@@ -79,8 +79,8 @@ class Work(msgspec.Struct, frozen=True, gc=False):
     task: int
     """The report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked."""
     nearest: Near | None
-    """The watched pair with the least clearance, of those not made to touch, and but for the hand and a payload that it
-    is lined up with, of which the conditions tell; None: no pair is watched."""
+    """The watched pair with the least clearance, but for those that are, or come, together as the task needs it, of
+    which the conditions tell (`simulation.lined_up`); None: no pair is watched."""
     clearance_level: Level
     """What that clearance calls for, by the scenario's thresholds."""
     contacts: tuple[Near, ...]

@@ -1,0 +1,162 @@
+"""Cameras that a part of the arm, or what is round a payload, gets in: for `simulation.survey`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.solids import solids_of
+from aftdeck.bodies.cameras import Camera
+from aftdeck.bodies.hexahedron import NX, D, pack
+from aftdeck.bodies.overlap import deepest
+from aftdeck.bodies.pose import POSE
+from aftdeck.files import Problem
+from aftdeck.kinematics.frames import frames_of, place_frames
+from aftdeck.scenario.cameras import cameras_of
+from aftdeck.scenario.fit import TOLERANCE, Parts, hands
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.relative import composed, scene_in_l
+from aftdeck.simulation.site import site_of
+from aftdeck.simulation.survey_poses import bodies, inside_soft_stops, placed, stops, told
+from aftdeck.worksite.check import distance
+
+Array = NDArray[np.float64]
+Tried = tuple[Array, float, float]
+"""Joint angles [rad], lengths of the telescope and of the prong's way [m]."""
+_ELBOW, _LITTLE = "arm.elbow_pitch", 0.1
+"""A frame that the first joint swings, and by how much it is turned to see which way [rad]."""
+
+
+def cameras(scenario: Scenario) -> Iterator[Problem]:
+    """Yield each camera with a part that it is in, once, and in which pose."""
+    television = [camera for camera in cameras_of(scenario) if camera.kind == "camera"]
+    yield from _on_the_arm(scenario, television)
+    yield from _round_the_arm(scenario, television)
+    yield from _on_payloads(scenario, television)
+
+
+def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
+    """Yield cameras of the arm that are in a part of it, at combinations of its hard stops."""
+    on_arm = [camera for camera in cameras if camera.body in scenario.arm.model.frames]
+    found: set[tuple[str, str]] = set()
+    for how, angles, stand, prong in stops(scenario):
+        frames = placed(scenario, angles, stand, prong)
+        own = bodies(scenario, frames)
+        for camera in on_arm:
+            pose = frames[camera.body]
+            for part in _inside(pose.rotation @ np.array(camera.position) + pose.position, own):
+                if (camera.name, part) not in found:
+                    found.add((camera.name, part))
+                    yield Problem(("worksite",), f"camera {camera.name} is inside {part} {how}")
+
+
+def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
+    """Yield cameras round the arm that are in a part of it, in poses that no run would tell of.
+
+    Those are poses in which the arm is in nothing that a run watches, the camera's own housing included. What holds the
+    camera is where it is at the start.
+    """
+    model = scenario.arm.model
+    stands = {body.name: body.pose for body in scenario.worksite.bodies}
+    fixed = [camera for camera in cameras if camera.body in stands]
+    scene = scene_in_l(model.mount, scenario.worksite.origin)
+    poses = [composed(scene, stands[camera.body]) for camera in fixed]
+    points = [pose.rotation @ camera.position + pose.position for camera, pose in zip(fixed, poses, strict=True)]
+    tried = _turned_to(scenario, list(inside_soft_stops(scenario)), points)
+    found: set[tuple[int, str]] = set()
+    for k, camera, part in _met(scenario, tried, np.array(points).reshape(-1, 3)):
+        if (camera, part) not in found and not _seen_in_a_run(scenario, bodies(scenario, placed(scenario, *tried[k]))):
+            found.add((camera, part))
+            yield Problem(("worksite",), f"camera {fixed[camera].name} is inside {part} {told(tried[k][0])}")
+
+
+def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> list[Tried]:
+    """Return poses with the first joint turned so that each has a point (3,) in L in the plane of the arm's booms.
+
+    The points take turns. Of poses at random, one in ten thousand has a boom in a given point; of these, one in fifty.
+    """
+    if not points:
+        return []
+    model = scenario.arm.model
+    low, high = model.limits.soft[0]
+    middle = 0.5 * model.limits.soft.sum(axis=1)
+    turned = middle.copy()
+    turned[0] += _LITTLE
+    ahead, after = (_azimuth(placed(scenario, at, 0.0, 0.0)[_ELBOW].position) for at in (middle, turned))
+    sign, start = np.sign(np.sin(after - ahead)), middle[0]
+    found = []
+    for k, (angles, stand, prong) in enumerate(tried):
+        # an arm that leans back over its shoulder has the point behind it
+        turn = sign * (_azimuth(points[k % len(points)]) - ahead) + (k // len(points) % 2) * np.pi
+        heading = (start + turn + np.pi) % (2.0 * np.pi) - np.pi
+        if low <= heading <= high:
+            found.append((np.array([heading, *angles[1:]]), stand, prong))
+    return found
+
+
+def _azimuth(point: Array) -> float:
+    return float(np.arctan2(point[1], point[0]))
+
+
+def _met(scenario: Scenario, tried: Sequence[Tried], points: Array) -> Iterator[tuple[int, int, str]]:
+    """Yield which pose has which point of (n, 3) in L in which part of the arm."""
+    arm = frames_of(scenario.arm.model)
+    frames = np.empty((len(tried), len(arm.names), POSE))
+    for row, (angles, stand, prong) in zip(frames, tried, strict=True):
+        place_frames(arm.joints, angles, stand, prong, row)
+    local = {
+        name: np.einsum("kij,kni->knj", own[:, 3:].reshape(-1, 3, 3), points - own[:, None, :3])
+        for name, own in zip(arm.names, frames.transpose(1, 0, 2), strict=True)
+    }
+    for solid in solids_of(scenario.arm.model):
+        body = pack(solid.vertices)
+        inside = (local[solid.frame] @ body[NX:D].reshape(3, 6) <= body[D:]).all(axis=2)
+        for k, point in np.argwhere(inside).tolist():
+            yield k, point, solid.part
+
+
+def _seen_in_a_run(scenario: Scenario, own: Parts) -> bool:
+    """Return whether the arm, its parts in L, is in something that a run watches against it."""
+    layout = site_of(scenario).layout
+    scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
+    around: Parts = {}
+    for solid in scenario.worksite.solids:
+        around.setdefault(solid.part, []).append(solid.vertices @ scene.rotation.T + scene.position)
+    watched = (layout.named(group) for group in range(len(layout.groups)))
+    return any(deepest(own[a], around[b]) > TOLERANCE for a, b in watched if a in own and b in around)
+
+
+def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
+    """Yield cameras on payloads that are in the hand that holds them, or in what is round them in a seat."""
+    for one in scenario.cargo:
+        own = [camera for camera in cameras if camera.body == one.name]
+        for how, hand in hands(scenario.arm.model, scenario.worksite, one).items():
+            yield from _held(own, hand, f"with the hand, {how}, at its bar")
+        for seat in scenario.worksite.seats:
+            if seat.lacks(one.probe, one.trunnions):
+                continue
+            pose = seat.seated(one.probe)
+            around: Parts = {}
+            for solid in scenario.worksite.solids:
+                there = (solid.vertices - pose.position) @ pose.rotation
+                around.setdefault(solid.part, []).append(there)
+            yield from _held(own, around, f"with {one.name} in the seat {seat.name!r}")
+
+
+def _held(cameras: list[Camera], around: Parts, how: str) -> Iterator[Problem]:
+    for camera in cameras:
+        for part in _inside(np.array(camera.position), around):
+            yield Problem(("worksite",), f"camera {camera.name} is inside {part} {how}")
+
+
+def _inside(point: Array, parts: Parts) -> Iterator[str]:
+    """Yield the parts that a point is in."""
+    for part, solids in parts.items():
+        if any(_in_box(point, body) and distance(point, body) == 0.0 for body in solids):
+            yield part
+
+
+def _in_box(point: Array, body: Array) -> bool:
+    return bool((body.min(axis=0) <= point).all() and (point <= body.max(axis=0)).all())

@@ -1,0 +1,76 @@
+"""The poses over which a survey tries an arm, and where its solids are then."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arms.model import HeadingArmFile
+from aftdeck.arms.solids import solids_of
+from aftdeck.bodies.pose import pose_of
+from aftdeck.frames import Pose
+from aftdeck.kinematics.frames import frames_of, place_frames
+from aftdeck.scenario.fit import Parts
+from aftdeck.scenario.model import Scenario
+
+Array = NDArray[np.float64]
+
+TRIED = 5000
+"""How many poses inside the soft stops; they take half a second."""
+
+
+def stops(scenario: Scenario) -> Iterator[tuple[str, Array, float, float]]:
+    """Yield the middle of the arm's hard limits, and every combination of its hard stops, each with what it is."""
+    model = scenario.arm.model
+    low, high = model.limits.hard.T
+    stand, prong = float(model.links[0]), 0.0
+    ends = [stand]
+    if isinstance(model.source, HeadingArmFile):
+        ends = [float(model.source.stand.least.value), float(model.source.stand.greatest.value)]
+        prong = float(model.source.effector.prong_open.value)
+    yield "at the middle of its limits", 0.5 * (low + high), ends[0], prong
+    turns = np.where(high - low < 2.0 * math.pi, high, 0.5 * (low + high))  # a full turn has its middle as well
+    for joints in product(*zip(low, turns, strict=True)):
+        for end in ends:
+            yield told(np.array(joints)), np.array(joints), end, prong
+
+
+def placed(scenario: Scenario, angles: Array, stand: float, prong: float) -> dict[str, Pose]:
+    """Return the pose in L of each frame of the arm, with joint angles [rad], telescope and prong [m]."""
+    arm = frames_of(scenario.arm.model)
+    rows = arm.rows()
+    place_frames(arm.joints, angles, stand, prong, rows)
+    return {name: pose_of(row) for name, row in zip(arm.names, rows, strict=True)}
+
+
+def bodies(scenario: Scenario, frames: dict[str, Pose]) -> Parts:
+    """Return the arm's solids in L by part, with its frames at these poses."""
+    found: Parts = {}
+    for solid in solids_of(scenario.arm.model):
+        pose = frames[solid.frame]
+        found.setdefault(solid.part, []).append(solid.vertices @ pose.rotation.T + pose.position)
+    return found
+
+
+def told(angles: Array) -> str:
+    """Return a pose in words."""
+    return f"at joint angles {', '.join(f'{math.degrees(angle):.0f}' for angle in angles.tolist())} deg"
+
+
+def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]]:
+    """Yield `TRIED` poses inside the soft stops, always the same: joint angles [rad], telescope and prong [m].
+
+    A telescope's length is drawn as well; a prong is open.
+    """
+    model, rng = scenario.arm.model, np.random.default_rng(0)
+    low, high = model.limits.soft.T
+    ends, prong = (float(model.links[0]),) * 2, 0.0
+    if isinstance(model.source, HeadingArmFile):
+        ends = float(model.source.stand.least.value), float(model.source.stand.greatest.value)
+        prong = float(model.source.effector.prong_open.value)
+    for _ in range(TRIED):
+        yield rng.uniform(low, high), float(rng.uniform(*ends)), prong
