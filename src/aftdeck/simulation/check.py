@@ -17,8 +17,8 @@ from aftdeck.simulation.ways import ways
 from aftdeck.steering.layout import MEASURED
 from aftdeck.steering.mode import MODES
 
-STEPS = 100
-"""Rehearsed steps in a control step: 2 to 4 ms of it."""
+STEPS = 50
+"""Rehearsed steps in a control step: 1 to 3 ms of it."""
 
 
 def check(flight: Flight, state: State) -> None:

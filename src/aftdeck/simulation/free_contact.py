@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.law import law
 from aftdeck.simulation.ahead import frames_with
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import Floating
@@ -19,6 +20,7 @@ from aftdeck.simulation.state import State
 from aftdeck.worksite.check import ARM
 from aftdeck.worksite.conditions import shown
 from aftdeck.worksite.found import CLEARANCE, NORMAL, POINT_A, POINT_B
+from aftdeck.worksite.layout import Mask
 from aftdeck.worksite.motion import motion
 from aftdeck.worksite.restrain import looked_at, worsened
 from aftdeck.worksite.watch import Watch
@@ -32,6 +34,8 @@ HALVINGS = 8
 def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floating:
     """Return the free flight of a cargo a control period later, stopped or reflected by what it meets.
 
+    Where nothing is near it is the same object, moved on.
+
     Args:
         flight: what never changes.
         state: with all else moved in this step.
@@ -39,17 +43,26 @@ def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floatin
         floating: its free flight until now.
     """
     period, things = flight.scenario.control_period, state.site
+    if not measured(things.watch.found, flight.site.of_cargo[k]):  # nothing is as near as anything moves in a step
+        floating.move(period)
+        floating.met = False
+        return floating
     after = floating.moved(period)
-    near = things.watch.found[:, CLEARANCE][flight.site.of_cargo[k] != 0]
-    if not np.isfinite(near).any():  # nothing is as near as anything moves in a step
-        after.met = False
-        return after
     here = looked_at(things.watch, _frames(flight, state, k, floating))
     group = _met(flight, state, k, here, after)
     if group < 0:
         after.met = False
         return after
     return _stopped(flight, state, k, floating, here, group)
+
+
+@law
+def measured(found: Array, groups: Mask) -> bool:
+    """Return whether the clearance of one of these groups, (g,) 1, was near enough to be measured."""
+    near = False
+    for g in range(len(groups)):
+        near = near or (groups[g] != 0 and found[g, CLEARANCE] < np.inf)
+    return near
 
 
 def _frames(flight: Flight, state: State, k: int, floating: Floating) -> Array:

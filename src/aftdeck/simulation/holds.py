@@ -45,8 +45,8 @@ def held_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[float, ..
 def hold_position(flight: Flight, state: State) -> None:
     """POHS: with sticks at rest in a manual mode, mode 2 keeps the pose at which the arm came to rest."""
     panel = state.panel
-    moving = state.command[STICKS : STICKS + 6].any()
-    if not panel.position_hold or MODES[panel.mode].kind != "manual" or moving:
+    off = not panel.position_hold or MODES[panel.mode].kind != "manual"
+    if off or state.command[STICKS : STICKS + 6].any():
         panel.holding = None
         return
     if panel.holding is None and np.abs(state.steering[TWIST : TWIST + 6]).max() < AT_REST:

@@ -9,7 +9,7 @@ touch that inhibits the arm is told.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import hypot
+from math import hypot, inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,6 @@ from aftdeck.simulation.berths import Berth
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import NEAR, fixture_in_hand
 from aftdeck.simulation.hand import Bar, Snares
-from aftdeck.simulation.relations import trunnions_at
 from aftdeck.simulation.seating import approached
 from aftdeck.simulation.site import Meeting, Site
 from aftdeck.worksite.acquisition import AWAY, FIXED, FOUND, PALM, PRONG, acquire
@@ -49,25 +48,27 @@ def counted(
     nearest: int,
     contacts: Contacts,
     permitted: Mask,
+    travel: float = inf,
 ) -> tuple[Mask, int | None]:
     """Of which groups the nearest is told.
 
     Args:
         flight: what never changes.
         held: the cargo that the hand has; it takes no other.
-        watch: after its look at
+        watch: after its look at the frames.
         frames: (F, 12) in L.
         before: the cargo that the hand was lined up with until now.
         nearest: the group that was told until now; -1: none.
         contacts: as of the step before; where hand and cargo inhibit the arm, the two are told of after all.
         permitted: (g,) groups that the task brings into contact, but those that touch where it does not.
+        travel: how much nearer two parts come at most until the nearest is looked for [m].
 
     Returns:
         (g,) those that should not touch, but the hand and the cargo that it is lined up with; and which that is.
     """
     site = flight.site
     counts = site.detrimental.copy()
-    for group in _outside(site, watch, frames, nearest, permitted):
+    for group in _outside(site, watch, frames, nearest, permitted, travel):
         counts[group] = 1
     k = None
     if held is None and site.bar is not None:
@@ -84,9 +85,15 @@ def _inhibited(contacts: Contacts, among: Mask) -> bool:
     return bool(np.any((contacts.count == FRAMES) & (contacts.essential == 0) & (contacts.arm != 0) & (among != 0)))
 
 
-def _outside(site: Site, watch: Watch, frames: Array, nearest: int, permitted: Mask) -> Iterator[int]:
-    """Yield the groups of the task that touch, or would touch, where their relation does not permit it."""
+def _outside(site: Site, watch: Watch, frames: Array, nearest: int, permitted: Mask, travel: float) -> Iterator[int]:
+    """Yield the groups of the task that touch, or would touch, where their relation does not permit it.
+
+    Yielded as well is what is too far apart to be the nearest. Arguments as of `counted`.
+    """
     known: dict[tuple[int, Relation], bool] = {}
+    farthest = NEAR  # nothing farther apart is lined up
+    if nearest >= 0 and site.detrimental[nearest]:  # what is so much farther apart cannot become the nearest
+        farthest = min(farthest, watch.found[nearest, CLEARANCE] + travel)
     for meeting in site.meetings:
         g, of = meeting.group, (meeting.cargo, meeting.relation)
         if not watch.active[g]:
@@ -94,7 +101,7 @@ def _outside(site: Site, watch: Watch, frames: Array, nearest: int, permitted: M
         if watch.found[g, CLEARANCE] <= CONTACT:
             if not permitted[g]:
                 yield g
-        elif watch.bound[g] >= NEAR:  # the least that the clearance can be: nothing farther apart is lined up
+        elif watch.bound[g] >= farthest:  # the least that the clearance can be
             yield g
         else:
             if of not in known:
@@ -140,8 +147,10 @@ def _before_the_port(site: Site, frames: Array, k: int, berth: Berth, depth: flo
 def _over_the_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
     """Every trunnion over the mouth of its own V-guide, or in it."""
     assert berth.guides is not None
-    height, room = over(trunnions_at(site, frames, k, berth), berth.guides)
-    return bool(height.min() >= -depth and height.max() <= NEAR and room.min() >= inside)
+    guides = berth.guides
+    places = guides.seats, guides.axes, guides.opening, guides.throat, guides.height, guides.play
+    least, most, room = over(frames[berth.row], frames[site.cargo_row(k)], site.cargo[k].trunnions, *places)
+    return least >= -depth and most <= NEAR and room >= inside
 
 
 def _about_the_bar(bar: Bar, placed: Array) -> int | None:

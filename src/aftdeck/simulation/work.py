@@ -58,8 +58,9 @@ def _look_around(flight: Flight, state: State) -> None:
     site, things, plant, period = flight.site, state.site, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, things.watch, things.contacts
     # As the last step left them.
+    travel = max(WATCHED, FAST * period)
     counts, things.lined_up = counted(
-        flight, things.held, watch, things.frames, things.lined_up, things.nearest, contacts, things.permitted
+        flight, things.held, watch, things.frames, things.lined_up, things.nearest, contacts, things.permitted, travel
     )
     now = look_around(
         *things.places(site),
@@ -72,7 +73,7 @@ def _look_around(flight: Flight, state: State) -> None:
         things.before,
         things.frames,
         period,
-        max(WATCHED, FAST * period),
+        travel,
         *watch.packed,
         contacts.count,
     )

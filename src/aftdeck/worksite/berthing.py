@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, angle_between
+from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, Units, within
 
 Array = NDArray[np.float64]
@@ -139,20 +140,57 @@ def inside(trunnions: Array, guides: Guides) -> Array:
     return np.asarray(np.min([up, guides.height - up, room - np.abs(along), guides.play - np.abs(across)], axis=0))
 
 
-def over(trunnions: Array, guides: Guides) -> tuple[Array, Array]:
-    """Return how high over its seat each trunnion's centre is, and how far inside its guide when lowered straight.
+class Over(NamedTuple):
+    """How trunnions stand over their guides.
+
+    Attributes:
+        least: height of the lowest over its seat [m].
+        most: height of the highest [m].
+        room: to the guides' sides, for the one with the least, where it enters the mouth, or where it is in it when it
+            is lowered straight; negative outside [m].
+    """
+
+    least: float
+    most: float
+    room: float
+
+
+@law
+def over(
+    seat: Array, payload: Array, trunnions: Array, seats: Array, axes: Array, opening: Array, throat: Array,
+    height: Array, play: Array,
+) -> Over:  # fmt: skip
+    """Return how a payload's trunnions stand over the guides of a seat.
 
     Args:
-        trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        guides: of the seat.
-
-    Returns:
-        (n,) heights, and (n,) room to the guide's sides where the trunnion enters the mouth, or where it is in it;
-        negative outside [m].
+        seat: (12,) the frame of the guides, in L.
+        payload: (12,) its frame, in L.
+        trunnions: (n, 3) their centres in the payload's frame, in the order of the guides [m].
+        seats: of the guides, as of `Guides`, and so are
+        axes: along, across and up.
+        opening: of each V.
+        throat: of each.
+        height: of each.
+        play: of each.
     """
-    along, across, up = _local(trunnions, guides)
-    room = guides.throat + np.minimum(np.maximum(up, 0.0), guides.height) * guides.opening
-    return up, np.minimum(room - np.abs(along), guides.play - np.abs(across))
+    least, most, room = np.inf, -np.inf, np.inf
+    place, local = np.empty(3), np.empty(3)
+    for n in range(len(trunnions)):
+        for i in range(3):
+            place[i] = payload[i] - seat[i]
+            for j in range(3):
+                place[i] += payload[3 + 3 * i + j] * trunnions[n, j]
+        for i in range(3):
+            local[i] = seat[3 + i] * place[0] + seat[6 + i] * place[1] + seat[9 + i] * place[2] - seats[n, i]
+        along, across, up = 0.0, 0.0, 0.0
+        for i in range(3):
+            along += axes[n, 0, i] * local[i]
+            across += axes[n, 1, i] * local[i]
+            up += axes[n, 2, i] * local[i]
+        wide = throat[n] + min(max(up, 0.0), height[n]) * opening[n]
+        least, most = min(least, up), max(most, up)
+        room = min(room, wide - abs(along), play[n] - abs(across))
+    return Over(least, most, room)
 
 
 def _local(trunnions: Array, guides: Guides) -> Array:
