@@ -1,4 +1,4 @@
-"""The STS-400 move in modes 1, 2 and 3, as restored (strict) and mended: `python -m benchmarks.strict`."""
+"""The STS-400 move in modes 1, 2 and 3, as published (strict) and corrected: `python -m benchmarks.strict`."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def main() -> None:
                 there = f"{tip:.2f}, {turn:.2f} s" if max(tip, turn) < s.time_s - period else "never"
                 line = "—" if mode == "1" else f"{off_the_line(flight) * 1e3:.3f} mm"
                 print(
-                    f"| {mode} | {period} s | {'as restored' if strict else 'mended'} | {line} | "
+                    f"| {mode} | {period} s | {'as published' if strict else 'corrected'} | {line} | "
                     f"{s.position_error_m * 1e3:.3f} mm, {math.degrees(s.rotation_error_rad):.4f}° | {there} | "
                     f"{s.ended}, {s.time_s:.2f} s |"
                 )

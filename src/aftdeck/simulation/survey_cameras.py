@@ -20,7 +20,8 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import composed, scene_in_l
 from aftdeck.simulation.site import site_of
 from aftdeck.simulation.survey_poses import bodies, inside_soft_stops, placed, stops, told
-from aftdeck.worksite.check import distance
+from aftdeck.worksite.check import depth_in
+from aftdeck.worksite.conditions import shown
 
 Array = NDArray[np.float64]
 Tried = tuple[Array, float, float]
@@ -46,10 +47,10 @@ def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
         own = bodies(scenario, frames)
         for camera in on_arm:
             pose = frames[camera.body]
-            for part in _inside(pose.rotation @ np.array(camera.position) + pose.position, own):
+            for part, depth in _inside(pose.rotation @ np.array(camera.position) + pose.position, own):
                 if (camera.name, part) not in found:
                     found.add((camera.name, part))
-                    yield Problem(("worksite",), f"camera {camera.name} is inside {part} {how}")
+                    yield _problem(scenario, camera, part, depth, how)
 
 
 def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
@@ -66,10 +67,10 @@ def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Proble
     points = [pose.rotation @ camera.position + pose.position for camera, pose in zip(fixed, poses, strict=True)]
     tried = _turned_to(scenario, list(inside_soft_stops(scenario)), points)
     found: set[tuple[int, str]] = set()
-    for k, camera, part in _met(scenario, tried, np.array(points).reshape(-1, 3)):
+    for k, camera, part, depth in _met(scenario, tried, np.array(points).reshape(-1, 3)):
         if (camera, part) not in found and not _seen_in_a_run(scenario, bodies(scenario, placed(scenario, *tried[k]))):
             found.add((camera, part))
-            yield Problem(("worksite",), f"camera {fixed[camera].name} is inside {part} {told(tried[k][0])}")
+            yield _problem(scenario, fixed[camera], part, depth, told(tried[k][0]))
 
 
 def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> list[Tried]:
@@ -100,8 +101,8 @@ def _azimuth(point: Array) -> float:
     return float(np.arctan2(point[1], point[0]))
 
 
-def _met(scenario: Scenario, tried: Sequence[Tried], points: Array) -> Iterator[tuple[int, int, str]]:
-    """Yield which pose has which point of (n, 3) in L in which part of the arm."""
+def _met(scenario: Scenario, tried: Sequence[Tried], points: Array) -> Iterator[tuple[int, int, str, float]]:
+    """Yield which pose has which point of (n, 3) in L in which part of the arm, and how deep [m]."""
     arm = frames_of(scenario.arm.model)
     frames = np.empty((len(tried), len(arm.names), POSE))
     for row, (angles, stand, prong) in zip(frames, tried, strict=True):
@@ -112,9 +113,9 @@ def _met(scenario: Scenario, tried: Sequence[Tried], points: Array) -> Iterator[
     }
     for solid in solids_of(scenario.arm.model):
         body = pack(solid.vertices)
-        inside = (local[solid.frame] @ body[NX:D].reshape(3, 6) <= body[D:]).all(axis=2)
-        for k, point in np.argwhere(inside).tolist():
-            yield k, point, solid.part
+        depths = (body[D:] - local[solid.frame] @ body[NX:D].reshape(3, 6)).min(axis=2)
+        for k, point in np.argwhere(depths >= 0.0).tolist():
+            yield k, point, solid.part, float(depths[k, point])
 
 
 def _seen_in_a_run(scenario: Scenario, own: Parts) -> bool:
@@ -133,7 +134,7 @@ def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]
     for one in scenario.cargo:
         own = [camera for camera in cameras if camera.body == one.name]
         for how, hand in hands(scenario.arm.model, scenario.worksite, one).items():
-            yield from _held(own, hand, f"with the hand, {how}, at its bar")
+            yield from _held(scenario, own, hand, f"with the hand, {how}, at its bar")
         for seat in scenario.worksite.seats:
             if seat.lacks(one.probe, one.trunnions):
                 continue
@@ -142,20 +143,26 @@ def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]
             for solid in scenario.worksite.solids:
                 there = (solid.vertices - pose.position) @ pose.rotation
                 around.setdefault(solid.part, []).append(there)
-            yield from _held(own, around, f"with {one.name} in the seat {seat.name!r}")
+            yield from _held(scenario, own, around, f"with {one.name} in the seat {seat.name!r}")
 
 
-def _held(cameras: list[Camera], around: Parts, how: str) -> Iterator[Problem]:
+def _held(scenario: Scenario, cameras: list[Camera], around: Parts, how: str) -> Iterator[Problem]:
     for camera in cameras:
-        for part in _inside(np.array(camera.position), around):
-            yield Problem(("worksite",), f"camera {camera.name} is inside {part} {how}")
+        for part, depth in _inside(np.array(camera.position), around):
+            yield _problem(scenario, camera, part, depth, how)
 
 
-def _inside(point: Array, parts: Parts) -> Iterator[str]:
-    """Yield the parts that a point is in."""
+def _problem(scenario: Scenario, camera: Camera, part: str, depth: float, how: str) -> Problem:
+    deep = shown(depth, "m", scenario.arm.model.units)
+    return Problem(("worksite",), f"camera {camera.name} is {deep} inside {part} {how}")
+
+
+def _inside(point: Array, parts: Parts) -> Iterator[tuple[str, float]]:
+    """Yield the parts that a point is in, and how deep [m]."""
     for part, solids in parts.items():
-        if any(_in_box(point, body) and distance(point, body) == 0.0 for body in solids):
-            yield part
+        depth = max((depth_in(point, body) for body in solids if _in_box(point, body)), default=-1.0)
+        if depth >= 0.0:
+            yield part, depth
 
 
 def _in_box(point: Array, body: Array) -> bool:

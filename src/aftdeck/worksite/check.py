@@ -158,6 +158,12 @@ def distance(point: Array, vertices: Array) -> float:
     )
 
 
+def depth_in(point: Array, vertices: Array) -> float:
+    """How far a point (3,) has to go to leave a hexahedron (8, 3) [m]; negative outside."""
+    body = pack(vertices)
+    return -float((body[NX:D].reshape(3, 6).T @ point - body[D:]).max())
+
+
 def _from_face(foot: Array, height: float, rim: Array) -> float:
     """Distance from a face, given the foot of the plumb line on its plane, its height, and the rim (4, 3) [m]."""
     ways = np.roll(rim, -1, axis=0) - rim
