@@ -109,7 +109,7 @@ def _verdict(checking: Checking) -> Check:
     when = "" if first.cause == "miss" else f", {first.seconds:.0f} s from here"
     why = f"FAIL: {first.text}{when}"
     if good:
-        why = f"FAIL in a straight line: {first.text}{when}; GOOD by joints: {good[0].seconds:.0f} s"
+        why = f"FAIL in a straight line; GOOD by joints: {good[0].seconds:.0f} s. In the line: {first.text}{when}"
     return Check(False, why, first.seconds, first.cause)
 
 

@@ -49,7 +49,7 @@ export function route(): Route {
 export function whatNext({ sequence, point, points, aim, check }: Frame): string {
   if (points === 0) return 'Nothing to fly in this position.';
   if (sequence === 'in progress') return 'Flies on to its next pause point; STOP or Space halts it.';
-  if (check && !check.good) return 'Cannot go on from here; fly clear, then enter it again.';
+  if (check && !check.good) return 'Fly clear, then enter it again.';
   if (point === 1) return 'PROCEED starts the sequence.';
   return aim ? 'Waits here; PROCEED goes on.' : 'Sequence complete; PROCEED begins it again.';
 }
