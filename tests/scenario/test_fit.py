@@ -142,7 +142,7 @@ def edited(rng: np.random.Generator) -> dict[str, str]:
 
 
 EDITS = int(os.environ.get("AFTDECK_EDITS", "10"))
-"""How many edits are tried; 1,000 with AFTDECK_EDITS=1000."""
+"""How many edits are tried; 1,000 with AFTDECK_EDITS=1000 and `-o faulthandler_timeout=0`."""
 
 
 @pytest.mark.slow

@@ -227,7 +227,7 @@ def test_a_verdict_its_time_and_its_cause_are_those_of_the_flight(law: str) -> N
 @pytest.mark.slow
 @laws
 def test_many_verdicts_times_and_causes_are_those_of_the_flight(law: str) -> None:
-    """24 targets for each law; `AFTDECK_MOVES=1000` flies as many as that."""
+    """24 targets for each law; `AFTDECK_MOVES=1000` flies as many as that, with `-o faulthandler_timeout=0`."""
     rng, arm = np.random.default_rng(7), aftdeck.load_arm("srms")
     for k in range(int(os.environ.get("AFTDECK_MOVES", "24"))):
         start, goal = random_target(rng, arm)
