@@ -131,10 +131,14 @@ def same(pose: RigidTransform, seven: NDArray[np.float64]) -> None:
 def test_every_body_stands_where_the_page_draws_it(flown: Flown) -> None:
     translator = Translator(load_scenario(flown.scenario), demo=False)
     names = [body.name for body in translator.welcome.bodies]
-    assert "payload" in names
+    assert ("payload" in names) == (flown.scenario == "loaded")  # the other has no shape
     for (frame, _), message in zip(drawn_frames(flown), flown.topics["/tf"], strict=True):
         frames = tree(flown.topics["/tf_static"][0], message)
-        assert set(frames) == {*names, "L", "tip"}
+        assert set(frames) == {*names, "payload", "L", "tip"}
+        assert frame.payload is not None
+        held = (in_root(frames, "L").inv() * in_root(frames, "payload")).as_matrix()
+        assert held[:3, 3] == pytest.approx(frame.payload[0], abs=ROUNDING)
+        assert held[:3, :3] == pytest.approx(np.array(frame.payload[1]), abs=ROUNDING)
         poses = np.array(translator.frame(frame, -1).poses).reshape(-1, 7)
         for name, seven in zip(names, poses, strict=True):
             same(in_root(frames, name), seven)
@@ -171,4 +175,6 @@ def test_the_scene_has_every_body_in_a_frame_that_is_told_of(flown: Flown) -> No
     entities = message.content["entities"]
     frames = tree(flown.topics["/tf_static"][0], flown.topics["/tf"][0])
     assert all(entity["frame_id"] == entity["id"] and entity["frame_locked"] for entity in entities)
-    assert {entity["frame_id"] for entity in entities} == set(frames) - {"L", "tip"}
+    named = {entity["frame_id"] for entity in entities}
+    assert named <= set(frames) - {"L", "tip"} and set(frames) - named <= {"L", "tip", "payload"}
+    assert ("payload" in named) == (flown.scenario == "loaded")

@@ -140,6 +140,25 @@ def test_a_payload_is_let_go_by_a_phase() -> None:
     assert "CAPTURE" in frames[199].work.hand.flags and "CAPTURE" not in frames[299].work.hand.flags
 
 
+@pytest.mark.parametrize(("place", "joints"), [('worksite = "orbiter"', BAY), ('arm = "concept-1972"', CONCEPT)])
+def test_an_end_effector_keeps_what_a_phase_attaches_and_moves_again_when_it_is_detached(
+    place: str, joints: Sequence[float]
+) -> None:
+    payload = PAYLOAD.format(mass="1000 lb").replace("[payload]", "[phase.payload]")
+    still = 'mode = "ORB UNL"\nduration = 1\n'
+    phases = "".join(f"[[phase]]\n{phase}\n" for phase in (still, still + payload, still + "detached = true\n"))
+    for phase, attached in enumerate((0, 1, 0)):
+        sim = aftdeck.Simulation(scenario(joints, f"{place}\ncontrol_period = 0.08\n{phases}"))
+        while (frame := sim.step()).phase != f"ORB UNL, phase[{phase}]":
+            assert not sim.ended
+        before, after = frame, sim.step(aftdeck.Inputs(effector="close"))
+        assert before.attached == after.attached == attached
+        assert any(event.kind == "refused" for event in after.events) == bool(attached)
+        for _ in range(4):
+            after = sim.step(aftdeck.Inputs())
+        assert (after.work.hand.opening != before.work.hand.opening) == (not attached)
+
+
 @pytest.mark.parametrize(
     ("phase", "named"),
     [

@@ -12,6 +12,8 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.station import protocol as wire
 from aftdeck.station.wire import Translator
 from tests.station.pages import scenario
+from tests.steering.flying import BAY, PAYLOAD
+from tests.steering.flying import scenario as written
 
 RATES = ("coarse", "vernier")
 LOADED = "srms-berth"
@@ -40,6 +42,25 @@ def test_the_payload_id_is_that_of_what_is_in_the_grasp(name: str, held: int) ->
     table = translator.welcome.payloads
     assert [row.id for row in table] == list(range(len(table)))
     assert table[0].mass == 0.0 and all(row.mass > 0.0 for row in table[1:])
+
+
+def test_a_payload_that_a_phase_attaches_has_its_id_its_row_and_its_point_of_resolution() -> None:
+    heavy, light = (PAYLOAD.replace("[payload]", "[phase.payload]").format(mass=f"{m} lb") for m in (32000, 1000))
+    still = '[[phase]]\nmode = "ORB UNL"\nduration = 0.08\n'
+    made = written(BAY, f"control_period = 0.08\n{still}{still}{heavy}{still}{light}{still}detached = true\n")
+    sim, translator = Simulation(made), Translator(made, demo=False)
+    frames = [sim.step() for _ in range(4)]
+    shown = [translator.frame(frame, 0) for frame in frames]
+    assert [frame.payload for frame in shown] == [0, 1, 2, 0]
+    table = [row.mass * 2.2046226218 for row in translator.welcome.payloads]
+    assert table == pytest.approx([0.0, 32000.0, 1000.0])
+    for frame, page in zip(frames[1:3], shown[1:3], strict=True):
+        assert frame.payload is not None
+        centre, axes = map(np.array, frame.payload)
+        hand = made.arm.end_effector(np.array(frame.orientation))
+        there = frame.position + hand @ np.array(page.por_offset)
+        assert axes.T @ (there - centre) == pytest.approx([0.3, -0.4, 0.1], abs=1e-9)
+    assert [page.por_offset == (0.0, 0.0, 0.0) for page in shown] == [True, False, False, True]
 
 
 @pytest.mark.parametrize("name", [LOADED, "loaded"])

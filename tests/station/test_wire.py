@@ -16,6 +16,8 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.station import protocol as wire
 from aftdeck.station.wire import Translator
 from tests.station.pages import scenario
+from tests.steering.flying import BAY, PAYLOAD
+from tests.steering.flying import scenario as written
 
 OVER_THE_PIN = Path(__file__).parents[1] / "browser" / "over-the-pin.toml"
 SCENE = np.diag([-1.0, 1.0, -1.0])
@@ -216,3 +218,13 @@ def test_the_longest_message_of_a_page_is_far_below_the_limit() -> None:
         wire.SetTarget(2**53 - 1, (third, third, third), (pi, pi, pi)),
     ]
     assert max(len(msgspec.json.encode(message)) for message in longest) < wire.MAX_MESSAGE_BYTES / 8
+
+
+def test_every_body_has_a_pose_whether_a_payload_without_shape_is_held_or_detached() -> None:
+    still = '[[phase]]\nmode = "ORB UNL"\nduration = 0.08\n'
+    made = written(BAY, f"control_period = 0.08\n{PAYLOAD.format(mass='1000 lb')}\n{still}{still}detached = true\n")
+    sim, translator = Simulation(made), Translator(made, demo=False)
+    for held in (True, False):
+        frame = sim.step()
+        assert (frame.payload is not None) == held
+        assert len(translator.frame(frame, 0).poses) == 7 * len(translator.welcome.bodies)

@@ -8,6 +8,7 @@ export type Vec3 = readonly [number, number, number];
 export type Axis = 'x' | 'y' | 'z';
 export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'glow';
 export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group;
+export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
 export type Six = readonly [number, number, number, number, number, number];
 export type Quat = readonly [number, number, number, number];
 export type Rate = 'coarse' | 'vernier';
@@ -535,7 +536,7 @@ export interface JointInfo {
   readonly servo: number;
 }
 
-/** One position of the MODE rotary that this scenario can enter. */
+/** One position of the MODE rotary. */
 export interface ModeInfo {
   /** As printed on the panel: `ORB UNL`. */
   readonly position: string;
@@ -546,7 +547,10 @@ export interface ModeInfo {
   readonly kind: 'automatic' | 'manual' | 'single' | 'test' | 'master';
   /** The point that it moves: `tip`, `payload`. */
   readonly point: string;
-  /** Whether this scenario can enter it; ORB LD and PL need a payload, AUTO 1-4 their points. */
+  /**
+   * Whether this scenario has what it needs, as AUTO 1-4 their points. Those that move a payload need one in the
+   * grasp as well.
+   */
   readonly enabled: boolean;
   /** The axes that the sticks act along: `orbiter axes`. */
   readonly axes: string;
@@ -850,7 +854,7 @@ export interface Resolution {
 
 /** A limit that acted in this step. */
 export interface Limit {
-  readonly kind: 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
+  readonly kind: LimitKind;
   /** 0 to 5, or -1 where no single joint is concerned. */
   readonly joint: number;
   /** For people: `elbow pitch at its rate limit`. */

@@ -164,6 +164,7 @@ def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> Frame
         events=tuple(EventRecord(e.time_s, e.kind, e.level, e.text) for e in frame.events),
         views=tuple([round(angle, DECIMALS) for view in frame.views for angle in view]),
         times=_times_record(frame.times),
+        attached=frame.attached,
         wrist_pitch=None if frame.wrist_pitch is None else _attitude(frame.wrist_pitch),
     )
 
@@ -219,10 +220,18 @@ def frame_of(record: FrameRecord) -> Frame:
         work=work_of(record.work),
         events=tuple(Event(e.time_s, e.kind, e.level, e.text) for e in record.events),
         sha256=record.sha256,
+        attached=_attached(record),
         times=Times(*msgspec.structs.astuple(record.times)),
         wrist_pitch=None if record.wrist_pitch is None else _rows(record.wrist_pitch),
         views=tuple([Setting(*record.views[i : i + 3]) for i in range(0, len(record.views), 3)]),
     )
+
+
+def _attached(record: FrameRecord) -> int:
+    """Files made before had one payload of the scenario's own at most."""
+    if record.attached is not None:
+        return record.attached
+    return int(record.payload_m is not None and not any(cargo.held for cargo in record.work.cargo))
 
 
 def light_record(time_s: float, lighting: Lighting) -> LightRecord:

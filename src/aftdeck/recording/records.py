@@ -188,6 +188,9 @@ class FrameRecord(Message, frozen=True):
         Numbers, told("pan, tilt and field of view of each camera that turns, as the worksite lists them", "rad")
     ]
     times: Annotated[TimesRecord, told("of the phase under way; all 0 or null in files made before")] = TimesRecord()
+    attached: Annotated[
+        int | None, told("which of the scenario's own payloads is in the grasp, from 1; null in files made before")
+    ] = None
     wrist_pitch: Annotated[
         Numbers | None, told("T_B5: attitude of frame 5, quaternion w x y z; null in files made before", "1", "orbiter")
     ] = None

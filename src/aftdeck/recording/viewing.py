@@ -40,7 +40,6 @@ class Viewing:
         self._channels, self._began_ns, self._live = channels, began_ns, live
         self._every = max(1, math.ceil(PERIOD / scenario.control_period - 1e-9))
         self._joints = scenario.arm.joints
-        self._loaded = scenario.payload is not None
         self._poses = ScenePoses(scenario)
         self._worksite = scenario.worksite.bodies
         self._picture = scene_update(bodies_of(scenario), _time(began_ns))
@@ -95,7 +94,7 @@ class Viewing:
         for cargo in frame.work.cargo:
             pose = _rounded(self._poses.pose(cargo.position, cargo.orientation))
             moving.append(_transform(ROOT, cargo.name, pose, time))
-        if self._loaded and frame.payload is not None:
+        if frame.attached and frame.payload is not None:
             centre, axes = frame.payload
             pose = _rounded((*centre, *quaternion(np.array(axes))))
             moving.append(_transform(LONGERON, PAYLOAD, pose, time))

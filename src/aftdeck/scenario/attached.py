@@ -4,36 +4,63 @@ from __future__ import annotations
 
 from aftdeck.files import Where
 from aftdeck.kinematics.payload import Payload
-from aftdeck.scenario.model import Attached
 from aftdeck.scenario.payload import attached_payload
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import Phase
 
 
-def attachment(
-    problems: Problems, phase: Phase, before: Payload | None, cargo: bool, where: Where
-) -> tuple[Attached | None, Payload | None]:
-    """Return what a phase attaches, None where it leaves all as it is, and what is in the grasp then.
+class Grasp:
+    """The scenario's own payloads, gathered phase by phase.
 
-    Args:
-        problems: gathers what is wrong.
-        phase: as decoded.
-        before: what is in the grasp until then, but for payloads of the worksite.
-        cargo: whether the worksite has payloads, which the hand takes and lets go itself.
-        where: its place in the file.
+    Attributes:
+        payloads: so far, in the order of the file.
+        held: which of them is in the grasp, from 1; 0: none.
     """
-    if phase.payload is None and not phase.detached:
-        return None, before
-    there = (*where, "detached" if phase.payload is None else "payload")
-    if phase.payload is not None and phase.detached:
-        problems.wrong(there, "give either payload or detached, not both")
-    elif cargo:
-        problems.wrong(there, "is for a grasp without a worksite's payloads: the hand takes and lets those go itself")
-    elif before is not None and (before.shapes or before.solids):
-        problems.wrong(there, "cannot change a payload with a shape or a body; payloads of the worksite can be let go")
-    elif phase.detached and before is None:
-        problems.wrong(there, "there is nothing in the grasp")
-    else:
-        payload = None if phase.payload is None else attached_payload(problems, phase.payload, there)
-        return Attached(payload), payload
-    return None, before
+
+    def __init__(self, payload: Payload | None, *, cargo: bool) -> None:
+        self.payloads = [] if payload is None else [payload]
+        self.held = len(self.payloads)
+        self._cargo = cargo
+
+    @property
+    def loaded(self) -> bool:
+        """Whether the hand may hold something."""
+        return self.held > 0 or self._cargo
+
+    @property
+    def mass(self) -> float:
+        """Of what is held, but for the worksite's payloads [kg]."""
+        return self.payloads[self.held - 1].mass if self.held else 0.0
+
+    def attach(self, problems: Problems, phase: Phase, where: Where) -> int | None:
+        """Return which payload a phase puts into the grasp, 0 for none; None: it leaves all as it is.
+
+        Args:
+            problems: gathers what is wrong.
+            phase: as decoded.
+            where: its place in the file.
+        """
+        if phase.payload is None and not phase.detached:
+            return None
+        there = (*where, "detached" if phase.payload is None else "payload")
+        own = self.payloads[self.held - 1] if self.held else None
+        if phase.payload is not None and phase.detached:
+            problems.wrong(there, "give either payload or detached, not both")
+        elif self._cargo:
+            problems.wrong(
+                there, "is for a grasp without a worksite's payloads: the hand takes and releases those itself"
+            )
+        elif own is not None and (own.shapes or own.solids):
+            problems.wrong(
+                there, "cannot change a payload with a shape or a body; payloads of the worksite can be let go"
+            )
+        elif phase.detached and own is None:
+            problems.wrong(there, "there is nothing in the grasp")
+        elif phase.payload is None:
+            self.held = 0
+            return self.held
+        elif (payload := attached_payload(problems, phase.payload, there)) is not None:
+            self.payloads.append(payload)
+            self.held = len(self.payloads)
+            return self.held
+        return None

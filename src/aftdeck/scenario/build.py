@@ -8,6 +8,7 @@ from pathlib import Path
 from aftdeck.errors import ScenarioError
 from aftdeck.files import Problem, Where, beside
 from aftdeck.kinematics.arm import Arm
+from aftdeck.scenario.attached import Grasp
 from aftdeck.scenario.cargo import present_cargo
 from aftdeck.scenario.fit import misfits
 from aftdeck.scenario.light import lamps_of, lighting
@@ -67,7 +68,8 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         problems.wrong(("payload",), "stays in the grasp for good; where there is a [[cargo]], say initial.grasped")
     elif cargo and begin is not None and begin.grasped is None and MODES[mode.position].loaded:
         problems.wrong(("mode",), f"{mode.position} moves a payload, and none is in the grasp: give initial.grasped")
-    phases = script(problems, arm, spec.phase, payload, spec.limits.por, sequences, things)
+    grasp = Grasp(payload, cargo=bool(cargo))
+    phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, things)
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
     light = lighting(problems, spec.light, lamps)
@@ -115,6 +117,7 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
         position_hold=spec.position_hold,
         sequences=sequences,
         por=spec.limits.por,
+        own_payloads=tuple(grasp.payloads),
         payload=payload,
         phases=tuple(phase for phase in phases if phase is not None),
         text=text,

@@ -32,13 +32,6 @@ class RateLimits:
 
 
 @dataclass(frozen=True, eq=False)
-class Attached:
-    """What a phase of the script puts into the grasp: `payload`, or nothing where that is None."""
-
-    payload: Payload | None
-
-
-@dataclass(frozen=True, eq=False)
 class PhasePlan:
     """A phase of the script, ready to fly.
 
@@ -63,7 +56,8 @@ class PhasePlan:
         stand_at: length to bring the telescope to [m]; None: it stays.
         orbiter: translation of the orbiter, each in [-1, 1].
         limits: that hold while the phase lasts; None: the scenario's.
-        attaches: what is in the grasp from the phase on; None: it stays as it is.
+        attaches: which of `Scenario.own_payloads`, from 1, is in the grasp from the phase on; 0: none; None: it stays
+            as it is.
         until: what the phase waits for; None: its mode's own end.
         duration: length, or longest length in automatic modes [s]; None: no limit.
     """
@@ -88,7 +82,7 @@ class PhasePlan:
     stand_at: float | None
     orbiter: tuple[float, float, float]
     limits: RateLimits | None
-    attaches: Attached | None
+    attaches: int | None
     until: Until | None
     duration: float | None
 
@@ -192,7 +186,9 @@ class Scenario:
         position_hold: POSITION HOLD at the start.
         sequences: points of AUTO 1-4, by panel position.
         por: limits of the point of resolution in place of the arm's.
-        payload: in the grasp at the start, or None.
+        own_payloads: payloads that the scenario itself puts into the grasp: its own, then those of its phases. The
+            hand neither takes nor lets go of them.
+        payload: the first of these, where it is in the grasp at the start; else None.
         phases: the script; empty: none.
         text: the file.
         cautions: what does not fit, though runs make sense that stay clear of it.
@@ -233,6 +229,7 @@ class Scenario:
     position_hold: bool
     sequences: Sequences
     por: PorOverride
+    own_payloads: tuple[Payload, ...]
     payload: Payload | None
     phases: tuple[PhasePlan, ...]
     text: str

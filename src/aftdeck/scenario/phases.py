@@ -8,10 +8,9 @@ from typing import cast
 from aftdeck.errors import InputError
 from aftdeck.files import Where, place
 from aftdeck.kinematics.arm import Arm
-from aftdeck.kinematics.payload import Payload
-from aftdeck.scenario.attached import attachment
+from aftdeck.scenario.attached import Grasp
 from aftdeck.scenario.limits import phase_limits
-from aftdeck.scenario.model import Attached, PhasePlan, RateLimits, Sequences
+from aftdeck.scenario.model import PhasePlan, RateLimits, Sequences
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
 from aftdeck.scenario.places import Things, goal
 from aftdeck.scenario.poses import check_angle
@@ -35,7 +34,7 @@ def script(
     problems: Problems,
     arm: Arm,
     phases: Sequence[Phase],
-    payload: Payload | None,
+    grasp: Grasp,
     por: PorOverride,
     sequences: Sequences,
     things: Things,
@@ -46,23 +45,21 @@ def script(
         problems: gathers what is wrong.
         arm: that flies them.
         phases: as decoded.
-        payload: in the grasp at the start; None: nothing, or a payload of the worksite.
+        grasp: at the start; gathers the payloads of the phases.
         por: the scenario's limits of the point of resolution.
         sequences: points of AUTO 1-4.
         things: what targets may be given by.
     """
     plans: list[PhasePlan | None] = []
-    held = payload
     for i, phase in enumerate(phases):
         where: Where = ("phase", i)
-        attaches, held = attachment(problems, phase, held, bool(things.cargo), where)
+        attaches = grasp.attach(problems, phase, where)
         chosen = chosen_mode(problems, phase.mode, (*where, "mode"))
         if chosen is None:
             plans.append(None)
             continue
-        check_mode(problems, chosen.position, bool(held or things.cargo), sequences, (*where, "mode"))
-        mass = held.mass if held else 0.0
-        limits = phase_limits(problems, arm.model, mass, por, phase.limits, (*where, "limits"))
+        check_mode(problems, chosen.position, grasp.loaded, sequences, (*where, "mode"))
+        limits = phase_limits(problems, arm.model, grasp.mass, por, phase.limits, (*where, "limits"))
         plans.append(_phase_plan(problems, arm, phase, where, chosen, things, limits, attaches))
     return plans
 
@@ -75,7 +72,7 @@ def _phase_plan(
     chosen: Chosen,
     things: Things,
     limits: RateLimits | None,
-    attaches: Attached | None,
+    attaches: int | None,
 ) -> PhasePlan:
     """One phase, ready to fly."""
     there = None if phase.target is None else goal(problems, arm, phase.target, things, (*where, "target"))

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Rows, quaternion
 from aftdeck.scenario.model import Scenario
+from aftdeck.scene.bodies import draws_payload
 from aftdeck.scene.poses import ArmPoses
 from aftdeck.simulation.frame import Frame, Vec3
 from aftdeck.simulation.look_ahead import Ahead
@@ -26,7 +27,7 @@ class ScenePoses:
             (body.pose.position, quaternion(body.pose.rotation), body.fixed_to == "space")
             for body in scenario.worksite.bodies
         ]
-        self._payload = scenario.payload is not None
+        self._payload = draws_payload(scenario)
         finger = scenario.arm.model.fixed_finger
         self._finger = 0.0 if finger is None else finger
 

@@ -95,7 +95,7 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
         return
     task = state.site.task
     state.become(_state_at(flight, parts[part]))
-    state.panel.began = state.tick - 1
+    state.panel.began, state.script.attached = state.tick - 1, 0 if flight.scenario.payload is None else 1
     steer(flight, state)
     if MODES[state.panel.mode].loaded and state.carried.payload is None:
         state.panel.mode = "ORB UNL"  # nothing is in the grasp in this part
@@ -132,7 +132,7 @@ def _put(flight: Flight, state: State, start: Start) -> None:
             things.floating[k] = floating(pose, velocity, rates, control, angles)
     things.settle(site)
     frames[:] = frames_with(flight, state, things.prong.position)
-    if scenario.payload is not None:
+    if state.script.attached:
         put_effector(flight, state, holding=True)
         frames[:] = frames_with(flight, state, things.prong.position)
     if start.grasped is not None:

@@ -37,7 +37,7 @@ def capture(flight: Flight, state: State, inputs: Inputs) -> None:
         state: at the step's end, all frames in place.
         inputs: of this step. A change of the end effector switch is the snares' trigger.
     """
-    if flight.scenario.payload is not None:
+    if state.script.attached:
         _keep(flight, state, inputs)
     elif flight.site.bar is not None:
         _prong(flight, state, flight.site.bar)
@@ -46,7 +46,7 @@ def capture(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _keep(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Refuse every motion of an end effector whose payload the scenario fixes in the grasp ([payload])."""
+    """Refuse every motion of an end effector whose payload the scenario puts into the grasp."""
     for switch in (inputs.effector, inputs.rigid):
         if switch in ("close", "open", "rigid", "derigid"):
             refuse(

@@ -179,6 +179,8 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     """The point of resolution [m]: the payload's in ORB LD and PL, else the tip."""
     payload: tuple[Vec3, tuple[Vec3, Vec3, Vec3]] | None
     """Centre [m] and axes (rows) of the payload in the grasp."""
+    attached: int
+    """Which of the scenario's own payloads (`Scenario.own_payloads`) that is, from 1; 0: none of them."""
     twist: Six
     """Angular velocity [rad/s], then velocity of the point of resolution [m/s]."""
     twist_commanded: Six

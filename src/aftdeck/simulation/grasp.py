@@ -47,13 +47,14 @@ def steer(flight: Flight, state: State) -> None:
 
     Of a payload of the worksite that is its mass, its axes and, as point of resolution, its centre.
     """
-    phases, script = flight.scenario.phases, state.script
-    payload, held = flight.scenario.payload, [k for k, thing in enumerate(state.site.cargo) if thing.held]
-    if held:
-        payload = _payload(flight, held[0], np.array(state.site.cargo[held[0]].steered))
-    elif script.attached >= 0 and (attached := phases[script.attached].attaches) is not None:
-        payload = attached.payload
-    state.carried = carrying(flight.scenario, payload, phases[script.limits].limits if script.limits >= 0 else None)
+    scenario, script, payload = flight.scenario, state.script, None
+    for k, thing in enumerate(state.site.cargo):
+        if thing.held:
+            payload = _payload(flight, k, np.array(thing.steered))
+    if script.attached:
+        payload = scenario.own_payloads[script.attached - 1]
+    limits = scenario.phases[script.limits].limits if script.limits >= 0 else None
+    state.carried = carrying(scenario, payload, limits)
 
 
 def put_effector(flight: Flight, state: State, *, holding: bool) -> None:

@@ -77,6 +77,7 @@ def look(flight: Flight, state: State) -> Frame:
         wrist_pitch=_wrist_pitch(flight, state),
         resolution=resolution,
         payload=payload,
+        attached=state.script.attached,
         twist=twist,
         twist_commanded=_six(steering, TWIST),
         twist_demanded=_six(report, DEMAND),

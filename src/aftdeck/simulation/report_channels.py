@@ -123,7 +123,7 @@ def _without_channel(flight: Flight, state: State) -> list[str]:
     """Names of what was commanded, or had been and still acts, and is none of the thirteen inputs."""
     panel, things, flown, scenario = state.panel, state.site, state.flown, flight.scenario
     asked_else = flown.mode not in (None, MODE)
-    again = flown.effector not in (None, "stop") and scenario.payload is not None
+    again = flown.effector not in (None, "stop") and state.script.attached > 0
     standing = {
         "script": state.by_script,
         "mode": panel.mode != MODE or asked_else,

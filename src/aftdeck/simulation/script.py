@@ -64,8 +64,8 @@ def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
         return
     script.limits = limits
     if phase.attaches is not None:
-        script.attached = script.phase
-        put_effector(flight, state, holding=phase.attaches.payload is not None)
+        script.attached = phase.attaches
+        put_effector(flight, state, holding=phase.attaches > 0)
     steer(flight, state)
 
 

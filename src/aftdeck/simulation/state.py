@@ -103,8 +103,8 @@ class Script(msgspec.Struct):
     """Tick at which the phase began; -1 before that."""
     limits: int = -1
     """Index of the phase whose limits hold; -1: the scenario's do."""
-    attached: int = -1
-    """Index of the phase that said last what is in the grasp; -1: none has."""
+    attached: int = 0
+    """Which of the scenario's own payloads is in the grasp, from 1; 0: none of them."""
     ended: Literal["", "completed", "time", "fault"] = ""
 
 
@@ -143,7 +143,7 @@ class State:
             payload_axes=scenario.payload_axes,
             position_hold=scenario.position_hold,
         )
-        self.script = Script()
+        self.script = Script(attached=0 if scenario.payload is None else 1)
         self.under_way = [Inputs()] * scenario.delay
         self.carried = carried
         self.plant = KinematicPlant(

@@ -121,7 +121,7 @@ def _translated(flight: Flight, state: State, command: Array) -> str:
 def _move_prong(flight: Flight, state: State) -> None:
     """Close or open the prong. While the finger is inhibited it makes no contact, and relieves those that it has."""
     site, things = flight.site, state.site
-    free = site.prong and flight.scenario.payload is None
+    free = site.prong and not state.script.attached
     drive = _DRIVES[things.switch] if free else 0.0
     prong, period = things.prong, flight.scenario.control_period
     if drive > 0.0:

@@ -15,6 +15,7 @@ import msgspec
 from aftdeck.bodies.cameras import Camera
 from aftdeck.scenario.light import LightCondition, Lighting
 from aftdeck.shapes import Shape
+from aftdeck.simulation.frame import LimitKind
 from aftdeck.station.curves import Lane, Strip
 
 PROTOCOL = 3
@@ -388,7 +389,7 @@ class JointInfo(msgspec.Struct, frozen=True):
 
 
 class ModeInfo(msgspec.Struct, frozen=True):
-    """One position of the MODE rotary that this scenario can enter."""
+    """One position of the MODE rotary."""
 
     position: str
     """As printed on the panel: ``ORB UNL``."""
@@ -400,7 +401,8 @@ class ModeInfo(msgspec.Struct, frozen=True):
     point: str
     """The point that it moves: ``tip``, ``payload``."""
     enabled: bool
-    """Whether this scenario can enter it; ORB LD and PL need a payload, AUTO 1-4 their points."""
+    """Whether this scenario has what it needs, as AUTO 1-4 their points. Those that move a payload need one in the
+    grasp as well."""
     axes: str
     """The axes that the sticks act along: ``orbiter axes``."""
     axis_names: tuple[str, str, str]
@@ -568,19 +570,7 @@ class Role(_Message, frozen=True, tag="role"):
 class Limit(msgspec.Struct, frozen=True):
     """A limit that acted in this step."""
 
-    kind: Literal[
-        "joint rate",
-        "soft stop",
-        "hard stop",
-        "singularity",
-        "joint acceleration",
-        "POR translation",
-        "POR rotation",
-        "POR acceleration",
-        "seat",
-        "contact",
-        "switch",
-    ]
+    kind: LimitKind
     joint: int
     """0 to 5, or -1 where no single joint is concerned."""
     text: str

@@ -67,7 +67,7 @@ class Translator:
             for i, (name, label, axis) in enumerate(zip(model.joints, model.labels, axes_of(model), strict=True))
         )
         modes = tuple(
-            wire.ModeInfo(m.position, m.laws, m.title, m.kind, m.point, self._can_enter(m), m.axes, m.axis_names)
+            wire.ModeInfo(m.position, m.laws, m.title, m.kind, m.point, self._has_points(m), m.axes, m.axis_names)
             for m in MODES.values()
         )
         return wire.Welcome(
@@ -101,11 +101,8 @@ class Translator:
         first, cargo = len(self._scenario.worksite.bodies), len(self._scenario.cargo)
         return (*range(first, first + len(self._arm.model.frames)), *range(count - cargo, count))
 
-    def _can_enter(self, mode: Mode) -> bool:
-        scenario = self._scenario
-        if mode.loaded:
-            return scenario.payload is not None
-        return not mode.position.startswith("AUTO") or mode.position in scenario.sequences
+    def _has_points(self, mode: Mode) -> bool:
+        return not mode.position.startswith("AUTO") or mode.position in self._scenario.sequences
 
     def ahead(self, ahead: Ahead, frame: sim.Frame) -> wire.Ahead:
         """A look ahead from a frame as the page takes it."""
@@ -189,17 +186,15 @@ class Translator:
 
     def _payload(self, frame: sim.Frame) -> int:
         """PL ID of what is in the grasp."""
-        if frame.payload is None:
-            return 0
-        return next((i for i, cargo in enumerate(frame.work.cargo, 1) if cargo.held), 1)
+        return frame.attached or next((i for i, cargo in enumerate(frame.work.cargo, 1) if cargo.held), 0)
 
     def _por_offset(self, frame: sim.Frame, tip: Pose) -> wire.Vec3:
         """From the tip to the point that ORB LD and PL move, in the end effector's axes."""
         if frame.payload is None or self._scenario.strict:  # the source moves the tip in every mode
             return (0.0, 0.0, 0.0)
         centre, axes = np.array(frame.payload[0]), np.array(frame.payload[1])
-        held = self._scenario.payload
-        point = centre if held is None else centre + axes @ held.por
+        own = self._scenario.own_payloads[frame.attached - 1] if frame.attached else None
+        point = centre if own is None else centre + axes @ own.por
         return _vec3(((point - tip.position) @ tip.rotation @ self._hand).tolist())
 
     def target(self, message: wire.SetTarget) -> Pose:

@@ -13,9 +13,9 @@ from aftdeck.steering.rules import rules_of
 
 
 def payload_table(scenario: Scenario) -> tuple[wire.PayloadInfo, ...]:
-    """By PL ID: nothing, then the payload held for good or each of the worksite's."""
-    held = () if scenario.payload is None else (("payload", scenario.payload.mass),)
-    loads = (("no payload", 0.0), *held, *((cargo.name, cargo.mass) for cargo in scenario.cargo))
+    """By PL ID: nothing, then each of the scenario's own payloads, or each of the worksite's."""
+    own = [("payload" if k == 1 else f"payload {k}", one.mass) for k, one in enumerate(scenario.own_payloads, 1)]
+    loads = (("no payload", 0.0), *own, *((cargo.name, cargo.mass) for cargo in scenario.cargo))
     return tuple(_row(scenario, number, name, mass) for number, (name, mass) in enumerate(loads))
 
 

@@ -26,8 +26,7 @@ export function modeGroup(desk: Desk, proceed: () => void): ModeGroup {
   return {
     element,
     values({ frame }) {
-      const grasping = frame.work.cargo.some(({ held }) => held);
-      positions.set(frame.mode, grasping);
+      positions.set(frame.mode, frame.payload !== 0);
       const shown = positions.shown();
       setAbout(element, shown === frame.mode ? 'entered' : `Enter sets ${shown}`);
       setClass(element, 'single', infoOf(frame.mode)?.kind === 'single');

@@ -77,7 +77,7 @@ export function rotary(desk: Desk): Rotary {
         const key = keys[i];
         if (!key) return;
         const missing = point === 'payload' ? 'needs a payload in the grasp' : 'no points are stored';
-        const there = enabled || (point === 'payload' && grasping);
+        const there = enabled && (grasping || point !== 'payload');
         setClass(key, 'absent', !there);
         setAttribute(key, 'title', there ? title : `${title}: ${missing}`);
       });
