@@ -44,10 +44,10 @@ def beside(name: str, move: Move, law: int) -> tuple[float, float, bool]:
     command[LAW], command[TARGET : TARGET + 3] = law, goal.position
     command[TARGET + 3 : TARGET + 12], command[PLAN : PLAN + 6] = goal.rotation.ravel(), move.end
     state[ANGLES : ANGLES + 6] = move.start
-    went = rehearse(rules, command, state, np.zeros(REPORT), 3600.0)
+    arrived = rehearse(rules, command, state, np.zeros(REPORT), 3600.0)
     tip = arm.forward(state[ANGLES : ANGLES + 6])
     turn = angle_between(tip.rotation.tolist(), goal.rotation.tolist())
-    return math.dist(tip.position, goal.position), math.degrees(turn), went.arrived
+    return math.dist(tip.position, goal.position), math.degrees(turn), arrived
 
 
 def reached(name: str, move: Move, law: int) -> bool:

@@ -14,7 +14,7 @@ from aftdeck.simulation.checking import Checking
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import floating
 from aftdeck.simulation.grasp import put_effector, steer, take_hold
-from aftdeck.simulation.lined_up import counted
+from aftdeck.simulation.lined_up import count
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
 from aftdeck.simulation.pursuit import holding
@@ -69,6 +69,7 @@ def take_up(flight: Flight, state: State) -> None:
     steer(flight, state)
     things.permitted[:] = permitted(flight.site, things.watch, things.frames)
     things.contacts.essential = flight.site.essential_while(slider(state), things.permitted)
+    count(flight, state)
 
 
 def _resume_check(flight: Flight, state: State, saved: SavedChecking | None) -> None:
@@ -146,8 +147,6 @@ def _put(flight: Flight, state: State, start: Start) -> None:
     things.watch.look(frames, frames, scenario.control_period)
     things.permitted[:] = permitted(site, things.watch, frames)
     things.contacts.look(things.watch.found, things.task)
-    counts, things.lined_up = counted(
-        flight, things.held, things.watch, frames, None, -1, things.contacts, things.permitted
-    )
-    things.nearest = things.watch.nearest(counts)
+    count(flight, state)
+    things.nearest = things.watch.nearest(things.counts)
     change_task(flight, state)

@@ -13,6 +13,11 @@ from aftdeck.simulation.site import Site, site_of
 Array = NDArray[np.float64]
 Pair = tuple[float, float]
 
+WATCHED = 0.1
+"""What is nearer than this [m], or than what comes nearer at `FAST`, is measured in every step."""
+FAST = 5.0
+"""More than anything moves at [m/s]."""
+
 
 @dataclass(frozen=True, eq=False)
 class Flight:
@@ -21,11 +26,13 @@ class Flight:
     Attributes:
         scenario: what is flown.
         site: the worksite.
+        within: what is nearer than this is measured in every step [m].
         reach: joint limits as plain pairs [rad], as `soft` and `hard`, for the zones.
     """
 
     scenario: Scenario
     site: Site
+    within: float
     reach: tuple[Pair, ...]
     soft: tuple[Pair, ...]
     hard: tuple[Pair, ...]
@@ -39,5 +46,10 @@ def prepare(scenario: Scenario) -> Flight:
         return tuple((float(low), float(high)) for low, high in limits)
 
     return Flight(
-        scenario, site_of(scenario), pairs(model.limits.reach), pairs(model.limits.soft), pairs(model.limits.hard)
+        scenario,
+        site_of(scenario),
+        max(WATCHED, FAST * scenario.control_period),
+        pairs(model.limits.reach),
+        pairs(model.limits.soft),
+        pairs(model.limits.hard),
     )

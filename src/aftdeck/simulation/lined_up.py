@@ -23,6 +23,7 @@ from aftdeck.simulation.grasp import NEAR, fixture_in_hand
 from aftdeck.simulation.hand import Bar, Snares
 from aftdeck.simulation.seating import approached
 from aftdeck.simulation.site import Meeting, Site
+from aftdeck.simulation.state import State
 from aftdeck.worksite.acquisition import AWAY, FIXED, FOUND, PALM, PRONG, acquire
 from aftdeck.worksite.berthing import over
 from aftdeck.worksite.contacts import FRAMES, Contacts
@@ -37,6 +38,15 @@ Mask = NDArray[np.uint8]
 WIDER, WIDEST = 2.0, 2.4
 """Lined up is what comes within the envelope's radius and angles, so many times [1], until it leaves them so many
 times; assumed."""
+
+
+def count(flight: Flight, state: State) -> None:
+    """Work out among which groups the next step finds the nearest, once everything is where the step has brought it."""
+    things = state.site
+    things.counts[:], things.lined_up = counted(
+        flight, things.held, things.watch, things.frames, things.lined_up, things.nearest, things.contacts,
+        things.permitted, flight.within,
+    )  # fmt: skip
 
 
 def counted(

@@ -45,6 +45,7 @@ class Rehearsal:
         panel.law, panel.held, panel.holding = way.law, None, None
         panel.proceeding, panel.ending = False, ""
         begin(flight, self._copy, target, way.joints)
+        self._copy.site.counts[:] = 0  # nothing here asks which pair is the nearest
         self._touching = frozenset(self._copy.site.told)
         self._nearest, self._which, self._point = 1.0, 0, panel.point
         self._held: tuple[int, int, str] = (0, -1, "")

@@ -8,6 +8,7 @@ from aftdeck.simulation.delay import delayed
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.fly import go
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.lined_up import count
 from aftdeck.simulation.notice import notice
 from aftdeck.simulation.panel import operate
 from aftdeck.simulation.script import conclude, hand_over, phase_name, play
@@ -49,6 +50,9 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> None:
     if inputs.camera is not None:
         state.cameras.drive(inputs.camera, flight.scenario.control_period)
         state.panel.camera = inputs.camera.camera
+
+    # of which pairs the next step finds the nearest
+    count(flight, state)
 
     # what the log tells of the arm; a script whose time has run out ends
     notice(flight, state)

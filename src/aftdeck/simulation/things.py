@@ -69,6 +69,7 @@ class Things:
         fast: whether what the arm holds is fixed to something, so that the arm cannot move.
         carrier: (c,) for each payload, the row of the frame that carries it; -1: it floats.
         rides: (c, 12) its pose in that frame; where it floats, in L as that stood at the start.
+        counts: (g,) 1 for groups of which the next step finds the nearest.
         nearest: the group of least clearance of those that count (`simulation.lined_up`); -1: none is watched.
         lined_up: the cargo that the hand is about to take; None: none.
         orbiter: (3,) how far the orbiter has moved, forward, starboard, down [m].
@@ -98,6 +99,7 @@ class Things:
         self.held: int | None = None
         self.fast = False
         self.carrier, self.rides = np.full(len(site.cargo), -1), np.zeros((len(site.cargo), POSE))
+        self.counts = site.detrimental.copy()
         self.nearest = -1
         self.lined_up: int | None = None
         self.orbiter, self.orbiter_velocity = np.zeros(3), np.zeros(3)

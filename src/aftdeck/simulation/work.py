@@ -11,7 +11,6 @@ from aftdeck.simulation.contact_out import way_out_of_contact
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.free_contact import drifted
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.lined_up import counted
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
 from aftdeck.simulation.relations import permitted
@@ -27,10 +26,6 @@ from aftdeck.worksite.restrain import looked_at, relieves, worsened
 
 Array = NDArray[np.float64]
 
-WATCHED = 0.1
-"""What is nearer than this [m], or than what comes nearer at `FAST`, is measured in every step."""
-FAST = 5.0
-"""More than anything moves at [m/s]."""
 _DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
 
 
@@ -57,11 +52,6 @@ def _look_around(flight: Flight, state: State) -> None:
     """Find where everything is now, what is near, what touches, and what that inhibits."""
     site, things, plant, period = flight.site, state.site, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, things.watch, things.contacts
-    # As the last step left them.
-    travel = max(WATCHED, FAST * period)
-    counts, things.lined_up = counted(
-        flight, things.held, watch, things.frames, things.lined_up, things.nearest, contacts, things.permitted, travel
-    )
     now = look_around(
         *things.places(site),
         plant.angles,
@@ -69,11 +59,11 @@ def _look_around(flight: Flight, state: State) -> None:
         things.prong.position,
         *layout.packed,
         watch.active,
-        counts,
+        things.counts,
         things.before,
         things.frames,
         period,
-        travel,
+        flight.within,
         *watch.packed,
         contacts.count,
     )
