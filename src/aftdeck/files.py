@@ -29,8 +29,12 @@ class Text(NamedTuple):
     text: str
 
 
-def read(path: Path) -> Text:
+def read(path: Path, most: int | None = MOST_BYTES) -> Text:
     """The file's name and text.
+
+    Args:
+        path: the file.
+        most: the longest file read [bytes]; None: of any length.
 
     Raises:
         ScenarioError: missing, unreadable, too long or not UTF-8.
@@ -39,8 +43,8 @@ def read(path: Path) -> Text:
         status = path.stat()
         if not stat.S_ISREG(status.st_mode):  # a pipe or a device may never end
             raise ScenarioError([f"{path}: cannot be read: it is not a file"])
-        if status.st_size > MOST_BYTES:
-            raise ScenarioError([f"{path.name}: has {status.st_size} bytes; at most {MOST_BYTES} are read"])
+        if most is not None and status.st_size > most:
+            raise ScenarioError([f"{path.name}: has {status.st_size} bytes; at most {most} are read"])
         return Text(path.name, path.read_text(encoding="utf-8"))
     except OSError as error:
         raise ScenarioError([f"{path}: cannot be read: {error.strerror or error}"]) from None

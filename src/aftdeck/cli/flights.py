@@ -98,7 +98,7 @@ def run(
     print_cautions(_cautions(loaded))
     if channels is None and not loaded.phases:
         print_complaint(
-            f"{loaded.name} has no script: its {loaded.duration:g} s pass with nobody at the controls; "
+            f"{loaded.name} has no script: its {loaded.duration:g} s pass unattended; "
             f"`aftdeck fly {scenario}` flies it by hand"
         )
     summary, lost = _flown(loaded, out, channels, words, seed)
@@ -115,7 +115,7 @@ def run(
 def _flown(
     scenario: Scenario, out: Path | None, channels: Path | None, words: Path | None, seed: int | None
 ) -> tuple[Summary, AftdeckError | None]:
-    """Fly a scenario as `run` is told to; return its summary, and why its recording was lost, if it was."""
+    """Fly a scenario with the arguments of `run`; return its summary, and why its recording was lost, if it was."""
     from aftdeck.recording.index import Index
     from aftdeck.recording.run import UnrecordedRunError, record
     from aftdeck.simulation.run import run as fly

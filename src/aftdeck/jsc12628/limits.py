@@ -8,11 +8,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from aftdeck.errors import InputError
-from aftdeck.jsc12628.quantities import UNTURNED, Array, Units, array, metres, positive, strict_rules, tip_of
+from aftdeck.jsc12628.quantities import (
+    UNTURNED,
+    Array,
+    Units,
+    array,
+    limited_rules,
+    metres,
+    positive,
+    strict_rules,
+    tip_of,
+)
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.steering import limiters
 from aftdeck.steering.layout import DT as PERIOD
-from aftdeck.steering.layout import HELD, RATE, RATES, SPEED, SPEED_UP, STATE, TURN, TURN_UP
+from aftdeck.steering.layout import HELD, RATE, RATES, STATE
 from aftdeck.steering.modes import open_loop
 from aftdeck.steering.turn import from_hand, from_payload
 
@@ -124,10 +134,9 @@ def avclmt(
         DT: control period [s].
         units: of lengths given and returned.
     """
-    length, rules = metres(units), strict_rules()
+    length = metres(units)
+    rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)
     rules[PERIOD] = positive(DT, "DT")
-    rules[SPEED], rules[TURN] = positive(V_L, "V_L") * length, positive(omega_L, "omega_L")
-    rules[SPEED_UP], rules[TURN_UP] = positive(V_L_dot, "V_L_dot") * length, positive(omega_L_dot, "omega_L_dot")
     wanted = Twist(*array(omega_C, (3,), "omega_C").tolist(), *(array(V_C, (3,), "V_C") * length).tolist())
     present = Twist(*array(omega, (3,), "omega").tolist(), *(array(V, (3,), "V") * length).tolist())
     allowed = np.array(limiters.avclmt(rules, wanted, present)[0])

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from aftdeck.errors import InputError
 from aftdeck.kinematics.linkage import Tip
-from aftdeck.steering.layout import RULES, STRICT
+from aftdeck.steering.layout import RULES, SPEED, SPEED_UP, STRICT, TURN, TURN_UP
 from aftdeck.units import FOOT
 
 Array = NDArray[np.float64]
@@ -65,6 +65,14 @@ def strict_rules() -> Array:
     """Return a `rules` array of the steering laws that holds nothing but that the source is flown as published."""
     rules = np.zeros(RULES)
     rules[STRICT] = 1.0
+    return rules
+
+
+def limited_rules(V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float, length: float) -> Array:
+    """Return `strict_rules` with the limits of the tip's motion; `length` as of `metres`."""
+    rules = strict_rules()
+    rules[SPEED], rules[TURN] = positive(V_L, "V_L") * length, positive(omega_L, "omega_L")
+    rules[SPEED_UP], rules[TURN_UP] = positive(V_L_dot, "V_L_dot") * length, positive(omega_L_dot, "omega_L_dot")
     return rules
 
 

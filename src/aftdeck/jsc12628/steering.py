@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose
-from aftdeck.jsc12628.quantities import UNTURNED, Array, Units, array, metres, positive, strict_rules
+from aftdeck.jsc12628.quantities import UNTURNED, Array, Units, array, limited_rules, metres, positive
 from aftdeck.kinematics.arm import Arm
 from aftdeck.steering import msteer as laws
 from aftdeck.steering.course import set_off
@@ -43,7 +43,6 @@ from aftdeck.steering.layout import (
     STICKS,
     TARGET,
     TURN,
-    TURN_UP,
     TWIST,
 )
 from aftdeck.steering.layout import DT as PERIOD
@@ -131,11 +130,10 @@ def operin(
     """
     if mode not in range(1, 9):
         raise InputError(f"mode: got {mode!r}, expected 1 to 8")
-    length, rules, command, state = metres(units), strict_rules(), np.zeros(COMMAND), np.zeros(STATE)
+    length, command, state = metres(units), np.zeros(COMMAND), np.zeros(STATE)
+    rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)
     rules[: len(arm.model.links)] = arm.model.links
     rules[PERIOD] = positive(DT, "DT")
-    rules[SPEED], rules[TURN] = positive(V_L, "V_L") * length, positive(omega_L, "omega_L")
-    rules[SPEED_UP], rules[TURN_UP] = positive(V_L_dot, "V_L_dot") * length, positive(omega_L_dot, "omega_L_dot")
     rules[RATE : RATE + 6] = [positive(rate, "theta_dot_L") for rate in array(theta_dot_L, (6,), "theta_dot_L")]
     rules[RATE_UP : RATE_UP + 6] = rules[RATE : RATE + 6] * (rules[SPEED_UP] / rules[SPEED])
     rules[LOW : LOW + 6], rules[HIGH : HIGH + 6] = -_NO_STOP, _NO_STOP

@@ -8,10 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from aftdeck.jsc12628.limits import Vtopen
-from aftdeck.jsc12628.quantities import Array, Units, array, metres, positive, strict_rules, tip_of
+from aftdeck.jsc12628.quantities import Array, Units, array, limited_rules, metres, positive, tip_of
 from aftdeck.steering import aim, profiles
 from aftdeck.steering.layout import DT as PERIOD
-from aftdeck.steering.layout import SPEED, SPEED_UP, TURN, TURN_UP
 
 
 class Latraj(NamedTuple):
@@ -85,7 +84,7 @@ def vclose(
         units: of lengths given and returned.
     """
     length = metres(units)
-    rules = _limits(V_L, omega_L, V_L_dot, omega_L_dot, length)
+    rules = limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length)
     rules[PERIOD] = positive(DT, "DT")
     way, turn = _way(delta_V, delta_omega)
     profile = profiles.vclose(rules, way * length, turn)
@@ -99,7 +98,7 @@ def vtopen(
     """Return the open-loop profile to a target (JSC-12628, subroutine VTOPEN, p. 36); arguments as of `vclose`."""
     length = metres(units)
     way, turn = _way(delta_V, delta_omega)
-    found = profiles.vtopen(_limits(V_L, omega_L, V_L_dot, omega_L_dot, length), way * length, turn)
+    found = profiles.vtopen(limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length), way * length, turn)
     return Vtopen(
         found.speed / length,
         found.turn,
@@ -114,11 +113,3 @@ def vtopen(
 def _way(delta_V: float, delta_omega: float) -> tuple[float, float]:
     """Return distance and angle as floats."""
     return float(array(delta_V, (), "delta_V")), float(array(delta_omega, (), "delta_omega"))
-
-
-def _limits(V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float, length: float) -> Array:
-    """Return the laws' rules with the limits of the tip's motion."""
-    rules = strict_rules()
-    rules[SPEED], rules[TURN] = positive(V_L, "V_L") * length, positive(omega_L, "omega_L")
-    rules[SPEED_UP], rules[TURN_UP] = positive(V_L_dot, "V_L_dot") * length, positive(omega_L_dot, "omega_L_dot")
-    return rules

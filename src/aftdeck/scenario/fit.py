@@ -62,19 +62,19 @@ def misfits(
         used: names of the seats that the script brings payloads to.
         held: which payloads the hand holds at every start, so that none begins where its own table says.
     """
-    around = _placed(worksite.solids, _HERE)
+    around = parts_at(worksite.solids, _HERE)
     yield from _telescope(model, worksite, around)
     for k, one in enumerate(cargo):
         where: Where = ("cargo", k)
         if not one.start.seat and k not in held:
-            own = _placed(one.solids, one.start.pose)
+            own = parts_at(one.solids, one.start.pose)
             for what in _deep(own, around, model.units):
                 yield Misfit(Problem(where, f"{one.name} starts where {what}"), True)
         for i, other in enumerate(cargo[:k]):
             if held & {i, k}:
                 continue
             for what in _deep(
-                _placed(one.solids, one.start.pose), _placed(other.solids, other.start.pose), model.units
+                parts_at(one.solids, one.start.pose), parts_at(other.solids, other.start.pose), model.units
             ):
                 yield Misfit(Problem(where, f"{one.name} and {other.name} start where {what}"), True)
         senseless = [*_grasp(model, worksite, one), *_struck(model, worksite, one)]
@@ -98,7 +98,7 @@ def _seats(
             continue
         pose = seat.seated(one.probe)
         senseless = seat.name in used or seat.name == one.start.seat
-        if inside := "; ".join(_deep(_placed(one.solids, pose), around, model.units)):
+        if inside := "; ".join(_deep(parts_at(one.solids, pose), around, model.units)):
             yield Misfit(Problem(where, f"{one.name} in the seat {seat.name!r}: {inside}"), senseless)
         for how, hand in held.items():
             for what in _deep(_moved(hand, pose), around, model.units):
@@ -113,7 +113,7 @@ def _telescope(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[M
     scene = inverted(scene_in_l(model.mount, worksite.origin))
     stand = model.source.stand
     for length in (float(stand.least.value), float(stand.greatest.value)):
-        own = _placed(
+        own = parts_at(
             [solid for solid in solids_of(model) if solid.frame == STAND],
             composed(scene, Pose(np.array([0.0, 0.0, -length]), np.eye(3))),
         )
@@ -157,7 +157,7 @@ def _grasp(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
 def _struck(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
     """Yield what of a payload the hand is inside of at its bar; the bar itself it may take off the palm's middle."""
     bar = part_of(one.name, "receptacle")
-    own = {part: bodies for part, bodies in _placed(one.solids, _HERE).items() if part != bar}
+    own = {part: bodies for part, bodies in parts_at(one.solids, _HERE).items() if part != bar}
     for how, solids in hands(model, worksite, one).items():
         for what in _deep(solids, own, model.units):
             yield f"the hand, {how}, at the bar of {one.name}: {what}"
@@ -177,11 +177,11 @@ def hands(model: ArmModel, worksite: Worksite, one: Cargo) -> Mapping[str, Parts
     found: dict[str, Parts] = {}
     for how, y in (("open", opened), ("closed", max(opened, min(closed, -0.5 * float(np.ptp(one.receptacle[:, 1])))))):
         at = composed(joint, Pose(np.array([0.0, y, 0.0]), np.eye(3)))
-        found[how] = {**_placed(own, joint), **_placed(prong, at)}
+        found[how] = {**parts_at(own, joint), **parts_at(prong, at)}
     return found
 
 
-def _placed(solids: Sequence[Solid], pose: Pose) -> Parts:
+def parts_at(solids: Sequence[Solid], pose: Pose) -> Parts:
     """Return solids by part, in the frame in which their own has a pose."""
     found: Parts = {}
     for solid in solids:

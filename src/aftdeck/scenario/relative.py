@@ -67,6 +67,7 @@ def in_frame(worksite: Worksite, cargo: tuple[Cargo, ...], name: str, pose: Pose
     if name not in carriers:
         return None
     frame, own = carriers[name]
-    x, y, z = composed(own, pose).position.tolist()
-    a, b, c = (tuple(row) for row in composed(own, pose).rotation.tolist())
+    there = composed(own, pose)
+    x, y, z = there.position.tolist()
+    a, b, c = (tuple(row) for row in there.rotation.tolist())
     return InFrame(frame, (x, y, z), (a, b, c))

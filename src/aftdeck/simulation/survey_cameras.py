@@ -15,9 +15,9 @@ from aftdeck.bodies.pose import POSE
 from aftdeck.files import Problem
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.scenario.cameras import cameras_of
-from aftdeck.scenario.fit import TOLERANCE, Parts, hands
+from aftdeck.scenario.fit import TOLERANCE, Parts, hands, parts_at
 from aftdeck.scenario.model import Scenario
-from aftdeck.scenario.relative import composed, scene_in_l
+from aftdeck.scenario.relative import composed, inverted, scene_in_l
 from aftdeck.simulation.site import site_of
 from aftdeck.simulation.survey_poses import bodies, inside_soft_stops, placed, stops, told
 from aftdeck.worksite.check import depth_in
@@ -122,9 +122,7 @@ def _seen_in_a_run(scenario: Scenario, own: Parts) -> bool:
     """Return whether the arm, its parts in L, is in something that a run watches against it."""
     layout = site_of(scenario).layout
     scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
-    around: Parts = {}
-    for solid in scenario.worksite.solids:
-        around.setdefault(solid.part, []).append(solid.vertices @ scene.rotation.T + scene.position)
+    around = parts_at(scenario.worksite.solids, scene)
     watched = (layout.named(group) for group in range(len(layout.groups)))
     return any(deepest(own[a], around[b]) > TOLERANCE for a, b in watched if a in own and b in around)
 
@@ -138,11 +136,7 @@ def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]
         for seat in scenario.worksite.seats:
             if seat.lacks(one.probe, one.trunnions):
                 continue
-            pose = seat.seated(one.probe)
-            around: Parts = {}
-            for solid in scenario.worksite.solids:
-                there = (solid.vertices - pose.position) @ pose.rotation
-                around.setdefault(solid.part, []).append(there)
+            around = parts_at(scenario.worksite.solids, inverted(seat.seated(one.probe)))
             yield from _held(scenario, own, around, f"with {one.name} in the seat {seat.name!r}")
 
 

@@ -27,11 +27,7 @@ def stops(scenario: Scenario) -> Iterator[tuple[str, Array, float, float]]:
     """Yield the middle of the arm's hard limits, and every combination of its hard stops, each with what it is."""
     model = scenario.arm.model
     low, high = model.limits.hard.T
-    stand, prong = float(model.links[0]), 0.0
-    ends = [stand]
-    if isinstance(model.source, HeadingArmFile):
-        ends = [float(model.source.stand.least.value), float(model.source.stand.greatest.value)]
-        prong = float(model.source.effector.prong_open.value)
+    ends, prong = _travel(scenario)
     yield "at the middle of its limits", 0.5 * (low + high), ends[0], prong
     turns = np.where(high - low < 2.0 * math.pi, high, 0.5 * (low + high))  # a full turn has its middle as well
     for joints in product(*zip(low, turns, strict=True)):
@@ -68,9 +64,15 @@ def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]
     """
     model, rng = scenario.arm.model, np.random.default_rng(0)
     low, high = model.limits.soft.T
-    ends, prong = (float(model.links[0]),) * 2, 0.0
-    if isinstance(model.source, HeadingArmFile):
-        ends = float(model.source.stand.least.value), float(model.source.stand.greatest.value)
-        prong = float(model.source.effector.prong_open.value)
+    ends, prong = _travel(scenario)
     for _ in range(TRIED):
-        yield rng.uniform(low, high), float(rng.uniform(*ends)), prong
+        yield rng.uniform(low, high), float(rng.uniform(ends[0], ends[-1])), prong
+
+
+def _travel(scenario: Scenario) -> tuple[tuple[float, ...], float]:
+    """Return the ends of the telescope's travel, or the height of an arm that has none, and an open prong's way [m]."""
+    model = scenario.arm.model
+    if not isinstance(model.source, HeadingArmFile):
+        return (float(model.links[0]),), 0.0
+    stand, hand = model.source.stand, model.source.effector
+    return (float(stand.least.value), float(stand.greatest.value)), float(hand.prong_open.value)

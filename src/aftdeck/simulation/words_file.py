@@ -17,7 +17,8 @@ from typing import Annotated, NamedTuple, TextIO
 import msgspec
 
 from aftdeck.arms.model import HeadingArmFile
-from aftdeck.errors import InputError
+from aftdeck.errors import InputError, ScenarioError
+from aftdeck.files import read
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.begin import first_state
 from aftdeck.simulation.flight import Flight, prepare
@@ -145,12 +146,10 @@ def read_channels(path: Path, period: float) -> Channels:
         InputError: no file, an empty one, or a line that is no sample, of another time, or beyond the scale; names
             the line.
     """
-    if path.exists() and not path.is_file():  # a pipe or a device may never end
-        raise InputError(f"{path}: cannot be read: it is not a file")
     try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+        text = read(path, most=None).text
+    except ScenarioError as error:
+        raise InputError(str(error)) from None
     samples, unsaid = [], Counter[str]()
     for number, line in enumerate(text.splitlines(), 1):
         try:

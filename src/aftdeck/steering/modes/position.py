@@ -112,24 +112,16 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
         k = (_made(command, time + rules[DT]) - _made(command, time)) / rules[DT]
         report[REMAINING] = max(command[_ETA] - time, 0.0)
         report[ARRIVED] = 1.0 if time >= command[_ETA] - 1e-9 else 0.0
-        return Rates(
-            k * command[_WAY],
-            k * command[_WAY + 1],
-            k * command[_WAY + 2],
-            k * command[_WAY + 3],
-            k * command[_WAY + 4],
-            k * command[_WAY + 5],
-        )
+        return _share(k, command, _WAY)
     share = 0.0
     for i in range(6):
         share = max(share, abs(state[MEASURED + i]) / rules[RATE + i])
     slower = rules[DT] * rules[SPEED_UP] / rules[SPEED]
     k = max(share - slower, 0.0) / share if share > 0.0 else 0.0
-    return Rates(
-        k * state[MEASURED],
-        k * state[MEASURED + 1],
-        k * state[MEASURED + 2],
-        k * state[MEASURED + 3],
-        k * state[MEASURED + 4],
-        k * state[MEASURED + 5],
-    )
+    return _share(k, state, MEASURED)
+
+
+@law
+def _share(k: float, of: Array, at: int) -> Rates:
+    """Return `k` times six values that stand in an array from a place on."""
+    return Rates(k * of[at], k * of[at + 1], k * of[at + 2], k * of[at + 3], k * of[at + 4], k * of[at + 5])
