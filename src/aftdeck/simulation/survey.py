@@ -5,42 +5,33 @@ It takes a second or so. What is cheap, and makes a run senseless, is found at l
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
-
-import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.model import HeadingArmFile
 from aftdeck.arms.solids import solids_of
 from aftdeck.bodies.overlap import deepest
-from aftdeck.errors import AftdeckError
 from aftdeck.files import Problem, Where
 from aftdeck.scenario.fit import TOLERANCE
 from aftdeck.scenario.model import Scenario
-from aftdeck.scenario.relative import at_cargo, composed, scene_in_l, takes
-from aftdeck.scenario.target import AtCargo, AtSeat
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.site import site_of
 from aftdeck.simulation.survey_cameras import cameras
 from aftdeck.simulation.survey_poses import bodies, placed, stops
+from aftdeck.simulation.survey_reach import reach
 from aftdeck.worksite.conditions import shown
-
-Array = NDArray[np.float64]
 
 
 def survey(scenario: Scenario) -> list[Problem]:
     """Return each thing that meets another, with both names and how deep, and its place in the scenario's file.
 
     Looked at are the starts of the scenario, the arm's parts that no run watches against each other at combinations of
-    its hard stops, and cameras (`simulation.survey_cameras`). Told as well is a payload in a seat that the hand cannot
-    reach inside the soft stops, with the telescope as at the start.
+    its hard stops, cameras (`simulation.survey_cameras`), and what the arm cannot reach (`simulation.survey_reach`).
 
     Raises:
         ScenarioError: the arm holds at a start what its hand could not have taken so.
     """
-    return [*_starts(scenario), *_reached(scenario), *_folded(scenario), *cameras(scenario)]
+    return [*_starts(scenario), *reach(scenario), *_folded(scenario), *cameras(scenario)]
 
 
 def _starts(scenario: Scenario) -> Iterator[Problem]:
@@ -54,33 +45,6 @@ def _starts(scenario: Scenario) -> Iterator[Problem]:
             if not contact.essential and contact.clearance < -TOLERANCE:
                 depth = shown(-contact.clearance, "m", units)
                 yield Problem(where, f"{contact.a} is {depth} inside {contact.b}")
-
-
-def _reached(scenario: Scenario) -> Iterator[Problem]:
-    """Yield payloads that the hand cannot take in a seat that they start in, or that the script uses."""
-    model = scenario.arm.model
-    arm = scenario.arm
-    if isinstance(model.source, HeadingArmFile):
-        arm = arm.at(stand=scenario.start.stand)
-    used = {phase.target.seat for phase in scenario.phases if isinstance(phase.target, AtSeat)}
-    scene = scene_in_l(model.mount, scenario.worksite.origin)
-    low, high = arm.limits.soft.T
-    for k, one in enumerate(scenario.cargo):
-        for seat in scenario.worksite.seats:
-            wanted = seat.name in used or seat.name == one.start.seat
-            if not wanted or not takes(model, one) or seat.lacks(one.probe, one.trunnions):
-                continue
-            tip = composed(scene, composed(seat.seated(one.probe), at_cargo(model, one, AtCargo(k))))
-            what = f"the hand cannot take {one.name} in the seat {seat.name!r}"
-            try:
-                found = arm.inverse(tip, near=scenario.start.angles)
-            except AftdeckError as error:
-                yield Problem(("cargo", k), f"{what}: {error}")
-                continue
-            if not ((low <= found) & (found <= high)).all(axis=1).any():
-                joint = int(np.maximum(low - found[0], found[0] - high).argmax())
-                angle = f"{model.joints[joint]} would be at {math.degrees(found[0, joint]):.4g} deg"
-                yield Problem(("cargo", k), f"{what}: {angle}, outside its soft stops")
 
 
 def _folded(scenario: Scenario) -> Iterator[Problem]:
