@@ -155,7 +155,7 @@ def test_edited_dimensions_are_refused_with_names_and_depth_or_fly_clean(seed: i
     try:
         made = resized(dimensions)
     except ScenarioError as error:
-        said = r"\d (in|ft) (inside|wide|long)|m beyond the top|inside ends at|camera .* stands"
+        said = r"\d (in|ft) (inside|wide|long)|deg outside|m beyond the top|inside ends at|camera .* stands"
         assert all(re.search(said, problem) for problem in error.problems), error.problems
         return
     out_of_reach = [one.what for one in survey(made) if one.what.startswith(OUT_OF_REACH)]

@@ -47,7 +47,8 @@ def reach(scenario: Scenario) -> Iterator[Problem]:
 def _sent(scenario: Scenario) -> Iterator[_Sent]:
     """Yield where the script sends the hand, as far as that is known without flying it.
 
-    It is not after the orbiter has been moved, and at payloads that move by themselves or that no phase went to.
+    It is not after the orbiter has been moved, in phases that may end before they arrive, as docking does, and at
+    payloads that move by themselves or were brought to their place by such a phase.
     """
     model, cargo, start = scenario.arm.model, scenario.cargo, scenario.start
     seats = {seat.name: seat for seat in scenario.worksite.seats}
@@ -72,11 +73,13 @@ def _sent(scenario: Scenario) -> Iterator[_Sent]:
             case AtSeat(seat=name) if grip is not None:
                 one = cargo[held]
                 tip = composed(at_seat(seats[name], one, phase.target), grip)
-                places[one.name] = at_seat(seats[name], one, AtSeat(name) if phase.until == "latched" else phase.target)
+                places[one.name] = at_seat(seats[name], one, phase.target)
             case InFrame(frame=name) if name in places or name not in {one.name for one in cargo}:
                 tip = composed(places[name], phase.target.pose) if name in places else phase.target.pose
-        if tip is not None:
+        if phase.until is None and tip is not None:
             yield _Sent(k, tip, stand)
+        elif isinstance(phase.target, AtSeat) and held >= 0:
+            places.pop(cargo[held].name, None)
 
 
 def _beyond(scenario: Scenario, tip: Pose, stand: float) -> str:
