@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
+import msgspec
 import numpy as np
 
 from aftdeck.arms.model import HeadingArmFile
@@ -47,8 +48,7 @@ def reach(scenario: Scenario) -> Iterator[Problem]:
 def _sent(scenario: Scenario) -> Iterator[_Sent]:
     """Yield where the script sends the hand, as far as that is known without flying it.
 
-    It is not after the orbiter has been moved, in phases that may end before they arrive, as docking does, and at
-    payloads that move by themselves or were brought to their place by such a phase.
+    It is not after the orbiter has been moved, and at payloads that move by themselves or were just docked or latched.
     """
     model, cargo, start = scenario.arm.model, scenario.cargo, scenario.start
     seats = {seat.name: seat for seat in scenario.worksite.seats}
@@ -67,18 +67,20 @@ def _sent(scenario: Scenario) -> Iterator[_Sent]:
         match phase.target:
             case AtCargo(cargo=held):
                 one = cargo[held]
-                grip = at_cargo(model, one, AtCargo(held))
+                grip = at_cargo(model, one, phase.target)
                 if one.name in places:
-                    tip = composed(places[one.name], at_cargo(model, one, phase.target))
-            case AtSeat(seat=name) if grip is not None:
-                one = cargo[held]
-                tip = composed(at_seat(seats[name], one, phase.target), grip)
-                places[one.name] = at_seat(seats[name], one, phase.target)
+                    tip = composed(places[one.name], grip)
+            case AtSeat(seat=name) as place if grip is not None:
+                one, seat = cargo[held], seats[name]
+                if phase.until is not None:  # the phase ends where the seat takes the payload
+                    place = msgspec.structs.replace(place, above=max(place.above, seat.distance))
+                places[one.name] = at_seat(seat, one, place)
+                tip = composed(places[one.name], grip)
             case InFrame(frame=name) if name in places or name not in {one.name for one in cargo}:
                 tip = composed(places[name], phase.target.pose) if name in places else phase.target.pose
-        if phase.until is None and tip is not None:
+        if tip is not None and (phase.until is None or isinstance(phase.target, AtSeat)):
             yield _Sent(k, tip, stand)
-        elif isinstance(phase.target, AtSeat) and held >= 0:
+        if phase.until is not None and isinstance(phase.target, AtSeat):
             places.pop(cargo[held].name, None)
 
 
