@@ -3,10 +3,12 @@
 import ast
 from collections.abc import Iterator
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
 import aftdeck
+from aftdeck.arms.model import ArmFile
 
 SOURCE = Path(aftdeck.__file__).parent
 
@@ -69,6 +71,18 @@ def test_rooms_import_only_themselves_and_the_rooms_before_them() -> None:
         module = ".".join(("aftdeck", *path.relative_to(SOURCE).with_suffix("").parts))
         wrong += wrong_imports(module, path.read_text(encoding="utf-8"))
     assert not wrong, "\n".join(wrong)
+
+
+def test_no_room_but_that_of_the_arms_knows_a_family_of_arms() -> None:
+    families = {family.__name__ for family in get_args(ArmFile)}
+    known = {
+        path.relative_to(SOURCE).parts[0]
+        for path in SOURCE.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if (isinstance(node, ast.alias) and node.name.split(".")[-1] in families)
+        or (isinstance(node, ast.Attribute) and node.attr in {*families, "family"})
+    }
+    assert known == {"arms"}
 
 
 @pytest.mark.parametrize(

@@ -77,7 +77,7 @@ def test_an_arm_without_a_telescope_stands_where_it_stands() -> None:
 
 
 def test_the_prong_closes_in_three_and_a_half_seconds_and_opens_again() -> None:
-    prong = prong_of(concept())
+    prong = prong_of(load_model("concept-1972").equipment.prong)
     assert prong.position == pytest.approx(-1.25 * FOOT)
     seconds = 0.0
     while prong.position < concept().effector.prong_closed.value:

@@ -83,8 +83,9 @@ def planes(frame: Frame, sim: aftdeck.Simulation) -> list[tuple[float, ...] | No
     """Normal and distance of D1 to D3: the hand's faces while it holds a payload, else the collision test's planes."""
     if any(cargo.held for cargo in frame.work.cargo):
         tip, (x2, y2, _) = np.array(frame.position), np.array(frame.orientation).T
-        finger = sim.scenario.arm.model.fixed_finger
-        assert finger is not None and frame.work.hand.spacing is not None
+        prong = sim.scenario.arm.model.equipment.prong
+        assert prong is not None and frame.work.hand.spacing is not None
+        finger = prong.fixed_finger
         inner = ((x2, 0.0 * x2), (-y2, finger * y2), (y2, (finger - frame.work.hand.spacing) * y2))
         return [(*n.tolist(), float(n @ (tip + at))) for n, at in inner]
     near = [pair for pair in sim.watched() if pair.b.endswith("receptacle")]

@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.arms.check import arm_problems
+from aftdeck.arms.equipment import Equipment, equipment_of
 from aftdeck.arms.geometry import PRONG, STAND, Linkage, frozen, linkage_of, raised
 from aftdeck.arms.limits import JointRates, Limits
-from aftdeck.arms.model import ArmFile, HeadingArmFile, PorRow
+from aftdeck.arms.model import ArmFile, PorRow
 from aftdeck.errors import ArmError, InputError, ScenarioError
 from aftdeck.files import Text, parse, read, sentences
 from aftdeck.frames import Mount, rotation_x
@@ -52,6 +53,7 @@ class ArmModel:
         joints: names, base to tip.
         labels: short names for the page.
         linkage: its joints: what the laws and the pictures take.
+        equipment: what it has besides them.
         mount: the arm's base frame L in the orbiter.
         limits: joint limits.
         singular: normalised distance under which a singularity is announced.
@@ -68,6 +70,7 @@ class ArmModel:
     joints: tuple[str, ...]
     labels: tuple[str, ...]
     linkage: Linkage
+    equipment: Equipment
     mount: Mount
     limits: Limits
     singular: float
@@ -85,8 +88,9 @@ class ArmModel:
     @property
     def frames(self) -> tuple[str, ...]:
         """Names of all frames that carry a body: the linkage's, then what moves besides the joints."""
-        besides = (STAND, PRONG) if isinstance(self.source, HeadingArmFile) else ()
-        return (*self.linkage.frames, *besides)
+        has = self.equipment
+        besides = ((STAND, has.telescope), (PRONG, has.prong))
+        return (*self.linkage.frames, *(name for name, there in besides if there is not None))
 
     @property
     def end_effector_roll(self) -> float:
@@ -96,12 +100,7 @@ class ArmModel:
     @property
     def stand(self) -> float | None:
         """Length of the telescope that the arm stands on [m]: the shoulder's height; None where it has none."""
-        return float(self.links[0]) if isinstance(self.source, HeadingArmFile) else None
-
-    @property
-    def fixed_finger(self) -> float | None:
-        """y2 of the fixed finger's inner face [m]; None where the hand has no fingers."""
-        return float(self.source.effector.fixed_finger.value) if isinstance(self.source, HeadingArmFile) else None
+        return None if self.equipment.telescope is None else float(self.links[0])
 
     def at(self, stand: float) -> ArmModel:
         """The same arm with its telescope at another length [m].
@@ -109,9 +108,9 @@ class ArmModel:
         Raises:
             InputError: an arm without a telescope, or a length outside the telescope's limits.
         """
-        if not isinstance(self.source, HeadingArmFile):
+        if self.equipment.telescope is None:
             raise InputError(f"the arm {self.name} stands on no telescope: `stand` cannot be given")
-        least, greatest = self.source.stand.least.value, self.source.stand.greatest.value
+        least, greatest, _ = self.equipment.telescope
         if not least - _HAIR <= stand <= greatest + _HAIR:
             raise InputError(f"the stand of {self.name} is {least:g} to {greatest:g} m long, got {stand:g} m")
         return replace(self, linkage=raised(self.linkage, stand))
@@ -190,6 +189,7 @@ def _model(file: ArmFile, text: str, shapes: Text | None) -> ArmModel:
         joints=file.joints,
         labels=file.labels,
         linkage=linkage_of(file),
+        equipment=equipment_of(file),
         mount=mount,
         limits=Limits(*(frozen(getattr(file.limits, which).value) for which in Limits._fields)),
         singular=file.limits.singular.value,

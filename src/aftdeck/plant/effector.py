@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from aftdeck.arms.model import HeadingArmFile
+from aftdeck.arms.equipment import Prong
 from aftdeck.plant.slide import Slide
 
 
-def prong_of(file: HeadingArmFile) -> Slide:
-    """The prong, open: y2 of its inner face [m], + close, - open."""
-    effector = file.effector
-    opened, closed = float(effector.prong_open.value), float(effector.prong_closed.value)
-    return Slide(opened, opened, closed, float(effector.prong_rate.value))
+def prong_of(prong: Prong | None) -> Slide:
+    """The prong, open: y2 of its inner face [m], + close, - open; at rest at 0 of a hand that has none."""
+    if prong is None:
+        return Slide(0.0, 0.0, 0.0, 0.0)
+    return Slide(prong.opened, prong.opened, prong.closed, prong.rate)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.kinematics.linkage import L1
 
 
@@ -44,7 +43,5 @@ class Slide:
 def stand_of(model: ArmModel) -> Slide:
     """The height of an arm's shoulder above L's origin: its telescope, + longer; fixed on an arm without one."""
     height = float(model.links[L1])
-    if not isinstance(model.source, HeadingArmFile):
-        return Slide(height, height, height, 0.0)
-    stand = model.source.stand
-    return Slide(height, float(stand.least.value), float(stand.greatest.value), float(stand.rate.value))
+    telescope = model.equipment.telescope
+    return Slide(height, height, height, 0.0) if telescope is None else Slide(height, *telescope)

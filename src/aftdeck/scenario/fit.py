@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.arms.solids import solids_of
 from aftdeck.bodies.overlap import deepest
 from aftdeck.bodies.solid import Solid
@@ -108,11 +107,11 @@ def _seats(
 
 def _telescope(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[Misfit]:
     """Yield what the telescope is inside of at either end of its travel."""
-    if not isinstance(model.source, HeadingArmFile):
+    telescope = model.equipment.telescope
+    if telescope is None:
         return
     scene = inverted(scene_in_l(model.mount, worksite.origin))
-    stand = model.source.stand
-    for length in (float(stand.least.value), float(stand.greatest.value)):
+    for length in (telescope.least, telescope.greatest):
         own = parts_at(
             [solid for solid in solids_of(model) if solid.frame == STAND],
             composed(scene, Pose(np.array([0.0, 0.0, -length]), np.eye(3))),
@@ -124,16 +123,14 @@ def _telescope(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[M
 
 def _grasp(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
     """Yield why a prong can never take a payload's bar, or never let it go."""
-    rule, file, bar = worksite.acquisition, model.source, one.receptacle
-    if not isinstance(file, HeadingArmFile) or not isinstance(rule, BarAcquisition) or bar is None:
+    rule, prong, bar, units = worksite.acquisition, model.equipment.prong, one.receptacle, model.units
+    if prong is None or not isinstance(rule, BarAcquisition) or bar is None:
         return
-    hand, units = file.effector, model.units
 
     def size(value: float) -> str:
         return shown(value, "m", units)
 
-    opened, closed = -float(hand.prong_open.value), -float(hand.prong_closed.value)
-    finger = float(hand.fixed_finger.value)
+    opened, closed, finger = -prong.opened, -prong.closed, prong.fixed_finger
     length, width, _ = np.ptp(bar, axis=0).tolist()
     spacing = size(rule.prong_spacing)
     if rule.prong_spacing >= opened:
@@ -165,17 +162,17 @@ def _struck(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
 
 def hands(model: ArmModel, worksite: Worksite, one: Cargo) -> Mapping[str, Parts]:
     """Return the concept's hand at a payload's bar, in the payload's axes: with its prong open, and as it acquires."""
-    rule, file = worksite.acquisition, model.source
-    if not isinstance(file, HeadingArmFile) or not isinstance(rule, BarAcquisition) or one.receptacle is None:
+    rule, hand = worksite.acquisition, model.equipment.prong
+    if hand is None or not isinstance(rule, BarAcquisition) or one.receptacle is None:
         return {}
     tip = at_cargo(model, one, AtCargo(0, above=0.5 * rule.window))
     joint = composed(tip, Pose(np.array([-float(model.links[L5]), 0.0, 0.0]), np.eye(3)))
     last = model.linkage.frames[-1]
     own = [solid for solid in solids_of(model) if solid.frame == last]
     prong = [solid for solid in solids_of(model) if solid.frame == PRONG]
-    opened, closed = float(file.effector.prong_open.value), float(file.effector.prong_closed.value)
     found: dict[str, Parts] = {}
-    for how, y in (("open", opened), ("closed", max(opened, min(closed, -0.5 * float(np.ptp(one.receptacle[:, 1])))))):
+    closed = max(hand.opened, min(hand.closed, -0.5 * float(np.ptp(one.receptacle[:, 1]))))
+    for how, y in (("open", hand.opened), ("closed", closed)):
         at = composed(joint, Pose(np.array([0.0, y, 0.0]), np.eye(3)))
         found[how] = {**parts_at(own, joint), **parts_at(prong, at)}
     return found

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Mount, Pose, rotation_x
 from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
 from aftdeck.worksite.model import Cargo, Seat, Worksite
@@ -38,7 +37,7 @@ def inverted(pose: Pose) -> Pose:
 
 def takes(model: ArmModel, cargo: Cargo) -> bool:
     """Return whether a payload has what this arm's hand takes hold of: a bar, or a grapple fixture."""
-    return (cargo.receptacle if isinstance(model.source, HeadingArmFile) else cargo.grapple) is not None
+    return (cargo.grapple if model.equipment.prong is None else cargo.receptacle) is not None
 
 
 def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:

@@ -28,8 +28,8 @@ class ScenePoses:
             for body in scenario.worksite.bodies
         ]
         self._payload = draws_payload(scenario)
-        finger = scenario.arm.model.fixed_finger
-        self._finger = 0.0 if finger is None else finger
+        prong = scenario.arm.model.equipment.prong
+        self._finger = 0.0 if prong is None else prong.fixed_finger
 
     def at(self, frame: Frame) -> list[float]:
         """Seven numbers a body: x, y, z [m], w, x, y, z."""

@@ -10,12 +10,10 @@ from numpy.typing import NDArray
 
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, SCENE_ORIGIN
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.kinematics.linkage import L1
 from aftdeck.law import law
-from aftdeck.plant.effector import prong_of
 
 Array = NDArray[np.float64]
 Seven = tuple[float, float, float, float, float, float, float]
@@ -36,7 +34,8 @@ class ArmPoses:
     def __init__(self, model: ArmModel, origin: Array = SCENE_ORIGIN) -> None:
         self._frames, self._axes = frames_of(model), model.linkage.axes
         self._stand = float(model.links[L1])
-        self._prong = prong_of(model.source).position if isinstance(model.source, HeadingArmFile) else 0.0
+        prong = model.equipment.prong
+        self._prong = 0.0 if prong is None else prong.opened
         turn = SCENE_FROM_PANEL_AXES @ model.mount.rotation
         self._base = np.concatenate([point_in_scene(model.mount.origin, origin), turn.ravel()])
         self._rows = self._frames.rows()

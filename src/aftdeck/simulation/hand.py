@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.bodies.pose import row_of
 from aftdeck.worksite.acquisition import Tolerances
 from aftdeck.worksite.cargo import part_of
@@ -64,11 +63,10 @@ class Snares:
 
 def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts: Sequence[str]) -> Bar | None:
     """How a prong takes hold here; None: the arm has none, or the place no rules for it. `parts`: of all solids."""
-    rule = worksite.acquisition
-    if not isinstance(model.source, HeadingArmFile) or not isinstance(rule, BarAcquisition):
+    rule, prong = worksite.acquisition, model.equipment.prong
+    if prong is None or not isinstance(rule, BarAcquisition):
         return None
-    fixed_finger = float(model.source.effector.fixed_finger.value)
-    spacing = rule.prong_spacing + fixed_finger
+    spacing = rule.prong_spacing + prong.fixed_finger
     tolerances = Tolerances(spacing, rule.window, rule.front, rule.rear, rule.fingers_within)
     return Bar(
         tolerances,
@@ -79,7 +77,7 @@ def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts:
             else np.array([parts.index(name) for name in (*HEXES, part_of(one.name, "receptacle"))], dtype=np.int64)
             for one in cargo
         ),
-        fixed_finger,
+        prong.fixed_finger,
     )
 
 

@@ -101,11 +101,11 @@ def near_of(flight: Flight, state: State, found: Array, group: int) -> Near:
 
 
 def _hand(flight: Flight, state: State) -> Hand:
-    things = state.site
-    if flight.site.prong:
+    things, has = state.site, flight.scenario.arm.model.equipment.prong
+    if has is not None:
         prong = things.prong
         opening = (prong.high - prong.position) / (prong.high - prong.low)
-        spacing = (flight.scenario.arm.model.fixed_finger or 0.0) - prong.position
+        spacing = has.fixed_finger - prong.position
         shows = (("CAPTURE", state.carried.payload is not None), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
         return Hand(things.switch, opening, spacing, None, tuple(name for name, on in shows if on))
     snare = things.snare

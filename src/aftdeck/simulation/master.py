@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
+from aftdeck.arms.equipment import Axis
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import HIGH, LOW, MASTER, RATE, STICKS
 
-AXES = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z")
+AXES: tuple[Axis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z")
 """In the order of `steering.layout.STICKS`."""
-_SHOULDER = (4, 3, 5)
-"""The THC's axes for a shoulder that turns aside, then up, and for the elbow: sideways, fore and aft, up and down."""
 
 
 def axes_of(model: ArmModel) -> tuple[int, ...]:
-    """For each joint, which of `AXES` turns the master's: the RHC's turn those of the wrist that move as they do."""
-    return (*_SHOULDER, *((2, 1, 0) if isinstance(model.source, HeadingArmFile) else (1, 2, 0)))
+    """For each joint, which of `AXES` turns the master's."""
+    return tuple(AXES.index(axis) for axis in model.equipment.master)
 
 
 def turn_master(flight: Flight, state: State) -> None:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.arms.solids import solids_of
 from aftdeck.bodies.pose import POSE, row_of
 from aftdeck.bodies.solid import Solid
@@ -162,10 +162,10 @@ def site_of(scenario: Scenario) -> Site:
     held = _held_for_good(scenario)
     solids = (*own, *held, *worksite.solids, *(solid for one in cargo for solid in one.solids))
     foot, *joints = model.linkage.frames
-    chain = [name for name in (foot, "arm.stand", *joints, "arm.prong") if name in arm.names]
+    chain = [name for name in (foot, STAND, *joints, PRONG) if name in arm.names]
     still = _still(model, own)
     mounted = {(a, b.part) for a in still for b in worksite.solids if b.frame == "orbiter"}
-    hand = {solid.part for solid in own if solid.frame in ("arm.prong", model.linkage.frames[-1], *_ball(model))}
+    hand = {solid.part for solid in own if solid.frame in (PRONG, model.linkage.frames[-1], *_ball(model))}
     gripped = {(part, solid.part) for part in hand for solid in held}
     layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | gripped | _folded(model, own)))
     mine = {solid.part for solid in own}
@@ -195,7 +195,7 @@ def site_of(scenario: Scenario) -> Site:
         essential=essential,
         meetings=meetings,
         by_arm=by_arm,
-        by_prong=layout.carried(["arm.prong"]) if "arm.prong" in arm.names else np.zeros_like(by_arm),
+        by_prong=layout.carried([PRONG]) if PRONG in arm.names else np.zeros_like(by_arm),
         of_cargo=of_cargo,
         held=tuple(layout.between(hand, own_parts) for own_parts in parts),
         seated={
@@ -206,7 +206,7 @@ def site_of(scenario: Scenario) -> Site:
         scene=scene_in_l(scenario),
         hand=row_of(Pose(np.array([link, 0.0, 0.0]), np.eye(3))),
         effector=row_of(Pose(np.array([link, 0.0, 0.0]), rotation_x(model.end_effector_roll))),
-        prong=isinstance(model.source, HeadingArmFile),
+        prong=model.equipment.prong is not None,
         bar=bar_of(model, worksite, cargo, [solid.part for solid in solids]),
         snares=snares_of(worksite, cargo),
         detrimental=1 - essential,
@@ -261,7 +261,7 @@ def _still(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
     """The arm's parts that stand on the orbiter or turn in place there: they are where they were mounted."""
     foot, first, *_ = model.linkage.frames
     places = np.cumsum(model.linkage.steps, axis=0)
-    near = {foot, first, "arm.stand"}
+    near = {foot, first, STAND}
     reach: dict[str, float] = {}
     for solid in own:
         if solid.frame in near:
@@ -279,7 +279,7 @@ def _folded(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
     ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
     if ball:
         before = names[names.index(ball[0]) - 1]
-        ends |= {(inner, outer) for inner in (before, *ball) for outer in (names[-1], "arm.prong") if inner != outer}
+        ends |= {(inner, outer) for inner in (before, *ball) for outer in (names[-1], PRONG) if inner != outer}
     return {(a.part, b.part) for inner, outer in ends for a in own if a.frame == inner for b in own if b.frame == outer}
 
 

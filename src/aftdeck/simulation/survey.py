@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.arms.solids import solids_of
 from aftdeck.bodies.overlap import deepest
 from aftdeck.files import Problem, Where
@@ -53,7 +52,7 @@ def _folded(scenario: Scenario) -> Iterator[Problem]:
     Not looked at: an arm whose solids cover round parts from outside, which overlap by design where a joint holds them.
     """
     model = scenario.arm.model
-    if not isinstance(model.source, HeadingArmFile):
+    if model.equipment.covered:
         return
     home = {solid.part: solid.frame for solid in solids_of(model)}
     layout = site_of(scenario).layout

@@ -26,8 +26,8 @@ from aftdeck.worksite.conditions import shown
 Array = NDArray[np.float64]
 Tried = tuple[Array, float, float]
 """Joint angles [rad], lengths of the telescope and of the prong's way [m]."""
-_ELBOW, _LITTLE = "arm.elbow_pitch", 0.1
-"""A frame that the first joint swings, and by how much it is turned to see which way [rad]."""
+_LITTLE = 0.1
+"""By how much the first joint is turned to see which way it swings the elbow [rad]."""
 
 
 def cameras(scenario: Scenario) -> Iterator[Problem]:
@@ -85,7 +85,8 @@ def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> l
     middle = 0.5 * model.limits.soft.sum(axis=1)
     turned = middle.copy()
     turned[0] += _LITTLE
-    ahead, after = (_azimuth(placed(scenario, at, 0.0, 0.0)[_ELBOW].position) for at in (middle, turned))
+    elbow = model.linkage.frames[3]
+    ahead, after = (_azimuth(placed(scenario, at, 0.0, 0.0)[elbow].position) for at in (middle, turned))
     sign, start = np.sign(np.sin(after - ahead)), middle[0]
     found = []
     for k, (angles, stand, prong) in enumerate(tried):

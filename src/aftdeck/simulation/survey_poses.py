@@ -9,7 +9,6 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.arms.solids import solids_of
 from aftdeck.bodies.pose import pose_of
 from aftdeck.frames import Pose
@@ -72,7 +71,6 @@ def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]
 def _travel(scenario: Scenario) -> tuple[tuple[float, ...], float]:
     """Return the ends of the telescope's travel, or the height of an arm that has none, and an open prong's way [m]."""
     model = scenario.arm.model
-    if not isinstance(model.source, HeadingArmFile):
-        return (float(model.links[0]),), 0.0
-    stand, hand = model.source.stand, model.source.effector
-    return (float(stand.least.value), float(stand.greatest.value)), float(hand.prong_open.value)
+    telescope, prong = model.equipment.telescope, model.equipment.prong
+    ends = (float(model.links[0]),) if telescope is None else (telescope.least, telescope.greatest)
+    return ends, 0.0 if prong is None else prong.opened

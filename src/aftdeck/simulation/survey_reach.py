@@ -9,7 +9,6 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.errors import AftdeckError
 from aftdeck.files import Problem
 from aftdeck.frames import Pose
@@ -100,7 +99,7 @@ def _beyond(scenario: Scenario, tip: Pose, stand: float) -> str:
 
 def _at(scenario: Scenario, stand: float) -> Arm:
     arm = scenario.arm
-    return arm.at(stand=stand) if isinstance(arm.model.source, HeadingArmFile) else arm
+    return arm if arm.model.equipment.telescope is None else arm.at(stand=stand)
 
 
 def _scene(scenario: Scenario) -> Pose:

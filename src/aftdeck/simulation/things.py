@@ -8,10 +8,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.bodies.pose import POSE, compose
 from aftdeck.plant.effector import prong_of
-from aftdeck.plant.slide import Slide
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.schema import Until
 from aftdeck.simulation.floating import Floating, SavedFloating, floating_so
@@ -103,8 +101,7 @@ class Things:
         self.nearest = -1
         self.lined_up: int | None = None
         self.orbiter, self.orbiter_velocity = np.zeros(3), np.zeros(3)
-        source = scenario.arm.model.source
-        self.prong = prong_of(source) if isinstance(source, HeadingArmFile) else Slide(0.0, 0.0, 0.0, 0.0)
+        self.prong = prong_of(scenario.arm.model.equipment.prong)
         self.snare = Snare()
         self.switch: Switch = "stop"
         self.effector_mode: Literal["auto", "manual"] = "auto"

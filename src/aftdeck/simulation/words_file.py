@@ -16,7 +16,6 @@ from typing import Annotated, NamedTuple, TextIO
 
 import msgspec
 
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.errors import InputError, ScenarioError
 from aftdeck.files import read
 from aftdeck.scenario.model import Scenario
@@ -108,7 +107,8 @@ def check_arm(scenario: Scenario) -> None:
     Raises:
         InputError: it has no heading-pitch-pitch-heading-pitch-roll arm.
     """
-    if not isinstance(scenario.arm.model.source, HeadingArmFile):
+    has = scenario.arm.model.equipment
+    if has.telescope is None or has.prong is None:
         raise InputError(
             "the report's channels and words speak of its own arm, a heading-pitch-pitch-heading-pitch-roll one with "
             f"a telescope; {scenario.name} flies {scenario.arm.name}"

@@ -8,7 +8,6 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from aftdeck.arms.model import HeadingArmFile
 from aftdeck.frames import SCENE_FROM_PANEL_AXES
 from aftdeck.scenario.model import Scenario
 from aftdeck.station import protocol as wire
@@ -19,16 +18,10 @@ Array = NDArray[np.float64]
 
 def work_info(scenario: Scenario) -> wire.WorkInfo:
     """What can be done at a scenario's worksite."""
-    file = scenario.arm.model.source
-    stand = None
-    if isinstance(file, HeadingArmFile):
-        telescope = file.stand
-        stand = wire.StandInfo(
-            float(telescope.least.value), float(telescope.greatest.value), float(telescope.rate.value)
-        )
+    has = scenario.arm.model.equipment
     return wire.WorkInfo(
-        hand="snares" if stand is None else "prong",
-        stand=stand,
+        hand="snares" if has.prong is None else "prong",
+        stand=None if has.telescope is None else wire.StandInfo(*has.telescope),
         cargo=tuple(cargo.name for cargo in scenario.cargo),
         seats=tuple(seat.title for seat in scenario.worksite.seats),
         parts=tuple(scenario.parts),
