@@ -9,14 +9,13 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.steering.batch import steer_batch
 from aftdeck.steering.msteer import NEAR_FLOOR
 from benchmarks.measure import Figure
 
-Array = NDArray[np.float64]
 Fields = tuple[Any, ...]
 Peer = Callable[[Array, Array, int], Array]
 """From joint angles (n, 6), targets (n, 12) and steps to joint angles (n, 6)."""

@@ -7,16 +7,14 @@ import math
 import coal
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import BODY, place
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, NORMAL, PAIR
 from aftdeck.bodies.watch import measure, verdict, verified
 from aftdeck.law import law
 from benchmarks.measure import Figure, microseconds
-
-Array = NDArray[np.float64]
 
 COUNT, FRAMES = 128, 40
 """Pairs, and frames of a pass."""

@@ -7,8 +7,8 @@ import math
 import mujoco
 import numpy as np
 import pinocchio
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
@@ -20,8 +20,6 @@ from aftdeck.steering.modes import open_loop
 from aftdeck.steering.modes import position as position_mode
 from aftdeck.steering.msteer import msteer
 from benchmarks.measure import Figure, microseconds
-
-Array = NDArray[np.float64]
 
 TWIST = (0.001, 0.002, 0.003, 0.1, 0.2, 0.3)
 """Angular [rad/s], then translational velocity [m/s] of the tip, in L: beyond a joint's rate limit."""

@@ -13,7 +13,7 @@ from aftdeck.arms.model import ArmFile
 SOURCE = Path(aftdeck.__file__).parent
 
 ROOMS = (
-    ("dimensions", "errors", "files", "law", "lines", "units", "frames", "shapes", "toml_lines", "version"),
+    ("arrays", "dimensions", "errors", "files", "law", "lines", "units", "frames", "shapes", "toml_lines", "version"),
     ("bodies",),
     ("arms",),
     ("kinematics",),

@@ -10,13 +10,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck import jsc12628
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError, LimitError, SingularityError, UnreachableError
 
-Array = NDArray[np.float64]
 FOOT = 0.3048
 ARM = aftdeck.load_arm("srms")
 BOTH = (ARM, aftdeck.load_arm("concept-1972"))

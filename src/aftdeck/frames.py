@@ -16,11 +16,10 @@ import math
 from typing import Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.units import INCH
 
-Array = NDArray[np.float64]
 Rows = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
 FrameName = Literal["L", "orbiter", "panel"]
 

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck.arms.load import HERE, ArmModel, load_model
 from aftdeck.arms.model import HeadingArmFile
 from aftdeck.arms.shapes import shapes_of
 from aftdeck.arms.solids import solids_of
+from aftdeck.arrays import Array
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import FACES, pack
 from aftdeck.bodies.solid import Solid
@@ -22,8 +22,6 @@ from aftdeck.kinematics.linkage import L5
 from aftdeck.scene.mesh import moved
 from aftdeck.scene.placed import placed
 from aftdeck.scene.solids import solid as surface_of
-
-Array = NDArray[np.float64]
 
 FOOT = 0.3048
 HAIR = 1e-3

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
+from aftdeck.arrays import Array
 from tests.bodies.shapes import EDGES, FACES, normals
-
-Array = NDArray[np.float64]
 
 
 def clearance(a: Array, b: Array) -> float:

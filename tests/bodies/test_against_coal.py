@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import BODY, place
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, FEATURE_A, FEATURE_B, PAIR
@@ -15,7 +16,6 @@ from tests.bodies import brute
 from tests.bodies.shapes import FACES, boxes, near_contact, rotations, skewed
 from tests.bodies.witnesses import ROUNDING, features_penetrate, planes_hold, points_hold, vertices
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 GAP, USUAL = coal.GJKConvergenceCriterion.DualityGap, coal.GJKConvergenceCriterion.Default
 """Coal's ends of its search. At a tolerance of 1e-12 the duality gap misses depths of up to 1e-8 m, a pair in 50,000,

@@ -6,15 +6,13 @@ from itertools import permutations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from aftdeck import separation
+from aftdeck.arrays import Array
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import unpack
 from aftdeck.errors import InputError
 from tests.bodies.shapes import CUBE, boxes, moved, rotations, skewed
-
-Array = NDArray[np.float64]
 
 
 def changed(vertex: int, point: list[float]) -> Array:

@@ -6,15 +6,13 @@ import math
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from aftdeck import separation
+from aftdeck.arrays import Array
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.cover import Axis, prism, tube_wall
 from aftdeck.errors import InputError
 from tests.bodies.shapes import CUBE
-
-Array = NDArray[np.float64]
 
 AXES: dict[Axis, tuple[int, int, int]] = {"x": (0, 1, 2), "y": (1, 2, 0), "z": (2, 0, 1)}
 

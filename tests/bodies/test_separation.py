@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck import Separation, separation
+from aftdeck.arrays import Array
 from tests.bodies import brute
 from tests.bodies.shapes import CUBE, boxes, moved, near_contact, rotations, skewed
-
-Array = NDArray[np.float64]
 
 NEEDLE = CUBE * [0.01, 0.01, 6.0]
 PLATE = CUBE * [4.0, 4.0, 0.5]

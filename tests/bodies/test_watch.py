@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import pack, unpack
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, NORMAL, PAIR, SIMPLEX, SIZE
@@ -19,8 +19,6 @@ from aftdeck.bodies.watch import measure, measure_all, verdict, verified
 from tests.bodies.plain import results
 from tests.bodies.shapes import CUBE, boxes, moved, near_contact, rotations, skewed
 from tests.bodies.witnesses import features_penetrate, planes_hold, points_hold
-
-Array = NDArray[np.float64]
 
 
 def motions(seed: int, count: int, frames: int) -> list[tuple[Array, list[Array]]]:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import NX
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, WHOLE
 from tests.bodies.shapes import EDGES, FACES, normals
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 ROUNDING = 1e-12

@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 import aftdeck
+from aftdeck.arrays import Array
 from tests.reference.tables import table
-
-Array = NDArray[np.float64]
 
 INCH = 0.0254
 CENTRES = table("srms-joint-centres")

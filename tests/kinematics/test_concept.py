@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError, SingularityError, UnreachableError
 from aftdeck.frames import Pose
-from tests.kinematics.poses import Array, apart, legal
+from tests.kinematics.poses import apart, legal
 
 FOOT = 0.3048
 USUAL = np.radians([20.0, 60.0, -90.0, 10.0, -40.0, 15.0])

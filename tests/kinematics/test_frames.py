@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.kinematics.linkage import L1, L5
-
-Array = NDArray[np.float64]
 
 FOOT = 0.3048
 PRONG = -0.8 * FOOT

@@ -11,10 +11,11 @@ import pytest
 from scipy.optimize import brentq
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError, SingularityError, UnreachableError
 from aftdeck.frames import Pose
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
-from tests.kinematics.poses import Array, apart, legal
+from tests.kinematics.poses import apart, legal
 from tests.reference.tables import table
 
 MADE_UP = Path(__file__).parents[1] / "arms" / "made-up.toml"

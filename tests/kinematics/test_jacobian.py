@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.kinematics.observe import OBSERVED, observe
-from tests.kinematics.poses import Array, legal, turned
+from tests.kinematics.poses import legal, turned
 
 
 def by_differences(arm: aftdeck.Arm, q: Array, h: float = 1e-5) -> Array:

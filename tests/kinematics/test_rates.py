@@ -9,12 +9,13 @@ import pytest
 from numpy.typing import ArrayLike
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError, SingularityError
 from aftdeck.kinematics.jacobian import Twist, jacobi
 from aftdeck.kinematics.linkage import sines
 from aftdeck.kinematics.rates import rmsrat
 from aftdeck.kinematics.singular import distances
-from tests.kinematics.poses import Array, legal
+from tests.kinematics.poses import legal
 from tests.kinematics.test_inverse import STRAIGHT, over_the_shoulder
 
 AWAY = [0.3, 1.0, -1.3, 0.4, 0.2, 0.1]

@@ -8,9 +8,8 @@ from typing import NamedTuple
 import mujoco
 import numpy as np
 import pinocchio
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from aftdeck.arrays import Array
 
 
 class Seen(NamedTuple):

@@ -4,15 +4,13 @@ import math
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.frames import quaternion
 from aftdeck.kinematics.linkage import L5
 from aftdeck.scene.poses import ArmPoses, point_in_scene, sevens
-
-Array = NDArray[np.float64]
 
 SCENE = np.diag([-1.0, 1.0, -1.0])
 """Scene axes (aft, starboard, up) of panel components (forward, starboard, down)."""

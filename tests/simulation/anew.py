@@ -6,11 +6,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame
-
-Array = NDArray[np.float64]
 
 FOOT = 0.3048
 SCENE = np.diag([1.0, -1.0, -1.0])

@@ -7,15 +7,14 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 
-Array = NDArray[np.float64]
 Vec3 = tuple[float, float, float]
 
 FOOT = 0.3048

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck import Inputs
@@ -20,7 +19,6 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Near
 from tests.simulation.concept import vec3
 
-Array = NDArray[np.float64]
 Pair = tuple[str, str]
 
 SRMS = """title = "test"

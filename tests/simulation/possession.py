@@ -6,14 +6,12 @@ from itertools import combinations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Cargo
 from tests.simulation.flights import in_turn
-
-Array = NDArray[np.float64]
 
 EXACT = 1e-9
 """[m], and of the axes' components [1]."""

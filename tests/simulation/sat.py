@@ -8,13 +8,9 @@ from __future__ import annotations
 
 import numba
 import numpy as np
-from numpy.typing import NDArray
 
 import aftdeck
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
-Mask = NDArray[np.uint8]
+from aftdeck.arrays import Array, Indices, Mask
 
 NEAR = 0.1
 """Pairs of solids farther apart than this [m], by their bounding spheres, are passed over."""

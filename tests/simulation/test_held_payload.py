@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck import Inputs
+from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import NX, D, pack
 from aftdeck.errors import ScenarioError
 from aftdeck.scenario.load import load_scenario, parse_scenario
@@ -20,8 +20,6 @@ from aftdeck.scene.solids import solid
 from aftdeck.shapes import Light
 from aftdeck.worksite.report import Near
 from tests.simulation.flights import log_of
-
-Array = NDArray[np.float64]
 
 
 def over(points: Array, solids: Sequence[Array]) -> Array:

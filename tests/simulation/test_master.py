@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck import Inputs
+from aftdeck.arrays import Array
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.master import AXES, axes_of
 from tests.steering.flying import BAY, scenario
 
-Array = NDArray[np.float64]
 START = {"srms": BAY, "concept-1972": (20.0, 60.0, -100.0, 5.0, -30.0, 10.0)}
 ARMS = pytest.mark.parametrize("name", START)
 

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.errors import ScenarioError
 from aftdeck.simulation.frame import Frame
-from tests.steering.flying import BAY, BODY_FROM_L, FOOT, PAYLOAD, Array, fly, scenario
+from tests.steering.flying import BAY, BODY_FROM_L, FOOT, PAYLOAD, fly, scenario
 
 CONCEPT = (10.0, 50.0, -80.0, 15.0, 20.0, -10.0)
 V, W = np.array([0.1, -0.2, 0.05]), np.array([0.3, 0.6, -0.5])

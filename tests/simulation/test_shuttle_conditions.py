@@ -9,17 +9,15 @@ from itertools import pairwise
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck import Inputs
+from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame
 from tests.simulation.concept import vec3
 from tests.simulation.flights import anything, flown, log_of, srms
 from tests.simulation.possession import check_possession
 from tests.steering.flying import fly
-
-Array = NDArray[np.float64]
 
 INCH = 0.0254
 ROUNDING = 1e-9

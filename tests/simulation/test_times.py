@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame, Times
-from tests.steering.flying import BAY, Array, checked, scenario, target
+from tests.steering.flying import BAY, checked, scenario, target
 
 THERE = (-25.0, 70.0, -95.0, -70.0, 10.0, -120.0)
 PERIOD = 0.08

@@ -8,15 +8,12 @@ from pathlib import Path
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.frame import Frame
-
-Array = NDArray[np.float64]
 
 FOOT = 0.3048
 BAY = (-31.0, 79.0, -103.0, -77.0, 17.0, -128.0)

@@ -7,13 +7,11 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 import aftdeck
+from aftdeck.arrays import Array
 from tests.kinematics.witnesses import Chain, Witness, in_pinocchio
-
-Array = NDArray[np.float64]
 
 CLEAR = 0.05
 """Normalised distance from every singularity that counts as clear of it."""

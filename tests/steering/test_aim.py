@@ -6,13 +6,11 @@ import math
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from aftdeck.arrays import Array
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.steering.aim import Aim, latraj
-
-Array = NDArray[np.float64]
 
 RNG = np.random.default_rng(50)
 AXES = [*np.eye(3), *-np.eye(3), *(v / np.linalg.norm(v) for v in RNG.normal(size=(30, 3)))]

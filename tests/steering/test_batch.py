@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose
 from aftdeck.steering.batch import Steered, pace_of, steer_batch
 from aftdeck.steering.blocks import LANES, steer_one
-from tests.steering.flying import BAY, Array
+from tests.steering.flying import BAY
 
 PERIOD, GAIN = 0.08, 0.8
 

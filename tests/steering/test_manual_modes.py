@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame
 from tests.kinematics.poses import turned
-from tests.steering.flying import BAY, BODY_FROM_L, FOOT, QUICK, Array, at_rate, fly, kinds, scenario, speed, turning
+from tests.steering.flying import BAY, BODY_FROM_L, FOOT, QUICK, at_rate, fly, kinds, scenario, speed, turning
 
 LEVEL = (0.0, 60.0, -90.0, 30.0, 0.0, 0.0)
 """The hand points straight aft; the end effector's own axes are aft, port, down [deg]."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.carried import carrying
 from aftdeck.steering.layout import (
@@ -30,8 +30,6 @@ from aftdeck.steering.layout import (
 from aftdeck.steering.limiters import BY_STOP
 from aftdeck.steering.msteer import msteer
 from tests.steering.flying import BAY, fly, kinds, scenario
-
-Array = NDArray[np.float64]
 
 HAIR = 1e-12
 """Rounding of an angle [rad]."""

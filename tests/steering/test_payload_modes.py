@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame
 from tests.kinematics.poses import turned
 from tests.reference.tables import table
-from tests.steering.flying import BAY, BODY_FROM_L, FOOT, PAYLOAD, Array, fly, kinds, log_of, scenario, speed, turning
+from tests.steering.flying import BAY, BODY_FROM_L, FOOT, PAYLOAD, fly, kinds, log_of, scenario, speed, turning
 
 Stick = tuple[float, float, float]
 ZERO = (0.0, 0.0, 0.0)

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame
 from aftdeck.steering.mode import LawChoice
 from tests.reference.tables import table
-from tests.steering.flying import PAYLOAD, Array, at_rate, joint_target, kinds, scenario, target
+from tests.steering.flying import PAYLOAD, at_rate, joint_target, kinds, scenario, target
 
 LIMITS, ARM = table("srms-limits"), aftdeck.load_arm("srms")
 HARD, SOFT = np.radians(LIMITS["hard"]), np.radians(LIMITS["soft"])

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.frames import oriend
 from aftdeck.scenario.load import parse_scenario
 from tests.reference.tables import table
-from tests.steering.flying import Array, finished, fly, kinds, scenario, target
+from tests.steering.flying import finished, fly, kinds, scenario, target
 
 HARD = np.radians(table("srms-limits")["hard"])
 

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame, WayOut
 from tests.kinematics.test_inverse import STRAIGHT
 from tests.reference.tables import table
-from tests.steering.flying import PAYLOAD, Array, fly, scenario
+from tests.steering.flying import PAYLOAD, fly, scenario
 from tests.steering.test_promises import flight
 
 LIMITS = table("srms-limits")

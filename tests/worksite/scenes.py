@@ -5,16 +5,14 @@ from __future__ import annotations
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import expm
 
 from aftdeck import Separation, separation
+from aftdeck.arrays import Array
 from aftdeck.bodies.solid import Solid
 from aftdeck.worksite.layout import Layout, layout_of
 from aftdeck.worksite.pairs import part_pairs
 from tests.bodies.shapes import boxes, rotations, skewed
-
-Array = NDArray[np.float64]
 
 FRAMES = ("orbiter", "arm.upper", "arm.lower", "arm.hand", "can")
 CHAIN = FRAMES[1:4]

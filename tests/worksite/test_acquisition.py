@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.frames import rotation_x, rotation_y, rotation_z
 from aftdeck.units import FOOT
 from aftdeck.worksite.acquisition import (
@@ -31,7 +31,6 @@ from aftdeck.worksite.conditions import all_hold, failing, refusal
 from tests.bodies.shapes import rotations, skewed
 from tests.worksite.grips import BAR, TOLERANCES, bar, found_at, over, over_face
 
-Array = NDArray[np.float64]
 SEEDS = st.integers(0, 2**32 - 1)
 A, B, C, D, E, F = (1, 2, 5, 6), (1, 2, 3, 4), (1, 3, 5, 7), (2, 4, 6, 8), (5, 6, 7, 8), (3, 4, 7, 8)
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import aftdeck
+from aftdeck.arrays import Array
 from aftdeck.bodies.pose import pose_of, row_of
 from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import place_frames
@@ -15,8 +15,6 @@ from aftdeck.simulation.flight import FAST, WATCHED
 from aftdeck.simulation.lined_up import counted
 from aftdeck.worksite.around import nearest_place, place_everything
 from tests.simulation.flights import anything
-
-Array = NDArray[np.float64]
 
 
 def rotation(rng: np.random.Generator) -> Array:

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
 from aftdeck.units import INCH
@@ -28,7 +28,6 @@ from aftdeck.worksite.conditions import Condition, all_hold, failing, refusal
 from aftdeck.worksite.latches import Latches, advance
 from aftdeck.worksite.said import Said
 
-Array = NDArray[np.float64]
 TOLERANCES = SeatTolerances(0.05, radians(1.0))
 HEIGHT, HALF_ANGLE, THROAT, PLAY = 24.0 * INCH, radians(17.0), 0.02, 0.05
 PORT = Guide("forward port", (1.0, -2.386, 0.36), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), HALF_ANGLE, HEIGHT, THROAT, PLAY)

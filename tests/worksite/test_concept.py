@@ -7,11 +7,11 @@ from itertools import combinations, product
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck import separation
 from aftdeck.arms.solids import solids_of
+from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import setting
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import NX, D
@@ -22,8 +22,6 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.site import site_of
 from aftdeck.worksite import Cargo, Worksite, load_worksite
 from aftdeck.worksite.model import BarAcquisition
-
-Array = NDArray[np.float64]
 
 FOOT = 0.3048
 REPORT = np.diag([1.0, -1.0, -1.0])

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import rotation_x, rotation_y, rotation_z
 from aftdeck.units import FOOT
@@ -27,7 +27,6 @@ from aftdeck.worksite.docking import (
 )
 from tests.bodies.shapes import rotations
 
-Array = NDArray[np.float64]
 SEEDS = st.integers(0, 2**32 - 1)
 TOLERANCES = DockingTolerances(0.25 * FOOT, radians(2.0 + 32.0 / 60.0))
 APOTHEM, LENGTH = 7.5, 15.0

@@ -9,15 +9,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import endori, oriend
 from aftdeck.units import FOOT
 from aftdeck.worksite.drift import LimitCycle, coast, limit_cycle, translate
 
-Array = NDArray[np.float64]
 BAND, RATE = radians(1.0), radians(0.02)
 PERIOD = 4.0 * BAND / RATE
 """200 s."""

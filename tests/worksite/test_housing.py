@@ -6,13 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.errors import ScenarioError
 from aftdeck.scene.placed import placed
 from aftdeck.worksite import Worksite, load_worksite
 
-Array = NDArray[np.float64]
 A = 'name = "A"\ntitle = "Forward bulkhead port"\nbody = "orbiter"\nposition = [-8.798, -1.779, 1.194]'
 
 

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import aftdeck
 from aftdeck import separation
 from aftdeck.arms.solids import solids_of
+from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import setting
 from aftdeck.bodies.hexahedron import NX, D, pack
 from aftdeck.bodies.solid import Solid
@@ -24,8 +24,6 @@ from aftdeck.scene.solids import solid
 from aftdeck.shapes import Light, Ring
 from aftdeck.worksite import Worksite, load_worksite, worksites
 from aftdeck.worksite.check import distance
-
-Array = NDArray[np.float64]
 
 INCH = 0.0254
 ENVELOPE = 90.0 * INCH

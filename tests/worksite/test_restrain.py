@@ -8,18 +8,16 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.solid import Solid
 from aftdeck.worksite.found import CLEARANCE
-from aftdeck.worksite.layout import Layout, Mask, layout_of
+from aftdeck.worksite.layout import Layout, layout_of
 from aftdeck.worksite.restrain import BESIDES, DEEPER, LEAST_RELIEF, RELIEF, relieves, ways_out, worsened
 from aftdeck.worksite.watch import Watch
 from tests.bodies.shapes import boxes, skewed
 from tests.worksite.scenes import CHAIN, all_pairs, clearances, moved, poses, scene
-
-Array = NDArray[np.float64]
 
 PERIOD = 0.02
 seeds = st.integers(0, 2**32 - 1)

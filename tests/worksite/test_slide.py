@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 from scipy.optimize import nnls
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.solid import Solid
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.worksite.found import CLEARANCE
@@ -18,8 +18,6 @@ from aftdeck.worksite.touches import touches
 from aftdeck.worksite.watch import Watch
 from tests.bodies.shapes import CUBE, rotations
 from tests.worksite.scenes import clearances, moved
-
-Array = NDArray[np.float64]
 
 seeds = st.integers(0, 2**32 - 1)
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
 from aftdeck import separation
+from aftdeck.arrays import Array
 from aftdeck.bodies.check import hexahedron
 from aftdeck.files import convert
 from aftdeck.scene.mesh import volume
@@ -20,8 +20,6 @@ from aftdeck.shapes import Hexahedron
 from aftdeck.worksite.check import distance
 from aftdeck.worksite.solid_file import SolidFile
 from aftdeck.worksite.solids import CORNERS, drawn, solids_of
-
-Array = NDArray[np.float64]
 
 CORNERED = [[0.0, 0.0], [2.0, 0.0], [1.5, 1.0], [0.25, 1.0]]
 KINDS: list[tuple[dict[str, object], float]] = [

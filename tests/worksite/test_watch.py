@@ -7,10 +7,11 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.worksite.found import CLEARANCE, DISTANCE, NORMAL, POINT_A, POINT_B, SPEED, WHICH
 from aftdeck.worksite.watch import Watch
-from tests.worksite.scenes import Array, clearances, moved, placed, poses, scene
+from tests.worksite.scenes import clearances, moved, placed, poses, scene
 
 PERIOD = 0.02
 seeds = st.integers(0, 2**32 - 1)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.model import BoxCover, Cover
+from aftdeck.arrays import Array
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.cover import prism
 from aftdeck.errors import InputError
 from aftdeck.frames import endori
-
-Array = NDArray[np.float64]
 
 
 def hexahedra(cover: Cover, part: str) -> Array:

@@ -6,11 +6,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.model import ArmFile, HeadingArmFile, YawArmFile
-
-Array = NDArray[np.float64]
+from aftdeck.arrays import Array
 
 Axes = tuple[int, int, int, int, int, int]
 Names = tuple[str, str, str, str, str, str, str]

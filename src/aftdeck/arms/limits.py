@@ -7,11 +7,9 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.files import Problem
-
-Array = NDArray[np.float64]
 
 
 class Limits(NamedTuple):

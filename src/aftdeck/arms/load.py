@@ -8,18 +8,17 @@ from pathlib import Path
 from typing import Literal, NamedTuple, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.check import arm_problems
 from aftdeck.arms.equipment import Equipment, equipment_of
 from aftdeck.arms.geometry import PRONG, STAND, Linkage, frozen, linkage_of, raised
 from aftdeck.arms.limits import JointRates, Limits
 from aftdeck.arms.model import ArmFile, PorRow
+from aftdeck.arrays import Array
 from aftdeck.errors import ArmError, InputError, ScenarioError
 from aftdeck.files import Text, parse, read, sentences
 from aftdeck.frames import Mount, rotation_x
 
-Array = NDArray[np.float64]
 HERE = Path(__file__).parent
 
 _HAIR = 1e-9

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import CORNERS, ENDS, FACES, VERTICES, pack
 from aftdeck.errors import InputError
-
-Array = NDArray[np.float64]
 
 FLAT = 1e-9
 """How far a face's vertices may stand off its plane [m]: as much as counts as contact."""

@@ -11,13 +11,11 @@ from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import X, Y, Z
 from aftdeck.bodies.planes import lowest
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 AGREED = 1e-13
 """Largest difference of distance and gap at which the search ends [m]."""

@@ -11,11 +11,10 @@ from math import cos, inf, pi, sin, tau
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 
-Array = NDArray[np.float64]
 Axis = Literal["x", "y", "z"]
 
 FEWEST_WALLS = 8

@@ -9,14 +9,10 @@ from __future__ import annotations
 from math import sqrt
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import BESIDE, ENDS, NX, NY, NZ, SIDES, X, Y, Z
 from aftdeck.bodies.planes import sides
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 PARALLEL = 1e-24
 """Squared sine of the angle below which two edges span no plane; the faces then hold the answer [1]."""

@@ -9,14 +9,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import ENDS, SIDES
 from aftdeck.bodies.words import Words
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 
 class Pierced(NamedTuple):

@@ -13,11 +13,9 @@ from __future__ import annotations
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 VERTICES, SIDES = 8, 6
 X, Y, Z = 0, 8, 16

@@ -8,11 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import CORNERS, ENDS
-
-Array = NDArray[np.float64]
 
 _SHORT = 1e-12
 """Squared length below which a product of two unit edges names no direction [1]: they are parallel."""

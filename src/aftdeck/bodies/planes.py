@@ -8,12 +8,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 
 class Sides(NamedTuple):

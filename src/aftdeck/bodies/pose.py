@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.frames import Pose
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 POSE = 12
 """Length of a row."""

@@ -5,14 +5,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import EDGES, FACES
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, PAIR, POINT_A, POINT_B
 from aftdeck.bodies.watch import measure
-
-Array = NDArray[np.float64]
 
 
 class Feature(NamedTuple):

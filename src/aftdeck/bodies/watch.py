@@ -9,8 +9,8 @@ from __future__ import annotations
 from math import sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.closest import ENCLOSED, Nearest, Simplex, corner, nearest, spanned, weights
 from aftdeck.bodies.depth import greatest
 from aftdeck.bodies.edges import piercing_edge
@@ -31,9 +31,6 @@ from aftdeck.bodies.pair import (
 from aftdeck.bodies.planes import lowest, sides
 from aftdeck.bodies.words import deepest, heights, location_words
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 EDGE_BITS = (1 << ENDS).sum(axis=1)
 FACE_BITS = (1 << CORNERS).sum(axis=1)

@@ -12,10 +12,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import NX, NY, NZ, SIDES, VERTICES, D, X, Y, Z
 from aftdeck.law import law
 
-Array = NDArray[np.float64]
 Words = NDArray[np.int64]
 
 

@@ -7,18 +7,9 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
-from aftdeck.jsc12628.quantities import (
-    UNTURNED,
-    Array,
-    Units,
-    array,
-    limited_rules,
-    metres,
-    positive,
-    strict_rules,
-    tip_of,
-)
+from aftdeck.jsc12628.quantities import UNTURNED, Units, array, limited_rules, metres, positive, strict_rules, tip_of
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.steering import limiters
 from aftdeck.steering.layout import DT as PERIOD

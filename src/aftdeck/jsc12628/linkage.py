@@ -7,9 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError, LimitError, UnreachableError
 from aftdeck.frames import Pose
-from aftdeck.jsc12628.quantities import Array, Units, array, metres
+from aftdeck.jsc12628.quantities import Units, array, metres
 from aftdeck.kinematics import inverse, jacobian
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.linkage import sines

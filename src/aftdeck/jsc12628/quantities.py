@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.steering.layout import RULES, SPEED, SPEED_UP, STRICT, TURN, TURN_UP
 from aftdeck.units import FOOT
 
-Array = NDArray[np.float64]
 Units = Literal["m", "ft"]
 """Of every length in a call: metres or feet."""
 

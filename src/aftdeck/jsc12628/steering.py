@@ -8,9 +8,10 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose
-from aftdeck.jsc12628.quantities import UNTURNED, Array, Units, array, limited_rules, metres, positive
+from aftdeck.jsc12628.quantities import UNTURNED, Units, array, limited_rules, metres, positive
 from aftdeck.kinematics.arm import Arm
 from aftdeck.steering import msteer as laws
 from aftdeck.steering.course import set_off

@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from aftdeck.arrays import Array
 from aftdeck.jsc12628.limits import Vtopen
-from aftdeck.jsc12628.quantities import Array, Units, array, limited_rules, metres, positive, tip_of
+from aftdeck.jsc12628.quantities import Units, array, limited_rules, metres, positive, tip_of
 from aftdeck.steering import aim, profiles
 from aftdeck.steering.layout import DT as PERIOD
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from aftdeck.arms.limits import JointRates, Limits
 from aftdeck.arms.load import ArmModel, load_model
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError, SingularityError, UnreachableError
 from aftdeck.frames import Pose, oriend, panel_attitude, panel_rotation, rotation_x
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
@@ -19,8 +20,6 @@ from aftdeck.kinematics.linkage import L2, L3, L4, forward_many
 from aftdeck.kinematics.rates import rates_many
 from aftdeck.kinematics.singular import NAMES, Singularities, distances_many
 from aftdeck.units import INCH
-
-Array = NDArray[np.float64]
 
 _ROTATION_TOLERANCE = 1e-6
 """How far from orthonormal a given rotation may be [1]."""

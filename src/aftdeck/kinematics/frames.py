@@ -5,14 +5,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.geometry import frozen
 from aftdeck.arms.load import ArmModel
+from aftdeck.arrays import Array
 from aftdeck.kinematics.linkage import Three
 from aftdeck.law import law, sincos
-
-Array = NDArray[np.float64]
 
 POSE = 12
 """Length of a frame's row: position [m], then the rotation row by row, whose columns are the frame's axes in L."""

@@ -10,13 +10,9 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.linkage import HEADING_PITCH_ROLL, L1, L2, L3, L4, L5, LOWER, UPPER, WRIST
 from aftdeck.law import law, nearest
-
-Array = NDArray[np.float64]
 
 BRANCHES = 8
 

@@ -13,12 +13,9 @@ from __future__ import annotations
 
 from typing import NamedTuple, TypeAlias
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.law import law, sincos
 
-Array = NDArray[np.float64]
 Floats: TypeAlias = Array | tuple[float, ...]
 """What a law takes for constants: an array, or a tuple inside loops over many arms."""
 Three: TypeAlias = tuple[float, float, float]

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates, erates, jacobi
 from aftdeck.kinematics.linkage import sines, spin, tip
 from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 OBSERVED = 21
 """Tip position (3) and rotation (9, row by row), twist (6), distances from the singularities (3)."""

@@ -15,12 +15,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import HEADING_PITCH_ROLL, L2, L3, L4, L5, WRIST, Floats, Sines, sines
 from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 FLOOR = 1e-7
 """Normalised distance [1] under which a pose counts as singular: rates would exceed 1e7 times the usual."""

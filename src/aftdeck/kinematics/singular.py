@@ -8,13 +8,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.linkage import L2, L3, L4, Floats, Sines, sines
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 NAMES = ("shoulder", "elbow", "wrist")
 

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.plant.slide import Slide
-
-Array = NDArray[np.float64]
 
 
 @law

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 
 import numpy as np
 from foxglove import messages as fox
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.frames import Pose, quaternion
 from aftdeck.scene.colours import material_of, rgb
 from aftdeck.scene.mesh import Mesh, joined, moved
@@ -16,8 +16,6 @@ from aftdeck.scene.placed import placed
 from aftdeck.scene.solids import solid
 from aftdeck.shapes import Axis, Box, Cylinder, Material, Sphere
 from aftdeck.worksite.model import Body
-
-Array = NDArray[np.float64]
 
 GRAIN = 2.0**-10
 """Triangles' corners are rounded to this [m], under a millimetre: short numbers pack well."""

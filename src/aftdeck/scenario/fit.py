@@ -12,11 +12,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.solids import solids_of
+from aftdeck.arrays import Array
 from aftdeck.bodies.overlap import deepest
 from aftdeck.bodies.solid import Solid
 from aftdeck.files import Problem, Where
@@ -28,7 +28,6 @@ from aftdeck.worksite.cargo import part_of
 from aftdeck.worksite.conditions import Units, shown
 from aftdeck.worksite.model import BarAcquisition, Cargo, Worksite
 
-Array = NDArray[np.float64]
 Parts = dict[str, list[Array]]
 """Hexahedra (8, 3) by the part that they belong to [m]."""
 

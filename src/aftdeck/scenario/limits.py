@@ -8,8 +8,9 @@ from pathlib import Path
 import msgspec
 
 from aftdeck.arms.geometry import frozen
-from aftdeck.arms.limits import Array, JointRates, Limits, limit_problems
+from aftdeck.arms.limits import JointRates, Limits, limit_problems
 from aftdeck.arms.load import ArmModel, PorLimits
+from aftdeck.arrays import Array
 from aftdeck.errors import AftdeckError, ScenarioError
 from aftdeck.files import Where, beside
 from aftdeck.kinematics.arm import Arm, load_arm

@@ -6,14 +6,11 @@ The same functions serve the start of a run, when everything stands as the files
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.load import ArmModel
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Mount, Pose, rotation_x
 from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
 from aftdeck.worksite.model import Cargo, Seat, Worksite
-
-Array = NDArray[np.float64]
 
 _OVER_A_BAR = np.array([[0.0, 0.0, -1.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]])
 """The tip's axes in a cargo's where the hand looks down on its bar, the fixed finger to port."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Rows, quaternion
 from aftdeck.scenario.model import Scenario
@@ -11,8 +10,6 @@ from aftdeck.scene.bodies import draws_payload
 from aftdeck.scene.poses import ArmPoses
 from aftdeck.simulation.frame import Frame, Vec3
 from aftdeck.simulation.look_ahead import Ahead
-
-Array = NDArray[np.float64]
 
 
 class ScenePoses:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.scene.mesh import Mesh, mesh
 from aftdeck.shapes import Loft, Section
-
-Array = NDArray[np.float64]
 
 
 def loft(shape: Loft, points: int) -> Mesh:

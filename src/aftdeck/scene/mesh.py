@@ -6,12 +6,9 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Indices
 from aftdeck.frames import Pose
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 class Mesh(NamedTuple):

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.shapes import Vec2
-
-Array = NDArray[np.float64]
 
 SHARPEST = 2.0**0.5
 """A corner moves inwards by this many times its edges' own way at most, as on the page."""

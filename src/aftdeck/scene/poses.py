@@ -6,16 +6,15 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
+from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, SCENE_ORIGIN
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.kinematics.linkage import L1
 from aftdeck.law import law
 
-Array = NDArray[np.float64]
 Seven = tuple[float, float, float, float, float, float, float]
 """A pose: x, y, z [m], then the quaternion w, x, y, z."""
 

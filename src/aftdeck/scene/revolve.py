@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.scene.mesh import Mesh, mesh
 from aftdeck.shapes import Axis, Vec2
-
-Array = NDArray[np.float64]
 
 ON_AXIS = 1e-9
 """A profile's point this near to the axis [m] lies on it."""

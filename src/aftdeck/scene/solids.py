@@ -7,16 +7,14 @@ from itertools import product
 from typing import assert_never
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.scene.loft import loft
 from aftdeck.scene.mesh import Mesh, mesh
 from aftdeck.scene.placed import Leaf
 from aftdeck.scene.plate import plate
 from aftdeck.scene.revolve import revolve
 from aftdeck.shapes import Box, Cylinder, Hexahedron, Light, Loft, Plate, Ring, Shell, Sphere, Vec2
-
-Array = NDArray[np.float64]
 
 SIDES = 16
 """Of a round body, unless more are asked for."""

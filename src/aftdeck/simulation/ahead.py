@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.state import State
 from aftdeck.worksite.around import place_everything
-
-Array = NDArray[np.float64]
 
 
 def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: float) -> Array:

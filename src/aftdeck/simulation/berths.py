@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.pose import row_of
 from aftdeck.worksite.berthing import Guide, Guides, SeatTolerances, prepare
 from aftdeck.worksite.cargo import part_of
 from aftdeck.worksite.docking import DockingTolerances
 from aftdeck.worksite.model import Cargo, Seat
-
-Array = NDArray[np.float64]
 
 KEEL = "keel"
 """Name of the trunnion under the cargo."""

@@ -6,7 +6,6 @@ import math
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.bodies.pose import POSE, compose, inverse, pose_of
 from aftdeck.simulation.flight import Flight
@@ -22,8 +21,6 @@ from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.grapple import in_envelope
 from aftdeck.worksite.snare import Snare, SnareCommand, advance
-
-Array = NDArray[np.float64]
 
 _TRIGGERS: dict[str, Literal["", "capture", "release"]] = {"close": "capture", "open": "release", "stop": ""}
 _CONTR: dict[str, Literal["RIGID", "OFF", "DERIGID"]] = {"rigid": "RIGID", "off": "OFF", "derigid": "DERIGID"}

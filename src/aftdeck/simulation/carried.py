@@ -5,15 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.limits import por_with
 from aftdeck.scenario.model import RateLimits, Scenario
 from aftdeck.steering.rules import Key, rules_of
-
-Array = NDArray[np.float64]
 
 
 class Carried(NamedTuple):

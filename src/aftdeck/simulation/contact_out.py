@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.log import spoken
@@ -16,8 +16,6 @@ from aftdeck.simulation.ways_out import STICKS, entered, steering_of
 from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, stick_rates
 from aftdeck.worksite.restrain import leads_out, ways_out
-
-Array = NDArray[np.float64]
 
 LOOK_EVERY = 10
 """Steps between two searches."""

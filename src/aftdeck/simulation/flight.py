@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.site import Site, site_of
 
-Array = NDArray[np.float64]
 Pair = tuple[float, float]
 
 WATCHED = 0.1

@@ -6,12 +6,10 @@ from math import copysign
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.worksite import model
 from aftdeck.worksite.drift import LimitCycle, coast, limit_cycle
-
-Array = NDArray[np.float64]
 
 
 class SavedFloating(msgspec.Struct, frozen=True):

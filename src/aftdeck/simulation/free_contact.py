@@ -9,8 +9,8 @@ body's own motion, so it never inhibits the arm.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Mask
 from aftdeck.law import law
 from aftdeck.simulation.ahead import frames_with
 from aftdeck.simulation.flight import Flight
@@ -20,12 +20,9 @@ from aftdeck.simulation.state import State
 from aftdeck.worksite.check import ARM
 from aftdeck.worksite.conditions import shown
 from aftdeck.worksite.found import CLEARANCE, NORMAL, POINT_A, POINT_B
-from aftdeck.worksite.layout import Mask
 from aftdeck.worksite.motion import motion
 from aftdeck.worksite.restrain import looked_at, worsened
 from aftdeck.worksite.watch import Watch
-
-Array = NDArray[np.float64]
 
 HALVINGS = 8
 """How often the step in which a body meets something is halved: it stops within 1/256 of its way."""

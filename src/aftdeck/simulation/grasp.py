@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, relative
 from aftdeck.kinematics.payload import Payload
 from aftdeck.simulation.carried import carrying
@@ -18,8 +18,6 @@ from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.motion import motion
 from aftdeck.worksite.snare import Snare
-
-Array = NDArray[np.float64]
 
 NEAR = 3.0
 """A bar or a fixture farther from the hand than this [m] is not yet being captured."""

@@ -6,18 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.load import ArmModel
+from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.pose import row_of
 from aftdeck.worksite.acquisition import Tolerances
 from aftdeck.worksite.cargo import part_of
 from aftdeck.worksite.grapple import CaptureEnvelope
-from aftdeck.worksite.layout import Indices
 from aftdeck.worksite.model import BarAcquisition, Cargo, SnareCapture, Worksite
 from aftdeck.worksite.snare import SnareTimes
-
-Array = NDArray[np.float64]
 
 HEXES = ("palm", "fixed finger", "prong")
 """HEX 1 to 3."""

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from math import hypot, inf
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.pose import pose_of
 from aftdeck.frames import oriend
@@ -31,9 +31,6 @@ from aftdeck.worksite.docking import BEFORE, DISTANCE, INSIDE
 from aftdeck.worksite.found import CLEARANCE
 from aftdeck.worksite.model import Relation
 from aftdeck.worksite.watch import Watch
-
-Array = NDArray[np.float64]
-Mask = NDArray[np.uint8]
 
 WIDER, WIDEST = 2.0, 2.4
 """Lined up is what comes within the envelope's radius and angles, so many times [1], until it leaves them so many

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.frames import Rows, angle_between
 from aftdeck.kinematics.observe import CARRIED, observe_link, observe_payload
@@ -31,8 +30,6 @@ from aftdeck.steering.layout import (
     TWIST,
 )
 from aftdeck.steering.mode import MODES
-
-Array = NDArray[np.float64]
 
 
 def look(flight: Flight, state: State) -> Frame:

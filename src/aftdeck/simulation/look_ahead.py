@@ -11,8 +11,8 @@ from typing import Literal, cast
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.simulation.ahead import frames_at
 from aftdeck.simulation.flight import Flight
@@ -28,8 +28,6 @@ from aftdeck.steering.msteer import measured
 from aftdeck.steering.rehearsal import rehearse
 from aftdeck.worksite.found import CLEARANCE
 from aftdeck.worksite.report import Near, Rows, Vec3
-
-Array = NDArray[np.float64]
 
 LEAST_S, MOST_S = 2.0, 20.0
 """How far may be looked ahead [s]."""

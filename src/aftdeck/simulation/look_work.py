@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.separation import named
 from aftdeck.simulation.flight import Flight
@@ -18,8 +18,6 @@ from aftdeck.steering.mode import MODES
 from aftdeck.worksite.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
 from aftdeck.worksite.report import Cargo, Hand, Near, Six, Vec3, Work
 from aftdeck.worksite.snare import Snare, flags
-
-Array = NDArray[np.float64]
 
 _ZERO = (0.0, 0.0, 0.0)
 

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.log import log
 from aftdeck.simulation.state import State
 from aftdeck.worksite.restrain import worsened
-
-Array = NDArray[np.float64]
 
 
 def waits(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.frames import angle_between
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.target import Target
@@ -22,7 +20,7 @@ _FINE = 0.01
 """Distances under this are told to a tenth of a millimetre [m]."""
 
 
-def miss(flight: Flight, arm: Arm, angles: NDArray[np.float64], target: Target) -> str:
+def miss(flight: Flight, arm: Arm, angles: Array, target: Target) -> str:
     """How far the tip is beside a target, for people; empty where it has reached it.
 
     Args:

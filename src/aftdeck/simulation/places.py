@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, inverse, pose_of, row_of
 from aftdeck.scenario.relative import at_cargo, at_seat
 from aftdeck.scenario.target import AtCargo, AtSeat, InFrame, Place, Target, target_at
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import in_hand
 from aftdeck.simulation.state import State
-
-Array = NDArray[np.float64]
 
 
 def found(flight: Flight, state: State, place: Place) -> Target | str:

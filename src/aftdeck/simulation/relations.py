@@ -10,8 +10,8 @@ from __future__ import annotations
 from math import hypot
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.bodies.pose import POSE, pose_of, relative
 from aftdeck.bodies.watch import measure
@@ -24,10 +24,7 @@ from aftdeck.worksite.acquisition import FIXED, FOUND, PALM, PRONG, acquire
 from aftdeck.worksite.berthing import inside, places
 from aftdeck.worksite.docking import BEFORE, DISTANCE, INSIDE
 from aftdeck.worksite.found import CLEARANCE
-from aftdeck.worksite.layout import Mask
 from aftdeck.worksite.watch import Watch
-
-Array = NDArray[np.float64]
 
 
 def permitted(site: Site, watch: Watch, frames: Array) -> Mask:

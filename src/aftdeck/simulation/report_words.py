@@ -9,9 +9,7 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple, cast
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Setting
 from aftdeck.bodies.hexahedron import NX, NY, NZ, D
 from aftdeck.simulation.flight import Flight
@@ -111,7 +109,7 @@ def planes_of(flight: Flight, state: State) -> Planes:
     return first, second, third
 
 
-def _face(body: NDArray[np.float64], face: int) -> WordPlane:
+def _face(body: Array, face: int) -> WordPlane:
     """Return the plane of a placed body's face, its normal outwards."""
     return WordPlane((float(body[NX + face]), float(body[NY + face]), float(body[NZ + face])), float(body[D + face]))
 

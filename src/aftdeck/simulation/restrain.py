@@ -7,6 +7,7 @@ operator can always leave it, and what the arm holds slides where that is permit
 
 from __future__ import annotations
 
+from aftdeck.arrays import Mask
 from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.sliding import slide_along
@@ -14,7 +15,6 @@ from aftdeck.simulation.standstill import standing
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import CLOCK, PACE, RATES, RATIO, TWIST
 from aftdeck.steering.mode import MODES
-from aftdeck.worksite.layout import Mask
 from aftdeck.worksite.restrain import leads_out, relieves, worsened
 
 AHEAD = (1.0, 8.0, 64.0, 512.0)

@@ -10,8 +10,8 @@ import math
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.pose import POSE, compose, pose_of, relative
 from aftdeck.simulation.berths import Berth
 from aftdeck.simulation.flight import Flight
@@ -25,8 +25,6 @@ from aftdeck.worksite.conditions import Condition, all_hold, reasons, shown
 from aftdeck.worksite.docking import DISTANCE, FOUND, approach, docking
 from aftdeck.worksite.draw_in import remaining
 from aftdeck.worksite.latches import Latches, advance
-
-Array = NDArray[np.float64]
 
 
 def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:

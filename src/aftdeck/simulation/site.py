@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.geometry import PRONG, STAND
 from aftdeck.arms.load import ArmModel
 from aftdeck.arms.solids import solids_of
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import POSE, row_of
 from aftdeck.bodies.solid import Solid
 from aftdeck.frames import Pose, rotation_x
@@ -21,11 +21,9 @@ from aftdeck.scenario.payload import PART
 from aftdeck.simulation.berths import Berth, berth_of
 from aftdeck.simulation.hand import Bar, Snares, bar_of, snares_of
 from aftdeck.worksite.cargo import part_of
-from aftdeck.worksite.layout import CENTRE, Indices, Layout, Mask, PartPair, layout_of
+from aftdeck.worksite.layout import CENTRE, Layout, PartPair, layout_of
 from aftdeck.worksite.model import Cargo, Relation, Seat, Worksite
 from aftdeck.worksite.pairs import among, part_pairs
-
-Array = NDArray[np.float64]
 
 ORBITER = 0
 """Row of the scene's frame; the arm's follow, then space's, then one for each cargo."""

@@ -6,8 +6,8 @@ Remote Manipulator Simulation, final report, section VII.4.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.state import State
@@ -16,8 +16,6 @@ from aftdeck.worksite.restrain import deeper
 from aftdeck.worksite.slide import LEAST, OUTWARD
 from aftdeck.worksite.sliding import met, slid
 from aftdeck.worksite.touches import touches
-
-Array = NDArray[np.float64]
 
 OUT = 0.01
 """Speed at which what stands inside a wall is brought out of it [m/s] (assumed)."""

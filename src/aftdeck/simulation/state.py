@@ -7,8 +7,8 @@ from typing import Literal
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Setting
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.linkage import L1
@@ -28,9 +28,6 @@ from aftdeck.steering.layout import COMMAND, GO, KEPT, MASTER, REPORT, STATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice
 from aftdeck.steering.msteer import measured
 from aftdeck.steering.rules import Rate
-
-Array = NDArray[np.float64]
-
 
 Ending = Literal["", "reached", "missed", "given up"]
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.solids import solids_of
+from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera
 from aftdeck.bodies.hexahedron import NX, D, pack
 from aftdeck.bodies.overlap import deepest
@@ -23,7 +23,6 @@ from aftdeck.simulation.survey_poses import bodies, inside_soft_stops, placed, s
 from aftdeck.worksite.check import depth_in
 from aftdeck.worksite.conditions import shown
 
-Array = NDArray[np.float64]
 Tried = tuple[Array, float, float]
 """Joint angles [rad], lengths of the telescope and of the prong's way [m]."""
 _LITTLE = 0.1

@@ -7,16 +7,14 @@ from collections.abc import Iterator
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.solids import solids_of
+from aftdeck.arrays import Array
 from aftdeck.bodies.pose import pose_of
 from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.scenario.fit import Parts
 from aftdeck.scenario.model import Scenario
-
-Array = NDArray[np.float64]
 
 TRIED = 5000
 """How many poses inside the soft stops; they take half a second."""

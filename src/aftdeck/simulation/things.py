@@ -6,8 +6,8 @@ from typing import Literal
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.pose import POSE, compose
 from aftdeck.plant.effector import prong_of
 from aftdeck.scenario.model import Scenario
@@ -16,11 +16,9 @@ from aftdeck.simulation.floating import Floating, SavedFloating, floating_so
 from aftdeck.simulation.site import Site
 from aftdeck.worksite.contacts import Contacts
 from aftdeck.worksite.latches import Latches
-from aftdeck.worksite.layout import Indices
 from aftdeck.worksite.snare import Snare
 from aftdeck.worksite.watch import SavedWatch, Watch
 
-Array = NDArray[np.float64]
 Switch = Literal["stop", "close", "open"]
 Halt = Literal["", "seat", "contact", "switch"]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.errors import UnreachableError
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.scenario.target import Target
@@ -17,8 +17,6 @@ from aftdeck.simulation.log import spoken
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import RATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
-
-Array = NDArray[np.float64]
 
 HAIR = 1e-9
 """How far past a soft stop rounding may put a solution [rad]."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.simulation.ahead import frames_with
 from aftdeck.simulation.capture import capture
 from aftdeck.simulation.contact_out import way_out_of_contact
@@ -23,8 +23,6 @@ from aftdeck.worksite.around import look_around
 from aftdeck.worksite.contacts import FRAMES, Inhibit
 from aftdeck.worksite.drift import translate
 from aftdeck.worksite.restrain import looked_at, relieves, worsened
-
-Array = NDArray[np.float64]
 
 _DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
 

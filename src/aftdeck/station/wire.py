@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera, Setting
 from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
 from aftdeck.recording.records import ControllerRecord
@@ -24,8 +24,6 @@ from aftdeck.station.wire_spec94 import payload_table, stored_sequences
 from aftdeck.station.wire_work import WorkTranslator, effector_lamps, work_info
 from aftdeck.steering.mode import MODES, Mode
 from aftdeck.version import __version__
-
-Array = NDArray[np.float64]
 
 END_EFFECTOR, PAYLOAD = 5, 6
 """The report's numbers of the modes whose axes move with the arm."""

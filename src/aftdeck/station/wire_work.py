@@ -6,14 +6,12 @@ import math
 from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES
 from aftdeck.scenario.model import Scenario
 from aftdeck.station import protocol as wire
 from aftdeck.worksite.report import Near, Vec3, Work
-
-Array = NDArray[np.float64]
 
 
 def work_info(scenario: Scenario) -> wire.WorkInfo:

@@ -9,13 +9,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 
 class Aim(NamedTuple):

@@ -12,14 +12,13 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
 from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blocks
-
-Array = NDArray[np.float64]
 
 _HAIR = 1.0 + 1e-15
 """Keeps the fastest joint's rate, after rounding, at or under its limit."""

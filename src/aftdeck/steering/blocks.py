@@ -8,9 +8,7 @@ Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import (
     HEADING_PITCH_ROLL,
@@ -28,7 +26,6 @@ from aftdeck.kinematics.rates import per_distance, resolved, rmsrat
 from aftdeck.law import law, reduced, sincos_near_zero, turned_on
 from aftdeck.steering.msteer import NEAR_FLOOR
 
-Array = NDArray[np.float64]
 Six = tuple[float, float, float, float, float, float]
 
 LANES = 40

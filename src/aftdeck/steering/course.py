@@ -6,14 +6,10 @@ the arm first comes to rest, and the motion is planned from there.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.steering.layout import GO, LAW, MEASURED, STRICT
 from aftdeck.steering.modes import open_loop, position
-
-Array = NDArray[np.float64]
 
 AT_REST = 1e-6
 """Joint rate under which a joint is at rest [rad/s]: a step of 0.2 s moves the tip by less than 0.01 mm (assumed)."""

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.kinematics.linkage import sines
 from aftdeck.kinematics.rates import FLOOR, rmsrat
 from aftdeck.law import law
 from aftdeck.steering.layout import RATE
-
-Array = NDArray[np.float64]
 
 
 @law

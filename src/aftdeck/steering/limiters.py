@@ -10,9 +10,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import L2, L3, L4, Sines
 from aftdeck.kinematics.singular import distances
@@ -33,8 +31,6 @@ from aftdeck.steering.layout import (
     TURN,
     TURN_UP,
 )
-
-Array = NDArray[np.float64]
 
 CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop", "joint acceleration", "joint acceleration passed")
 """Which limit acted on the joint rates, by the number in a report. 4 is given by mode 8, whose stops are the hard ones;

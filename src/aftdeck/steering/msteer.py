@@ -9,9 +9,7 @@ on a hopeless speed-up); the rate law is evaluated at the middle of the coming s
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Jacobian, Rates, Twist, erates, jacobi
 from aftdeck.kinematics.linkage import Sines, Tip, lifted, sines, tip
 from aftdeck.kinematics.rates import FLOOR, rmsrat
@@ -60,8 +58,6 @@ from aftdeck.steering.modes import (
 )
 from aftdeck.steering.one_factor import one_factor
 from aftdeck.steering.turn import from_hand
-
-Array = NDArray[np.float64]
 
 NEAR_FLOOR = 0.5 * NEAREST
 """Normalised distance from a singularity that the guarded rate law works with at least, where the arm starts nearer."""

@@ -13,15 +13,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.law import law
 from aftdeck.steering.layout import DT, MEASURED, MOST_UP, SPEED, SPEED_UP, TURN, TURN_UP
 from aftdeck.steering.limiters import BY_ACCELERATION, PAST_ACCELERATION, Ratio
-
-Array = NDArray[np.float64]
 
 ROUNDING = 1e-11
 """Share by which rounding may pass a limit [1]."""

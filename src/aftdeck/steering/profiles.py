@@ -10,14 +10,10 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.steering.layout import DT, SPEED, SPEED_UP, STRICT, TURN, TURN_UP
 from aftdeck.steering.limiters import braked
-
-Array = NDArray[np.float64]
 
 
 class Profile(NamedTuple):

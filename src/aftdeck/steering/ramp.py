@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.steering.layout import ANGLES, CAUSE, CULPRIT, DT, HIGH, LOW, MEASURED, RATE, RATE_UP, RATIO
 from aftdeck.steering.limiters import braked
-
-Array = NDArray[np.float64]
 
 
 @law

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.steering.course import set_off
 from aftdeck.steering.layout import ANGLES, ARRIVED, DT, GO, MEASURED, RATES, RATIO
 from aftdeck.steering.msteer import msteer
-
-Array = NDArray[np.float64]
 
 STANDSTILL = 1e-3
 """RATIO [1] under which a motion counts as held at a standstill."""

@@ -6,9 +6,9 @@ import math
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.load import ArmModel, PorLimits
+from aftdeck.arrays import Array
 from aftdeck.kinematics.payload import Payload
 from aftdeck.steering.layout import (
     AS_FLOWN,
@@ -34,7 +34,6 @@ from aftdeck.steering.layout import (
 )
 from aftdeck.steering.mode import MODES, Mode
 
-Array = NDArray[np.float64]
 Rate = Literal["coarse", "vernier"]
 Key = tuple[str, Rate, int]
 """A panel position, its rate setting, and the steering law that it flies."""

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.law import law
 from aftdeck.steering.layout import HELD, MOUNT
 
-Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
 
 

@@ -8,9 +8,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.kinematics.linkage import Sines, Tip, sines, tip
 from aftdeck.kinematics.rates import rmsrat
@@ -20,8 +18,6 @@ from aftdeck.steering.layout import ANGLES, LAW, STICKS
 from aftdeck.steering.limiters import closing, ratlmt
 from aftdeck.steering.modes import end_effector, mixed, orbiter, payload
 from aftdeck.steering.msteer import NEAR_FLOOR, carried_to_tip
-
-Array = NDArray[np.float64]
 
 DIRECTIONS = 12
 """Stick directions tried: + and - of roll, pitch, yaw, X, Y, Z, in that order."""

@@ -17,15 +17,12 @@ from typing import Literal, NamedTuple
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.hexahedron import CORNERS, NX, NY, NZ, VERTICES, D, X, Y, Z
 from aftdeck.bodies.planes import least, lesser
 from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, Units, within
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 PALM, FIXED, PRONG = 0, 1, 2
 """Least height of the bar's vertices over face d of the palm, b of the fixed finger, e of the prong [m]."""

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import compose
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.law import law
 from aftdeck.worksite.contacts import count_frames
-from aftdeck.worksite.layout import POSE, Indices, Mask
+from aftdeck.worksite.layout import POSE
 from aftdeck.worksite.watch import nearest_group, watch
-
-Array = NDArray[np.float64]
 
 
 @law

@@ -2,14 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.hexahedron import VERTICES, X, Y, Z
 from aftdeck.law import law
-from aftdeck.worksite.layout import Indices
-
-Array = NDArray[np.float64]
 
 
 @law

@@ -17,14 +17,13 @@ from typing import NamedTuple
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, angle_between
 from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, Units, within
 
-Array = NDArray[np.float64]
 Vec3 = tuple[float, float, float]
 
 SWITCHES = ("A", "B")

@@ -7,9 +7,9 @@ from math import cos, pi, sin
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.geometry import frozen
+from aftdeck.arrays import Array
 from aftdeck.bodies.cover import prism
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, endori
@@ -17,8 +17,6 @@ from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Sphere, 
 from aftdeck.worksite.cargo_file import CargoFile, GrappleFile, PrismBody, ReceptacleFile, StartFile, TrunnionsFile
 from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start
 from aftdeck.worksite.solids import CORNERS, as_solids, checked, drawn, moved
-
-Array = NDArray[np.float64]
 
 FITTINGS = ("probe", "receptacle", "grapple fixture", "trunnions")
 """What a cargo may have besides its body; such a part is called after the cargo and the fitting."""

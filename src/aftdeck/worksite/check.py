@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera
 from aftdeck.bodies.hexahedron import CORNERS, NX, D, pack
 from aftdeck.bodies.solid import Solid
@@ -14,8 +15,6 @@ from aftdeck.files import Problem, Where
 from aftdeck.frames import Pose
 from aftdeck.worksite.model import Bay, Body, Cargo
 from aftdeck.worksite.schema import WorksiteFile
-
-Array = NDArray[np.float64]
 
 ARM = "arm."
 """What the names of an arm's frames begin with; whether a camera's frame is one of the arm's, a scenario has to say."""

@@ -15,15 +15,13 @@ from typing import NamedTuple
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.law import law
 from aftdeck.worksite.conditions import Units, shown
 from aftdeck.worksite.found import CLEARANCE
-from aftdeck.worksite.layout import Indices, Layout, Mask
-
-Array = NDArray[np.float64]
+from aftdeck.worksite.layout import Layout
 
 ACQUISITION = 1
 """The report's mode in which the prong moves by itself."""

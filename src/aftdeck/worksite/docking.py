@@ -16,13 +16,11 @@ from typing import Literal
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, Units, within
-
-Array = NDArray[np.float64]
 
 BEFORE = 0
 """Least height of the probe's vertices over face c [m]."""

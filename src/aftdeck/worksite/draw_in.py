@@ -7,12 +7,8 @@ from __future__ import annotations
 
 from math import atan2, cos, sin, sqrt
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 
 @law

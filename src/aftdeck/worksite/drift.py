@@ -13,12 +13,11 @@ from typing import NamedTuple
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.law import law, sincos
 
-Array = NDArray[np.float64]
 Vec3 = tuple[float, float, float]
 
 _SMALL = 1e-4

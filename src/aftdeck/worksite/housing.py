@@ -7,14 +7,12 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera
 from aftdeck.shapes import Group, Shape
 from aftdeck.worksite.schema import HousingFile, WorksiteFile
 from aftdeck.worksite.solids import CORNERS
-
-Array = NDArray[np.float64]
 
 
 class Housed(NamedTuple):

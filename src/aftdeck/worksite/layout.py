@@ -11,16 +11,13 @@ from itertools import product
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import BODY, unpack
 from aftdeck.bodies.solid import Solid
 from aftdeck.errors import InputError
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
-Mask = NDArray[np.uint8]
 PartPair = tuple[str, str]
 
 POSE = 12

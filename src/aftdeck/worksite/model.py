@@ -10,14 +10,13 @@ from typing import Literal
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import Camera, Vec3
 from aftdeck.bodies.solid import Solid
 from aftdeck.frames import Pose, endori
 from aftdeck.shapes import Shape
 
-Array = NDArray[np.float64]
 Frame = Literal["orbiter", "space"]
 
 

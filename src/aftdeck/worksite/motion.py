@@ -5,13 +5,9 @@ from __future__ import annotations
 from math import atan2, sqrt, tan
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.law import law
 from aftdeck.worksite.layout import POSE
-
-Array = NDArray[np.float64]
 
 _SMALL = 1e-2
 """Angle below which the series is taken [rad]: its next term is 3e-13, what the closed form loses there 1e-12."""

@@ -7,9 +7,10 @@ from itertools import combinations
 
 import numpy as np
 
+from aftdeck.arrays import Mask
 from aftdeck.bodies.solid import Solid
 from aftdeck.errors import InputError
-from aftdeck.worksite.layout import Layout, Mask, PartPair
+from aftdeck.worksite.layout import Layout, PartPair
 
 STILL = ("space", "orbiter")
 """Frames of the bodies around, which are named after what moves against them."""

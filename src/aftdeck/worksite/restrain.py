@@ -18,13 +18,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from aftdeck.worksite.layout import Mask
+from aftdeck.arrays import Array, Mask
 from aftdeck.worksite.trial import DEEPEST, GAINED, LESSENED, MADE, SLID, STEP, WORST, trials_of
 from aftdeck.worksite.watch import Watch
-
-Array = NDArray[np.float64]
 
 DEEPER = 1e-12
 """By how much a clearance may fall in a step and count as kept [m]: clearances are right to that."""

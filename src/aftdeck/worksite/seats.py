@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from aftdeck.arms.geometry import frozen
+from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import NX, D, pack
 from aftdeck.bodies.solid import Solid
 from aftdeck.frames import Pose, endori
 from aftdeck.shapes import Cylinder, Shape
 from aftdeck.worksite.model import Body, Guides, Seat
 from aftdeck.worksite.schema import PortFile, SeatFile
-
-Array = NDArray[np.float64]
 
 DISC = 0.02
 """Thickness of the disc that shows a port, half of which stands out [m]; nothing collides with it."""

@@ -11,12 +11,10 @@ from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.law import law
-
-Array = NDArray[np.float64]
 
 POINT, OUTWARD, LEAST = 0, 3, 6
 """In a contact's row: the point [m]; the wall's unit normal towards what slides [1]; how fast at least the point goes

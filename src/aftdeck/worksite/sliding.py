@@ -8,8 +8,8 @@ that a payload that is pressed against a wall stays in touch with it.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pose import POSE
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.kinematics.jacobian import Rates, Twist, erates, jacobi
@@ -20,11 +20,8 @@ from aftdeck.steering.layout import ANGLES, DT, RATES, RISE, TWIST
 from aftdeck.steering.limiters import ratlmt
 from aftdeck.steering.msteer import NEAR_FLOOR, cut, feed_back, scaled
 from aftdeck.worksite.found import CLEARANCE
-from aftdeck.worksite.layout import Mask
 from aftdeck.worksite.slide import LEAST, OUTWARD, POINT, slide
 from aftdeck.worksite.watch import nearest_group
-
-Array = NDArray[np.float64]
 
 REACH_S = 2.0
 """Walls that could be met within so many steps at the present speed are looked at."""

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from typing import assert_never
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array
 from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.cover import prism, tube_wall
 from aftdeck.bodies.solid import Solid
@@ -23,8 +23,6 @@ from aftdeck.worksite.solid_file import (
     SolidFile,
     TubeWallFile,
 )
-
-Array = NDArray[np.float64]
 
 CORNERS = np.array([(v >> 1 & 1, v >> 2 & 1, v & 1) for v in range(8)], dtype=np.float64)
 """(8, 3) vertices of the unit cube, numbered as a hexahedron."""

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.hexahedron import NX, NY, NZ, SIDES, VERTICES, D, X, Y, Z
 from aftdeck.law import law
 from aftdeck.worksite.found import CLEARANCE, NORMAL, POINT_A, POINT_B, WHICH
-from aftdeck.worksite.layout import Indices, Mask
 from aftdeck.worksite.slide import LEAST, OUTWARD, POINT, TOUCH
 from aftdeck.worksite.watch import Watch
-
-Array = NDArray[np.float64]
 
 _EACH = VERTICES + 1
 """Touches that a pair of solids can have."""

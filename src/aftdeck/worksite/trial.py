@@ -10,17 +10,14 @@ from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies import pair as packed
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.watch import measure
 from aftdeck.law import law
 from aftdeck.worksite.found import CLEARANCE, FOUND, NORMAL, POINT_A, POINT_B, WHICH
-from aftdeck.worksite.layout import Indices, Mask
 from aftdeck.worksite.watch import Watch, copy_pair, nearest_pair, not_nearer, place_moved, travelled, way_apart
-
-Array = NDArray[np.float64]
 
 STEP = 1.0
 """What is farther apart than this [m] comes into no contact in a step."""

@@ -13,8 +13,8 @@ from math import sqrt
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies import pair as packed
 from aftdeck.bodies.depth import greatest
 from aftdeck.bodies.hexahedron import SIDES, VERTICES, place
@@ -35,11 +35,8 @@ from aftdeck.worksite.found import (
     SPEED,
     WHICH,
 )
-from aftdeck.worksite.layout import CENTRE, POSE, RADIUS, SOLID, Indices, Layout, Mask
+from aftdeck.worksite.layout import CENTRE, POSE, RADIUS, SOLID, Layout
 from aftdeck.worksite.motion import motion, velocity
-
-Array = NDArray[np.float64]
-
 
 _SLACK = 1e-9
 """By how much a group is taken to be nearer than it can be [m]: more than rounding takes off."""

@@ -10,9 +10,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.law import law
@@ -35,8 +33,6 @@ from aftdeck.steering.layout import (
     TWIST,
 )
 from aftdeck.steering.profiles import vclose
-
-Array = NDArray[np.float64]
 
 SLOW = 1.5
 """In the end sphere the arm counts as at rest below this many steps' worth of its acceleration [1]."""

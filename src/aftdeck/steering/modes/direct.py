@@ -8,15 +8,11 @@ Source: the Shuttle Crew Operations Manual, section 2.21; JSC-12628 does not kno
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.law import law
 from aftdeck.steering.layout import ANGLES, CAUSE, CULPRIT, DRIVE, DT, HIGH, JOINT, LOW, RATE
 from aftdeck.steering.limiters import BY_HARD_STOP
-
-Array = NDArray[np.float64]
 
 
 @law

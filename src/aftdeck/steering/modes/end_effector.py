@@ -9,16 +9,12 @@ Source: JSC-12628, subroutine VOTRAN (MODE = 5).
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.law import law
 from aftdeck.steering.layout import HAND, SPEED, STICKS, STRICT, TURN
 from aftdeck.steering.turn import from_hand
-
-Array = NDArray[np.float64]
 
 
 @law

@@ -12,16 +12,12 @@ the smooth arrival, are ours.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.law import law
 from aftdeck.steering.layout import ANGLES, ARRIVED, CAUSE, CULPRIT, DT, HIGH, LOW, MASTER, RATE, RATE_UP, RATES
 from aftdeck.steering.limiters import BY_STOP, braked
 from aftdeck.steering.ramp import ramped, rate_towards
-
-Array = NDArray[np.float64]
 
 THERE = 1e-9
 """How near to its master's angle a joint at rest has come when it is there [rad]."""

@@ -10,16 +10,12 @@ Source: JSC-12628, subroutine VOTRAN (MODE = 7).
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.law import law
 from aftdeck.steering.layout import SPEED, STICKS, TURN
 from aftdeck.steering.turn import from_orbiter, from_payload
-
-Array = NDArray[np.float64]
 
 
 @law

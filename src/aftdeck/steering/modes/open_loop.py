@@ -12,9 +12,7 @@ Its plan: velocity (3) [m/s] and angular velocity (3) [rad/s] at full speed, the
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.kinematics.linkage import lifted, sines, tip
 from aftdeck.law import law
@@ -34,8 +32,6 @@ from aftdeck.steering.layout import (
     TURN_REMAINING,
 )
 from aftdeck.steering.profiles import vtopen
-
-Array = NDArray[np.float64]
 
 _VELOCITY, _TURNING, _ETA, _T_V1, _T_W1, _ETAP = PLAN, PLAN + 3, PLAN + 6, PLAN + 7, PLAN + 8, PLAN + 9
 

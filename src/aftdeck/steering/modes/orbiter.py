@@ -9,15 +9,11 @@ Source: JSC-12628, subroutine VOTRAN (MODE = 4).
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.law import law
 from aftdeck.steering.layout import SPEED, STICKS, TURN
 from aftdeck.steering.turn import from_orbiter
-
-Array = NDArray[np.float64]
 
 
 @law

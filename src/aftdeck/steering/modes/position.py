@@ -16,9 +16,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.law import law
 from aftdeck.steering.layout import (
@@ -35,8 +33,6 @@ from aftdeck.steering.layout import (
     SPEED,
     SPEED_UP,
 )
-
-Array = NDArray[np.float64]
 
 _WAY, _ETA, _RAMP, _FULL = PLAN, PLAN + 6, PLAN + 7, PLAN + 8
 

@@ -11,16 +11,12 @@ Source: JSC-12628, introduction (mode 8); section 3, subroutine OPERIN.
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.law import law
 from aftdeck.steering.layout import DRIVE, JOINT, KEPT, RATE, RATES
 from aftdeck.steering.limiters import BY_HARD_STOP
 from aftdeck.steering.ramp import ramped, rate_towards
-
-Array = NDArray[np.float64]
 
 
 @law
