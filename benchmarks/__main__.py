@@ -19,6 +19,7 @@ NAMES = {
     "rate-law": "laws.rate_law",
     "steering": "laws.steering",
     "inverse": "laws.inverse",
+    "calls": "laws.calls",
     "batch": "batch.arm_steps",
     "collision": "collision.hexahedra",
     "headless": "simulation.headless",

@@ -9,6 +9,7 @@ import numpy as np
 import pinocchio
 
 from aftdeck.arrays import Array
+from aftdeck.frames import Pose
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
@@ -23,6 +24,9 @@ from benchmarks.measure import Figure, microseconds
 
 TWIST = (0.001, 0.002, 0.003, 0.1, 0.2, 0.3)
 """Angular [rad/s], then translational velocity [m/s] of the tip, in L: beyond a joint's rate limit."""
+
+POSE = (-0.5, 1.3, -1.8, -1.2, 0.3, -2.0)
+"""Joint angles of an arm over the bay, far from every singularity [rad]."""
 
 
 def rate_law() -> list[Figure]:
@@ -80,7 +84,7 @@ def steering() -> list[Figure]:
 def inverse() -> list[Figure]:
     """All eight branches of the closed inverse: RMANGS, one call from Python."""
     arm = load_scenario("first-flight").arm
-    pose = arm.forward([-0.5, 1.3, -1.8, -1.2, 0.3, -2.0])
+    pose = arm.forward(POSE)
     names = {
         "f": rmangs,
         "arm": arm.model.links,
@@ -90,19 +94,43 @@ def inverse() -> list[Figure]:
     }
     time = microseconds("f(arm, pose, angles, excess)", names)
     figures = [Figure("all eight inverse branches", time, "us", 3.0, "one call from Python, packed arrays")]
+    peer = _eaik(pose)
+    return figures if peer is None else [*figures, Figure("the same by EAIK", peer, "us", None, "HPRobot.IK")]
+
+
+def calls() -> list[Figure]:
+    """The public calls of an arm, all their checks included; their targets are shares of what EAIK's inverse takes."""
+    arm, angles, twist = load_scenario("first-flight").arm, np.array(POSE), np.array(TWIST)
+    pose = arm.forward(angles)
+    peer = _eaik(pose)
+    names = {"arm": arm, "q": angles, "t": twist, "pose": pose}
+    figures = [] if peer is None else [Figure("EAIK's inverse", peer, "us", None, "HPRobot.IK")]
+    for call, share in (
+        ("arm.forward(q)", 0.6),
+        ("arm.jacobian(q)", 0.6),
+        ("arm.singularities(q)", 0.8),
+        ("arm.joint_rates(q, t)", 1.2),
+        ("arm.inverse(pose)", 3.0),
+        ("arm.inverse(pose, near=q)", 3.0),
+    ):
+        target = None if peer is None else share * peer
+        figures.append(Figure(call, microseconds(call, names), "us", target, f"asked {share:g} of EAIK's"))
+    return figures
+
+
+def _eaik(pose: Pose) -> float | None:
+    """How long EAIK's inverse takes [us], its first branch checked; None where it is not installed."""
     try:
         from eaik.IK_HP import HPRobot  # noqa: PLC0415  (a peer that `make bench` alone installs)
     except ImportError:
-        return figures
+        return None
     centres, axes = _chain(load_scenario("first-flight"))
-    steps = np.vstack([centres[0], np.diff(centres, axis=0)])
-    peer = HPRobot(axes, steps)
+    peer = HPRobot(axes, np.vstack([centres[0], np.diff(centres, axis=0)]))
     target = np.eye(4)
     target[:3, :3], target[:3, 3] = pose.rotation, pose.position
     found = peer.fwdKin(peer.IK(target).Q[0])
     assert np.allclose(found[:3, 3], pose.position, atol=1e-6), f"EAIK's first branch comes to {found[:3, 3]}"
-    time = microseconds("f(pose)", {"f": peer.IK, "pose": target})
-    return [*figures, Figure("the same by EAIK", time, "us", None, "HPRobot.IK")]
+    return microseconds("f(pose)", {"f": peer.IK, "pose": target})
 
 
 class _Jacobian:

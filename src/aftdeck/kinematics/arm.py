@@ -9,24 +9,24 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from aftdeck.arms.geometry import frozen
 from aftdeck.arms.limits import JointRates, Limits
 from aftdeck.arms.load import ArmModel, load_model
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError, SingularityError, UnreachableError
 from aftdeck.frames import Pose, oriend, panel_attitude, panel_rotation, rotation_x
+from aftdeck.kinematics import solutions
+from aftdeck.kinematics.finite import finite
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
 from aftdeck.kinematics.jacobian import jacobian_many
 from aftdeck.kinematics.linkage import L2, L3, L4, forward_many
 from aftdeck.kinematics.rates import rates_many
 from aftdeck.kinematics.singular import NAMES, Singularities, distances_many
+from aftdeck.kinematics.solutions import FOUND, ROTATION_TOLERANCE, Solved, solve
 from aftdeck.units import INCH
 
-_ROTATION_TOLERANCE = 1e-6
-"""How far from orthonormal a given rotation may be [1]."""
-_SAME = 1e-9
-"""Two solutions whose angles differ by less are one [rad]."""
-_EPSILON = 1e-9
-"""Distance [m] or cosine [1] under which RMANGS calls a pose singular."""
+_FLOAT = np.dtype(np.float64)
+_ZERO = frozen(np.zeros(6))
 
 
 class Arm:
@@ -85,7 +85,8 @@ class Arm:
         """
         rows, shape = _rows(angles, "joint angles")
         position, rotation = np.empty((len(rows), 3)), np.empty((len(rows), 3, 3))
-        forward_many(self.model.links, rows, position, rotation)
+        if not forward_many(self.model.links, rows, position, rotation):
+            raise _not_finite("joint angles", rows)
         return Pose(position.reshape(*shape, 3), rotation.reshape(*shape, 3, 3))
 
     def jacobian(self, angles: ArrayLike) -> Array:
@@ -99,7 +100,8 @@ class Arm:
         """
         rows, shape = _rows(angles, "joint angles")
         matrix = np.empty((len(rows), 6, 6))
-        jacobian_many(self.model.links, rows, matrix)
+        if not jacobian_many(self.model.links, rows, matrix):
+            raise _not_finite("joint angles", rows)
         return matrix.reshape(*shape, 6, 6)
 
     def joint_rates(
@@ -121,14 +123,15 @@ class Arm:
         if singular not in ("raise", "mask"):
             raise InputError(f"singular is 'raise' or 'mask', got {singular!r}")
         q, t = _sixes(angles, "joint angles"), _sixes(twist, "a twist")
-        try:
-            q, t = np.broadcast_arrays(q, t)
-        except ValueError:
-            raise InputError(f"joint angles {q.shape} and twists {t.shape} do not go together") from None
-        rows, shape = _rows(q, "joint angles")
-        twists, _ = _rows(t, "a twist")
+        if q.shape != t.shape:
+            try:
+                q, t = np.broadcast_arrays(q, t)
+            except ValueError:
+                raise InputError(f"joint angles {q.shape} and twists {t.shape} do not go together") from None
+        rows, twists, shape = _flat(q), _flat(t), q.shape[:-1]
         rates, mask = np.empty((len(rows), 6)), np.empty(len(rows), dtype=np.bool_)
-        rates_many(self.model.links, rows, twists, rates, mask)
+        if not rates_many(self.model.links, rows, twists, rates, mask):
+            raise _not_finite("joint angles", rows) if not finite(rows.ravel()) else _not_finite("a twist", twists)
         if singular == "mask":
             return rates.reshape(*shape, 6), mask.reshape(shape)
         if mask.any():
@@ -146,8 +149,10 @@ class Arm:
         """
         rows, shape = _rows(angles, "joint angles")
         result = np.empty((3, len(rows)))
-        distances_many(self.model.links, rows, result)
-        return Singularities(*(d.reshape(shape) for d in result))
+        if not distances_many(self.model.links, rows, result):
+            raise _not_finite("joint angles", rows)
+        found = result.reshape(3, *shape)
+        return Singularities(found[0, ...], found[1, ...], found[2, ...])
 
     def inverse(self, pose: Pose, near: ArrayLike | None = None, limits: bool = True) -> Array:
         """All joint angles that put the tip at a pose, JSC-12628, subroutine RMANGS.
@@ -168,46 +173,15 @@ class Arm:
             UnreachableError: the pose is out of reach, or every solution is outside the hard limits; by
                 how much on the branch that comes nearest.
         """
-        position = _floats(pose.position, "a position")
-        rotation = _floats(pose.rotation, "a rotation")
-        if position.shape != (3,) or rotation.shape != (3, 3):
-            raise InputError(
-                f"a pose has a position (3,) and a rotation (3, 3), got {position.shape} and {rotation.shape}"
-            )
-        skew = float(np.abs(rotation @ rotation.T - np.eye(3)).max())
-        if skew > _ROTATION_TOLERANCE:
-            raise InputError(
-                f"the rotation is not orthonormal: R R^T is off by {skew:.3g}, {_ROTATION_TOLERANCE:g} is allowed"
-            )
-        if np.linalg.det(rotation) < 0.0:
-            raise InputError("the rotation is a mirror image: its determinant is -1, +1 is allowed")
-        reference = np.zeros(6) if near is None else _floats(near, "near")
+        packed = _packed(pose)
+        reference = _ZERO if near is None else np.ascontiguousarray(_converted(near, "near"))
         if reference.shape != (6,):
             raise InputError(f"near has shape (6,), got {reference.shape}")
-        branches, excess = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
-        off_axis, cosine = rmangs(self.model.links, np.concatenate([position, rotation.ravel()]), branches, excess)
-        fifth = self.joints[4].replace("_", " ")
-        if off_axis < _EPSILON:
-            raise SingularityError(
-                f"the {fifth} joint stands {off_axis:.2g} m from the {self.joints[0].replace('_', ' ')} axis: "
-                "shoulder singularity",
-                "shoulder",
-                off_axis / float(self.model.links[L2] + self.model.links[L3] + self.model.links[L4]),
-            )
-        wrist = f"the {fifth} joint stands at +-90 deg: wrist singularity"
-        if cosine < _EPSILON:
-            raise SingularityError(wrist, "wrist", cosine)
-        solutions = branches[excess == 0.0]
-        if not len(solutions):
-            raise self._out_of_reach(excess)
-        solutions = self._revolutions(solutions, None if near is None else reference, limits)
-        if limits:
-            solutions = self._inside(solutions)
-        cosine = float(np.abs(np.cos(solutions[:, 4])).min())
-        if cosine < _EPSILON:
-            raise SingularityError(wrist, "wrist", cosine)
-        order = np.argsort(np.linalg.norm(solutions - reference, axis=1), kind="stable")
-        return _distinct(solutions[order])
+        rows = np.empty((BRANCHES, 6))
+        found = solve(self.model.links, self.limits.hard, packed, reference, near is not None, bool(limits), rows)
+        if found.outcome != FOUND:
+            raise self._unsolved(found, pose, reference)
+        return rows[: found.number]
 
     def rmangs(self, pose: Pose) -> Array:
         """The one set of joint angles that JSC-12628's RMANGS gives: the elbow bent below the line, the wrist unturned.
@@ -223,10 +197,9 @@ class Arm:
         """
         self.inverse(pose, limits=False)  # says what is wrong with a pose
         branches, excess = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
-        packed = np.concatenate([_floats(pose.position, "a position"), _floats(pose.rotation, "a rotation").ravel()])
-        rmangs(self.model.links, packed, branches, excess)
+        rmangs(self.model.links, _packed(pose), branches, excess)
         if excess[0] != 0.0:
-            raise self._out_of_reach(excess[:1])
+            raise _out_of_reach(float(excess[0]))
         first: Array = branches[0]
         return first
 
@@ -261,47 +234,49 @@ class Arm:
             found[name],
         )
 
-    def _out_of_reach(self, excess: Array) -> UnreachableError:
-        nearest = float(excess[np.abs(excess).argmin()])
-        if nearest > 0.0:
-            return UnreachableError(
-                f"the arm cannot reach this pose: its wrist is {nearest:.4g} m too far out", nearest
-            )
-        return UnreachableError(
-            f"the arm cannot fold to this pose: its wrist is {-nearest:.4g} m too close to the shoulder",
-            -nearest,
-        )
+    def _unsolved(self, found: Solved, pose: Pose, near: Array) -> InputError | SingularityError | UnreachableError:
+        """Why `inverse` finds no joint angles."""
+        first, fifth = (self.joints[k].replace("_", " ") for k in (0, 4))
+        match found.outcome:
+            case solutions.SKEW:
+                return InputError(
+                    f"the rotation is not orthonormal: R R^T is off by {found.value:.3g}, "
+                    f"{ROTATION_TOLERANCE:g} is allowed"
+                )
+            case solutions.MIRRORED:
+                return InputError("the rotation is a mirror image: its determinant is -1, +1 is allowed")
+            case solutions.SHOULDER:
+                return SingularityError(
+                    f"the {fifth} joint stands {found.value:.2g} m from the {first} axis: shoulder singularity",
+                    "shoulder",
+                    found.value / float(self.model.links[L2] + self.model.links[L3] + self.model.links[L4]),
+                )
+            case solutions.WRIST:
+                return SingularityError(
+                    f"the {fifth} joint stands at +-90 deg: wrist singularity", "wrist", found.value
+                )
+            case solutions.OUT_OF_REACH:
+                return _out_of_reach(found.value)
+            case solutions.OUTSIDE:
+                name, (low, high) = self.joints[found.joint], np.degrees(self.limits.hard[found.joint])
+                return UnreachableError(
+                    f"every solution lies outside the joint limits; the nearest needs {name} at "
+                    f"{math.degrees(found.angle):.2f} deg, {math.degrees(found.value):.2f} deg outside "
+                    f"{low:.1f} to {high:.1f} deg",
+                    found.value,
+                    name,
+                )
+        given = {"a position": np.array(pose.position), "a rotation": np.array(pose.rotation), "near": near}
+        return next(_not_finite(name, values) for name, values in given.items() if not np.isfinite(values).all())
 
-    def _revolutions(self, solutions: Array, near: Array | None, limits: bool) -> Array:
-        """Angles in the revolution nearest to `near`, or within +-180 deg; inside the limits where that can be."""
-        if near is not None:
-            solutions = solutions + math.tau * np.round((near - solutions) / math.tau)
-        if limits:
-            low, high = self.limits.hard.T
-            solutions = solutions - math.tau * np.ceil((solutions - high - _SAME) / math.tau).clip(min=0.0)
-            solutions = solutions + math.tau * np.ceil((low - _SAME - solutions) / math.tau).clip(min=0.0)
-            below = solutions - math.tau  # nearer to a range that the angle is outside of either way
-            solutions = np.where((solutions > high + _SAME) & (low - below < solutions - high), below, solutions)
-        return solutions
 
-    def _inside(self, solutions: Array) -> Array:
-        hard = self.limits.hard
-        beyond = np.maximum(hard[:, 0] - solutions, solutions - hard[:, 1])
-        worst = beyond.max(axis=1)
-        inside: Array = solutions[worst <= _SAME]
-        if len(inside):
-            return inside
-        row = int(worst.argmin())
-        joint = int(beyond[row].argmax())
-        name = self.joints[joint]
-        low, high = np.degrees(hard[joint])
-        raise UnreachableError(
-            f"every solution lies outside the joint limits; the nearest needs {name} at "
-            f"{math.degrees(solutions[row, joint]):.2f} deg, {math.degrees(worst[row]):.2f} deg outside "
-            f"{low:.1f} to {high:.1f} deg",
-            float(worst[row]),
-            name,
-        )
+def _out_of_reach(excess: float) -> UnreachableError:
+    """By how much a wrist is out of reach [m], negative where the arm cannot fold so far, as an error."""
+    if excess > 0.0:
+        return UnreachableError(f"the arm cannot reach this pose: its wrist is {excess:.4g} m too far out", excess)
+    return UnreachableError(
+        f"the arm cannot fold to this pose: its wrist is {-excess:.4g} m too close to the shoulder", -excess
+    )
 
 
 def load_arm(name_or_path: str | Path) -> Arm:
@@ -314,20 +289,33 @@ def load_arm(name_or_path: str | Path) -> Arm:
     return Arm(load_model(name_or_path))
 
 
-def _floats(values: ArrayLike, what: str) -> Array:
+def _not_finite(what: str, values: Array) -> InputError:
+    return InputError(f"{what}: expected finite numbers, got {values.squeeze()}")
+
+
+def _converted(values: ArrayLike, what: str) -> Array:
+    """Numbers as an array of float64, finite or not."""
+    if type(values) is np.ndarray and values.dtype is _FLOAT:
+        return values
     try:
         if np.iscomplexobj(values):
             raise TypeError
-        array = np.asarray(values, dtype=np.float64)
+        return np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):
         raise InputError(f"{what}: expected numbers, got {values!r}") from None
-    if not np.isfinite(array).all():
-        raise InputError(f"{what}: expected finite numbers, got {array}")
+
+
+def _floats(values: ArrayLike, what: str) -> Array:
+    """Finite numbers as an array of float64."""
+    array = _converted(values, what)
+    if not finite(array.ravel()):
+        raise _not_finite(what, array)
     return array
 
 
 def _sixes(values: ArrayLike, what: str) -> Array:
-    array = _floats(values, what)
+    """Numbers (..., 6), finite or not."""
+    array = _converted(values, what)
     if array.ndim == 0 or array.shape[-1] != 6:
         raise InputError(f"{what}: expected shape (..., 6), got {array.shape}")
     return array
@@ -336,13 +324,19 @@ def _sixes(values: ArrayLike, what: str) -> Array:
 def _rows(values: ArrayLike, what: str) -> tuple[Array, tuple[int, ...]]:
     """(n, 6) contiguous rows and the leading shape."""
     array = _sixes(values, what)
-    return np.ascontiguousarray(array.reshape(-1, 6)), array.shape[:-1]
+    return _flat(array), array.shape[:-1]
 
 
-def _distinct(solutions: Array) -> Array:
-    """Solutions without repetitions (the two elbow branches meet where the arm is stretched)."""
-    kept: list[Array] = []
-    for row in solutions:
-        if all(np.abs(row - other).max() > _SAME for other in kept):
-            kept.append(row)
-    return np.array(kept)
+def _flat(array: Array) -> Array:
+    """(n, 6) contiguous rows of an array (..., 6)."""
+    return np.ascontiguousarray(array.reshape(-1, 6))
+
+
+def _packed(pose: Pose) -> Array:
+    """(12,) position [m], then the rotation row by row, finite or not."""
+    position, rotation = _converted(pose.position, "a position"), _converted(pose.rotation, "a rotation")
+    if position.shape != (3,) or rotation.shape != (3, 3):
+        raise InputError(f"a pose has a position (3,) and a rotation (3, 3), got {position.shape} and {rotation.shape}")
+    packed = np.empty(12)
+    packed[:3], packed[3:] = position, rotation.ravel()
+    return packed

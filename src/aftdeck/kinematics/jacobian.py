@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
+from aftdeck.kinematics.finite import finite
 from aftdeck.kinematics.linkage import HEADING_PITCH_ROLL, L2, L3, L4, L5, WRIST, Floats, Sines, sines, spin
 from aftdeck.law import law
 
@@ -165,10 +166,16 @@ def erates(a: Sines, j: Jacobian, r: Rates) -> Twist:
 
 
 @law
-def jacobian_many(arm: Array, angles: Array, matrix: Array) -> None:
-    """JACOBI over rows, turned into L: angles (n, 6) [rad] -> matrix (n, 6, 6)."""
+def jacobian_many(arm: Array, angles: Array, matrix: Array) -> bool:
+    """JACOBI over rows, turned into L: angles (n, 6) [rad] -> matrix (n, 6, 6).
+
+    Returns:
+        Whether the angles are finite.
+    """
+    whole = True
     for i in range(angles.shape[0]):
         q = angles[i]
+        whole = whole and finite(q)
         a = sines(arm, q[0], q[1], q[2], q[3], q[4], q[5])
         j = jacobi(arm, a)
         for k in range(6):
@@ -183,3 +190,4 @@ def jacobian_many(arm: Array, angles: Array, matrix: Array) -> None:
             t = erates(a, j, unit)
             matrix[i, 0, k], matrix[i, 1, k], matrix[i, 2, k] = t.wx, t.wy, t.wz
             matrix[i, 3, k], matrix[i, 4, k], matrix[i, 5, k] = t.vx, t.vy, t.vz
+    return whole

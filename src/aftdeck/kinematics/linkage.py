@@ -14,6 +14,7 @@ from __future__ import annotations
 from typing import NamedTuple, TypeAlias
 
 from aftdeck.arrays import Array
+from aftdeck.kinematics.finite import finite
 from aftdeck.law import law, sincos
 
 Floats: TypeAlias = Array | tuple[float, ...]
@@ -177,13 +178,20 @@ def lifted(t: Tip, by: float) -> Tip:
 
 
 @law
-def forward_many(arm: Array, angles: Array, position: Array, rotation: Array) -> None:
-    """LNKAGE over rows: angles (n, 6) [rad] -> position (n, 3) [m], rotation (n, 3, 3), in L."""
+def forward_many(arm: Array, angles: Array, position: Array, rotation: Array) -> bool:
+    """LNKAGE over rows: angles (n, 6) [rad] -> position (n, 3) [m], rotation (n, 3, 3), in L.
+
+    Returns:
+        Whether the angles are finite.
+    """
+    whole = True
     for i in range(angles.shape[0]):
         q = angles[i]
+        whole = whole and finite(q)
         t = tip(arm, sines(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
         position[i, 0], position[i, 1], position[i, 2] = t.x, t.y, t.z
         r = rotation[i]
         r[0, 0], r[0, 1], r[0, 2] = t.r11, t.r12, t.r13
         r[1, 0], r[1, 1], r[1, 2] = t.r21, t.r22, t.r23
         r[2, 0], r[2, 1], r[2, 2] = t.r31, t.r32, t.r33
+    return whole

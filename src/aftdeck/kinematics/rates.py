@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from aftdeck.arrays import Array
+from aftdeck.kinematics.finite import finite
 from aftdeck.kinematics.jacobian import Rates, Twist
 from aftdeck.kinematics.linkage import HEADING_PITCH_ROLL, L2, L3, L4, L5, WRIST, Floats, Sines, sines
 from aftdeck.kinematics.singular import distances
@@ -100,13 +101,20 @@ def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[flo
 
 
 @law
-def rates_many(arm: Array, angles: Array, twists: Array, rates: Array, singular: NDArray[np.bool_]) -> None:
-    """RMSRAT over rows: angles (n, 6) [rad], twists (n, 6) in L -> rates (n, 6) [rad/s], singular (n,)."""
+def rates_many(arm: Array, angles: Array, twists: Array, rates: Array, singular: NDArray[np.bool_]) -> bool:
+    """RMSRAT over rows: angles (n, 6) [rad], twists (n, 6) in L -> rates (n, 6) [rad/s], singular (n,).
+
+    Returns:
+        Whether angles and twists are finite.
+    """
+    whole = True
     for i in range(angles.shape[0]):
         q, t = angles[i], twists[i]
+        whole = whole and finite(q) and finite(t)
         a = sines(arm, q[0], q[1], q[2], q[3], q[4], q[5])
         shoulder, elbow, wrist = distances(arm, a)
         singular[i] = abs(shoulder) < FLOOR or abs(elbow) < FLOOR or abs(wrist) < FLOOR
         r = rmsrat(arm, a, Twist(t[0], t[1], t[2], t[3], t[4], t[5]), FLOOR)
         rates[i, 0], rates[i, 1], rates[i, 2] = r.r1, r.r2, r.r3
         rates[i, 3], rates[i, 4], rates[i, 5] = r.r4, r.r5, r.r6
+    return whole

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
+from aftdeck.kinematics.finite import finite
 from aftdeck.kinematics.linkage import L2, L3, L4, Floats, Sines, sines
 from aftdeck.law import law
 
@@ -50,9 +51,16 @@ def nearest_singularity(arm: Array, angles: Array) -> tuple[float, int]:
 
 
 @law
-def distances_many(arm: Array, angles: Array, result: Array) -> None:
-    """Over rows: angles (n, 6) [rad] -> result (3, n)."""
+def distances_many(arm: Array, angles: Array, result: Array) -> bool:
+    """Over rows: angles (n, 6) [rad] -> result (3, n).
+
+    Returns:
+        Whether the angles are finite.
+    """
+    whole = True
     for i in range(angles.shape[0]):
         q = angles[i]
+        whole = whole and finite(q)
         d = distances(arm, sines(arm, q[0], q[1], q[2], q[3], q[4], q[5]))
         result[0, i], result[1, i], result[2, i] = d
+    return whole

@@ -1,0 +1,172 @@
+"""All solutions of RMANGS for a pose: checked, in the revolutions that are wanted, inside the limits, nearest first."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.kinematics.finite import finite
+from aftdeck.kinematics.inverse import BRANCHES, rmangs
+from aftdeck.law import law, nearest
+
+ROTATION_TOLERANCE = 1e-6
+"""How far from orthonormal a given rotation may be [1]."""
+SAME = 1e-9
+"""Two solutions whose angles differ by less are one [rad]."""
+EPSILON = 1e-9
+"""Distance [m] or cosine [1] under which RMANGS calls a pose singular."""
+FOUND, NOT_FINITE, SKEW, MIRRORED, SHOULDER, WRIST, OUT_OF_REACH, OUTSIDE = range(8)
+"""What comes of looking for solutions; all but the first are why there are none."""
+
+
+class Solved(NamedTuple):
+    """Result of `solve`.
+
+    Attributes:
+        outcome: `FOUND`, or why there is no solution.
+        number: how many solutions there are.
+        value: by how much: R R^T from the unit matrix [1]; the fifth joint from the first one's axis [m]; its cosine
+            [1]; the wrist out of reach [m], negative where the arm cannot fold so far; a joint beyond its limit [rad].
+        joint: which joint that is; else -1.
+        angle: its angle [rad].
+    """
+
+    outcome: int
+    number: int
+    value: float
+    joint: int
+    angle: float
+
+
+@law
+def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limited: bool, solutions: Array) -> Solved:
+    """Find all joint angles that put the tip at a pose.
+
+    Args:
+        arm: the arm's array.
+        hard: (6, 2) hard stops [rad].
+        pose: (12,) tip position in L [m], then the rotation row by row.
+        near: (6,) angles to which the solutions are sorted, nearest first [rad].
+        turned: bring each angle to the revolution nearest to `near`; else it lies within +-pi.
+        limited: bring the angles inside the hard stops where a revolution more or less does, and leave out others.
+        solutions: (8, 6) out [rad]; the first `number` rows.
+    """
+    if not finite(pose) or not finite(near):
+        return Solved(NOT_FINITE, 0, 0.0, -1, 0.0)
+    skew = _skew(pose)
+    if skew > ROTATION_TOLERANCE:
+        return Solved(SKEW, 0, skew, -1, 0.0)
+    if _determinant(pose) < 0.0:
+        return Solved(MIRRORED, 0, 0.0, -1, 0.0)
+    branches, excess = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
+    off_axis, cosine = rmangs(arm, pose, branches, excess)
+    if off_axis < EPSILON:
+        return Solved(SHOULDER, 0, off_axis, -1, 0.0)
+    if cosine < EPSILON:
+        return Solved(WRIST, 0, cosine, -1, 0.0)
+    count, short = 0, excess[0]
+    least, nearest_row, culprit, greatest = np.inf, -1, -1, 0.0
+    kept, ways = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
+    smallest = np.inf
+    for row in range(BRANCHES):
+        if abs(excess[row]) < abs(short):
+            short = excess[row]
+        if excess[row] != 0.0:
+            continue
+        _bring(branches[row], hard, near, turned, limited)
+        worst, joint = _beyond(branches[row], hard)
+        if worst < least:
+            least, nearest_row, culprit = worst, row, joint
+        if limited and worst > SAME:
+            continue
+        smallest = min(smallest, abs(math.cos(branches[row, 4])))
+        way = 0.0
+        for k in range(6):
+            way += (branches[row, k] - near[k]) ** 2
+        # sorted as they come; equal ones keep their order
+        at = count
+        while at > 0 and ways[at - 1] > way:
+            ways[at] = ways[at - 1]
+            kept[at] = kept[at - 1]
+            at -= 1
+        ways[at] = way
+        kept[at] = branches[row]
+        count += 1
+    if nearest_row < 0:
+        return Solved(OUT_OF_REACH, 0, short, -1, 0.0)
+    if count == 0:
+        greatest = branches[nearest_row, culprit]
+        return Solved(OUTSIDE, 0, least, culprit, greatest)
+    if smallest < EPSILON:
+        return Solved(WRIST, 0, smallest, -1, 0.0)
+    return Solved(FOUND, _distinct(kept, count, solutions), 0.0, -1, 0.0)
+
+
+@law
+def _skew(pose: Array) -> float:
+    """How far R R^T is from the unit matrix [1]."""
+    worst = 0.0
+    for i in range(3):
+        for j in range(i + 1):
+            dot = -1.0 if i == j else 0.0
+            for k in range(3):
+                dot += pose[3 + 3 * i + k] * pose[3 + 3 * j + k]
+            worst = max(worst, abs(dot))
+    return worst
+
+
+@law
+def _determinant(p: Array) -> float:
+    """Of the rotation."""
+    found: float = p[3] * (p[7] * p[11] - p[8] * p[10])
+    found -= p[4] * (p[6] * p[11] - p[8] * p[9])
+    found += p[5] * (p[6] * p[10] - p[7] * p[9])
+    return found
+
+
+@law
+def _bring(angles: Array, hard: Array, near: Array, turned: bool, limited: bool) -> None:
+    """Bring six angles to the revolution nearest to `near`, and inside the limits where that can be."""
+    for k in range(6):
+        angle = angles[k]
+        if turned:
+            angle = angle + math.tau * nearest((near[k] - angle) / math.tau)
+        if limited:
+            low, high = hard[k, 0], hard[k, 1]
+            angle = angle - math.tau * max(math.ceil((angle - high - SAME) / math.tau), 0.0)
+            angle = angle + math.tau * max(math.ceil((low - SAME - angle) / math.tau), 0.0)
+            below = angle - math.tau  # nearer to a range that the angle is outside of either way
+            if angle > high + SAME and low - below < angle - high:
+                angle = below
+        angles[k] = angle
+
+
+@law
+def _beyond(angles: Array, hard: Array) -> tuple[float, int]:
+    """By how much the joint farthest beyond its limits is so [rad], negative inside; and which it is."""
+    worst, joint = -np.inf, -1
+    for k in range(6):
+        beyond = max(hard[k, 0] - angles[k], angles[k] - hard[k, 1])
+        if beyond > worst:
+            worst, joint = beyond, k
+    return worst, joint
+
+
+@law
+def _distinct(rows: Array, count: int, solutions: Array) -> int:
+    """Copy rows without repetitions (the two elbow branches meet where the arm is stretched); return how many."""
+    kept = 0
+    for row in range(count):
+        new = True
+        for other in range(kept):
+            apart = 0.0
+            for k in range(6):
+                apart = max(apart, abs(rows[row, k] - solutions[other, k]))
+            new = new and apart > SAME
+        if new:
+            solutions[kept] = rows[row]
+            kept += 1
+    return kept
