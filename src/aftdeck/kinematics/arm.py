@@ -9,7 +9,6 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from aftdeck.arms.geometry import frozen
 from aftdeck.arms.limits import JointRates, Limits
 from aftdeck.arms.load import ArmModel, load_model
 from aftdeck.arrays import Array
@@ -26,7 +25,6 @@ from aftdeck.kinematics.solutions import FOUND, ROTATION_TOLERANCE, Solved, solv
 from aftdeck.units import INCH
 
 _FLOAT = np.dtype(np.float64)
-_ZERO = frozen(np.zeros(6))
 
 
 class Arm:
@@ -174,7 +172,7 @@ class Arm:
                 how much on the branch that comes nearest.
         """
         packed = _packed(pose)
-        reference = _ZERO if near is None else np.ascontiguousarray(_converted(near, "near"))
+        reference = np.zeros(6) if near is None else np.array(_converted(near, "near"))  # one kind of array for the law
         if reference.shape != (6,):
             raise InputError(f"near has shape (6,), got {reference.shape}")
         rows = np.empty((BRANCHES, 6))
