@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from aftdeck.arms.load import load_model
 from aftdeck.arms.model import HeadingArmFile
-from aftdeck.plant.effector import prong_of
-from aftdeck.plant.slide import Slide, stand_of
+from aftdeck.kinematics.linkage import L1
+from aftdeck.plant.slide import Slide, Travel, travel_of_prong, travel_of_stand
 
 FOOT = 0.3048
 
@@ -26,10 +26,10 @@ def concept() -> HeadingArmFile:
     rate=st.floats(0.01, 2.0),
 )
 def test_it_keeps_between_its_ends_and_below_its_rate(drives: list[float], period: float, rate: float) -> None:
-    slide = Slide(3.0, 2.5, 3.3, rate)
+    slide, travel = Slide(3.0), Travel(2.5, 3.3, rate)
     for drive in drives:
         before = slide.position
-        slide.move(drive, period)
+        slide.move(travel, drive, period)
         assert 2.5 <= slide.position <= 3.3
         assert abs(slide.velocity) <= rate * (1.0 + 1e-9) and drive * slide.velocity >= 0.0
         assert slide.position == pytest.approx(before + slide.velocity * period, abs=1e-15)
@@ -38,54 +38,45 @@ def test_it_keeps_between_its_ends_and_below_its_rate(drives: list[float], perio
 
 
 def test_driven_on_it_comes_to_rest_just_at_its_end_and_leaves_it_again() -> None:
-    slide = Slide(3.0, 2.5, 3.3, 0.7)
+    slide, travel = Slide(3.0), Travel(2.5, 3.3, 0.7)
     for _ in range(100):
-        slide.move(1.0, 0.02)
+        slide.move(travel, 1.0, 0.02)
     assert (slide.position, slide.velocity) == (3.3, 0.0)
-    slide.move(-1.0, 0.02)
+    slide.move(travel, -1.0, 0.02)
     assert slide.velocity == pytest.approx(-0.7)
 
 
-def test_a_restored_one_goes_on_as_the_saved_one_did() -> None:
-    one, other = Slide(3.0, 2.5, 3.3, 0.7), Slide(2.6, 2.5, 3.3, 0.7)
-    one.move(1.0, 0.02)
-    other.restore(one.save())
-    assert other.save() == one.save()
-    one.move(-1.0, 0.03)
-    other.move(-1.0, 0.03)
-    assert other.save() == one.save()
-
-
 def test_the_stand_of_the_concept_arm_goes_a_foot_a_second_from_9_and_a_half_to_18_feet() -> None:
-    stand = stand_of(load_model("concept-1972"))
+    model = load_model("concept-1972")
+    stand, travel = Slide(float(model.links[L1])), travel_of_stand(model)
     assert stand.position == pytest.approx(12 * FOOT)
-    stand.move(1.0, 2.0)
+    stand.move(travel, 1.0, 2.0)
     assert stand.position == pytest.approx(14 * FOOT)
-    stand.move(1.0, 20.0)
+    stand.move(travel, 1.0, 20.0)
     assert stand.position == pytest.approx(18 * FOOT)
-    stand.move(-1.0, 20.0)
+    stand.move(travel, -1.0, 20.0)
     assert stand.position == pytest.approx(9.5 * FOOT)
-    assert stand_of(load_model("concept-1972").at(16 * FOOT)).position == pytest.approx(16 * FOOT)
 
 
 def test_an_arm_without_a_telescope_stands_where_it_stands() -> None:
     model = load_model("srms")
-    stand = stand_of(model)
+    stand, travel = Slide(float(model.links[L1])), travel_of_stand(model)
     for drive in (1.0, -1.0):
-        stand.move(drive, 1.0)
-        assert (stand.position, stand.velocity) == (float(model.links[0]), 0.0)
+        stand.move(travel, drive, 1.0)
+        assert (stand.position, stand.velocity) == (float(model.links[L1]), 0.0)
 
 
 def test_the_prong_closes_in_three_and_a_half_seconds_and_opens_again() -> None:
-    prong = prong_of(load_model("concept-1972").equipment.prong)
+    travel = travel_of_prong(load_model("concept-1972").equipment.prong)
+    prong = Slide(travel.low)
     assert prong.position == pytest.approx(-1.25 * FOOT)
     seconds = 0.0
     while prong.position < concept().effector.prong_closed.value:
-        prong.move(1.0, 0.02)
+        prong.move(travel, 1.0, 0.02)
         seconds += 0.02
     assert seconds == pytest.approx((1.25 - 0.375) / 0.25, abs=0.021)
     assert prong.position == pytest.approx(-0.375 * FOOT)
-    prong.move(-1.0, 1.0)
+    prong.move(travel, -1.0, 1.0)
     assert prong.position == pytest.approx(-0.625 * FOOT)
-    prong.move(0.0, 1.0)
+    prong.move(travel, 0.0, 1.0)
     assert prong.velocity == 0.0

@@ -48,10 +48,10 @@ def test_no_command_takes_a_camera_past_its_limits_or_moves_it_faster_than_its_r
     given_commands: list[CameraDrive], period: float
 ) -> None:
     cameras = Cameras(DEPLOY)
+    views = cameras.first
     for command in given_commands:
-        before = cameras.views
-        cameras.drive(command, period)
-        for camera, was, now in zip(DRIVEN, before, cameras.views, strict=True):
+        before, views = views, cameras.driven(views, command, period)
+        for camera, was, now in zip(DRIVEN, before, views, strict=True):
             pushed = (command.pan, command.tilt, -command.zoom) if camera.name == command.camera else (0.0, 0.0, 0.0)
             for travel, a, b, push in zip(travels(camera.drive), was, now, pushed, strict=True):
                 if travel is None or push == 0.0:

@@ -338,10 +338,10 @@ def test_a_check_of_a_long_motion_costs_each_step_little() -> None:
     sim = aftdeck.Simulation("sts-400-closed")
     rehearsed = []
     while sim.frame is None or sim.frame.sequence != "in progress":
-        before = None if sim._state.checking is None else sim._state.checking.rehearsal
+        before = sim._state.checking is not None
         sim.step()
-        if before is not None and sim._state.checking is not None:
-            rehearsed.append(before.steps)
+        if before and sim._state.checking is not None:
+            rehearsed.append(sim._state.checking.steps)
     assert len(rehearsed) > 20 and max(np.diff(rehearsed)) <= STEPS
 
 

@@ -62,7 +62,7 @@ def check(before: Frame, frame: Frame, words: tuple[int, ...], sim: aftdeck.Simu
     assert control.telescope == (0 if begun else np.sign((work.stand or 0.0) - (was.stand or 0.0)))
     assert control.prong == (0 if begun else np.sign(round((was.hand.spacing or 0.0) - (work.hand.spacing or 0.0), 12)))
     if not begun:
-        k = sim._state.cameras.names.index(control.station)
+        k = sim.cameras.index(control.station)
         now, then = frame.views[k], before.views[k]
         moved = (now.pan - then.pan, now.tilt - then.tilt, then.zoom - now.zoom)
         assert (control.pan, control.tilt, control.zoom) == tuple(np.sign(moved))

@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-import msgspec
 import numpy as np
 
 import aftdeck
@@ -57,12 +56,8 @@ def fly(sim: aftdeck.Simulation, seconds: float, inputs: aftdeck.Inputs) -> list
 
 def disturbed(sim: aftdeck.Simulation, joints: Mapping[int, float]) -> None:
     """Puts joints of the plant at angles [deg], unseen by the steering until it measures them."""
-    saved = sim.save()
-    angles, *others = (list(part) for part in saved.state.plant)
     for joint, angle in joints.items():
-        angles[joint] = math.radians(angle)
-    state = msgspec.structs.replace(saved.state, plant=(angles, *others))
-    sim.restore(msgspec.structs.replace(saved, state=state))
+        sim._state.plant.angles[joint] = math.radians(angle)
 
 
 def joint_target(arm: aftdeck.Arm, joints: Sequence[float]) -> aftdeck.Target:

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from aftdeck.bodies.solid import Solid
+from aftdeck.state_part import Cache, decoded, encoded
 from aftdeck.worksite.contacts import Contacts
 from aftdeck.worksite.found import CLEARANCE, FOUND
 from aftdeck.worksite.layout import layout_of
@@ -19,10 +20,13 @@ PAIRS = [("palm", "bar"), ("palm", "can"), ("prong", "bar"), ("prong", "can"), (
 PALM_BAR, PALM_CAN, PRONG_BAR, PRONG_CAN, CAN_WALL = range(5)
 
 
+LAYOUT = layout_of(tuple(dict.fromkeys(HOME.values())), [Solid(p, f, CUBE) for p, f in HOME.items()], PAIRS)
+PRONG = LAYOUT.carried(["arm.prong"])
+
+
 def contacts(*, holding: bool = False) -> Contacts:
-    layout = layout_of(tuple(dict.fromkeys(HOME.values())), [Solid(p, f, CUBE) for p, f in HOME.items()], PAIRS)
-    arm = layout.carried(["arm.hand", "arm.prong", *(["can"] if holding else [])])
-    return Contacts(layout, among(layout, [("prong", "bar")]), arm, layout.carried(["arm.prong"]))
+    arm = LAYOUT.carried(["arm.hand", "arm.prong", *(["can"] if holding else [])])
+    return Contacts(among(LAYOUT, [("prong", "bar")]), arm, np.zeros(len(PAIRS), np.uint8))
 
 
 def frame(*colliding: int, clearance: float = -0.02) -> np.ndarray:
@@ -34,18 +38,18 @@ def frame(*colliding: int, clearance: float = -0.02) -> np.ndarray:
 def after(watched: Contacts, mode: int, *frames: np.ndarray) -> tuple[bool, bool]:
     """Arm and finger inhibited, after these frames."""
     for found in frames:
-        watched.look(found, mode)
+        watched.look(found, PRONG, mode)
     return watched.inhibit.arm, watched.inhibit.finger
 
 
 def test_one_frame_raises_the_flag_and_the_second_inhibits() -> None:
     watched = contacts()
     assert after(watched, 1, frame(PALM_CAN)) == (False, False)
-    assert [c.inhibits for c in watched.standing(frame(PALM_CAN), "SI")] == [False]
+    assert [c.inhibits for c in watched.standing(LAYOUT, frame(PALM_CAN), "SI")] == [False]
     assert after(watched, 1, frame(PALM_CAN)) == (True, False)
-    assert [c.inhibits for c in watched.standing(frame(PALM_CAN), "SI")] == [True]
+    assert [c.inhibits for c in watched.standing(LAYOUT, frame(PALM_CAN), "SI")] == [True]
     assert after(watched, 1, frame()) == (False, False)
-    assert watched.standing(frame(), "SI") == ()
+    assert watched.standing(LAYOUT, frame(), "SI") == ()
 
 
 @pytest.mark.parametrize(
@@ -86,30 +90,28 @@ def test_motion_is_inhibited_just_where_a_detrimental_contact_of_the_arm_is_in_t
     watched, before = contacts(holding=holding), [False] * 5
     for k, now in enumerate(frames):
         if k == cut:
-            saved = watched.save()
-            watched = contacts(holding=holding)
-            watched.restore(saved)
-        inhibit = watched.look(frame(*np.flatnonzero(now).tolist()), mode)
+            watched = decoded(contacts(holding=holding), encoded(watched), lambda _: Cache())
+        inhibit = watched.look(frame(*np.flatnonzero(now).tolist()), PRONG, mode)
         both = [a and b for a, b in zip(before, now, strict=True)]
         palm = both[PALM_BAR] or both[PALM_CAN] or (holding and both[CAN_WALL])
         prong = both[PRONG_CAN]
         expected = (palm or prong, prong) if mode == 1 else (palm or prong,) * 2
         assert (inhibit.arm, inhibit.finger) == expected
-        assert {c.group for c in watched.standing(frame(), "SI")} == set(np.flatnonzero(now).tolist())
+        assert {c.group for c in watched.standing(LAYOUT, frame(), "SI")} == set(np.flatnonzero(now).tolist())
         before = now
 
 
 def test_a_change_is_told_in_the_frame_in_which_it_is() -> None:
     watched = contacts()
     frames = [frame(), frame(PALM_CAN), frame(PALM_CAN), frame(PALM_CAN), frame(), frame()]
-    assert [watched.look(found, 1).changed for found in frames] == [False, True, True, False, True, False]
+    assert [watched.look(found, PRONG, 1).changed for found in frames] == [False, True, True, False, True, False]
 
 
 def test_contacts_are_told_deepest_first_with_what_they_are() -> None:
     watched, found = contacts(holding=True), frame(PRONG_BAR, clearance=0.0)
     found[CAN_WALL, CLEARANCE], found[PALM_CAN, CLEARANCE] = -0.3, -0.0213
     after(watched, 2, found, found)
-    told = watched.standing(found, "SI")
+    told = watched.standing(LAYOUT, found, "SI")
     assert [c.text for c in told] == [
         "can touches wall: 300 mm deep",
         "palm touches can: 21.3 mm deep",

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from aftdeck.arrays import Array
 from aftdeck.law import law
-from aftdeck.plant.slide import Slide
+from aftdeck.plant.slide import Slide, Travel
+from aftdeck.state_part import StatePart
 
 
 @law
@@ -28,7 +27,7 @@ def follow(asked: Array, period: float, stops: Array, angles: Array, rates: Arra
         commanded[i] += asked[i] * period
 
 
-class KinematicPlant:
+class KinematicPlant(StatePart):
     """An arm without mass: rates take effect at once and are held for the control period; a hard stop ends them.
 
     Not modelled: servos, flexibility, the orbiter's motion, contact.
@@ -38,26 +37,22 @@ class KinematicPlant:
         rates: (6,) joint rates [rad/s].
         commanded: (6,) where the rates commanded so far would have brought the joints [rad].
         stand: height of the shoulder above L's origin.
-        stops: (6, 2) hard stops [rad].
     """
 
-    def __init__(self, angles: Array, rates: Array, stand: Slide, stops: Array) -> None:
-        self.angles = np.array(angles, dtype=np.float64)
-        self.rates = np.array(rates, dtype=np.float64)
-        self.commanded = self.angles.copy()
-        self.stand = stand
-        self.stops = stops
+    angles: Array
+    rates: Array
+    commanded: Array
+    stand: Slide
 
-    def move(self, asked: Array, period: float, stand: float = 0.0) -> None:
-        """Fly the commanded rates (6,) [rad/s], and drive the stand (-1 to +1), for one control period [s]."""
-        follow(asked, period, self.stops, self.angles, self.rates, self.commanded)
-        self.stand.move(stand, period)
+    def move(self, stops: Array, travel: Travel, asked: Array, period: float, drive: float = 0.0) -> None:
+        """Fly commanded rates for one control period.
 
-    def save(self) -> tuple[list[float], ...]:
-        """Everything that the plant's future depends on."""
-        return self.angles.tolist(), self.rates.tolist(), self.commanded.tolist(), self.stand.save()
-
-    def restore(self, saved: tuple[list[float], ...]) -> None:
-        """Go on from what `save` gave."""
-        self.angles[:], self.rates[:], self.commanded[:], stand = saved
-        self.stand.restore(stand)
+        Args:
+            stops: (6, 2) hard stops [rad].
+            travel: of the stand.
+            asked: (6,) the commanded rates [rad/s].
+            period: [s].
+            drive: of the stand, -1 to +1.
+        """
+        follow(asked, period, stops, self.angles, self.rates, self.commanded)
+        self.stand.move(travel, drive, period)

@@ -25,5 +25,5 @@ def frames_with(flight: Flight, state: State, prong: float) -> Array:
 def frames_after(flight: Flight, state: State, rates: Array, telescope: float) -> Array:
     """(F, 12) where every frame would be after a step of joint rates (6,) and the telescope's drive; others stay."""
     plant, period = state.plant, flight.scenario.control_period
-    angles, stand = plant.angles + rates * period, plant.stand.after(telescope, period)
+    angles, stand = plant.angles + rates * period, plant.stand.after(flight.telescope, telescope, period)
     return frames_at(flight, state, angles, stand, state.site.prong.position)

@@ -10,7 +10,6 @@ from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.scenario.model import Part, Start
 from aftdeck.simulation.ahead import frames_at, frames_with
 from aftdeck.simulation.carried import carrying
-from aftdeck.simulation.checking import Checking
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import floating
 from aftdeck.simulation.grasp import put_effector, steer, take_hold
@@ -18,10 +17,8 @@ from aftdeck.simulation.lined_up import count
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.panel import make_ready
 from aftdeck.simulation.pursuit import holding
-from aftdeck.simulation.rehearsal import Rehearsal
 from aftdeck.simulation.relations import permitted
-from aftdeck.simulation.restrain import slider
-from aftdeck.simulation.state import Saved, SavedChecking, State
+from aftdeck.simulation.state import State, new_state
 from aftdeck.simulation.tasks import change_task
 from aftdeck.steering.layout import KEPT, MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
@@ -50,41 +47,9 @@ def first_state(flight: Flight) -> State:
 def _state_at(flight: Flight, start: Start) -> State:
     """A state in which nothing has been flown yet."""
     scenario = flight.scenario
-    state = State(scenario, flight.site, carrying(scenario, scenario.payload))
+    state = new_state(flight, carrying(scenario, scenario.payload))
     _put(flight, state, start)
     return state
-
-
-def resume(flight: Flight, state: State, saved: Saved) -> None:
-    """Take up a saved state: what is saved, and what follows from it."""
-    state.restore(saved)
-    take_up(flight, state)
-    _resume_check(flight, state, saved.checking)
-
-
-def take_up(flight: Flight, state: State) -> None:
-    """Work out what follows from a state that was just restored: the steering's rules, what is watched."""
-    things = state.site
-    things.settle(flight.site)
-    steer(flight, state)
-    things.permitted[:] = permitted(flight.site, things.watch, things.frames)
-    things.contacts.essential = flight.site.essential_while(slider(state), things.permitted)
-    count(flight, state)
-
-
-def _resume_check(flight: Flight, state: State, saved: SavedChecking | None) -> None:
-    """Take up a saved CMD CK again: the rehearsal is flown on to where it was."""
-    if saved is None:
-        return
-    checking = state.checking = Checking(saved.target)
-    checking.ways, checking.tried = list(saved.ways), list(saved.tried)
-    if saved.start is not None:
-        start = checking.start = state.fork()
-        start.restore(saved.start)
-        take_up(flight, start)
-        if saved.steps >= 0:
-            checking.rehearsal = Rehearsal(flight, start, saved.target, checking.ways[0])
-            checking.rehearsal.fly_on(saved.steps)
 
 
 def initialise(flight: Flight, state: State, part: Part) -> None:
@@ -144,9 +109,10 @@ def _put(flight: Flight, state: State, start: Start) -> None:
         take_hold(flight, state, k)
         frames[:] = frames_with(flight, state, things.prong.position)
     things.before[:] = frames
+    things.looked[:] = things.watch.active
     things.watch.look(frames, frames, scenario.control_period)
     things.permitted[:] = permitted(site, things.watch, frames)
-    things.contacts.look(things.watch.found, things.task)
+    things.contacts.look(things.watch.found, site.by_prong, things.task)
     count(flight, state)
-    things.nearest = things.watch.nearest(things.counts)
+    things.nearest = things.watch.nearest(things.watch.counts)
     change_task(flight, state)

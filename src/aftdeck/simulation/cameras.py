@@ -1,6 +1,6 @@
 """The cameras' drives in flight: a command turns one camera for one step, at its drive's rates, within its limits.
 
-A step without a command costs nothing: the settings are one tuple, which is made anew only when a camera moves.
+A step without a command costs nothing: the settings are one tuple, made anew only when a camera moves.
 """
 
 from __future__ import annotations
@@ -30,27 +30,22 @@ class CameraDrive(msgspec.Struct, frozen=True, gc=False):
     """At the low speed, where the drive has two."""
 
 
+Views = tuple[Setting, ...]
+"""Where the drives stand of the cameras that have one, in the order of `Cameras.names`: a part of the state."""
+
+
 class Cameras:
-    """Where the drives of a flight's cameras stand.
+    """The cameras of a scenario that have a drive.
 
     Attributes:
-        views: of each camera that has a drive, in the order of `scenario.cameras.cameras_of`.
-        names: of these cameras.
+        names: of these cameras, in the order of `scenario.cameras.cameras_of`.
+        first: where their drives stand at the start.
     """
 
     def __init__(self, scenario: Scenario) -> None:
         self._driven = [camera for camera in cameras_of(scenario) if camera.drive is not None]
-        self.views = tuple(setting(camera) for camera in self._driven)
         self.names = tuple(camera.name for camera in self._driven)
-
-    @property
-    def first(self) -> str:
-        """The first camera that can be turned; empty: there is none."""
-        return self.names[0] if self.names else ""
-
-    def view(self, name: str) -> Setting | None:
-        """Return how a camera's drive is set; None where no camera of that name has one."""
-        return self.views[self.names.index(name)] if name in self.names else None
+        self.first: Views = tuple(setting(camera) for camera in self._driven)
 
     def check(self, command: CameraDrive) -> None:
         """Refuse what no switch can give.
@@ -65,21 +60,13 @@ class Cameras:
         if not all(math.isfinite(s) and -1.0 <= s <= 1.0 for s in switches):
             raise InputError(f"a camera's pan, tilt and zoom lie in [-1, 1], got {switches}")
 
-    def drive(self, command: CameraDrive, period: float) -> None:
-        """Turn a camera for one step of `period` [s]; what it has no drive for stays."""
-        for i, camera in enumerate(self._driven):
-            if camera.name == command.camera:
-                now = moved(camera, self.views[i], command, period)
-                if now != self.views[i]:
-                    self.views = (*self.views[:i], now, *self.views[i + 1 :])
-
-    def save(self) -> tuple[Setting, ...]:
-        """The settings; nothing changes them."""
-        return self.views
-
-    def restore(self, saved: tuple[Setting, ...]) -> None:
-        """Go on from what `save` gave."""
-        self.views = saved
+    def driven(self, views: Views, command: CameraDrive, period: float) -> Views:
+        """Return where the drives stand after one step of `period` [s]; a camera without one stays."""
+        if command.camera not in self.names:
+            return views
+        i = self.names.index(command.camera)
+        now = moved(self._driven[i], views[i], command, period)
+        return views if now == views[i] else (*views[:i], now, *views[i + 1 :])
 
 
 def moved(camera: Camera, at: Setting, command: CameraDrive, period: float) -> Setting:

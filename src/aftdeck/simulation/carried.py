@@ -3,25 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import NamedTuple
 
 from aftdeck.arrays import Array
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.limits import por_with
 from aftdeck.scenario.model import RateLimits, Scenario
+from aftdeck.state_part import Cache
 from aftdeck.steering.rules import Key, rules_of
 
 
-class Carried(NamedTuple):
-    """What the arm carries, and how it is steered with it.
+class Carried(Cache):
+    """What the arm carries, and how it is steered with it; follows from what is in the grasp (`grasp.steer`).
 
     Attributes:
         payload: in the grasp, as the steering takes it; None: nothing.
         rules: the steering's rules by panel position, rate setting and steering law.
     """
 
-    payload: Payload | None
-    rules: dict[Key, Array]
+    def __init__(self, payload: Payload | None, rules: dict[Key, Array]) -> None:
+        self.payload = payload
+        self.rules = rules
 
 
 def carrying(scenario: Scenario, payload: Payload | None, limits: RateLimits | None = None) -> Carried:

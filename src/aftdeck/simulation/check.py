@@ -10,10 +10,12 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Check
 from aftdeck.simulation.log import log, refuse
 from aftdeck.simulation.rehearsal import Rehearsal
+from aftdeck.simulation.resume import resume
 from aftdeck.simulation.sequence import begin
 from aftdeck.simulation.standstill import held_fast, standing
 from aftdeck.simulation.state import State
 from aftdeck.simulation.ways import ways
+from aftdeck.state_part import encoded
 from aftdeck.steering.layout import MEASURED
 from aftdeck.steering.mode import MODES
 
@@ -27,7 +29,7 @@ def check(flight: Flight, state: State) -> None:
     found = None if checking is None else _check_on(flight, state, checking)
     if checking is not None and found is not None:
         state.checking = None
-        panel.check, panel.premises = found, premises(checking.start or state, checking.target)
+        panel.check, panel.premises = found, premises(_start(flight, checking) or state, checking.target)
         panel.sequence = "ready" if found.good and MODES[panel.mode].kind == "automatic" else "idle"
         log(flight, state, "check", "info" if found.good else "caution", f"CMD CK {found.text}")
         _tell_ways(flight, state, checking)
@@ -57,7 +59,8 @@ def _check_on(flight: Flight, state: State, checking: Checking) -> Check | None:
             checking.ways = list(ways(flight, state, checking.target, state.panel.law))
         except AftdeckError as error:
             return Check(False, f"FAIL: {error}", cause="reach")
-        checking.start = state.fork()
+        checking.rehearsal.start = start = state.fork()
+        checking.start = encoded(start)
     return _rehearsed(flight, checking)
 
 
@@ -67,28 +70,38 @@ def _rehearsed(flight: Flight, checking: Checking) -> Check | None:
     while left > 0:
         if not checking.ways and not _more_ways(flight, checking):
             return _verdict(checking)
-        way, start = checking.ways[0], checking.start
-        assert start is not None
+        way, flown = checking.ways[0], checking.rehearsal
         best = min((tried.seconds for tried in checking.tried if tried.good), default=np.inf)
         if way.least >= best:
             checking.ways.pop(0)
             continue
-        if checking.rehearsal is None:
-            checking.rehearsal = Rehearsal(flight, start, checking.target, way)
-        before = checking.rehearsal.steps
-        outcome = checking.rehearsal.fly_on(left)
-        left -= max(checking.rehearsal.steps - before, 1)
+        if flown.of is None:
+            start = _start(flight, checking)
+            assert start is not None, "it is rehearsed from where the arm came to rest"
+            flown.of = Rehearsal(flight, start, checking.target, way)
+            flown.of.fly_on(checking.steps)  # where a saved state left it
+        outcome = flown.of.fly_on(left)
+        left -= max(flown.of.steps - checking.steps, 1)
+        checking.steps = flown.of.steps
         if outcome is not None:
             checking.tried.append(outcome)
             checking.ways.pop(0)
-            checking.rehearsal = None
+            checking.steps, flown.of = 0, None
     return None
+
+
+def _start(flight: Flight, checking: Checking) -> State | None:
+    """The state from which the motion is rehearsed; None until the arm is at rest."""
+    cache = checking.rehearsal
+    if cache.start is None and checking.start is not None:
+        cache.start = resume(flight, checking.start)
+    return cache.start
 
 
 def _more_ways(flight: Flight, checking: Checking) -> bool:
     """Go on to the ways by joints, where the straight line fails by what lies in its way; whether there are any."""
-    start, tried = checking.start, checking.tried
-    assert start is not None
+    start, tried = _start(flight, checking), checking.tried
+    assert start is not None, "it is rehearsed from where the arm came to rest"
     if any(one.good or one.way.law == "position" or one.cause in ("seat", "switch") for one in tried):
         return False
     try:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from hashlib import sha256
 from typing import TYPE_CHECKING
 
 import msgspec
 
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.frame import Cause, Six
+from aftdeck.state_part import Cache, StatePart
 from aftdeck.steering.mode import LawChoice
 
 if TYPE_CHECKING:
@@ -42,23 +44,41 @@ class Tried(msgspec.Struct, frozen=True):
     """A singularity that is passed near, for people; empty: none."""
 
 
-class Checking:
+class Rehearsed(Cache):
+    """The rehearsal under way.
+
+    Attributes:
+        start: the state from which it set out.
+        of: the motion flown ahead of time.
+    """
+
+    def __init__(self) -> None:
+        self.start: State | None = None
+        self.of: Rehearsal | None = None
+
+    def copied(self) -> Rehearsed:
+        """Return that of a copied state, which flies its own."""
+        return Rehearsed()
+
+
+class Checking(StatePart):
     """CMD CK under way.
 
     Attributes:
         target: what is checked.
-        start: the state from which the motion is rehearsed; None until the arm is at rest.
+        start: the state from which the motion is rehearsed, encoded; None until the arm is at rest.
         ways: still to be rehearsed, the one under way first.
         tried: rehearsed.
-        rehearsal: of the first of `ways`; None until it begins.
+        steps: how far the first of `ways` has been rehearsed.
+        rehearsal: of the first of `ways`.
     """
 
-    def __init__(self, target: Target) -> None:
-        self.target = target
-        self.start: State | None = None
-        self.ways: list[Way] = []
-        self.tried: list[Tried] = []
-        self.rehearsal: Rehearsal | None = None
+    target: Target
+    start: bytes | None = None
+    ways: list[Way] = msgspec.field(default_factory=list)
+    tried: list[Tried] = msgspec.field(default_factory=list)
+    steps: int = 0
+    rehearsal: Rehearsed = msgspec.field(default_factory=Rehearsed)
 
 
 def begin_check(state: State, target: Target) -> None:
@@ -83,7 +103,7 @@ class Premises(msgspec.Struct, frozen=True):
     moving: tuple[float, ...]
     """(3,) how fast the orbiter translates [m/s]."""
     frames: bytes
-    """Where everything is in L as last looked at: what the arm holds, the worksite and what floats."""
+    """Digest of where everything is in L as last looked at: what the arm holds, the worksite and what floats."""
 
 
 def premises(state: State, target: Target) -> Premises:
@@ -99,5 +119,5 @@ def premises(state: State, target: Target) -> Premises:
         panel.brakes or panel.safing,
         tuple(state.plant.angles.tolist()),
         tuple(things.orbiter_velocity.tolist()),
-        things.frames.tobytes(),
+        sha256(things.frames.data).digest(),
     )

@@ -80,6 +80,6 @@ def _joints(flight: Flight, state: State) -> list[_Way]:
             rates = np.zeros(6)
             rates[joint] = sign * arm.rate_limits[joint]
             found.append(_Way(f"{mode} {spoken(name)} {sense}", rates, 0.0))
-    if state.plant.stand.rate:
+    if flight.telescope.rate:
         found += [_Way("telescope longer", np.zeros(6), 1.0), _Way("telescope shorter", np.zeros(6), -1.0)]
     return found

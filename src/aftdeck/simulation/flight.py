@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from aftdeck.arrays import Array
+from aftdeck.plant.slide import Travel, travel_of_prong, travel_of_stand
 from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.cameras import Cameras
 from aftdeck.simulation.site import Site, site_of
 
 Pair = tuple[float, float]
@@ -23,12 +25,18 @@ class Flight:
     Attributes:
         scenario: what is flown.
         site: the worksite.
+        cameras: those that can be turned.
+        telescope: where the stand can go, and
+        prong: where the prong can.
         within: what is nearer than this is measured in every step [m].
         reach: joint limits as plain pairs [rad], as `soft` and `hard`, for the zones.
     """
 
     scenario: Scenario
     site: Site
+    cameras: Cameras
+    telescope: Travel
+    prong: Travel
     within: float
     reach: tuple[Pair, ...]
     soft: tuple[Pair, ...]
@@ -45,6 +53,9 @@ def prepare(scenario: Scenario) -> Flight:
     return Flight(
         scenario,
         site_of(scenario),
+        Cameras(scenario),
+        travel_of_stand(model),
+        travel_of_prong(model.equipment.prong),
         max(WATCHED, FAST * scenario.control_period),
         pairs(model.limits.reach),
         pairs(model.limits.soft),

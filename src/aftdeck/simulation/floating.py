@@ -4,68 +4,45 @@ from __future__ import annotations
 
 from math import copysign
 
-import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.state_part import StatePart, copied
 from aftdeck.worksite import model
 from aftdeck.worksite.drift import LimitCycle, coast, limit_cycle
 
 
-class SavedFloating(msgspec.Struct, frozen=True):
-    """What `Floating.save` gives."""
-
-    pose: list[float]
-    motion: list[float]
-    cycle: LimitCycle | None
-    reference: list[float]
-    time: float
-    met: bool
-
-
-class Floating:
+class Floating(StatePart):
     """Free flight.
 
     Attributes:
         pose: (12,) now, in L as it stood at the start.
         motion: (6,) angular velocity in the body's axes [rad/s], then velocity of the centre, in L's [m/s].
-        cycle: attitude control; None: it turns freely.
         reference: (3, 3) rotation about which it cycles.
+        cycle: (9,) attitude control, as `worksite.drift.limit_cycle` takes it; None: it turns freely.
         time: since the cycle began [s].
         met: whether a contact stopped it in the last step.
     """
 
-    def __init__(self, pose: Array, motion: Array, cycle: LimitCycle | None) -> None:
-        self.pose, self.motion = pose.copy(), motion.copy()
-        self.cycle, self.reference, self.time = cycle, pose[3:].reshape(3, 3).copy(), 0.0
-        self.met = False
-        self._packed = None if cycle is None else cycle.packed()
+    pose: Array
+    motion: Array
+    reference: Array
+    cycle: Array | None = None
+    time: float = 0.0
+    met: bool = False
 
     def move(self, period: float) -> None:
         """Go on for one control period [s]."""
         coast(self.pose, self.motion, period)
-        if self._packed is not None:
+        if self.cycle is not None:
             self.time += period
-            limit_cycle(self._packed, self.reference, self.time, self.pose, self.motion)
+            limit_cycle(self.cycle, self.reference, self.time, self.pose, self.motion)
 
     def moved(self, period: float) -> Floating:
         """Return the same flight a time later [s]; this one stays as it is."""
-        later = floating_so(self.save())
+        later = copied(self)
         later.move(period)
         return later
-
-    def save(self) -> SavedFloating:
-        """Everything that its future depends on."""
-        return SavedFloating(
-            self.pose.tolist(), self.motion.tolist(), self.cycle, self.reference.ravel().tolist(), self.time, self.met
-        )
-
-
-def floating_so(saved: SavedFloating) -> Floating:
-    """What `Floating.save` gave, to go on from."""
-    flight = Floating(np.array(saved.pose), np.array(saved.motion), saved.cycle)
-    flight.reference.ravel()[:], flight.time, flight.met = saved.reference, saved.time, saved.met
-    return flight
 
 
 def floating(
@@ -80,9 +57,11 @@ def floating(
         control: the body's attitude control; None: it has none.
         angles: (3,) where in its deadband it is then [rad]; None: in the middle.
     """
+    reference = pose[3:].reshape(3, 3).copy()
     if control is None:
-        return Floating(pose, np.concatenate((rates, velocity)), None)
+        return Floating(pose.copy(), np.concatenate((rates, velocity)), reference)
     x, y, z = (copysign(float(rate), float(turn)) for rate, turn in zip(control.rate, rates, strict=True))
     a, b, c = (float(band) for band in control.deadband)
     u, v, w = (0.0, 0.0, 0.0) if angles is None else (float(angle) for angle in angles)
-    return Floating(pose, np.array([x, y, z, *velocity]), LimitCycle((a, b, c), (x, y, z), (u, v, w)))
+    cycle = LimitCycle((a, b, c), (x, y, z), (u, v, w))
+    return Floating(pose.copy(), np.array([x, y, z, *velocity]), reference, cycle.packed())

@@ -46,5 +46,6 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     telescope = restrain(flight, state, inputs.telescope)
 
     # the plant moves, and with it the worksite: contacts, captures, seats
-    state.plant.move(rates, flight.scenario.control_period, telescope)
+    scenario = flight.scenario
+    state.plant.move(scenario.arm.limits.hard, flight.telescope, rates, scenario.control_period, telescope)
     work(flight, state, inputs)

@@ -59,7 +59,7 @@ def put_effector(flight: Flight, state: State, *, holding: bool) -> None:
     """Put the end effector as it is with a payload in its grasp, the prong closed or the snares rigid, or with none."""
     things = state.site
     if flight.site.prong:
-        things.prong.position = things.prong.high if holding else things.prong.low
+        things.prong.position = flight.prong.high if holding else flight.prong.low
     else:
         held = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
         things.snare = held if holding else Snare()

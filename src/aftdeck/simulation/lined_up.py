@@ -40,7 +40,7 @@ times; assumed."""
 def count(flight: Flight, state: State) -> None:
     """Work out among which groups the next step finds the nearest, once everything is where the step has brought it."""
     things = state.site
-    things.counts[:], things.lined_up = counted(
+    things.watch.counts[:], things.lined_up = counted(
         flight, things.held, things.watch, things.frames, things.lined_up, things.nearest, things.contacts,
         things.permitted, flight.within,
     )  # fmt: skip

@@ -13,7 +13,6 @@ from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Frame, Goal, Six, Times, Vec3
 from aftdeck.simulation.grasp import in_grasp
 from aftdeck.simulation.look_work import look_work
-from aftdeck.simulation.seal import seal
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import (
     DEMAND,
@@ -32,8 +31,8 @@ from aftdeck.steering.layout import (
 from aftdeck.steering.mode import MODES
 
 
-def look(flight: Flight, state: State) -> Frame:
-    """The frame after the step just made, with its log lines; nothing is changed by looking."""
+def look(flight: Flight, state: State, seal: bytes) -> Frame:
+    """The frame after the step just made, with its log lines and the state's digest; nothing is changed by looking."""
     scenario, panel = flight.scenario, state.panel
     seen, angles = state.seen.tolist(), state.plant.angles.tolist()
     rules = state.rules.tolist()
@@ -88,8 +87,8 @@ def look(flight: Flight, state: State) -> Frame:
         times=_times(flight, state),
         work=look_work(flight, state),
         events=tuple(state.events),
-        views=state.cameras.views,
-        sha256=seal(state).hex(),
+        views=state.views,
+        sha256=seal.hex(),
     )
 
 

@@ -94,17 +94,17 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
     seconds, last = float(seconds), None if last is None else (int(last[0]), cast("Literal[-1, 1]", int(last[1])))
     command, steering, held = _asked(state, last)
     rules, report = state.rules, np.zeros(REPORT)
-    site, things, stand = flight.site, state.site, state.plant.stand
-    driven = stand.velocity / stand.rate if stand.rate else 0.0
+    site, things, stand, travel = flight.site, state.site, state.plant.stand, flight.telescope
+    driven = stand.velocity / travel.rate if travel.rate else 0.0
     outside = counted(
         flight, things.held, things.watch, things.frames, things.lined_up, things.nearest, things.contacts,
         things.permitted,
     )[0]  # fmt: skip
-    watch, height, contact, period = things.watch.copy(), stand.position, None, seconds / SAMPLES
+    watch, height, contact, period = things.watch.copied(), stand.position, None, seconds / SAMPLES
     for sample in range(1, SAMPLES + 1):
         rehearse(rules, command, steering, report, period)
-        height = stand.after(driven, sample * period)
-        steering[RISE] += height - stand.after(driven, (sample - 1) * period)
+        height = stand.after(travel, driven, sample * period)
+        steering[RISE] += height - stand.after(travel, driven, (sample - 1) * period)
         angles = steering[ANGLES : ANGLES + 6]
         frames = frames_at(flight, state, angles, height, things.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)

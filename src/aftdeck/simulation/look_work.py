@@ -30,7 +30,7 @@ def look_work(flight: Flight, state: State) -> Work:
     contacts: tuple[Near, ...] = ()
     reasons: tuple[str, ...] = ()
     if things.told:
-        standing = things.contacts.standing(things.watch.found, flight.scenario.arm.model.units)
+        standing = things.contacts.standing(site.layout, things.watch.found, flight.scenario.arm.model.units)
         contacts = tuple(near_of(flight, state, things.watch.found, contact.group) for contact in standing)
         reasons = tuple(contact.text for contact in standing if contact.inhibits)
         reasons += (things.advice,) if things.advice and reasons else ()
@@ -57,7 +57,7 @@ def look_work(flight: Flight, state: State) -> Work:
 def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
     """Every watched pair that counts now, nearest first."""
     things = state.site
-    watch = things.watch.copy()
+    watch = things.watch.copied()
     watch.look(things.before, things.frames, flight.scenario.control_period)
     found = watch.found[:, CLEARANCE]
     groups = np.flatnonzero(np.isfinite(found))
@@ -101,9 +101,9 @@ def near_of(flight: Flight, state: State, found: Array, group: int) -> Near:
 def _hand(flight: Flight, state: State) -> Hand:
     things, has = state.site, flight.scenario.arm.model.equipment.prong
     if has is not None:
-        prong = things.prong
-        opening = (prong.high - prong.position) / (prong.high - prong.low)
-        spacing = has.fixed_finger - prong.position
+        prong, travel = things.prong.position, flight.prong
+        opening = (travel.high - prong) / (travel.high - travel.low)
+        spacing = has.fixed_finger - prong
         shows = (("CAPTURE", state.carried.payload is not None), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
         return Hand(things.switch, opening, spacing, None, tuple(name for name, on in shows if on))
     snare = things.snare

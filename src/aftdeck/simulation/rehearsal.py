@@ -45,7 +45,7 @@ class Rehearsal:
         panel.law, panel.held, panel.holding = way.law, None, None
         panel.proceeding, panel.ending = False, ""
         begin(flight, self._copy, target, way.joints)
-        self._copy.site.counts[:] = 0  # nothing here asks which pair is the nearest
+        self._copy.site.watch.counts[:] = 0  # nothing here asks which pair is the nearest
         self._touching = frozenset(self._copy.site.told)
         self._nearest, self._which, self._point = 1.0, 0, panel.point
         self._held: tuple[int, int, str] = (0, -1, "")
@@ -81,7 +81,7 @@ class Rehearsal:
         """A contact that inhibits the arm, of a group not among `besides`, and where; empty: there is none."""
         copy, scenario = self._copy, self._flight.scenario
         things = copy.site
-        for contact in things.contacts.standing(things.watch.found, scenario.arm.model.units):
+        for contact in things.contacts.standing(self._flight.site.layout, things.watch.found, scenario.arm.model.units):
             if contact.inhibits and contact.group not in besides:
                 point = things.watch.found[contact.group, POINT_A : POINT_A + 3]
                 x, y, z = scenario.arm.model.mount.to("panel", Pose(point, np.eye(3))).position / INCH

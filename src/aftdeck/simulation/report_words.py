@@ -57,7 +57,7 @@ class Block(NamedTuple):
 
 def places_of(state: State) -> Places:
     """Return the places of a state, to be compared with those of the next."""
-    return Places(state.plant.stand.position, state.site.prong.position, state.cameras.views)
+    return Places(state.plant.stand.position, state.site.prong.position, state.views)
 
 
 def block_of(flight: Flight, state: State, before: Places) -> Block:
@@ -67,7 +67,7 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
     if begun:  # what was put somewhere has not moved there
         before = now
     station = state.panel.camera or NO_CODE
-    pan, tilt, zoom = (_way(step) for step in _turned(state, before))
+    pan, tilt, zoom = (_way(step) for step in _turned(flight, state, before))
     if pan * tilt < 0:
         unsaid.append("tilt")  # the two have one sign between them
         tilt = 0
@@ -114,12 +114,13 @@ def _face(body: Array, face: int) -> WordPlane:
     return WordPlane((float(body[NX + face]), float(body[NY + face]), float(body[NZ + face])), float(body[D + face]))
 
 
-def _turned(state: State, before: Places) -> tuple[float, float, float]:
+def _turned(flight: Flight, state: State, before: Places) -> tuple[float, float, float]:
     """Return how pan, tilt and zoom of the station's camera changed, + right, up and in."""
     name = state.panel.camera
-    if name not in state.cameras.names:
+    names = flight.cameras.names
+    if name not in names:
         return 0.0, 0.0, 0.0
-    now, was = (views[state.cameras.names.index(name)] for views in (state.cameras.views, before.views))
+    now, was = (views[names.index(name)] for views in (state.views, before.views))
     return now.pan - was.pan, now.tilt - was.tilt, was.zoom - now.zoom
 
 

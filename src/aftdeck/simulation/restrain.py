@@ -35,7 +35,7 @@ def restrain(flight: Flight, state: State, telescope: float) -> float:
     things = state.site
     things.halt = ""
     sliding = slider(state)
-    things.contacts.essential = flight.site.essential_while(sliding, things.permitted)
+    things.contacts.essential[:] = flight.site.essential_while(sliding, things.permitted)
     rates = state.steering[RATES : RATES + 6]
     moved = telescope or any(rates.tolist())
     if things.fast or standing(state.panel):

@@ -13,7 +13,7 @@ import msgspec
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.begin import first_state, resume
+from aftdeck.simulation.begin import first_state
 from aftdeck.simulation.flight import prepare
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
@@ -21,10 +21,10 @@ from aftdeck.simulation.look import look
 from aftdeck.simulation.look_ahead import Ahead, Axis, look_ahead
 from aftdeck.simulation.look_work import all_near
 from aftdeck.simulation.plain import plain_inputs, whole
-from aftdeck.simulation.seal import seal
-from aftdeck.simulation.state import Saved
+from aftdeck.simulation.resume import resume
 from aftdeck.simulation.step import step
 from aftdeck.simulation.summary import Summary, Tally
+from aftdeck.state_part import digest, encoded
 from aftdeck.worksite.report import Near
 
 
@@ -34,7 +34,8 @@ class SavedSimulation(msgspec.Struct, frozen=True):
     scenario: str
     """SHA-256 of the scenario's text and the arm's constants."""
     seed: int
-    state: Saved
+    state: bytes
+    """`aftdeck.state_part.encoded` makes them."""
 
 
 class Simulation:
@@ -49,6 +50,7 @@ class Simulation:
         self.scenario = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
         self.seed = self.scenario.seed if seed is None else whole(seed, "seed")
         self._frame: Frame | None = None
+        self._seal = b""
         self._given: Inputs | None = None
         self._flight = prepare(self.scenario)
         self._state = first_state(self._flight)
@@ -65,6 +67,11 @@ class Simulation:
     def frame(self) -> Frame | None:
         """The last step's frame; None before the first, and after `restore` till the next."""
         return self.look() if self._stepped else None
+
+    @property
+    def cameras(self) -> tuple[str, ...]:
+        """Names of the cameras that can be turned."""
+        return self._flight.cameras.names
 
     @property
     def given(self) -> Inputs | None:
@@ -90,12 +97,12 @@ class Simulation:
         if inputs is not None:
             inputs.check(self._state.arm)
             if inputs.camera is not None:
-                self._state.cameras.check(inputs.camera)
+                self._flight.cameras.check(inputs.camera)
             inputs = plain_inputs(inputs)
         state = self._state
         step(self._flight, state, inputs)
         self._given = inputs
-        self._stepped, self._frame = True, None
+        self._stepped, self._frame, self._seal = True, None, b""
         angles = state.plant.angles.tolist()
         if not math.isfinite(sum(angles)):
             time = state.tick * self.scenario.control_period
@@ -103,12 +110,14 @@ class Simulation:
 
     def seal(self) -> bytes:
         """SHA-256 of the state after the last step, to the last digit: `Frame.sha256` shows it."""
-        return seal(self._state)
+        if not self._seal:
+            self._seal = digest(self._state)
+        return self._seal
 
     def look(self) -> Frame:
         """All that may be known of the last step. To look changes nothing, and costs about as much as a step."""
         if self._frame is None:
-            self._frame = look(self._flight, self._state)
+            self._frame = look(self._flight, self._state, self.seal())
         return self._frame
 
     def ahead(self, seconds: float = 5.0, last: Axis | None = None) -> Ahead:
@@ -129,22 +138,22 @@ class Simulation:
 
     def save(self) -> SavedSimulation:
         """Everything that the next step depends on; plain values, msgspec encodes them."""
-        return SavedSimulation(self._digest, self.seed, self._state.save())
+        return SavedSimulation(self._digest, self.seed, encoded(self._state))
 
     def restore(self, saved: SavedSimulation) -> None:
         """Go on from what `save` gave, in this or in another simulation of the same scenario.
 
         Raises:
-            InputError: it was saved from another scenario.
+            InputError: it was saved from another scenario, or is no saved state; nothing has changed.
         """
         if saved.scenario != self._digest:
             raise InputError(
                 f"the saved state belongs to a scenario with digest {saved.scenario[:12]}, this one is "
                 f"{self.scenario.name!r} with {self._digest[:12]}"
             )
+        self._state = resume(self._flight, saved.state)
         self.seed = saved.seed
-        resume(self._flight, self._state, saved.state)
-        self._stepped, self._frame, self._given = False, None, None
+        self._stepped, self._frame, self._given, self._seal = False, None, None, b""
 
 
 class Run(msgspec.Struct, frozen=True):
@@ -188,7 +197,7 @@ def run(
         if given is None and inputs is not None:
             break
         sim.advance(given)
-        tally.take(sim._state)
+        tally.take(sim._state, sim.seal())
         if keep_frames or seen is not None:
             frame = sim.look()
             if keep_frames:

@@ -155,8 +155,8 @@ def _telescope(flight: Flight, state: State, phase: PhasePlan) -> float:
     """How the telescope's switch is held to bring the stand where the phase wants it, in [-1, 1]."""
     if phase.stand_at is None:
         return 0.0
-    stand = state.plant.stand
-    return max(-1.0, min(1.0, (phase.stand_at - stand.position) / (stand.rate * flight.scenario.control_period)))
+    left, rate = phase.stand_at - state.plant.stand.position, flight.telescope.rate
+    return max(-1.0, min(1.0, left / (rate * flight.scenario.control_period)))
 
 
 def _waiting(flight: Flight, state: State) -> bool:

@@ -36,13 +36,13 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
         How the stand is driven: it stops at a wall. None where only standing still keeps the cargo out.
     """
     site, things, period = flight.site, state.site, flight.scenario.control_period
-    counts, stand = site.slides[held], state.plant.stand
-    near = met(things.watch.found, counts, state.steering, abs(telescope) * stand.rate, period)
+    counts, travel = site.slides[held], flight.telescope
+    near = met(things.watch.found, counts, state.steering, abs(telescope) * travel.rate, period)
     if near == 0.0:
         return telescope
     found = touches(things.watch, counts, site.cargo[held].name, near, period, OUT)
-    telescope *= _room(found, -telescope * stand.rate)
-    height = stand.after(telescope, period)
+    telescope *= _room(found, -telescope * travel.rate)
+    height = state.plant.stand.after(travel, telescope, period)
     rules = state.rules
     commanded, last = state.steering.copy(), things.frames[site.last_joint]
     for turning in (1.0, 0.0):

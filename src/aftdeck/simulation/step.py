@@ -48,7 +48,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> None:
     # steering commands the joint rates, contacts and seats restrain them, the plant and the worksite move
     go(flight, state, inputs)
     if inputs.camera is not None:
-        state.cameras.drive(inputs.camera, flight.scenario.control_period)
+        state.views = flight.cameras.driven(state.views, inputs.camera, flight.scenario.control_period)
         state.panel.camera = inputs.camera.camera
 
     # of which pairs the next step finds the nearest

@@ -10,7 +10,6 @@ import msgspec
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Event, Frame, Six, Vec3
-from aftdeck.simulation.seal import seal
 from aftdeck.simulation.state import State
 from aftdeck.steering.limiters import rate_ratio
 from aftdeck.version import __version__
@@ -74,8 +73,8 @@ class Tally:
         self.worst, self.least = 0.0, math.inf
         self._digest = sha256()
 
-    def take(self, state: State) -> None:
-        """Take in a state after its step."""
+    def take(self, state: State, seal: bytes) -> None:
+        """Take in a state after its step, and its digest."""
         self.ticks += 1
         self.events += state.events
         rules = state.rules
@@ -83,7 +82,7 @@ class Tally:
         things = state.site
         if things.nearest >= 0:
             self.least = min(self.least, float(things.watch.found[things.nearest, CLEARANCE]))
-        self._digest.update(seal(state))
+        self._digest.update(seal)
 
     def summary(self, scenario: Scenario, seed: int, ended: Ended, frame: Frame) -> Summary:
         """The summary of a run of a scenario with a seed, how it ended, and its last frame."""

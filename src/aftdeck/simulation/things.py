@@ -7,23 +7,23 @@ from typing import Literal
 import msgspec
 import numpy as np
 
-from aftdeck.arrays import Array, Indices
+from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import POSE, compose
-from aftdeck.plant.effector import prong_of
-from aftdeck.scenario.model import Scenario
+from aftdeck.plant.slide import Slide, Travel
 from aftdeck.scenario.schema import Until
-from aftdeck.simulation.floating import Floating, SavedFloating, floating_so
+from aftdeck.simulation.floating import Floating
 from aftdeck.simulation.site import Site
+from aftdeck.state_part import StatePart
 from aftdeck.worksite.contacts import Contacts
 from aftdeck.worksite.latches import Latches
 from aftdeck.worksite.snare import Snare
-from aftdeck.worksite.watch import SavedWatch, Watch
+from aftdeck.worksite.watch import Watch
 
 Switch = Literal["stop", "close", "open"]
 Halt = Literal["", "seat", "contact", "switch"]
 
 
-class Thing(msgspec.Struct):
+class Thing(StatePart):
     """How a payload of the worksite is: held, fixed to a seat, or both; else it floats. Poses are rows of twelve."""
 
     held: bool = False
@@ -48,13 +48,14 @@ class Thing(msgspec.Struct):
     """Step of the last UNLATCH that waits for a second one to confirm it; 0: none does."""
 
 
-class Things:
+class Things(StatePart):
     """Everything of the worksite that the next step depends on.
 
     Attributes:
         frames: (F, 12) where every frame is, in L.
         before: (F, 12) the same a step ago.
-        watch: the watched groups.
+        looked: (g,) 1 for groups that were looked at in the last step.
+        watch: the watched groups; what it found of them follows from the two before, `looked` and `nearest`.
         permitted: (g,) 1 for groups that the task brings into contact, but those that touch where, or deeper than,
             their relation permits.
         contacts: what touches, and what it inhibits.
@@ -65,7 +66,6 @@ class Things:
         fast: whether what the arm holds is fixed to something, so that the arm cannot move.
         carrier: (c,) for each payload, the row of the frame that carries it; -1: it floats.
         rides: (c, 12) its pose in that frame; where it floats, in L as that stood at the start.
-        counts: (g,) 1 for groups of which the next step finds the nearest.
         nearest: the group of least clearance of those that count (`simulation.lined_up`); -1: none is watched.
         lined_up: the cargo that the hand is about to take; None: none.
         orbiter: (3,) how far the orbiter has moved, forward, starboard, down [m].
@@ -83,32 +83,33 @@ class Things:
             that it would deepen, a switch (BRAKES, SAFING), or nothing.
     """
 
-    def __init__(self, scenario: Scenario, site: Site) -> None:
-        self.frames = np.zeros((len(site.layout.frames), POSE))
-        self.before = self.frames.copy()
-        self.watch = Watch(site.layout)
-        self.permitted = site.essential.copy()
-        self.contacts = Contacts(site.layout, self.permitted, site.by_arm.copy(), site.by_prong)
-        self.told: frozenset[int] = frozenset()
-        self.cargo = [Thing() for _ in site.cargo]
-        self.floating: list[Floating | None] = [None] * len(site.cargo)
-        self.held: int | None = None
-        self.fast = False
-        self.carrier, self.rides = np.full(len(site.cargo), -1), np.zeros((len(site.cargo), POSE))
-        self.counts = site.detrimental.copy()
-        self.nearest = -1
-        self.lined_up: int | None = None
-        self.orbiter, self.orbiter_velocity = np.zeros(3), np.zeros(3)
-        self.prong = prong_of(scenario.arm.model.equipment.prong)
-        self.snare = Snare()
-        self.switch: Switch = "stop"
-        self.effector_mode: Literal["auto", "manual"] = "auto"
-        self.rigid: Literal["off", "rigid", "derigid"] = "off"
-        self.task = 1
-        self.advice = ""
-        self.refused_orbiter = False
-        self.waiting = False
-        self.halt: Halt = ""
+    frames: Array
+    before: Array
+    looked: Mask
+    permitted: Mask
+    contacts: Contacts
+    cargo: list[Thing]
+    floating: list[Floating | None]
+    carrier: Indices
+    rides: Array
+    orbiter: Array
+    orbiter_velocity: Array
+    prong: Slide
+    watch: Watch
+    told: tuple[int, ...] = ()
+    held: int | None = None
+    fast: bool = False
+    nearest: int = -1
+    lined_up: int | None = None
+    snare: Snare = Snare()
+    switch: Switch = "stop"
+    effector_mode: Literal["auto", "manual"] = "auto"
+    rigid: Literal["off", "rigid", "derigid"] = "off"
+    task: int = 1
+    advice: str = ""
+    refused_orbiter: bool = False
+    waiting: bool = False
+    halt: Halt = ""
 
     @property
     def _meant(self) -> list[Thing]:
@@ -133,16 +134,22 @@ class Things:
         self.fast = self.held is not None and self.cargo[self.held].seat != ""
         for k in range(len(self.cargo)):
             self.ride(site, k)
-        active, by_arm = self.watch.active, self.contacts.arm
-        active[:], by_arm[:] = 1, site.by_arm
+        self.contacts.arm[:] = site.by_arm
+        if self.held is not None:
+            self.contacts.arm |= site.of_cargo[self.held]
+        self.choose(site)
+        # a contact that is looked at no more does not end: nothing is told of it
+        self.told = tuple(group for group in self.told if self.watch.active[group])
+
+    def choose(self, site: Site) -> None:
+        """Choose the groups that are looked at: but those of what is held or fixed with what has it."""
+        active = self.watch.active
+        active[:] = 1
         for k, thing in enumerate(self.cargo):
             if thing.held:
                 active &= 1 - site.held[k]
-                by_arm |= site.of_cargo[k]
             if thing.seat:
                 active &= 1 - site.seated[k, thing.seat]
-        # a contact that is looked at no more does not end: nothing is told of it
-        self.told = frozenset(group for group in self.told if active[group])
 
     def ride(self, site: Site, k: int) -> None:
         """Cargo k goes with its seat, with the last joint, or floats."""
@@ -159,70 +166,22 @@ class Things:
         """What places everything besides the arm's joints: the first arguments of `place_everything`."""
         return site.arm.joints, site.scene, site.axes, self.orbiter, self.carrier, self.rides
 
-    def save(self) -> SavedThings:
-        """A copy that nothing changes."""
-        return SavedThings(
-            self.frames.tolist(),
-            self.before.tolist(),
-            self.watch.save(),
-            self.contacts.save(),
-            tuple(sorted(self.told)),
-            tuple(msgspec.structs.replace(thing) for thing in self.cargo),
-            tuple(None if flight is None else flight.save() for flight in self.floating),
-            self.orbiter.tolist(),
-            self.orbiter_velocity.tolist(),
-            self.prong.save(),
-            self.snare,
-            self.switch,
-            self.effector_mode,
-            self.rigid,
-            self.task,
-            self.advice,
-            self.refused_orbiter,
-            self.waiting,
-            self.nearest,
-            self.lined_up,
-            self.halt,
-        )
 
-    def restore(self, saved: SavedThings) -> None:
-        """Go on from what `save` gave."""
-        self.frames[:], self.before[:] = saved.frames, saved.before
-        self.watch.restore(saved.watch)
-        self.contacts.restore(saved.contacts)
-        self.told, self.cargo = frozenset(saved.told), [msgspec.structs.replace(thing) for thing in saved.cargo]
-        self.floating = [None if flight is None else floating_so(flight) for flight in saved.floating]
-        self.orbiter[:], self.orbiter_velocity[:] = saved.orbiter, saved.orbiter_velocity
-        self.snare = saved.snare
-        self.prong.restore(saved.prong)
-        self.switch, self.effector_mode, self.rigid = saved.switch, saved.effector_mode, saved.rigid
-        self.task = saved.task
-        self.advice = saved.advice
-        self.refused_orbiter, self.waiting = saved.refused_orbiter, saved.waiting
-        self.nearest, self.lined_up, self.halt = saved.nearest, saved.lined_up, saved.halt
-
-
-class SavedThings(msgspec.Struct, frozen=True):
-    """The worksite's state as plain values, in the order of `Things`."""
-
-    frames: list[list[float]]
-    before: list[list[float]]
-    watch: SavedWatch
-    contacts: tuple[list[int], list[bool]]
-    told: tuple[int, ...]
-    cargo: tuple[Thing, ...]
-    floating: tuple[SavedFloating | None, ...]
-    orbiter: list[float]
-    orbiter_velocity: list[float]
-    prong: list[float]
-    snare: Snare
-    switch: Switch
-    effector_mode: Literal["auto", "manual"]
-    rigid: Literal["off", "rigid", "derigid"]
-    task: int
-    advice: str
-    refused_orbiter: bool
-    waiting: bool
-    nearest: int
-    lined_up: int | None
-    halt: Halt
+def new_things(site: Site, prong: Travel) -> Things:
+    """The worksite before anything is put into its place, the prong open."""
+    groups, cargo = len(site.layout.groups), len(site.cargo)
+    return Things(
+        frames=np.zeros((len(site.layout.frames), POSE)),
+        before=np.zeros((len(site.layout.frames), POSE)),
+        looked=np.ones(groups, np.uint8),
+        permitted=site.essential.copy(),
+        contacts=Contacts(site.essential.copy(), site.by_arm.copy(), np.zeros(groups, np.uint8)),
+        cargo=[Thing() for _ in range(cargo)],
+        floating=[None] * cargo,
+        carrier=np.full(cargo, -1),
+        rides=np.zeros((cargo, POSE)),
+        orbiter=np.zeros(3),
+        orbiter_velocity=np.zeros(3),
+        prong=Slide(prong.low),
+        watch=Watch(site.layout),
+    )

@@ -20,6 +20,7 @@ from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
 from aftdeck.simulation.tasks import change_task
 from aftdeck.simulation.ways_out import ways_out
+from aftdeck.state_part import digest
 from aftdeck.steering.layout import TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 
@@ -44,7 +45,7 @@ def warm_up(scenario: Scenario) -> None:
     step(flight, state, Inputs(mode="SINGLE"))
     ways_out(flight, state, (0, 0, 0, 0, 0, 0), ("elbow",))
     step(flight, state, None)
-    state.site.contacts.judge(touching=True, changed=True, mode=state.site.task)
+    state.site.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.site.task)
     way_out_of_contact(flight, state)
     if flight.site.cargo:
         _carry(flight, state)
@@ -56,7 +57,7 @@ def _carry(flight: Flight, state: State) -> None:
     things.cargo[0].seat = ""
     take_hold(flight, state, 0)
     change_task(flight, state)
-    look(flight, state)
+    look(flight, state, digest(state))
     things.watch.look(things.frames, things.frames, flight.scenario.control_period)
     state.steering[TWIST : TWIST + 6] = FAR  # so fast that every wall could be met in the next step
     slide_along(flight, state, 0.0, 0)

@@ -180,7 +180,7 @@ def operator_of(samples: Sequence[OperatorInputs]) -> Callable[[Simulation], Inp
         if said is None:
             return None
         try:
-            return inputs_from(said, sim._state.site.switch, sim._state.cameras.names)
+            return inputs_from(said, sim._state.site.switch, sim.cameras)
         except InputError as error:
             raise InputError(f"line {number} of the channels: {error}") from None
 

@@ -50,6 +50,7 @@ def _look_around(flight: Flight, state: State) -> None:
     """Find where everything is now, what is near, what touches, and what that inhibits."""
     site, things, plant, period = flight.site, state.site, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, things.watch, things.contacts
+    things.looked[:] = watch.active
     now = look_around(
         *things.places(site),
         plant.angles,
@@ -57,7 +58,7 @@ def _look_around(flight: Flight, state: State) -> None:
         things.prong.position,
         *layout.packed,
         watch.active,
-        things.counts,
+        watch.counts,
         things.before,
         things.frames,
         period,
@@ -68,8 +69,8 @@ def _look_around(flight: Flight, state: State) -> None:
     things.nearest = now.nearest
     if now.touching or now.changed:
         things.permitted[:] = permitted(site, watch, things.frames)
-        contacts.essential = site.essential_while(slider(state), things.permitted)
-    contacts.judge(now.touching, now.changed, things.task)
+        contacts.essential[:] = site.essential_while(slider(state), things.permitted)
+    contacts.judge(now.touching, now.changed, site.by_prong, things.task)
 
 
 def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
@@ -113,13 +114,15 @@ def _move_prong(flight: Flight, state: State) -> None:
     drive = _DRIVES[things.switch] if free else 0.0
     prong, period = things.prong, flight.scenario.control_period
     if drive > 0.0:
-        drive *= _room(flight, state, prong.after(drive, period) - prong.position)
+        drive *= _room(flight, state, prong.after(flight.prong, drive, period) - prong.position)
     if drive != 0.0 and things.contacts.inhibit.finger:
-        before, after = (frames_with(flight, state, at) for at in (prong.position, prong.after(drive, period)))
+        before, after = (
+            frames_with(flight, state, at) for at in (prong.position, prong.after(flight.prong, drive, period))
+        )
         harmful = site.by_prong & (1 - things.contacts.essential)
         if not relieves(looked_at(things.watch, before), site.by_prong, harmful, after):
             drive = 0.0
-    prong.move(drive, period)
+    prong.move(flight.prong, drive, period)
 
 
 def _room(flight: Flight, state: State, way: float) -> float:
@@ -138,15 +141,15 @@ def _tell_contacts(flight: Flight, state: State, before: Inhibit) -> None:
     things = state.site
     now = things.contacts.inhibit
     if now.changed:
-        standing = things.contacts.standing(things.watch.found, flight.scenario.arm.model.units)
+        standing = things.contacts.standing(flight.site.layout, things.watch.found, flight.scenario.arm.model.units)
         for contact in standing:
             if contact.group not in things.told:
                 log(flight, state, "contact", "info" if contact.essential else "caution", contact.text)
-        touching = frozenset(contact.group for contact in standing)
-        for group in sorted(things.told - touching):
+        touching = sorted(contact.group for contact in standing)
+        for group in sorted(set(things.told) - set(touching)):
             a, b = flight.site.layout.named(group)
             log(flight, state, "contact", "info", f"{a} clear of {b}")
-        things.told = touching
+        things.told = tuple(touching)
     if now == before and not now.arm and not things.advice:
         return
     for name, was, is_now in (("ARM", before.arm, now.arm), ("FINGER", before.finger, now.finger)):

@@ -97,9 +97,10 @@ def look_around(
     at: Array,
     placed: Array,
     bound: Array,
+    likely: Indices,
     memory: Array,
     found: Array,
-    count: Indices,
+    count: Mask,
 ) -> Around:
     """`place_everything`, `watch` and `count_frames`, whose arguments these are.
 
@@ -109,7 +110,7 @@ def look_around(
     place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, now)
     watch(
         solids, frame, pairs, begins, between, reach, active, counts, before, now, period, within,
-        at, placed, bound, memory, found,
+        at, placed, bound, likely, memory, found,
     )  # fmt: skip
     counted = count_frames(found, count)
     return Around(counted.touching, counted.changed, nearest_group(found, counts))

@@ -16,9 +16,10 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.law import law
+from aftdeck.state_part import StatePart
 from aftdeck.worksite.conditions import Units, shown
 from aftdeck.worksite.found import CLEARANCE
 from aftdeck.worksite.layout import Layout
@@ -58,7 +59,7 @@ class Counted(NamedTuple):
 
 
 @law
-def count_frames(found: Array, count: Indices) -> Counted:
+def count_frames(found: Array, count: Mask) -> Counted:
     """Update the number of successive steps in which each group was in contact.
 
     Args:
@@ -67,7 +68,7 @@ def count_frames(found: Array, count: Indices) -> Counted:
     """
     touching, changed = False, False
     for g in range(len(count)):
-        now = min(count[g] + 1, FRAMES) if found[g, CLEARANCE] <= CONTACT else 0
+        now = min(int(count[g]) + 1, FRAMES) if found[g, CLEARANCE] <= CONTACT else 0
         changed = changed or now != count[g]
         touching = touching or now > 0
         count[g] = now
@@ -75,7 +76,7 @@ def count_frames(found: Array, count: Indices) -> Counted:
 
 
 @law
-def two_frames(count: Indices, essential: Mask, arm: Mask, prong: Mask, mode: int) -> tuple[bool, bool]:
+def two_frames(count: Mask, essential: Mask, arm: Mask, prong: Mask, mode: int) -> tuple[bool, bool]:
     """Return whether arm and finger are inhibited.
 
     Args:
@@ -115,59 +116,55 @@ class Contact(msgspec.Struct, frozen=True):
     text: str
 
 
-class Contacts:
+class Contacts(StatePart):
     """The contacts of a flight, frame after frame.
 
     Attributes:
-        layout: the groups.
         essential: (g,) 1 for groups whose contact belongs to the task; the caller sets it.
         arm: (g,) 1 for groups of which a part moves with the arm, what it holds included; the caller sets it.
-        prong: (g,) 1 for groups of the prong; none, of an arm without one.
         count: (g,) in how many successive frames each group has been in contact, at most 2.
         inhibit: what the contacts of the last frame do.
     """
 
-    def __init__(self, layout: Layout, essential: Mask, arm: Mask, prong: Mask) -> None:
-        self.layout = layout
-        self.essential, self.arm, self.prong = essential, arm, prong
-        self.count = np.zeros(len(layout.groups), np.int64)
-        self.inhibit = Inhibit(arm=False, finger=False, changed=False)
+    essential: Mask
+    arm: Mask
+    count: Mask
+    inhibit: Inhibit = Inhibit(arm=False, finger=False, changed=False)
 
-    def look(self, found: Array, mode: int) -> Inhibit:
-        """Take what `Watch.look` found (g, 15) as one more step, in one of the report's modes."""
+    def look(self, found: Array, prong: Mask, mode: int) -> Inhibit:
+        """Take what `Watch.look` found (g, 15) as one more step; the rest as of `judge`."""
         counted = count_frames(found, self.count)
-        return self.judge(counted.touching, counted.changed, mode)
+        return self.judge(counted.touching, counted.changed, prong, mode)
 
-    def judge(self, touching: bool, changed: bool, mode: int) -> Inhibit:
-        """Set and return the flags, from the counts as they are now and what `count_frames` returned."""
+    def judge(self, touching: bool, changed: bool, prong: Mask, mode: int) -> Inhibit:
+        """Set and return the flags, from the counts as they are now and what `count_frames` returned.
+
+        Args:
+            touching: some group is in contact.
+            changed: a count changed.
+            prong: (g,) 1 for groups of the prong; none, of an arm without one.
+            mode: the report's, 1 to 4.
+        """
         arm, finger = False, False
         if touching:
-            arm, finger = two_frames(self.count, self.essential, self.arm, self.prong, mode)
+            arm, finger = two_frames(self.count, self.essential, self.arm, prong, mode)
         self.inhibit = Inhibit(bool(arm), bool(finger), bool(changed))
         return self.inhibit
 
-    def standing(self, found: Array, units: Units) -> tuple[Contact, ...]:
+    def standing(self, layout: Layout, found: Array, units: Units) -> tuple[Contact, ...]:
         """Every contact of the frame that was looked at last, deepest first, told in the operator's units."""
         groups = np.flatnonzero(self.count)
         return tuple(
-            self._contact(int(g), found, units) for g in groups[np.argsort(found[groups, CLEARANCE], kind="stable")]
+            self._contact(int(g), layout, found, units)
+            for g in groups[np.argsort(found[groups, CLEARANCE], kind="stable")]
         )
 
-    def _contact(self, group: int, found: Array, units: Units) -> Contact:
-        a, b = self.layout.named(group)
+    def _contact(self, group: int, layout: Layout, found: Array, units: Units) -> Contact:
+        a, b = layout.named(group)
         depth = max(0.0, -float(found[group, CLEARANCE]))
         essential = bool(self.essential[group])
-        inhibits = not essential and bool(self.arm[group]) and self.count[group] == FRAMES
+        inhibits = not essential and bool(self.arm[group]) and bool(self.count[group] == FRAMES)
         return Contact(group, a, b, depth, essential, inhibits, told(a, b, depth, essential, units))
-
-    def save(self) -> tuple[list[int], list[bool]]:
-        """Everything that the next frame depends on."""
-        return self.count.tolist(), list(self.inhibit)
-
-    def restore(self, saved: tuple[list[int], list[bool]]) -> None:
-        """Go on from what `save` gave."""
-        self.count[:] = saved[0]
-        self.inhibit = Inhibit(*saved[1])
 
 
 def told(a: str, b: str, depth: float, essential: bool, units: Units) -> str:

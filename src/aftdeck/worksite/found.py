@@ -17,6 +17,6 @@ does, with all sixteen vertices of the two solids looked at.
 FEATURE_A, FEATURE_B = 12, 13
 """What penetrates, touches or is closest, as in `aftdeck.bodies.pair`."""
 WHICH = 14
-"""Which pair of solids of the layout it is; also where the next step begins."""
+"""Which pair of solids of the layout it is."""
 FOUND = 15
 """Length of a row."""

@@ -94,7 +94,7 @@ def deeper(watch: Watch, counts: Mask, after: Array) -> float:
 
 def looked_at(watch: Watch, frames: Array) -> Watch:
     """Return a copy of a watch that has looked at other frames (F, 12), as far as a step may go."""
-    copy = watch.copy()
+    copy = watch.copied()
     copy.look_near(frames, frames, 1.0, np.zeros_like(watch.active), STEP)
     return copy
 

@@ -16,7 +16,7 @@ from aftdeck.bodies import pair as packed
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.watch import measure
 from aftdeck.law import law
-from aftdeck.worksite.found import CLEARANCE, FOUND, NORMAL, POINT_A, POINT_B, WHICH
+from aftdeck.worksite.found import CLEARANCE, FOUND, NORMAL, POINT_A, POINT_B
 from aftdeck.worksite.watch import Watch, copy_pair, nearest_pair, not_nearer, place_moved, travelled, way_apart
 
 STEP = 1.0
@@ -62,6 +62,7 @@ def tried(
     at: Array,
     placed: Array,
     bound: Array,
+    likely: Indices,
     memory: Array,
     found: Array,
 ) -> Trial:
@@ -79,17 +80,18 @@ def tried(
         after: (F, 12) the frames after the motion, in L.
         at: (F, 12) and placed (n, 52): copies of the watch's; used up.
         placed: see at.
-        bound: (g,) the watch's.
-        memory: (m, 17) the watch's; nothing changes it.
+        bound: (g,) the watch's, and
+        likely: (g,) the watch's.
+        memory: (m, 17) the watch's, brought up to date; it changes no answer.
         found: (g, 15) what the watch found before the motion.
     """
-    ways, own, was = np.empty(len(after)), memory.copy(), np.full(len(memory), np.inf)
+    ways, was, told = np.empty(len(after)), np.full(len(memory), np.inf), np.empty(packed.PAIR)
     slid, touching = 0.0, False
     for g in range(len(counts)):
         if counts[g] != 0 and harmful[g] != 0 and found[g, CLEARANCE] <= CONTACT:
             touching = True
             for k in range(begins[g], begins[g + 1]):
-                slid = max(slid, _slid(placed, frame, at, after, pairs[k], own, k, was))
+                slid = max(slid, _slid(placed, frame, at, after, pairs[k], memory, k, was))
     travelled(after, at, reach, ways)
     place_moved(solids, frame, after, at, placed)
     worst, which, gained, deeper, lessened, made = np.inf, -1, 0.0, -np.inf, 0.0, False
@@ -102,12 +104,11 @@ def tried(
             if bound[g] - ways[between[g, 0]] - ways[between[g, 1]] >= limit:
                 continue
         elif harmful[g] != 0:
-            won = _won(placed, pairs, begins[g], begins[g + 1], own, was)
+            won = _won(placed, pairs, begins[g], begins[g + 1], was)
             gained, lessened = gained + won[0], lessened + won[1]
-        k = nearest_pair(placed, pairs, own, begins[g], begins[g + 1], int(found[g, WHICH]), limit)
-        if k < 0:
+        if nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], limit, told) < 0:
             continue
-        clearance = own[k, packed.CLEARANCE]
+        clearance = told[packed.CLEARANCE]
         if clearance - before < worst and (before <= CONTACT or clearance <= CONTACT):
             worst, which = clearance - before, g
         made = made or (before > CONTACT and clearance <= CONTACT)
@@ -118,13 +119,14 @@ def tried(
 
 
 @law
-def _won(placed: Array, pairs: Indices, begin: int, end: int, own: Array, was: Array) -> tuple[float, float]:
+def _won(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tuple[float, float]:
     """By how much the clearances of a group's touching solids rise, and by how much their depths fall [m]."""
-    gained, lessened = 0.0, 0.0
+    gained, lessened, own = 0.0, 0.0, np.empty(packed.PAIR)
     for k in range(begin, end):
         if was[k] == np.inf:
             continue
-        now = measure(placed[pairs[k, 0]], placed[pairs[k, 1]], own[k])
+        own[:] = 0.0
+        now = measure(placed[pairs[k, 0]], placed[pairs[k, 1]], own)
         gained += now - was[k] if was[k] <= CONTACT else min(now, 0.0)
         lessened += min(now, 0.0) - min(was[k], 0.0)
     return gained, lessened
@@ -142,11 +144,12 @@ def _slid(
     a, b = placed[i], placed[j]
     if not_nearer(a, b, memory[k], STEP):
         return 0.0
-    was[k] = measure(a, b, memory[k])
+    own = np.zeros(packed.PAIR)
+    was[k] = measure(a, b, own)
     if was[k] > CONTACT:
         return 0.0
     row = np.empty(FOUND)
-    copy_pair(memory, k, row)
+    copy_pair(own, row)
     way_apart(a, b, row)
     p = _carried(at[frame[i]], after[frame[i]], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
     q = _carried(at[frame[j]], after[frame[j]], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
@@ -183,6 +186,7 @@ def tried_many(
     at: Array,
     placed: Array,
     bound: Array,
+    likely: Indices,
     memory: Array,
     found: Array,
     trials: Array,
@@ -191,7 +195,7 @@ def tried_many(
     for k in range(len(afters)):
         t = tried(
             solids, frame, pairs, begins, between, reach, counts, harmful, afters[k],
-            at.copy(), placed.copy(), bound, memory, found,
+            at.copy(), placed.copy(), bound, likely, memory, found,
         )  # fmt: skip
         trials[k, WORST], trials[k, GROUP], trials[k, GAINED] = t.worst, t.which, t.gained
         trials[k, SLID], trials[k, DEEPEST] = t.slid, t.deeper

@@ -2,16 +2,17 @@
 
 Remote Manipulator Simulation, final report, chapter IV. Its program looked at three hexahedra and one body a frame;
 here are all parts that can meet. Of each group it is known how near it can be at most, from when it was measured last
-and from how far its two frames have moved since; it is measured again when that is nearer than matters. What is
-remembered of a pair makes its next answer quicker and may change that in its last digits, so it belongs to the
-flight's state.
+and from how far its two frames have moved since; it is measured again when that is nearer than matters.
+
+What is remembered of a pair only rules it out: where the least clearance is, is measured from nothing, and of equals
+the first is taken. So the answer is that of a watch that remembers nothing, to the last digit.
 """
 
 from __future__ import annotations
 
 from math import sqrt
+from typing import Self
 
-import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
@@ -23,6 +24,7 @@ from aftdeck.bodies.planes import sides
 from aftdeck.bodies.watch import measure
 from aftdeck.bodies.words import heights
 from aftdeck.law import law
+from aftdeck.state_part import Cache
 from aftdeck.worksite.found import (
     CLEARANCE,
     DISTANCE,
@@ -106,21 +108,41 @@ def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
 
 
 @law
-def nearest_pair(placed: Array, pairs: Indices, memory: Array, begin: int, end: int, first: int, limit: float) -> int:
-    """Which of a group's pairs of solids, `begin` up to `end`, has the least clearance; what is told of it is filled.
+def nearest_pair(
+    placed: Array, pairs: Indices, memory: Array, begin: int, end: int, first: int, limit: float, told: Array
+) -> int:
+    """Which of a group's pairs of solids, `begin` up to `end`, has the least clearance; of equals, the first.
 
-    It begins with pair `first`, and passes over what cannot be nearer. -1 where none is below the limit [m].
+    Args:
+        placed: (n, 52) the solids.
+        pairs: (m, 2) of the layout.
+        memory: (m, 17) what is remembered of each pair, brought up to date; it changes no answer.
+        begin: see above.
+        end: see above.
+        first: the pair that is likely to have it.
+        limit: what is not nearer is not looked for [m].
+        told: (17,) out, what was measured of that pair, packed.
+
+    Returns:
+        The pair; -1 where none is below the limit.
     """
-    best, least = -1, limit
+    least = limit
     for turn in range(begin - 1, end):
         k = first if turn < begin else turn
         a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
-        pair = memory[k]
-        if turn == first or not_nearer(a, b, pair, least):
-            continue
-        clearance = measure(a, b, pair)
-        if clearance < least:
-            best, least = k, clearance
+        if turn != first and not not_nearer(a, b, memory[k], least):
+            least = min(least, measure(a, b, memory[k]))
+    # only what may be the nearest is measured from nothing
+    best, own = -1, np.empty(packed.PAIR)
+    nearest, beyond = limit, least + _SLACK
+    for k in range(begin, end):
+        a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
+        if not not_nearer(a, b, memory[k], beyond):
+            own[:] = 0.0
+            clearance = measure(a, b, own)
+            if clearance < nearest:
+                best, nearest = k, clearance
+                told[:] = own
     return best
 
 
@@ -141,6 +163,7 @@ def watch(
     at: Array,
     placed: Array,
     bound: Array,
+    likely: Indices,
     memory: Array,
     found: Array,
 ) -> None:
@@ -162,8 +185,9 @@ def watch(
         at: (F, 12) where frames were when placed, and
         placed: (n, 52) solids in L, and
         bound: (g,) how near the groups can be at most [m], all three brought up to date.
-        memory: (m, 17) what is remembered of each pair.
-        found: (g, 15) out; of the last step in.
+        likely: (g,) which pair of each group was the nearest when it was measured last, and
+        memory: (m, 17) what is remembered of each pair, both brought up to date.
+        found: (g, 15) out.
     """
     ways, motions = np.empty(len(now)), np.empty((len(now), 6))
     travelled(now, at, reach, ways)
@@ -172,50 +196,58 @@ def watch(
         m = motion(before[f], now[f], period)
         for k in range(6):
             motions[f, k] = m[k]
-    least, likely, lowest = np.inf, -1, np.inf
+    told = np.empty(packed.PAIR)
+    least, nearest, lowest = np.inf, -1, np.inf
     for g in range(len(active)):
         bound[g] -= ways[between[g, 0]] + ways[between[g, 1]]
         near = active[g] != 0 and not bound[g] >= within
         if near:
-            bound[g] = _measured(placed, pairs, begins, g, memory, found) - _SLACK
-            near = bound[g] + _SLACK < within
+            near = _measured(placed, pairs, begins, g, bound, likely, memory, told) < within
         if near:
-            _tell(placed, frame, pairs, now, motions, memory, found[g])
+            _tell(placed, frame, pairs, now, motions, likely[g], told, found[g])
         elif found[g, CLEARANCE] < np.inf:
-            found[g, CLEARANCE], found[g, SPEED:WHICH] = np.inf, 0.0
+            found[g, CLEARANCE], found[g, SPEED:] = np.inf, 0.0
         if active[g] != 0 and counts[g] != 0:
             least = min(least, found[g, CLEARANCE])
             if bound[g] < lowest:
-                likely, lowest = g, bound[g]
-    if least < np.inf or likely < 0:
+                nearest, lowest = g, bound[g]
+    if least < np.inf or nearest < 0:
         return
-    best = likely
-    least = _measured(placed, pairs, begins, likely, memory, found)
-    bound[likely] = least - _SLACK
+    # of equals the first, wherever the search begins
+    best = nearest
+    least = _measured(placed, pairs, begins, best, bound, likely, memory, told)
+    other = np.empty(packed.PAIR)
     for g in range(len(active)):
-        if active[g] != 0 and counts[g] != 0 and bound[g] < least - _SLACK and g != likely:
-            clearance = _measured(placed, pairs, begins, g, memory, found)
-            bound[g] = clearance - _SLACK
-            if clearance < least:
+        if active[g] != 0 and counts[g] != 0 and bound[g] < least and g != nearest:
+            clearance = _measured(placed, pairs, begins, g, bound, likely, memory, other)
+            if clearance < least or (clearance == least and g < best):
                 best, least = g, clearance
-    _tell(placed, frame, pairs, now, motions, memory, found[best])
+                told[:] = other
+    _tell(placed, frame, pairs, now, motions, likely[best], told, found[best])
 
 
 @law
-def _measured(placed: Array, pairs: Indices, begins: Indices, g: int, memory: Array, found: Array) -> float:
-    """The clearance of group g, and in `found` which of its pairs has it."""
-    k = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], int(found[g, WHICH]), np.inf)
-    found[g, WHICH] = k
-    clearance: float = memory[k, packed.CLEARANCE]
+def _measured(
+    placed: Array, pairs: Indices, begins: Indices, g: int, bound: Array, likely: Indices, memory: Array, told: Array
+) -> float:
+    """The clearance of group g [m], and in `told` (17,) the pair that has it; bound and likely are brought up to date.
+
+    The bound is a little lower: what is not below it is farther apart to the last digit.
+    """
+    likely[g] = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], np.inf, told)
+    clearance: float = told[packed.CLEARANCE]
+    bound[g] = clearance - _SLACK
     return clearance
 
 
 @law
-def _tell(placed: Array, frame: Indices, pairs: Indices, now: Array, motions: Array, memory: Array, row: Array) -> None:
-    """Write what the pair of a group, just measured, says into the group's row (15,)."""
-    k = int(row[WHICH])
+def _tell(
+    placed: Array, frame: Indices, pairs: Indices, now: Array, motions: Array, k: int, told: Array, row: Array
+) -> None:
+    """Write what was just measured of pair k, told (17,), into its group's row (15,)."""
     i, j = pairs[k, 0], pairs[k, 1]
-    copy_pair(memory, k, row)
+    copy_pair(told, row)
+    row[WHICH] = k
     if row[CLEARANCE] <= CONTACT:
         way_apart(placed[i], placed[j], row)
     va = velocity(now, motions, frame[i], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
@@ -224,15 +256,15 @@ def _tell(placed: Array, frame: Indices, pairs: Indices, now: Array, motions: Ar
 
 
 @law
-def copy_pair(memory: Array, k: int, row: Array) -> None:
-    """Copy what is remembered of pair k into its group's row."""
-    row[CLEARANCE] = memory[k, packed.CLEARANCE]
+def copy_pair(pair: Array, row: Array) -> None:
+    """Copy what was measured of a pair, packed (17,), into its group's row (15,)."""
+    row[CLEARANCE] = pair[packed.CLEARANCE]
     for c in range(3):
-        row[POINT_A + c] = memory[k, packed.POINT_A + c]
-        row[POINT_B + c] = memory[k, packed.POINT_B + c]
-        row[NORMAL + c] = memory[k, packed.NORMAL + c]
-    row[DISTANCE] = memory[k, packed.DISTANCE]
-    row[FEATURE_A], row[FEATURE_B] = memory[k, packed.FEATURE_A], memory[k, packed.FEATURE_B]
+        row[POINT_A + c] = pair[packed.POINT_A + c]
+        row[POINT_B + c] = pair[packed.POINT_B + c]
+        row[NORMAL + c] = pair[packed.NORMAL + c]
+    row[DISTANCE] = pair[packed.DISTANCE]
+    row[FEATURE_A], row[FEATURE_B] = pair[packed.FEATURE_A], pair[packed.FEATURE_B]
 
 
 @law
@@ -260,23 +292,17 @@ def nearest_group(found: Array, counts: Mask) -> int:
     return best
 
 
-class SavedWatch(msgspec.Struct, frozen=True):
-    """What `Watch.save` gives: the arrays' bytes."""
-
-    active: bytes
-    at: bytes
-    bound: bytes
-    memory: bytes
-    found: bytes
-
-
-class Watch:
+class Watch(Cache):
     """The watched groups of a flight.
+
+    What it has found follows from where everything is; what it remembers makes the next look quicker.
 
     Attributes:
         layout: what is watched.
         active: (g,) 1 where a group counts; the caller sets it.
+        counts: (g,) 1 for groups of which the next look finds the nearest; the caller sets it.
         found: (g, 15) what the last look found, as `worksite.found` says.
+        likely: (g,) which pair of each group was the nearest when it was measured last.
         memory: (m, 17) what is remembered of each pair of solids.
         at: (F, 12) where the frames were at the last look, in L.
         placed: (n, 52) the solids there, in L.
@@ -287,14 +313,23 @@ class Watch:
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
         self.active = np.ones(len(layout.groups), np.uint8)
+        self.counts = self.active.copy()
         self.found = np.zeros((len(layout.groups), FOUND))
         self.found[:, CLEARANCE] = np.inf
-        self.found[:, WHICH] = layout.begins[:-1]
-        self.memory = np.zeros((len(layout.pairs), PAIR))
-        self.bound = np.full(len(layout.groups), -np.inf)
-        self.at = np.full((len(layout.frames), POSE), np.nan)
+        self.likely = np.empty(len(layout.groups), np.int64)
+        self.memory = np.empty((len(layout.pairs), PAIR))
+        self.bound = np.empty(len(layout.groups))
+        self.at = np.empty((len(layout.frames), POSE))
         self.placed = np.zeros((len(layout.solids), SOLID))
-        self.packed = self.at, self.placed, self.bound, self.memory, self.found
+        self.packed = self.at, self.placed, self.bound, self.likely, self.memory, self.found
+        self.forget()
+
+    def forget(self) -> None:
+        """Remember nothing of what was looked at; the next look finds what it would have found."""
+        self.likely[:] = self.layout.begins[:-1]
+        self.memory[:] = 0.0
+        self.bound[:] = -np.inf
+        self.at[:] = np.nan
 
     def look(self, before: Array, now: Array, period: float) -> None:
         """Look at every group that is active, into `found`; the others are inf there.
@@ -317,27 +352,10 @@ class Watch:
         """The group of least clearance among those with a 1 in `counts` (g,); -1 where none of them is active."""
         return nearest_group(self.found, counts)
 
-    def copy(self) -> Watch:
+    def copied(self) -> Self:
         """Another watch that goes on from here."""
-        copy = Watch(self.layout)
-        copy.active[:] = self.active
+        copy = type(self)(self.layout)
+        copy.active[:], copy.counts[:] = self.active, self.counts
         for own, array in zip(copy.packed, self.packed, strict=True):
             own[:] = array
         return copy
-
-    def save(self) -> SavedWatch:
-        """Everything that the next look depends on."""
-        return SavedWatch(*(array.tobytes() for array in (self.active, self.at, self.bound, self.memory, self.found)))
-
-    def restore(self, saved: SavedWatch) -> None:
-        """Go on from what `save` gave."""
-        self.active[:] = np.frombuffer(saved.active, np.uint8)
-        for array, given in (
-            (self.bound, saved.bound),
-            (self.memory, saved.memory),
-            (self.found, saved.found),
-        ):
-            array.ravel()[:] = np.frombuffer(given)
-        frames = np.frombuffer(saved.at).reshape(self.at.shape)
-        self.at[:] = np.nan
-        place_moved(self.layout.solids, self.layout.frame, frames, self.at, self.placed)

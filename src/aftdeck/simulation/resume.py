@@ -1,0 +1,50 @@
+"""Going on from a saved state: what its caches hold is worked out again."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from aftdeck.simulation.carried import Carried, carrying
+from aftdeck.simulation.checking import Rehearsed
+from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.grasp import steer
+from aftdeck.simulation.lined_up import count
+from aftdeck.simulation.standing import Standing
+from aftdeck.simulation.state import State, new_state
+from aftdeck.state_part import Cache, decoded
+from aftdeck.worksite.watch import Watch
+
+
+def resume(flight: Flight, saved: bytes) -> State:
+    """Return the state that `encoded` made bytes of, and work out what its caches hold.
+
+    Raises:
+        InputError: they are no state of this flight.
+    """
+    scenario = flight.scenario
+    carried = carrying(scenario, scenario.payload)
+    empty: dict[type, Callable[[], Cache]] = {
+        Carried: lambda: carried,
+        Standing: lambda: Standing(scenario.arm),
+        Rehearsed: Rehearsed,
+        Watch: lambda: Watch(flight.site.layout),
+    }
+    state = decoded(new_state(flight, carried), saved, lambda kind: empty[kind]())
+    steer(flight, state)
+    look_again(flight, state)
+    return state
+
+
+def look_again(flight: Flight, state: State) -> None:
+    """Look at the worksite as the last step did, with nothing remembered."""
+    things = state.site
+    watch, nearest = things.watch, np.zeros_like(things.looked)
+    if things.nearest >= 0:
+        nearest[things.nearest] = 1
+    watch.forget()
+    watch.active[:] = things.looked
+    watch.look_near(things.before, things.frames, flight.scenario.control_period, nearest, flight.within)
+    things.choose(flight.site)
+    count(flight, state)

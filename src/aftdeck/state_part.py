@@ -1,0 +1,137 @@
+"""What a simulation's state is made of: parts, each declared once; copies, saved states and digests follow from that.
+
+A part is a struct of plain values, arrays and other parts. A flight's constants are in none: methods are given them.
+What only makes a step quicker is a cache: no result depends on it, so it is neither saved nor in the digest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from hashlib import sha256
+from typing import Any, Self, TypeVar, get_args
+
+import msgspec
+import numpy as np
+
+from aftdeck.errors import InputError
+
+
+class StatePart(msgspec.Struct, array_like=True):
+    """A part of the state: everything that the next step depends on is a field of one."""
+
+
+class Cache:
+    """What a part remembers so that a step is quicker; a state that has lost it flies on just the same."""
+
+    def copied(self) -> Self:
+        """The cache of a copy of the state; itself, where nothing changes it."""
+        return self
+
+
+P = TypeVar("P", bound=StatePart)
+
+
+def encoded(part: StatePart) -> bytes:
+    """Return a part as bytes: all of its fields, caches as nothing."""
+    return _encode(part)
+
+
+def digest(part: StatePart) -> bytes:
+    """Return the SHA-256 of a part, to the last digit of every field that is not a cache."""
+    return sha256(_encode(part)).digest()
+
+
+def copied(part: P) -> P:
+    """Return a copy of a part that shares nothing with it that a step changes."""
+    return type(part)(*[_copied(getattr(part, name)) for name in part.__struct_fields__])
+
+
+def decoded(like: P, data: bytes, empty: Callable[[type], Cache]) -> P:
+    """Return the part that `encoded` made bytes of.
+
+    Args:
+        like: a part of the same flight, whose arrays are as long.
+        data: the bytes.
+        empty: makes a cache of a class, with nothing in it.
+
+    Raises:
+        InputError: the bytes are none that `encoded` makes of such a part.
+    """
+
+    def hook(kind: type, given: Any) -> object:
+        # an array's annotation is no class
+        return _array(kind, given) if get_args(kind) else empty(kind)
+
+    try:
+        part: P = msgspec.msgpack.decode(data, type=type(like), dec_hook=hook)
+    except (msgspec.DecodeError, ValueError, TypeError) as error:
+        raise InputError(f"the saved state cannot be read: {error}") from None
+    if (where := _unlike(part, like)) is not None:
+        raise InputError(f"the saved state is of another worksite or arm: {where} has another size here")
+    return part
+
+
+def _plain(value: object) -> object:
+    """An array as its bytes, of more than one axis with its shape before them; a cache as nothing."""
+    if isinstance(value, np.ndarray):
+        return value.data if value.ndim == 1 else (value.shape, value.data)
+    if isinstance(value, Cache):
+        return None
+    raise NotImplementedError(f"{type(value).__name__} has no place in a state")
+
+
+_encode = msgspec.msgpack.Encoder(enc_hook=_plain).encode
+
+
+def _array(kind: type, given: Any) -> object:
+    shape, data = given if isinstance(given, list) else (-1, given)
+    return np.frombuffer(data, _dtype(kind)).reshape(shape).copy()
+
+
+@lru_cache
+def _dtype(kind: type) -> np.dtype[Any]:
+    """The numbers that an array's annotation names."""
+    numbers: np.dtype[Any] = np.dtype(get_args(get_args(kind)[1])[0])
+    return numbers
+
+
+def _copied(value: Any) -> Any:
+    match value:
+        case StatePart():
+            return copied(value)
+        case Cache():
+            return value.copied()
+        case np.ndarray():
+            return value.copy()
+        case list():
+            return [_copied(one) for one in value]
+        case dict():
+            return dict(value)
+    return value
+
+
+def _unlike(part: StatePart, like: StatePart) -> str | None:
+    """The first field whose arrays have another shape, or of which there are more or fewer; None: there is none."""
+    for name in part.__struct_fields__:
+        one, other = getattr(part, name), getattr(like, name)
+        if isinstance(one, list) and isinstance(other, list) and any(isinstance(x, StatePart) for x in (*one, *other)):
+            if len(one) != len(other):
+                return name
+            found = next(
+                (
+                    inner
+                    for a, b in zip(one, other, strict=True)
+                    if isinstance(a, StatePart) and isinstance(b, StatePart) and (inner := _unlike(a, b)) is not None
+                ),
+                None,
+            )
+        elif isinstance(one, StatePart) and isinstance(other, StatePart):
+            found = _unlike(one, other)
+        elif isinstance(one, np.ndarray) and isinstance(other, np.ndarray):
+            found = None if one.shape == other.shape else ""
+        else:
+            continue
+        if found is not None:
+            return f"{name}.{found}".rstrip(".")
+    return None
