@@ -169,6 +169,20 @@ def test_a_file_of_another_version_says_so_and_is_tried(hand_file: Path, tmp_pat
     assert not verdict.same_machine
 
 
+def test_a_file_whose_digests_are_made_of_something_else_is_compared_by_its_values(
+    hand_file: Path, tmp_path: Path
+) -> None:
+    opened_as(hand_file, tmp_path / "old.mcap", version="0.0.1", digests="")
+    verdict = verify(tmp_path / "old.mcap")
+    assert verdict.equal and not verdict.whole and verify(hand_file).whole
+    first = next(message for message in messages(hand_file) if isinstance(message, FrameRecord))
+    forged = msgspec.structs.replace(first, tip_m=(9.0, 9.0, 9.0))
+    rewritten(tmp_path / "old.mcap", tmp_path / "forged.mcap", {"/frames": msgspec.json.encode(forged)})
+    verdict = verify(tmp_path / "forged.mcap")
+    assert (verdict.equal, verdict.different) == (False, 1) and verdict.first is not None
+    assert [change.field for change in verdict.first.fields] == ["tip_m"]
+
+
 def test_a_file_of_another_version_that_cannot_be_repeated_says_why(hand_file: Path, tmp_path: Path) -> None:
     text = Recording(hand_file).opening.scenario_text
     opened_as(hand_file, tmp_path / "new.mcap", version="9.0.0", scenario_text=f"gravity = 9.81\n{text}")

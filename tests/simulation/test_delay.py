@@ -40,6 +40,11 @@ def bits(frames: list[Frame]) -> bytes:
     return msgspec.msgpack.encode(frames)
 
 
+def told(frames: list[Frame]) -> bytes:
+    """Frames to the last digit, without the digest, which sees the inputs under way too."""
+    return bits([msgspec.structs.replace(frame, sha256="") for frame in frames])
+
+
 def untimed(frame: Frame) -> tuple[object, list[str]]:
     """A frame without its time, and its log without times."""
     return msgspec.structs.replace(frame, **NEVER_TOLD), [event.text for event in frame.events]
@@ -52,7 +57,7 @@ def test_inputs_arrive_exactly_so_many_steps_late(delay: int, seed: int) -> None
     late = flown(made, given)
     prompt, _ = flight(0, seed)
     at_once = flown(prompt, [*[Inputs()] * delay, *given[: STEPS - delay]])
-    assert bits(late) == bits(at_once)
+    assert told(late) == told(at_once)
 
 
 def test_hands_off_is_what_arrives_first() -> None:
@@ -118,7 +123,7 @@ def test_a_motion_under_way_is_stopped_no_sooner() -> None:
 def test_the_script_is_not_delayed() -> None:
     script = '[[phase]]\nmode = "ORB UNL"\ntranslation = [0.6, 0, 0.2]\nduration = "1 s"'
     prompt, late = (aftdeck.run(scenario(BAY, f"command_delay = {d}\n{script}")) for d in (0.0, 2.0))
-    assert bits(list(prompt.frames)) == bits(list(late.frames))
+    assert told(list(prompt.frames)) == told(list(late.frames))
 
 
 def test_inputs_that_no_hand_can_give_are_refused_at_once() -> None:

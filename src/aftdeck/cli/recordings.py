@@ -124,7 +124,8 @@ def _print_verdict(recording: Recording, v: Verdict) -> None:
     if v.cut:
         print(f"  cut short    after {v.time_s:.2f} s; it is verified as far as it goes")
     if v.equal:
-        print(f"  equal        all {v.frames} frames, {v.time_s:.2f} s of flight, bit for bit")
+        how = "bit for bit" if v.whole else "in every recorded value; its digests are another version's"
+        print(f"  equal        all {v.frames} frames, {v.time_s:.2f} s of flight, {how}")
         return
     if not v.different:
         print(f"  DIFFERENT    the {v.frames} frames there are equal the recomputed ones, but their sum does not")

@@ -18,6 +18,8 @@ from aftdeck.recording.records import FORMAT, Opening
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.state import State
+from aftdeck.state_part import declaration
 from aftdeck.version import __version__
 
 _ARM = "f/f/f/f/f/f/f/f/arm.toml"
@@ -58,6 +60,7 @@ def opening(
         changes=changes,
         participant=trial.participant,
         condition=trial.condition,
+        digests=declaration(State),
     )
 
 

@@ -39,6 +39,7 @@ class Opening(Message, frozen=True):
     changes: Annotated[tuple[str, ...], told("KEY=VALUE: what a replay changed in the scenario")] = ()
     participant: Annotated[str, told("code of who took part, as a study gave it; empty: none was given")] = ""
     condition: Annotated[str, told("condition of the trial, as a study gave it; empty: none was given")] = ""
+    digests: Annotated[str, told("names what the frames' digests are made of; others say nothing to them")] = ""
 
 
 class CameraRecord(Message, frozen=True, omit_defaults=True):

@@ -11,10 +11,12 @@ import msgspec
 from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.law import state_of_the_laws
 from aftdeck.recording.bundle import machine, scenario_of
-from aftdeck.recording.compare import Difference, first_difference
+from aftdeck.recording.compare import Difference, alike, first_difference
 from aftdeck.recording.convert import DIGITS, frame_record, inputs_of
 from aftdeck.recording.reader import Recording
 from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.state import State
+from aftdeck.state_part import declaration
 from aftdeck.version import __version__
 
 Progress = Callable[[float], None]
@@ -33,6 +35,9 @@ class Verdict(msgspec.Struct, frozen=True):
     """How many differ."""
     first: Difference | None
     """What differs in the first of these."""
+    whole: bool
+    """Digests were compared, so that frames that are equal are so to the last digit; False: the recording's digests are
+    made of something else than this version's, and every recorded value but them was compared."""
     cut: bool
     """The recording was cut short; it was compared as far as it goes."""
     recorded_by: str
@@ -50,7 +55,8 @@ def verify(
 ) -> Verdict:
     """Re-simulate a recording's inputs and compare every frame's digest.
 
-    A recording of another version is tried all the same; the verdict says which version made it.
+    A recording of another version is tried all the same; the verdict says which version made it. Where that made its
+    digests of something else, every recorded value is compared in their place.
 
     Args:
         path: the recording.
@@ -80,6 +86,7 @@ def _compared(
 ) -> Verdict:
     frames = hashlib.sha256()
     count = different = 0
+    digests = recording.opening.digests == declaration(State)
     first: Difference | None = None
     for flown, record in recording.steps():
         sim.advance(inputs_of(flown))
@@ -88,19 +95,21 @@ def _compared(
         own = sim.seal()
         frames.update(own)
         count += 1
-        if own.hex()[:DIGITS] != record.sha256:
-            different += 1
-            if first is None:
-                first = first_difference(record, frame_record(sim.look(), record.wall_s, record.latency_ms))
+        if not digests or own.hex()[:DIGITS] != record.sha256:
+            again = frame_record(sim.look(), record.wall_s, record.latency_ms)
+            if digests or not alike(record, again) or record.events != again.events:
+                different += 1
+                first = first or first_difference(record, again)
         if progress is not None and count % 256 == 0:
             progress(recording.share)
-    whole = recording.cut or frames.hexdigest() == recording.frames_sha256
+    closed = recording.cut or not digests or frames.hexdigest() == recording.frames_sha256
     return Verdict(
-        equal=different == 0 and whole,
+        equal=different == 0 and closed,
         frames=count,
         time_s=recording.time_s,
         different=different,
         first=first,
+        whole=digests,
         cut=recording.cut,
         recorded_by=recording.opening.version,
         version=__version__,

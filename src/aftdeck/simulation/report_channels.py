@@ -57,13 +57,13 @@ class Reading(NamedTuple):
     unsaid: tuple[str, ...]
 
 
-def reading_of(flight: Flight, state: State) -> Reading:
-    """Return the channels that command the step just made.
+def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
+    """Return the channels that command the step just made with these inputs.
 
     In MASTER the angles are those that the master arm was put to in this step, whatever moved it; in other modes those
     of the arm itself.
     """
-    flown, unsaid = state.flown, _without_channel(flight, state)
+    unsaid = _without_channel(flight, state, flown)
     mastered = state.panel.mode == MODE
     angles = (state.command[MASTER : MASTER + 6] if mastered else state.plant.angles).tolist()
     held = [min(max(angle, -FULL_SCALE), FULL_SCALE) for angle in angles]
@@ -119,9 +119,9 @@ def inputs_from(said: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> 
     )
 
 
-def _without_channel(flight: Flight, state: State) -> list[str]:
+def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
     """Names of what was commanded, or had been and still acts, and is none of the thirteen inputs."""
-    panel, things, flown, scenario = state.panel, state.site, state.flown, flight.scenario
+    panel, things, scenario = state.panel, state.site, flight.scenario
     asked_else = flown.mode not in (None, MODE)
     again = flown.effector not in (None, "stop") and state.script.attached > 0
     standing = {

@@ -52,6 +52,7 @@ class Simulation:
         self._frame: Frame | None = None
         self._seal = b""
         self._given: Inputs | None = None
+        self._flown = Inputs()
         self._flight = prepare(self.scenario)
         self._state = first_state(self._flight)
         constants = f"{self.scenario.text}\n{self.scenario.arm.model.source}"
@@ -100,7 +101,7 @@ class Simulation:
                 self._flight.cameras.check(inputs.camera)
             inputs = plain_inputs(inputs)
         state = self._state
-        step(self._flight, state, inputs)
+        self._flown = step(self._flight, state, inputs)
         self._given = inputs
         self._stepped, self._frame, self._seal = True, None, b""
         angles = state.plant.angles.tolist()

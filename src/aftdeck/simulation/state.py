@@ -121,7 +121,6 @@ class State(StatePart):
         carried: what the arm holds, and its rules with it.
         standing: the arm on its telescope.
         tick: control steps done, with the one under way.
-        flown: the inputs of the last step as they acted: the script's, or a person's after the command delay.
         by_script: whether the script flew the last step.
         phase: its phase then.
         checking: CMD CK under way; None: none is.
@@ -142,7 +141,6 @@ class State(StatePart):
     carried: Carried
     standing: Standing
     tick: int = 0
-    flown: Inputs = Inputs()
     by_script: bool = False
     phase: str = ""
     checking: Checking | None = None

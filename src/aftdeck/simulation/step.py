@@ -15,13 +15,16 @@ from aftdeck.simulation.script import conclude, hand_over, phase_name, play
 from aftdeck.simulation.state import State
 
 
-def step(flight: Flight, state: State, inputs: Inputs | None) -> None:
+def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     """Advance `state` by one control period; `simulation.look` tells what a reader may know of it then.
 
     Args:
         flight: what never changes.
         state: changed in place; everything that the step depends on is in it.
         inputs: the operator's sticks and switches; None lets the scenario's script fly.
+
+    Returns:
+        The inputs as they acted: the script's, or a person's after the command delay.
     """
     state.tick += 1
     state.events = []
@@ -37,7 +40,6 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> None:
     else:
         hand_over(flight, state)
         inputs = delayed(state, inputs)
-    state.flown = inputs
     if inputs.initialise is not None:
         initialise(flight, state, inputs.initialise)
     operate(flight, state, inputs)
@@ -58,3 +60,4 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> None:
     notice(flight, state)
     if state.by_script:
         conclude(flight, state)
+    return inputs

@@ -63,7 +63,7 @@ class WordsWriter:
     def step(self, sim: Simulation) -> None:
         """Write the step just made."""
         flight, state = sim._flight, sim._state
-        line = line_of(flight, state, self._before)
+        line = line_of(flight, state, sim._flown, self._before)
         self._before = places_of(state)
         self.steps += 1
         self.unsaid.update(line.unsaid)
@@ -74,9 +74,9 @@ class WordsWriter:
         self._file.write(json.dumps(told) + "\n")
 
 
-def line_of(flight: Flight, state: State, before: Places) -> Line:
-    """Return the line of the step just made; `before`: the places before it."""
-    reading, block = reading_of(flight, state), block_of(flight, state, before)
+def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line:
+    """Return the line of the step just made with these inputs; `before`: the places before it."""
+    reading, block = reading_of(flight, state, flown), block_of(flight, state, before)
     unsaid = dict.fromkeys((*reading.unsaid, *block.unsaid))
     return Line(encode_inputs(reading.inputs), encode_block(block.block), tuple(unsaid))
 

@@ -18,7 +18,8 @@ def verdict(path: Path) -> Verdict:
     except AftdeckError as error:
         return Verdict("impossible", str(error))
     if found.equal:
-        return Verdict("equal", f"all {found.frames} frames equal")
+        how = "" if found.whole else " in every recorded value"
+        return Verdict("equal", f"all {found.frames} frames equal{how}")
     where = f", the first at {found.first.time_s:.2f} s" if found.first else ""
     made = "" if found.same_laws else "; the laws have changed since"
     if found.recorded_by != found.version:
