@@ -13,8 +13,21 @@ from aftdeck.arms.model import ArmFile
 SOURCE = Path(aftdeck.__file__).parent
 
 ROOMS = (
-    ("arrays", "dimensions", "errors", "files", "law", "lines", "units", "frames", "shapes", "state_part", "told", "toml_lines",
-     "version"),
+    (
+        "arrays",
+        "dimensions",
+        "errors",
+        "files",
+        "law",
+        "lines",
+        "units",
+        "frames",
+        "shapes",
+        "state_part",
+        "told",
+        "toml_lines",
+        "version",
+    ),
     ("bodies",),
     ("arms",),
     ("kinematics",),

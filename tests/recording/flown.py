@@ -15,8 +15,8 @@ from mcap.writer import CompressionType, Writer
 
 import aftdeck
 from aftdeck.errors import RecordingError
+from aftdeck.recording.message import Message
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.told import Message
 from aftdeck.recording.writer import Ended, Recorder
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame

@@ -85,7 +85,7 @@ def test_an_own_arm_flies_otherwise_and_its_recording_repeats_itself(tmp_path: P
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)  # a path is sought from where the person stands
         outcome = rerun(path, ("arm=arms/mine/arm.toml", "worksite=site.toml"), out)
-    assert outcome.first is not None and "rate_limits_rad_s" in {c.field for c in outcome.first.fields}
+    assert outcome.first is not None and "rate_limits" in {c.field for c in outcome.first.fields}
     emptied(folder)
     assert verify(out).equal
     back = rerun(out, ("arm=srms",))

@@ -11,6 +11,7 @@ import platformdirs
 import pytest
 
 from aftdeck.recording import index as listing
+from aftdeck.recording.codec import encode
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Closing, FrameRecord
 from aftdeck.recording.run import record
@@ -56,7 +57,7 @@ def wrong(made: Path, tmp_path: Path) -> Path:
     """A recording in which a frame was changed."""
     first = next(m for m in messages(made) if isinstance(m, FrameRecord))
     other = msgspec.structs.replace(first, rate="vernier", sha256="0" * 16)
-    rewritten(made, tmp_path / "wrong.mcap", {"/frames": msgspec.json.encode(other)})
+    rewritten(made, tmp_path / "wrong.mcap", {"/frames": encode(other)})
     return tmp_path / "wrong.mcap"
 
 

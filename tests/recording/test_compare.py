@@ -7,7 +7,8 @@ import pytest
 
 from aftdeck.recording.compare import Comparison, EventChange, alike, first_difference
 from aftdeck.recording.convert import frame_record
-from aftdeck.recording.records import EventRecord, FrameRecord
+from aftdeck.recording.records import FrameRecord
+from aftdeck.simulation.frame import Event
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from tests.recording.flown import bay
@@ -29,7 +30,7 @@ def compared(before: list[FrameRecord], after: list[FrameRecord]) -> Comparison:
 
 
 def told(frame: FrameRecord, *texts: str) -> FrameRecord:
-    return msgspec.structs.replace(frame, events=tuple(EventRecord(frame.time_s, "x", "info", t) for t in texts))
+    return msgspec.structs.replace(frame, events=tuple(Event(frame.time_s, "x", "info", t) for t in texts))
 
 
 def test_equal_runs_do_not_differ(flight: list[FrameRecord]) -> None:
@@ -59,9 +60,9 @@ def test_the_greatest_differences_are_found_with_their_times(flight: list[FrameR
     after = list(flight)
     for k, by in ((3, 0.5), (9, 2.0), (15, 1.0)):
         frame = flight[k]
-        x, y, z = frame.tip_m
-        angles = tuple(q + by * (i == 4) for i, q in enumerate(frame.angles_rad))
-        after[k] = msgspec.structs.replace(frame, tip_m=(x + 3.0 * by, y, z - 4.0 * by), angles_rad=angles)
+        x, y, z = frame.position
+        angles = tuple(q + by * (i == 4) for i, q in enumerate(frame.angles))
+        after[k] = msgspec.structs.replace(frame, position=(x + 3.0 * by, y, z - 4.0 * by), angles=angles)
     found = compared(flight, after)
     assert found.tip.value == pytest.approx(10.0) and found.tip.time_s == pytest.approx(0.2)
     assert found.joint.value == pytest.approx(2.0) and found.joint_name == "e"

@@ -12,10 +12,11 @@ import pytest
 from mcap.writer import CompressionType, Writer
 
 from aftdeck.errors import RecordingError
+from aftdeck.recording.codec import plain
+from aftdeck.recording.message import Message
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Closing, FrameRecord
 from aftdeck.recording.replay import verify
-from aftdeck.recording.told import Message
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Event
 from aftdeck.simulation.run import Simulation
@@ -238,14 +239,14 @@ def test_a_file_of_our_profile_without_an_opening_is_told(whole: Path, tmp_path:
 
 
 def test_a_newer_layout_is_told_whatever_else_is_in_it(whole: Path, tmp_path: Path) -> None:
-    newer = msgspec.json.encode({"format": 2, "version": "7.1.0", "begins": {"with": "something new"}})
+    newer = msgspec.json.encode({"format": 3, "version": "7.1.0", "begins": {"with": "something new"}})
     rewritten(whole, tmp_path / "newer.mcap", {"/opening": newer})
-    assert told(tmp_path / "newer.mcap") == "has layout 2 of Aftdeck 7.1.0; this one reads up to 1"
+    assert told(tmp_path / "newer.mcap") == "has layout 3 of Aftdeck 7.1.0; this one reads up to 2"
 
 
 def test_a_message_that_is_not_understood_is_told_with_its_channel(whole: Path, tmp_path: Path) -> None:
     first = next(m for m in messages(whole) if isinstance(m, FrameRecord))
-    odd = msgspec.json.encode({**msgspec.to_builtins(first), "angles_rad": "all of them"})
+    odd = msgspec.json.encode({**plain(first), "angles": "all of them"})
     rewritten(whole, tmp_path / "odd.mcap", {"/frames": odd})
     _, text = as_far(tmp_path / "odd.mcap")
     assert "a message in /frames is not understood" in text

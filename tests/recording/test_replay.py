@@ -14,6 +14,7 @@ from hypothesis import HealthCheck, given, settings
 import aftdeck
 from aftdeck.errors import InputError, RecordingError, ScenarioError
 from aftdeck.recording.changed import rerun
+from aftdeck.recording.codec import encode
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Closing, FrameRecord, Input, Opening
 from aftdeck.recording.replay import verify
@@ -123,9 +124,9 @@ def test_a_run_with_another_seed_is_repeated_with_that_seed(tmp_path: Path) -> N
 def changed_frame(source: Path, out: Path) -> FrameRecord:
     """A copy of a recording whose first frame is another."""
     first = next(m for m in messages(source) if isinstance(m, FrameRecord))
-    angles = (first.angles_rad[0] + 1e-3, *first.angles_rad[1:])
-    wrong = msgspec.structs.replace(first, angles_rad=angles, sha256="0" * 16)
-    rewritten(source, out, {"/frames": msgspec.json.encode(wrong)})
+    angles = (first.angles[0] + 1e-3, *first.angles[1:])
+    wrong = msgspec.structs.replace(first, angles=angles, sha256="0" * 16)
+    rewritten(source, out, {"/frames": encode(wrong)})
     return wrong
 
 
@@ -134,11 +135,11 @@ def test_a_frame_that_differs_is_found_with_what_differs(hand_file: Path, tmp_pa
     verdict = verify(tmp_path / "wrong.mcap")
     assert (verdict.equal, verdict.different, verdict.frames) == (False, 1, 200)
     assert verdict.first is not None and verdict.first.tick == wrong.tick == 1
-    assert [change.field for change in verdict.first.fields] == ["angles_rad"]
+    assert [change.field for change in verdict.first.fields] == ["angles"]
 
 
 def test_inputs_that_differ_are_found_where_they_were_flown(hand_file: Path, tmp_path: Path) -> None:
-    other = msgspec.json.encode(Input(1, translation=(-0.5, -0.2, 0.1)))
+    other = encode(Input(tick=1, translation=(-0.5, -0.2, 0.1)))
     rewritten(hand_file, tmp_path / "wrong.mcap", {"/inputs": other})
     verdict = verify(tmp_path / "wrong.mcap")
     assert not verdict.equal and verdict.first is not None
@@ -176,11 +177,11 @@ def test_a_file_whose_digests_are_made_of_something_else_is_compared_by_its_valu
     verdict = verify(tmp_path / "old.mcap")
     assert verdict.equal and not verdict.whole and verify(hand_file).whole
     first = next(message for message in messages(hand_file) if isinstance(message, FrameRecord))
-    forged = msgspec.structs.replace(first, tip_m=(9.0, 9.0, 9.0))
-    rewritten(tmp_path / "old.mcap", tmp_path / "forged.mcap", {"/frames": msgspec.json.encode(forged)})
+    forged = msgspec.structs.replace(first, position=(9.0, 9.0, 9.0))
+    rewritten(tmp_path / "old.mcap", tmp_path / "forged.mcap", {"/frames": encode(forged)})
     verdict = verify(tmp_path / "forged.mcap")
     assert (verdict.equal, verdict.different) == (False, 1) and verdict.first is not None
-    assert [change.field for change in verdict.first.fields] == ["tip_m"]
+    assert [change.field for change in verdict.first.fields] == ["position"]
 
 
 def test_a_file_of_another_version_that_cannot_be_repeated_says_why(hand_file: Path, tmp_path: Path) -> None:

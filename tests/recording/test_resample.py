@@ -12,6 +12,7 @@ from hypothesis import given, settings
 
 from aftdeck.recording.records import Input
 from aftdeck.recording.resample import resampled
+from aftdeck.scenario.target import Target
 
 OLD = 0.02
 PERIODS = [0.001, 0.005, 0.01, 0.0125, 0.02, 0.03, 0.04, 0.05, 0.08, 0.2]
@@ -104,20 +105,20 @@ def test_a_switch_is_moved_in_the_step_in_which_the_person_moved_it(inputs: list
     [("proceed", "stop", False), ("stop", "proceed", True)],
 )
 def test_stop_after_proceed_stops_though_both_come_in_one_step(first: str, second: str, proceeds: bool) -> None:
-    presses = [Input(1), Input(2), msgspec.structs.replace(Input(3), **{first: True})]
-    (_, one) = at([*presses, msgspec.structs.replace(Input(4), **{second: True})], 0.04)
+    presses = [Input(tick=1), Input(tick=2), msgspec.structs.replace(Input(tick=3), **{first: True})]
+    (_, one) = at([*presses, msgspec.structs.replace(Input(tick=4), **{second: True})], 0.04)
     assert one.stop and one.proceed == proceeds
 
 
 def test_a_targets_parts_stay_together() -> None:
-    here, there, turn = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
-    by_joints = Input(1, target_position=here, target_rotation=turn, target_joints=(0.0,) * 6)
-    by_pose = Input(2, target_position=there, target_rotation=turn)
+    turn = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    by_joints = Input(tick=1, target=Target((1.0, 2.0, 3.0), turn, (0.0,) * 6))
+    by_pose = Input(tick=2, target=Target((4.0, 5.0, 6.0), turn))
     (one,) = at([by_joints, by_pose], 0.04)
-    assert (one.target_position, one.target_rotation, one.target_joints) == (there, turn, None)
+    assert one.target == by_pose.target
 
 
 def test_a_script_flies_every_step_of_its_own() -> None:
-    script = [Input(tick, script=True) for tick in range(1, 11)]
+    script = [Input(tick=tick, script=True) for tick in range(1, 11)]
     for new in PERIODS:
         assert all(one.script for one in at(script, new))

@@ -4,9 +4,9 @@ from typing import Any
 
 import pytest
 
+from aftdeck.recording.message import Message
 from aftdeck.recording.records import CHANNELS
 from aftdeck.recording.schema import schema
-from aftdeck.recording.told import Message
 
 PLAIN = {"number", "integer", "string", "boolean"}
 SHARED = {"type", "description"}

@@ -6,14 +6,10 @@ import math
 from itertools import groupby, pairwise
 from pathlib import Path
 
-import msgspec
 import numpy as np
 import pytest
 
 import aftdeck
-from aftdeck.recording import convert
-from aftdeck.recording.convert_work import work_record
-from aftdeck.recording.work_records import WorkRecord
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.curves import Strip
@@ -21,7 +17,6 @@ from aftdeck.station.playback import Measure, PlaybackIndex
 from aftdeck.station.reel import Reel
 from aftdeck.station.verdict import CHECKING
 from aftdeck.worksite.alarm import CLEAR, level_of
-from tests.simulation.flights import srms
 from tests.station.pages import scenario
 from tests.station.recordings import grappled
 
@@ -131,20 +126,3 @@ def test_the_figures_are_those_of_the_runs_summary(tmp_path: Path) -> None:
     if summary.position_error_m is not None:
         assert told["Left to target"].value == pytest.approx(summary.position_error_m, abs=1e-8)
         assert told["Left to target"].angle == pytest.approx(summary.rotation_error_rad, abs=1e-8)
-
-
-def test_a_file_from_before_levels_were_told_shows_the_same_alarms(
-    flown: Flown, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(
-        convert, "work_record", lambda work: msgspec.structs.replace(work_record(work), clearance_level=None)
-    )
-    grappled(tmp_path / "old.mcap")
-    assert read(tmp_path / "old.mcap").lanes == flown[1].lanes
-
-
-def test_a_record_without_a_level_is_read() -> None:
-    work = aftdeck.Simulation(srms(4.0)).step(aftdeck.Inputs()).work
-    told = msgspec.to_builtins(work_record(work))
-    del told["clearance_level"]
-    assert msgspec.convert(told, WorkRecord).clearance_level is None

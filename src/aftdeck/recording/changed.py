@@ -11,7 +11,7 @@ import msgspec
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import parse_change, scenario_of
 from aftdeck.recording.compare import Comparison, Difference, EventChange, Greatest
-from aftdeck.recording.convert import frame_record, inputs_of
+from aftdeck.recording.convert import inputs_of
 from aftdeck.recording.index import Index
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
@@ -87,7 +87,7 @@ def rerun(
                 recorder.wait_for_room()
             if progress is not None and frame.tick % 256 == 0:
                 progress(recording.share)
-            yield frame_record(frame, 0.0, None)
+            yield recording.retold(frame)
 
     recorded = Recording(path)
     comparison = Comparison(opening.joints)

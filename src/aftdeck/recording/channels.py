@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import foxglove
-import msgspec
 from foxglove import channels
 
+from aftdeck.recording.codec import encode
+from aftdeck.recording.message import Message
 from aftdeck.recording.records import CHANNELS
 from aftdeck.recording.schema import schema
-from aftdeck.recording.told import Message
 
 FIXED, SCENE = "/tf_static", "/scene"
 """What tells all at once and then is silent."""
@@ -30,7 +30,6 @@ class Channels:
 
     def __init__(self) -> None:
         self.context = foxglove.Context()
-        self._encoder = msgspec.json.Encoder()
         self._own = {
             topic: foxglove.Channel(topic, schema=schema(kind), message_encoding="json", context=self.context)
             for topic, (kind, _) in CHANNELS.items()
@@ -45,4 +44,4 @@ class Channels:
 
     def log(self, topic: str, message: Message, time_ns: int) -> None:
         """Write one of our own messages at a time since 1970 [ns]."""
-        self._own[topic].log(self._encoder.encode(message), log_time=time_ns)
+        self._own[topic].log(encode(message), log_time=time_ns)

@@ -110,10 +110,10 @@ class Comparison:
         self.compared += 1
         if self.first is None and not alike(before, after):
             self.first = first_difference(before, after)
-        self.tip_at_end = math.dist(before.tip_m, after.tip_m)
+        self.tip_at_end = math.dist(before.position, after.position)
         if self.tip_at_end > self.tip.value:
             self.tip = Greatest(self.tip_at_end, before.time_s)
-        apart = [abs(a - b) for a, b in zip(before.angles_rad, after.angles_rad, strict=True)]
+        apart = [abs(a - b) for a, b in zip(before.angles, after.angles, strict=True)]
         if max(apart) > self.joint.value:
             self.joint = Greatest(max(apart), before.time_s)
             self.joint_name = self._joints[apart.index(max(apart))]

@@ -13,8 +13,9 @@ from typing import Any, Literal, get_args, get_origin
 import msgspec
 
 from aftdeck.errors import InputError
+from aftdeck.frames import Rows
 from aftdeck.recording.records import CHANNELS
-from aftdeck.recording.schema import fields
+from aftdeck.recording.schema import fields, is_object, rotation
 
 BEGIN, END = "<!-- made from the types: begin -->\n", "<!-- made from the types: end -->\n"
 _NAMES = {float: "number", int: "whole number", str: "text", bool: "true or false"}
@@ -39,11 +40,9 @@ def _channels() -> Iterator[str]:
 def _table(kind: type[msgspec.Struct], inner: dict[str, type[msgspec.Struct]]) -> str:
     rows = ["| field | type | unit | frame | what |", "|---|---|---|---|---|"]
     for field in fields(kind):
-        extra = (field.meta and field.meta.extra) or {"unit": "", "frame": ""}
-        what = (field.meta and field.meta.description) or ""
         optional = " or null" if field.optional else ""
-        shown = _type(field.kind, inner) + optional
-        rows.append(f"| `{field.name}` | {shown} | {extra['unit']} | {extra['frame']} | {what} |")
+        shown = (rotation(field) if field.kind == Rows else _type(field.kind, inner)) + optional
+        rows.append(f"| `{field.name}` | {shown} | {field.unit} | {field.frame} | {field.what} |")
     return "\n".join(rows) + "\n"
 
 
@@ -53,7 +52,7 @@ def _type(kind: Any, inner: dict[str, type[msgspec.Struct]]) -> str:
         return f"list: {_type(get_args(kind)[0], inner)}"
     if origin is Literal:
         return " / ".join(f"`{value}`" for value in get_args(kind))
-    if isinstance(kind, type) and issubclass(kind, msgspec.Struct):
+    if is_object(kind):
         inner[kind.__name__] = kind
         return f"`{kind.__name__}`"
     return _NAMES[kind]

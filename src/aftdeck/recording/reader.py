@@ -12,7 +12,12 @@ from mcap.records import Header
 from mcap.records import Message as McapMessage
 
 from aftdeck.errors import RecordingError
+from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.chunks import MAGIC, DamageError, records
+from aftdeck.recording.codec import as_read, decode, restored
+from aftdeck.recording.convert import frame_record
+from aftdeck.recording.format_1 import FramesOf1, as_told, inputs
+from aftdeck.recording.message import Message
 from aftdeck.recording.records import (
     CHANNELS,
     FORMAT,
@@ -24,9 +29,7 @@ from aftdeck.recording.records import (
     Note,
     Opening,
 )
-from aftdeck.recording.told import Message
-
-_DECODERS = {topic: msgspec.json.Decoder(kind) for topic, (kind, _) in CHANNELS.items()}
+from aftdeck.simulation.frame import Frame
 
 
 class _Layout(msgspec.Struct):
@@ -59,12 +62,16 @@ class Recording:
         self.path = Path(path)
         self.ended, self.cut, self.time_s, self.share = "", False, 0.0, 0.0
         self.frames_sha256 = self.summary = ""
+        self._old: FramesOf1 | None = None
         first = next(self._messages(), None)
         if first is None:
             raise RecordingError(f"{self.path}: was cut short before its first second; there is nothing in it to read")
         if not isinstance(first, Opening):
             raise self._damaged("it does not begin with what the run started from")
         self.opening = first
+        if first.format == 1:
+            flown = scenario_of(first)
+            self._old = FramesOf1(flown.caution, flown.warning)
 
     def messages(self) -> Iterator[Message]:
         """All messages in order, as far as the file goes; then `ended` or `cut` is known.
@@ -96,6 +103,11 @@ class Recording:
                 if flown is None or flown.tick != message.tick:
                     raise self._damaged(f"step {message.tick} has no inputs")
                 yield flown, message
+
+    def retold(self, frame: Frame) -> FrameRecord:
+        """A frame as it would be read from this file; it tells nothing of wall time and delays."""
+        again = as_read(frame_record(frame, 0.0, None))
+        return again if self._old is None else as_told(again)
 
     def notes(self) -> Iterator[Note]:
         """What the station wrote in the log."""
@@ -135,13 +147,17 @@ class Recording:
                     yield message
 
     def _message(self, topic: str, data: bytes) -> Message | None:
-        if topic not in _DECODERS:
+        if topic not in CHANNELS:
             return None
+        kind, _ = CHANNELS[topic]
         try:
             if topic == "/opening":
                 self._check_layout(msgspec.json.decode(data, type=_Layout))
-            return _DECODERS[topic].decode(data)
-        except msgspec.MsgspecError as error:
+            elif self._old is not None and kind in (FrameRecord, Input):
+                given = msgspec.json.decode(data, type=dict)
+                return restored(kind, self._old.frame(given) if kind is FrameRecord else inputs(given))
+            return decode(kind, data)
+        except (msgspec.MsgspecError, KeyError, TypeError, ValueError) as error:
             raise self._damaged(f"a message in {topic} is not understood: {error}") from None
 
     def _check_layout(self, layout: _Layout) -> None:

@@ -12,7 +12,7 @@ from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.law import state_of_the_laws
 from aftdeck.recording.bundle import machine, scenario_of
 from aftdeck.recording.compare import Difference, alike, first_difference
-from aftdeck.recording.convert import DIGITS, frame_record, inputs_of
+from aftdeck.recording.convert import DIGITS, inputs_of
 from aftdeck.recording.reader import Recording
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
@@ -96,7 +96,7 @@ def _compared(
         frames.update(own)
         count += 1
         if not digests or own.hex()[:DIGITS] != record.sha256:
-            again = frame_record(sim.look(), record.wall_s, record.latency_ms)
+            again = recording.retold(sim.look())
             if digests or not alike(record, again) or record.events != again.events:
                 different += 1
                 first = first or first_difference(record, again)

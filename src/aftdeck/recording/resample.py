@@ -8,9 +8,8 @@ import msgspec
 
 from aftdeck.recording.records import Input
 
-_TARGET = ("target_position", "target_rotation", "target_joints")
 _SWITCHES = ("mode", "joint", "rate", "law", "payload_axes", "position_hold", "brakes", "safing", "effector",
-             "effector_mode", "rigid", "latch", "master", "initialise")  # fmt: skip
+             "effector_mode", "rigid", "latch", "master", "initialise", "target")  # fmt: skip
 SAME_TIME = 1e-9
 """Times nearer to each other than this are the same [s]."""
 
@@ -26,7 +25,7 @@ def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input
         new: control period [s].
     """
     given = next(inputs, None)
-    last = Input(0)
+    last = Input(tick=0)
     tick = 0
     while given is not None or (tick * new < last.tick * old - SAME_TIME):
         tick += 1
@@ -48,8 +47,6 @@ def merged(since: Sequence[Input], before: Input, tick: int) -> Input:
         name: next((value for one in reversed(since) if (value := getattr(one, name)) is not None), None)
         for name in _SWITCHES
     }
-    keyed = next((one for one in reversed(since) if one.target_position is not None), Input(0))
-    changes |= {name: getattr(keyed, name) for name in _TARGET}
     stopped = max((i for i, one in enumerate(since) if one.stop), default=0)
     changes["stop"] = any(one.stop for one in since)
     changes["proceed"] = any(one.proceed for one in since[stopped:])  # STOP acts before PROCEED in a step

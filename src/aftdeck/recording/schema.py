@@ -12,25 +12,38 @@ from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_ori
 
 import msgspec
 
+from aftdeck.frames import Rows
+from aftdeck.told import comments
+
 _PLAIN = {float: "number", int: "integer", str: "string", bool: "boolean"}
 
 
 class Told(NamedTuple):
-    """A field as its type tells of it."""
+    """A field as its type and its source tell of it."""
 
     name: str
     kind: Any
     optional: bool
-    meta: msgspec.Meta | None
+    what: str
+    unit: str
+    frame: str
+    rounded: bool
+    """It is recorded to its decimals, a rotation as a quaternion."""
 
 
-def fields(kind: type[msgspec.Struct]) -> Iterator[Told]:
-    """The fields of a type, in order."""
+def fields(kind: type) -> Iterator[Told]:
+    """The fields of a struct or a named tuple, in order."""
     hints = get_type_hints(kind, include_extras=True)
-    for name in kind.__struct_fields__:
+    struct = issubclass(kind, msgspec.Struct)
+    said = comments(kind) if struct else {}
+    for name in kind.__struct_fields__ if struct else kind._fields:  # type: ignore[attr-defined]
         inner, meta = _apart(hints[name])
         plain = _without_none(inner)
-        yield Told(name, plain, plain is not inner, meta)
+        extra = (meta and meta.extra) or {"unit": "", "frame": ""}
+        what = (meta and meta.description) or said.get(name, "").rstrip(".")
+        yield Told(
+            name, plain, plain is not inner, " ".join(what.split()), extra["unit"], extra["frame"], meta is not None
+        )
 
 
 def schema(kind: type[msgspec.Struct]) -> dict[str, Any]:
@@ -38,10 +51,15 @@ def schema(kind: type[msgspec.Struct]) -> dict[str, Any]:
     return {"title": f"aftdeck.{kind.__name__}", **_object(kind)}
 
 
-def _object(kind: type[msgspec.Struct]) -> dict[str, Any]:
+def is_object(kind: Any) -> bool:
+    """Whether values of a type are written as objects."""
+    return isinstance(kind, type) and (issubclass(kind, msgspec.Struct) or hasattr(kind, "_fields"))
+
+
+def _object(kind: type) -> dict[str, Any]:
     properties = {}
     for field in fields(kind):
-        extra = {"description": _description(field.meta)} if field.meta else {}
+        extra = {"description": text} if (text := _description(field)) else {}
         properties[field.name] = {**_schema(field.kind), **extra}
     return {"type": "object", "properties": properties}
 
@@ -49,20 +67,26 @@ def _object(kind: type[msgspec.Struct]) -> dict[str, Any]:
 def _schema(kind: Any) -> dict[str, Any]:
     kind = _without_none(_apart(kind)[0])
     origin = get_origin(kind)
+    if kind == Rows:
+        return {"type": "array", "items": {"type": "number"}}
     if origin is tuple:
         return {"type": "array", "items": _schema(get_args(kind)[0])}
     if origin is Literal:
         return {"type": "string", "enum": list(get_args(kind))}
-    if isinstance(kind, type) and issubclass(kind, msgspec.Struct):
+    if is_object(kind):
         return _object(kind)
     return {"type": _PLAIN[kind]}
 
 
-def _description(meta: msgspec.Meta) -> str:
-    extra = meta.extra or {}
-    more = [extra["unit"], f"in {extra['frame']}" if extra["frame"] else ""]
+def rotation(field: Told) -> str:
+    """How a field's rotation is written."""
+    return "quaternion w, x, y, z" if field.rounded else "matrix row by row"
+
+
+def _description(field: Told) -> str:
+    more = [rotation(field) if field.kind == Rows else "", field.unit, f"in {field.frame}" if field.frame else ""]
     note = ", ".join(part for part in more if part)
-    return f"{meta.description}{f' [{note}]' if note else ''}"
+    return f"{field.what}{f' [{note}]' if note else ''}"
 
 
 def _apart(kind: Any) -> tuple[Any, msgspec.Meta | None]:

@@ -16,7 +16,6 @@ from aftdeck.kinematics.linkage import L5
 from aftdeck.recording.channels import FIXED, SCENE, Channels
 from aftdeck.recording.entities import scene_update
 from aftdeck.recording.live import Live
-from aftdeck.recording.records import EventRecord
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import PAYLOAD, bodies_of
 from aftdeck.scene.everything import ScenePoses
@@ -71,7 +70,7 @@ class Viewing:
         if (frame.tick - 1) % self._every == 0:
             self._draw(frame, now)
 
-    def line(self, event: Event | EventRecord, time_ns: int) -> None:
+    def line(self, event: Event, time_ns: int) -> None:
         """A line of the log."""
         line = fox.Log(timestamp=_time(time_ns), level=_LEVELS[event.level], message=event.text, name=event.kind)
         self._channels.lines.log(line, log_time=time_ns)

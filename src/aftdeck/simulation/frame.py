@@ -1,15 +1,22 @@
-"""All that a reader may know of one instant: the station, a recording, a study, a policy."""
+"""All that a reader may know of one instant: the station, a recording, a study, a policy.
+
+A field is declared here and nowhere else: its type, what it is, its unit, the axes that it is expressed in, and the
+decimals to which it is recorded. The session file, its schema and its documentation follow from that.
+"""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal, NamedTuple
 
 import msgspec
 
 from aftdeck.bodies.cameras import Setting
+from aftdeck.told import told
 from aftdeck.worksite.report import Work
 
 Vec3 = tuple[float, float, float]
+Rows = tuple[Vec3, Vec3, Vec3]
+"""A rotation: rows of the matrix whose columns are the axes. In files it is a quaternion, w, x, y, z."""
 Six = tuple[float, float, float, float, float, float]
 Level = Literal["info", "caution", "warning"]
 Sequence = Literal["idle", "checking", "ready", "in progress"]
@@ -21,10 +28,10 @@ FREE, PAST_REACH, PAST_SOFT, AT_HARD = 0, 1, 2, 3
 class Event(msgspec.Struct, frozen=True, gc=False):
     """Something that happened, for the log."""
 
-    time_s: float
-    kind: str
-    level: Level
-    text: str
+    time_s: Annotated[float, told("simulated time", "s")]
+    kind: Annotated[str, told("what it is about")]
+    level: Annotated[Level, told("how urgent")]
+    text: Annotated[str, told("for people")]
 
 
 LimitKind = Literal[
@@ -45,10 +52,9 @@ LimitKind = Literal[
 class Limit(msgspec.Struct, frozen=True, gc=False):
     """A limit that acted in a step."""
 
-    kind: LimitKind
-    joint: int
-    """0 to 5; -1 where no single joint is concerned."""
-    text: str
+    kind: Annotated[LimitKind, told("which kind")]
+    joint: Annotated[int, told("0 to 5; -1: no single joint is concerned")]
+    text: Annotated[str, told("for people")]
 
 
 Cause = Literal["", "reach", "seat", "switch", "contact", "limit", "miss", "time"]
@@ -59,42 +65,36 @@ stop, a singularity or another limit of the steering; the motion ends beside its
 class Check(msgspec.Struct, frozen=True):
     """CMD CK: what a rehearsal of the motion to a target found."""
 
-    good: bool
-    text: str
-    """``GOOD: 83 s`` or ``FAIL: elbow pitch meets its soft stop 12 s from here``."""
-    seconds: float = 0.0
-    """GOOD: how long the motion takes; FAIL: when it fails [s]."""
-    cause: Cause = ""
-    joints: Six | None = None
-    """The joint angles that mode 1 flies to [rad]; None in modes 2 and 3, and where it fails."""
+    good: Annotated[bool, told("GOOD, not FAIL")]
+    text: Annotated[str, told("`GOOD: 83 s` or `FAIL: elbow pitch meets its soft stop 12 s from here`")]
+    seconds: Annotated[float, told("GOOD: how long the motion takes; FAIL: when it fails", "s")] = 0.0
+    cause: Annotated[Cause, told("why it fails; empty: it does not")] = ""
+    joints: Annotated[
+        Six | None, told("the joint angles that mode 1 flies to; null in modes 2 and 3, and where it fails", "rad")
+    ] = None
 
 
 class WayOut(msgspec.Struct, frozen=True, gc=False):
     """How to leave a singularity or a joint's stop."""
 
-    cause: str
-    """``elbow`` (a singularity) or a joint's name."""
-    text: str
-    """For people: ``THC -X``, ``RHC +pitch``, ``SINGLE elbow pitch -``."""
-    stick: Literal["translation", "rotation", "joint"]
-    axis: int
-    """Axis 0 to 2 of the stick, or the joint."""
-    sign: int
+    cause: Annotated[str, told("`elbow` (a singularity) or a joint's name")]
+    text: Annotated[str, told("for people: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -`")]
+    stick: Annotated[Literal["translation", "rotation", "joint"], told("which stick")]
+    axis: Annotated[int, told("axis 0 to 2 of the stick, or the joint")]
+    sign: Annotated[int, told("+1 or -1")]
 
 
 class Goal(msgspec.Struct, frozen=True, gc=False):
-    """An automatic mode's target, frame 7 in L, and what is left to it."""
+    """An automatic mode's target, frame 7, and what is left to it."""
 
-    position: Vec3
-    """[m]"""
-    rotation: tuple[Vec3, Vec3, Vec3]
-    """Rows."""
-    distance: float
-    """[m]"""
-    angle: float
-    """[rad]"""
-    remaining_s: float
-    """ETA - TP [s]; 0 when not under way, and while modes 1 and 3 still bring the arm to rest."""
+    position: Annotated[Vec3, told("of the tip there", "m", "L")]
+    rotation: Annotated[Rows, told("attitude of frame 7 there", "1", "L")]
+    distance: Annotated[float, told("what is left", "m")]
+    angle: Annotated[float, told("what is left", "rad")]
+    remaining_s: Annotated[
+        float,
+        told("ETA - TP; 0 when not under way, and while modes 1 and 3 still bring the arm to rest", "s"),
+    ]
 
 
 class Times(msgspec.Struct, frozen=True, gc=False):
@@ -103,110 +103,95 @@ class Times(msgspec.Struct, frozen=True, gc=False):
     A phase is an automatic motion from where it sets off, else a phase of the script, else a panel position entered.
     """
 
-    tp_s: float = 0.0
-    """TP: how long it has lasted [s]."""
-    eta_s: float | None = None
-    """ETA: when it ends, as estimated in the automatic modes and given in a script's others [s]; None: unknown."""
-    etap_s: float | None = None
-    """ETAP: when the rotation would end if it went as fast as permitted [s]; in modes 2 and 3, else None."""
+    tp_s: Annotated[float, told("TP: how long it has lasted", "s")] = 0.0
+    eta_s: Annotated[
+        float | None,
+        told("ETA: when it ends, estimated in the automatic modes, given in a script's others; null: unknown", "s"),
+    ] = None
+    etap_s: Annotated[
+        float | None,
+        told("ETAP: when the rotation would end if it went as fast as permitted; in modes 2 and 3, else null", "s"),
+    ] = None
+
+
+class Placed(NamedTuple):
+    """Where a body is."""
+
+    position: Annotated[Vec3, told("its centre", "m", "L")]
+    orientation: Annotated[Rows, told("its attitude", "1", "L")]
 
 
 class Frame(msgspec.Struct, frozen=True, gc=False):
-    """The state after a control step, the inputs that it flew and what acted in it.
+    """The state after a control step, the inputs that it flew and what acted in it. The tip is frame 7."""
 
-    Vectors are in L, the longeron frame, unless said otherwise; the tip is frame 7.
-    """
-
-    tick: int
-    """Control steps done."""
-    time_s: float
-    """tick * control period."""
-    phase: str
-    """The script's phase; empty when flown by hand."""
-    by: Literal["hand", "script"]
-    mode: str
-    """Panel position entered."""
-    law: int
-    """The report's mode number flown, 1 to 8; 0 TEST, 9 DIRECT."""
-    law_choice: Literal["position", "closed loop", "open loop"]
-    """Switch beside OPR CMD and AUTO 1-4."""
-    payload_axes: bool
-    """Switch beside ORB LD."""
-    rate_hold: bool
-    """RATE HOLD keeps a stick command."""
-    position_hold: bool
-    """POSITION HOLD is on."""
-    brakes: bool
-    """BRAKES are on: the joints stand."""
-    safing: bool
-    """SAFING: zero joint rates are commanded."""
-    joint: int
-    """Selected joint, 0 to 5."""
-    rate: Literal["coarse", "vernier"]
-    sequence: Sequence
-    """CHECKING, READY and IN PROG of the automatic modes."""
-    point: int
-    """AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes."""
-    points: int
-    """AUTO 1-4: how many there are."""
-    check: Check | None
-    """CMD CK of the present target."""
-    translation: Vec3
-    """THC as flown."""
-    rotation: Vec3
-    """RHC as flown."""
-    drive: float
-    angles: Six
-    """Measured [rad]."""
-    rates: Six
-    """Measured [rad/s]."""
-    angles_commanded: Six
-    """Where the commanded rates would have brought the arm [rad]."""
-    rates_commanded: Six
-    """[rad/s]"""
-    rate_limits: Six
-    """In force [rad/s]."""
-    zones: tuple[int, int, int, int, int, int]
-    """Per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop."""
-    position: Vec3
-    """Tip [m]."""
-    orientation: tuple[Vec3, Vec3, Vec3]
-    """Rows of the matrix whose columns are frame 7's axes."""
-    wrist_pitch: tuple[Vec3, Vec3, Vec3] | None
-    """T_B5: rows of the matrix from the wrist-pitch frame 5 to the orbiter's body axes; the concept arm's: its lower
-    arm's frame. None: of a recording that does not tell it."""
-    resolution: Vec3
-    """The point of resolution [m]: the payload's in ORB LD and PL, else the tip."""
-    payload: tuple[Vec3, tuple[Vec3, Vec3, Vec3]] | None
-    """Centre [m] and axes (rows) of the payload in the grasp."""
-    attached: int
-    """Which of the scenario's own payloads (`Scenario.own_payloads`) that is, from 1; 0: none of them."""
-    twist: Six
-    """Angular velocity [rad/s], then velocity of the point of resolution [m/s]."""
-    twist_commanded: Six
-    """What RATLMT left of the commanded twist."""
-    twist_demanded: Six
-    """What the mode asked for, before every limit."""
-    por_limits: tuple[float, float]
-    """Speed [m/s] and angular rate [rad/s] of the point of resolution, in force."""
-    ratio: float
-    """What RATLMT left of the demand, 0 to 1."""
-    limits: tuple[Limit, ...]
-    """Limits that acted in this step."""
-    singularity: Vec3
-    """Signed distances: shoulder, elbow, wrist."""
-    singular: tuple[str, ...]
-    """Names of the singularities nearer than the arm's threshold."""
-    ways_out: tuple[WayOut, ...]
-    """For each singularity that is near and each joint past a limit: what leads away from it."""
-    goal: Goal | None
-    times: Times
-    """TP, ETA and ETAP."""
-    work: Work
-    """Contacts, captures, and where the worksite's things are."""
-    events: tuple[Event, ...]
-    """What happened in this step."""
-    views: tuple[Setting, ...]
-    """Where the drives of the cameras stand that have any, in the order of `scenario.cameras.cameras_of`."""
-    sha256: str
-    """Of all this and the state behind it, to the last digit."""
+    tick: Annotated[int, told("control steps done")]
+    time_s: Annotated[float, told("simulated time: tick x control period", "s")]
+    phase: Annotated[str, told("the script's phase; empty when flown by hand")]
+    by: Annotated[Literal["hand", "script"], told("who flew this step")]
+    mode: Annotated[str, told("panel position entered")]
+    law: Annotated[int, told("the report's mode number flown, 1 to 8; 0 TEST, 9 DIRECT, 10 MASTER")]
+    law_choice: Annotated[Literal["position", "closed loop", "open loop"], told("switch beside OPR CMD and AUTO 1-4")]
+    payload_axes: Annotated[bool, told("switch beside ORB LD")]
+    rate_hold: Annotated[bool, told("RATE HOLD keeps a stick command")]
+    position_hold: Annotated[bool, told("POSITION HOLD is on")]
+    brakes: Annotated[bool, told("BRAKES are on: the joints stand")]
+    safing: Annotated[bool, told("SAFING: zero joint rates are commanded")]
+    joint: Annotated[int, told("selected joint, 0 to 5")]
+    rate: Annotated[Literal["coarse", "vernier"], told("rate setting")]
+    sequence: Annotated[Sequence, told("CHECKING, READY and IN PROG of the automatic modes")]
+    point: Annotated[int, told("AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes")]
+    points: Annotated[int, told("AUTO 1-4: how many there are")]
+    check: Annotated[Check | None, told("CMD CK of the present target")]
+    translation: Annotated[Vec3, told("THC as flown, in [-1, 1]", "1", "control", 7)]
+    rotation: Annotated[Vec3, told("RHC as flown, in [-1, 1]", "1", "control", 7)]
+    drive: Annotated[float, told("DRIVE as flown, in [-1, 1]", "1", decimals=7)]
+    angles: Annotated[Six, told("joint angles, measured", "rad")]
+    rates: Annotated[Six, told("joint rates, measured", "rad/s")]
+    angles_commanded: Annotated[Six, told("where the commanded rates would have brought the joints", "rad")]
+    rates_commanded: Annotated[Six, told("joint rates, commanded", "rad/s")]
+    rate_limits: Annotated[Six, told("joint rate limits in force", "rad/s")]
+    zones: Annotated[
+        tuple[int, int, int, int, int, int],
+        told("per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop"),
+    ]
+    position: Annotated[Vec3, told("of the tip", "m", "L")]
+    orientation: Annotated[Rows, told("attitude of frame 7", "1", "L")]
+    wrist_pitch: Annotated[
+        Rows | None,
+        told(
+            "T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; the concept arm's: of its lower "
+            "arm's frame; null in a recording that does not tell it",
+            "1",
+            "orbiter",
+        ),
+    ]
+    resolution: Annotated[Vec3, told("point of resolution: the payload's in ORB LD and PL, else the tip", "m", "L")]
+    payload: Annotated[Placed | None, told("the payload in the grasp")]
+    attached: Annotated[
+        int, told("which of the scenario's own payloads (`Scenario.own_payloads`) that is, from 1; 0: none of them")
+    ]
+    twist: Annotated[Six, told("angular velocity, then velocity of the point of resolution", "rad/s, m/s", "L", 7)]
+    twist_commanded: Annotated[Six, told("what RATLMT left of the commanded twist", "rad/s, m/s", "L", 7)]
+    twist_demanded: Annotated[Six, told("what the mode asked for, before every limit", "rad/s, m/s", "L", 7)]
+    por_limits: Annotated[
+        tuple[float, float], told("speed and angular rate of the point of resolution, in force", "m/s, rad/s")
+    ]
+    ratio: Annotated[float, told("what RATLMT left of the demand, 0 to 1", "1", decimals=7)]
+    limits: Annotated[tuple[Limit, ...], told("limits that acted in this step")]
+    singularity: Annotated[Vec3, told("signed distances: shoulder, elbow, wrist", "1", decimals=7)]
+    singular: Annotated[tuple[str, ...], told("singularities nearer than the arm's threshold")]
+    ways_out: Annotated[
+        tuple[WayOut, ...],
+        told("for each singularity that is near and each joint past a limit: what leads away from it"),
+    ]
+    goal: Annotated[Goal | None, told("target of an automatic mode")]
+    times: Annotated[Times, told("TP, ETA and ETAP")]
+    work: Annotated[Work, told("contacts, captures, and where the worksite's things are")]
+    events: Annotated[tuple[Event, ...], told("what happened in this step")]
+    views: Annotated[
+        tuple[Setting, ...],
+        told(
+            "pan, tilt and field of view of the cameras that turn, in the order of `scenario.cameras.cameras_of`", "rad"
+        ),
+    ]
+    sha256: Annotated[str, told("SHA-256 of the state behind all this, to the last digit")]

@@ -10,7 +10,7 @@ from aftdeck.frames import Rows, angle_between
 from aftdeck.kinematics.observe import CARRIED, observe_link, observe_payload
 from aftdeck.simulation.acting import acting_limits
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.frame import Frame, Goal, Six, Times, Vec3
+from aftdeck.simulation.frame import Frame, Goal, Placed, Six, Times, Vec3
 from aftdeck.simulation.grasp import in_grasp
 from aftdeck.simulation.look_work import look_work
 from aftdeck.simulation.state import State
@@ -92,9 +92,7 @@ def look(flight: Flight, state: State, seal: bytes) -> Frame:
     )
 
 
-def _carried(
-    flight: Flight, state: State, position: Vec3, seen: list[float]
-) -> tuple[Vec3, Six, tuple[Vec3, Rows] | None]:
+def _carried(flight: Flight, state: State, position: Vec3, seen: list[float]) -> tuple[Vec3, Six, Placed | None]:
     """The point of resolution, its twist, and the payload in the grasp, if any."""
     held = in_grasp(flight, state)
     if held is None:
@@ -102,7 +100,7 @@ def _carried(
     carried_array = np.empty(CARRIED)
     observe_payload(state.seen, held.packed, carried_array)
     carried = carried_array.tolist()
-    payload = (_vec3(carried, 0), _rows(carried, 3))
+    payload = Placed(_vec3(carried, 0), _rows(carried, 3))
     if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # the source moves the tip in every mode
         return position, _six(seen, 12), payload
     return _vec3(carried, 12), (seen[12], seen[13], seen[14], carried[15], carried[16], carried[17]), payload

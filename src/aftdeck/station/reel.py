@@ -20,10 +20,11 @@ from msgspec.structs import replace
 
 from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import scenario_of
-from aftdeck.recording.convert import frame_of, lighting_of
+from aftdeck.recording.convert import lighting_of
 from aftdeck.recording.reader import Recording
-from aftdeck.recording.records import ControllersRecord, EventRecord, FrameRecord, LightRecord, Note, Shown
+from aftdeck.recording.records import ControllersRecord, FrameRecord, LightRecord, Note, Shown
 from aftdeck.scenario.light import Lighting
+from aftdeck.simulation.frame import Event as SimEvent
 from aftdeck.station.lanes import Lanes
 from aftdeck.station.measures import Measures
 from aftdeck.station.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
@@ -31,7 +32,6 @@ from aftdeck.station.protocol import Event
 from aftdeck.station.strips import Strips, readings, worst_joint
 from aftdeck.station.verdict import CHECKING
 from aftdeck.station.wire import Translator
-from aftdeck.worksite.alarm import CLEAR, Level, level_of
 
 _QUICK = 1
 """Level of the temporary file's compression."""
@@ -116,7 +116,7 @@ class Reel:
         events: list[Event] = []
         pictures: list[Pictured] = []
         waiting: list[FrameRecord] = []
-        ticks, level = 0, CLEAR
+        ticks = 0
         for message in recording.messages():
             if isinstance(message, Note):
                 events.append(_event(message))
@@ -130,16 +130,13 @@ class Reel:
             elif isinstance(message, LightRecord):
                 self._lights.append((ticks + 1, lighting_of(message)))
             elif isinstance(message, FrameRecord):
-                record = self._levelled(message, level)
-                frame = frame_of(record)
-                lamps = self._translator.lamps(frame)
-                lanes.add(frame, lamps)
-                strips.add(self._readings(frame, record.latency_ms))
-                measures.add(frame, lamps)
-                events += [_event(event) for event in record.events]
-                level = frame.work.clearance_level
-                ticks = record.tick
-                waiting.append(record)
+                lamps = self._translator.lamps(message)
+                lanes.add(message, lamps)
+                strips.add(self._readings(message, message.latency_ms))
+                measures.add(message, lamps)
+                events += [_event(event) for event in message.events]
+                ticks = message.tick
+                waiting.append(message)
                 if len(waiting) == BLOCK:
                     self._pack(waiting)
                     waiting = []
@@ -169,14 +166,6 @@ class Reel:
             measures=measures.measures(recording.ended),
         )
 
-    def _levelled(self, record: FrameRecord, before: Level) -> FrameRecord:
-        """A frame with what its clearance calls for, which files of earlier versions do not tell."""
-        near = record.work.nearest
-        if near is None or record.work.clearance_level is not None:
-            return record
-        level = level_of(near.clearance_m, self._scenario.caution, self._scenario.warning, before)
-        return replace(record, work=replace(record.work, clearance_level=level))
-
     def _pack(self, records: list[FrameRecord]) -> None:
         try:
             self._file.write(zlib.compress(_encoder.encode(records), _QUICK))
@@ -194,11 +183,10 @@ class Reel:
         return _records.decode(zlib.decompress(packed))
 
     def _moment(self, record: FrameRecord) -> Moment:
-        frame = frame_of(record)
         return Moment(
-            self._translator.frame(frame, -1, lighting=self._lighting(record.tick)),
-            self._readings(frame, record.latency_ms),
-            worst_joint(frame, self._scenario),
+            self._translator.frame(record, -1, lighting=self._lighting(record.tick)),
+            self._readings(record, record.latency_ms),
+            worst_joint(record, self._scenario),
         )
 
     def _lighting(self, tick: int) -> Lighting:
@@ -206,5 +194,5 @@ class Reel:
         return self._lights[bisect(self._lights, tick, key=lambda light: light[0]) - 1][1]
 
 
-def _event(record: EventRecord) -> Event:
+def _event(record: SimEvent) -> Event:
     return Event(record.time_s, record.kind, record.level, record.text)

@@ -7,11 +7,8 @@ one at its default, so that no field is optional.
 
 from __future__ import annotations
 
-import ast
 import inspect
-import itertools
 import sys
-import textwrap
 import types
 import typing
 
@@ -19,6 +16,7 @@ import msgspec
 
 from aftdeck import shapes
 from aftdeck.station import playback, protocol
+from aftdeck.told import comments
 
 HEADER = """\
 // Generated from station/protocol.py and station/playback.py by `make generate`; do not edit.
@@ -99,37 +97,19 @@ class _Writer:
         )
 
     def interface(self, struct: type[msgspec.Struct]) -> str:
-        hints, comments = typing.get_type_hints(struct), _field_comments(struct)
+        hints, said = typing.get_type_hints(struct), comments(struct)
         lines = [*_comment(inspect.getdoc(struct), ""), f"export interface {struct.__name__} {{"]
         config = struct.__struct_config__
         if config.tag_field is not None:
             lines.append(f"  readonly {config.tag_field}: {_literal(config.tag)};")
         for field, wire in zip(struct.__struct_fields__, struct.__struct_encode_fields__, strict=True):
-            lines += _comment(comments.get(field), "  ")
+            lines += _comment(said.get(field), "  ")
             lines.append(f"  readonly {wire}: {self.name(hints[field])};")
         return "\n".join([*lines, "}", ""])
 
 
 def _literal(value: object) -> str:
     return f"'{value}'" if isinstance(value, str) else str(value)
-
-
-def _field_comments(struct: type) -> dict[str, str]:
-    """The string that follows each field in the class's source, base classes' fields included."""
-    comments: dict[str, str] = {}
-    for cls in reversed(struct.__mro__):
-        if not issubclass(cls, msgspec.Struct) or cls is msgspec.Struct:
-            continue
-        body = typing.cast(ast.ClassDef, ast.parse(textwrap.dedent(inspect.getsource(cls))).body[0]).body
-        for field, after in itertools.pairwise(body):
-            if (
-                isinstance(field, ast.AnnAssign)
-                and isinstance(field.target, ast.Name)
-                and isinstance(after, ast.Expr)
-                and isinstance(after.value, ast.Constant)
-            ):
-                comments[field.target.id] = inspect.cleandoc(str(after.value.value))
-    return comments
 
 
 def _comment(text: str | None, indent: str) -> list[str]:

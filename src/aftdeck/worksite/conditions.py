@@ -8,10 +8,11 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Iterable
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
+from aftdeck.told import told
 from aftdeck.units import FOOT, INCH
 
 Unit = Literal["m", "rad", "m/s", "rad/s", "s", ""]
@@ -33,18 +34,15 @@ _SMALLEST, _GREATEST = 1e-3, 999.5
 class Condition(msgspec.Struct, frozen=True, gc=False):
     """One condition as it stands."""
 
-    name: str
-    """``palm height``."""
-    holds: bool
-    value: float
-    """Measured, in `unit`."""
-    limit: float
-    """The bound that it is held against: the nearer of two, or the one that it has passed."""
-    unit: Unit
-    margin: float
-    """By how much it holds (not negative) or fails (negative), in `unit`."""
-    text: str
-    """``palm 2.5 in above the bar, 0 to 0.75 in allowed``."""
+    name: Annotated[str, told("which: `palm height`")]
+    holds: Annotated[bool, told("whether it holds")]
+    value: Annotated[float, told("what is measured, in `unit`", decimals=5)]
+    limit: Annotated[
+        float, told("what it is held against, in `unit`: the nearer of two bounds, or the one passed", decimals=5)
+    ]
+    unit: Annotated[Unit, told("m, rad, m/s, or empty")]
+    margin: Annotated[float, told("by how much it holds, or fails where negative, in `unit`", decimals=5)]
+    text: Annotated[str, told("for people: `palm 2.5 in above the bar, 0 to 0.75 in allowed`")]
 
 
 def within(

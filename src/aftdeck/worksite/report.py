@@ -1,11 +1,15 @@
-"""What a reader may know of the worksite at one instant: contacts, captures, and where everything is."""
+"""What a reader may know of the worksite at one instant: contacts, captures, and where everything is.
+
+Of what is measured between bodies a hundredth of a millimetre is recorded, and five decimals of a direction.
+"""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
+from aftdeck.told import told
 from aftdeck.worksite.alarm import Level
 from aftdeck.worksite.conditions import Condition
 
@@ -14,91 +18,72 @@ Rows = tuple[Vec3, Vec3, Vec3]
 Six = tuple[float, float, float, float, float, float]
 
 
-class Near(msgspec.Struct, frozen=True, gc=False):
-    """Two parts that are watched, in L."""
+COARSE = 5
+"""Decimals of what is measured between bodies."""
 
-    a: str
-    """A part, for people: ``lower boom``."""
-    b: str
-    clearance: float
-    """[m], negative where they overlap."""
-    closing: float
-    """Speed at which the two closest points approach [m/s]."""
-    point_a: Vec3
-    """The closest point of a [m]."""
-    point_b: Vec3
-    normal: Vec3
-    """Unit normal of a plane between the two, from a to b; zero where they collide."""
-    distance: float
-    """The plane's distance from L's origin [m]."""
-    essential: bool = False
-    """Whether the two are made to touch; such a contact inhibits nothing."""
-    feature_a: str = ""
-    """What of a touches or penetrates: ``vertex 3``; empty where they are apart."""
-    feature_b: str = ""
+
+class Near(msgspec.Struct, frozen=True, gc=False):
+    """Two parts that are watched."""
+
+    a: Annotated[str, told("a part, for people: `lower boom`")]
+    b: Annotated[str, told("the other part")]
+    clearance: Annotated[float, told("their distance; negative where they overlap", "m", decimals=COARSE)]
+    closing: Annotated[float, told("speed at which the two closest points approach", "m/s", decimals=COARSE)]
+    point_a: Annotated[Vec3, told("the closest point of a", "m", "L", COARSE)]
+    point_b: Annotated[Vec3, told("the closest point of b", "m", "L", COARSE)]
+    normal: Annotated[
+        Vec3, told("unit normal of a plane between the two, from a to b; zero where they collide", "1", "L", COARSE)
+    ]
+    distance: Annotated[float, told("of that plane from the origin", "m", "L", COARSE)]
+    essential: Annotated[bool, told("the two are made to touch: inhibits nothing")] = False
+    feature_a: Annotated[str, told("what of a touches or penetrates: `vertex 3`; empty where they are apart")] = ""
+    feature_b: Annotated[str, told("the same of b")] = ""
 
 
 class Cargo(msgspec.Struct, frozen=True, gc=False):
-    """A payload of the worksite, in L."""
+    """A payload of the worksite."""
 
-    name: str
-    position: Vec3
-    """Its centre [m]."""
-    orientation: Rows
-    """Rows of the matrix whose columns are its axes."""
-    velocity: Vec3
-    """Of its centre, against L [m/s]."""
-    held: bool
-    """Whether the end effector holds it."""
-    seat: str
-    """The seat that it is fixed to; empty: none."""
+    name: Annotated[str, told("which")]
+    position: Annotated[Vec3, told("its centre", "m", "L")]
+    orientation: Annotated[Rows, told("its attitude", "1", "L")]
+    velocity: Annotated[Vec3, told("of its centre", "m/s", "L")]
+    held: Annotated[bool, told("the end effector holds it")]
+    seat: Annotated[str, told("the seat that it is fixed to; empty: none")]
 
 
 class Hand(msgspec.Struct, frozen=True, gc=False):
     """The end effector."""
 
-    switch: Literal["stop", "close", "open"]
-    """How its switch stands."""
-    opening: float
-    """0 closed to 1 open: of the prong, or of the snares."""
-    spacing: float | None
-    """Prong to fixed finger [m]; None: this arm has none."""
-    carriage: float | None
-    """0 extended to 1 rigid; None: this arm has none."""
-    flags: tuple[str, ...]
-    """Lit on the panel: ``CAPTURE``, ``RIGID``."""
-    mode: Literal["auto", "manual"] = "auto"
-    """END EFFECTOR MODE of the snares."""
-    rigid: Literal["off", "rigid", "derigid"] = "off"
-    """END EFFECTOR MAN CONTR of the snares."""
+    switch: Annotated[Literal["stop", "close", "open"], told("how its switch stands")]
+    opening: Annotated[float, told("0 closed to 1 open: of the prong, or of the snares", "1", decimals=COARSE)]
+    spacing: Annotated[float | None, told("prong to fixed finger; null: this arm has none", "m", decimals=COARSE)]
+    carriage: Annotated[float | None, told("0 extended to 1 rigid; null: this arm has none", "1", decimals=COARSE)]
+    flags: Annotated[tuple[str, ...], told("lit on the panel: `CAPTURE`, `RIGID`")]
+    mode: Annotated[Literal["auto", "manual"], told("END EFFECTOR MODE of the snares")] = "auto"
+    rigid: Annotated[Literal["off", "rigid", "derigid"], told("END EFFECTOR MAN CONTR of the snares")] = "off"
 
 
 class Work(msgspec.Struct, frozen=True, gc=False):
-    """The worksite after a step. Vectors in L."""
+    """The worksite after a step."""
 
-    task: int
-    """The report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked."""
-    nearest: Near | None
-    """The watched pair with the least clearance, but for those that are, or come, together as the task needs it, of
-    which the conditions tell (`simulation.lined_up`); None: no pair is watched."""
-    clearance_level: Level
-    """What that clearance calls for, by the scenario's thresholds."""
-    contacts: tuple[Near, ...]
-    """Pairs that touch or overlap."""
-    arm_inhibit: bool
-    finger_inhibit: bool
-    inhibits: tuple[str, ...]
-    """Why the arm or the finger is inhibited, and what frees it."""
-    pursuit: str
-    """What the conditions are for: ``acquire payload``; empty: nothing is near enough."""
-    conditions: tuple[Condition, ...]
-    hand: Hand
-    stand: float | None
-    """Length of the telescope [m]; None: this arm stands on none."""
-    orbiter: Vec3
-    """How far the orbiter has moved [m]."""
-    orbiter_velocity: Vec3
-    """[m/s]"""
-    cargo: tuple[Cargo, ...]
-    master: Six | None
-    """Where the master arm stands [rad]; None in other modes than MASTER."""
+    task: Annotated[int, told("the report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked")]
+    nearest: Annotated[
+        Near | None,
+        told(
+            "the watched pair with the least clearance, but for those that are, or come, together as the task needs "
+            "it, of which the conditions tell (`simulation.lined_up`); null: no pair is watched"
+        ),
+    ]
+    clearance_level: Annotated[Level, told("what that clearance calls for, by the scenario's thresholds")]
+    contacts: Annotated[tuple[Near, ...], told("pairs that touch or overlap")]
+    arm_inhibit: Annotated[bool, told("the arm is inhibited")]
+    finger_inhibit: Annotated[bool, told("the finger is inhibited")]
+    inhibits: Annotated[tuple[str, ...], told("why the arm or the finger is inhibited, and what frees it")]
+    pursuit: Annotated[str, told("what the conditions are for: `acquire payload`; empty: nothing is near enough")]
+    conditions: Annotated[tuple[Condition, ...], told("of capture, docking or latching")]
+    hand: Annotated[Hand, told("the end effector")]
+    stand: Annotated[float | None, told("length of the telescope; null: this arm stands on none", "m")]
+    orbiter: Annotated[Vec3, told("how far the orbiter has moved", "m", "L")]
+    orbiter_velocity: Annotated[Vec3, told("its velocity", "m/s", "L")]
+    cargo: Annotated[tuple[Cargo, ...], told("the worksite's payloads")]
+    master: Annotated[Six | None, told("the master arm's joint angles; null in other modes than MASTER", "rad")]

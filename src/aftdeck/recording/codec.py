@@ -1,0 +1,152 @@
+"""Between values and the JSON of the session file, derived from the types of the values.
+
+A field that tells its decimals (`aftdeck.told`) is rounded to them, and a rotation there is a quaternion, w x y z; any
+other is kept to the last digit, a rotation as its matrix row by row. Viewers take no list of lists: named tuples are
+objects.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from types import UnionType
+from typing import Annotated, Any, TypeVar, Union, cast, get_args, get_origin, get_type_hints
+
+import msgspec
+import numpy as np
+
+from aftdeck.frames import Rows, quaternion, rotation_of
+
+Change = Callable[[Any], Any]
+"""Makes the plain form of a value, or a value of its plain form."""
+S = TypeVar("S", bound=msgspec.Struct)
+
+_encode = msgspec.json.Encoder().encode
+
+
+def encode(message: msgspec.Struct) -> bytes:
+    """A message as JSON."""
+    return _encode(plain(message))
+
+
+def decode(kind: type[S], data: bytes) -> S:
+    """The message of a type that `encode` made JSON of.
+
+    Raises:
+        msgspec.MsgspecError: it is none.
+    """
+    return restored(kind, msgspec.json.decode(data))
+
+
+def plain(message: msgspec.Struct) -> Any:
+    """A message as it is written: objects, lists of numbers, texts."""
+    change = _of_struct(type(message), back=False)
+    return message if change is None else change(message)
+
+
+def restored(kind: type[S], given: Any) -> S:
+    """The message whose plain form is given.
+
+    Raises:
+        msgspec.ValidationError: it is none of this type.
+    """
+    change = _of_struct(kind, back=True)
+    try:
+        return msgspec.convert(given if change is None else change(given), kind)
+    except (TypeError, ValueError, AttributeError, KeyError) as error:
+        if isinstance(error, msgspec.ValidationError):
+            raise
+        raise msgspec.ValidationError(str(error)) from None
+
+
+def as_read(message: S) -> S:
+    """A message as it is read again from the file that it is written into."""
+    return restored(type(message), plain(message))
+
+
+@cache
+def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change | None:
+    """How a struct or named tuple changes, whose own fields may tell their decimals; None: not at all."""
+    hints = get_type_hints(kind, include_extras=True)
+    names = kind.__struct_fields__ if issubclass(kind, msgspec.Struct) else kind._fields  # type: ignore[attr-defined]
+    changes = {name: change for name in names if (change := _of(hints[name], back=back, decimals=decimals))}
+    if issubclass(kind, msgspec.Struct) and not changes:
+        return None
+    if not back:
+        return _written(kind, names, changes)
+    if not issubclass(kind, msgspec.Struct):
+        return lambda given: [changes[name](given[name]) if name in changes else given[name] for name in names]
+
+    def read(given: Any) -> Any:
+        if not isinstance(given, dict):
+            return given
+        return {name: changes[name](one) if name in changes else one for name, one in given.items()}
+
+    return read
+
+
+def _written(kind: type, names: tuple[str, ...], changes: dict[str, Change]) -> Change:
+    """The object that a struct or named tuple is written as."""
+    omitted: dict[str, object] = {}
+    written: dict[str, bytes] = {}
+    if issubclass(kind, msgspec.Struct) and kind.__struct_config__.omit_defaults:
+        omitted = {field.name: field.default for field in msgspec.structs.fields(kind)}
+        # 0.0 and -0.0 are equal, and not the same
+        written = {name: _encode(default) for name, default in omitted.items() if default is not msgspec.NODEFAULT}
+
+    def write(value: Any) -> dict[str, Any]:
+        out = {}
+        for name in names:
+            one = getattr(value, name)
+            if name in written and one == omitted[name] and _encode(one) == written[name]:
+                continue
+            change = changes.get(name)
+            out[name] = one if change is None else change(one)
+        return out
+
+    return write
+
+
+def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
+    """How a value of a type changes; None: not at all."""
+    if get_origin(hint) is Annotated:
+        inner, *more = get_args(hint)
+        extra = next((one.extra for one in more if isinstance(one, msgspec.Meta) and one.extra), {})
+        return _of(inner, back=back, decimals=extra.get("decimals", decimals))
+    if get_origin(hint) in (Union, UnionType):
+        kinds = [one for one in get_args(hint) if one is not type(None)]
+        change = _of(kinds[0], back=back, decimals=decimals) if len(kinds) == 1 else None
+        return None if change is None else lambda value: None if value is None else change(value)
+    if hint == Rows:
+        return _rotation(decimals, back=back)
+    if hint is float and decimals is not None and not back:
+        return lambda value: round(value, decimals)
+    if get_origin(hint) is tuple:
+        return _of_tuple(get_args(hint), back=back, decimals=decimals)
+    if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
+        return _of_struct(hint, back=back)
+    if hasattr(hint, "_fields"):
+        return _of_struct(hint, back=back, decimals=decimals)
+    return None
+
+
+def _of_tuple(kinds: tuple[Any, ...], *, back: bool, decimals: int | None) -> Change | None:
+    """How a tuple changes whose items are of one type."""
+    change = _of(kinds[0], back=back, decimals=decimals)
+    if change is None:
+        return None
+    if kinds[0] is float:
+        return lambda value: [round(one, cast("int", decimals)) for one in value]
+    return lambda value: [change(one) for one in value]
+
+
+def _rotation(decimals: int | None, *, back: bool) -> Change:
+    if decimals is None:
+        return (
+            (lambda flat: (flat[:3], flat[3:6], flat[6:]))
+            if back
+            else (lambda rows: [number for row in rows for number in row])
+        )
+    if back:
+        return lambda attitude: rotation_of(tuple(attitude))
+    return lambda rows: [round(float(number), decimals) for number in quaternion(np.array(rows))]

@@ -1,0 +1,68 @@
+"""Recordings of layout 1, made by Aftdeck 0.1, are read and flown again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+from mcap.records import Channel
+from mcap.records import Message as McapMessage
+from mcap.stream_reader import StreamReader
+
+from aftdeck.recording.format_1 import FramesOf1
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import FrameRecord
+from aftdeck.recording.replay import verify
+from aftdeck.worksite.alarm import level_of
+
+FILES = sorted((Path(__file__).parent / "layout_1").glob("*.mcap"))
+
+
+def as_written(path: Path) -> list[dict[str, Any]]:
+    """The frames of a file as they stand there."""
+    topics, found = {}, []
+    with path.open("rb") as file:
+        for record in StreamReader(file).records:
+            if isinstance(record, Channel):
+                topics[record.id] = record.topic
+            elif isinstance(record, McapMessage) and topics[record.channel_id] == "/frames":
+                found.append(msgspec.json.decode(record.data))
+    return found
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_a_file_of_layout_1_is_flown_again_and_equal_in_every_recorded_value(path: Path) -> None:
+    verdict = verify(path)
+    assert verdict.equal and not verdict.whole and verdict.frames > 200
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_its_numbers_are_those_that_were_written(path: Path) -> None:
+    for old, (_, frame) in zip(as_written(path), Recording(path).steps(), strict=True):
+        assert list(frame.angles) == old["angles_rad"] and list(frame.position) == old["tip_m"]
+        assert list(frame.resolution) == old["point_m"] and frame.wall_s == old["wall_s"]
+        assert (frame.check.text if frame.check else "") == old["check"]
+        assert [angle for view in frame.views for angle in view] == old["views"]
+        assert (list(frame.payload.position) if frame.payload else None) == old["payload_m"]
+        near = frame.work.nearest
+        assert (near and near.clearance) == (old["work"]["nearest"] and old["work"]["nearest"]["clearance_m"])
+        assert frame.work.hand.spacing == old["work"]["hand"]["spacing_m"]
+
+
+def test_what_files_of_the_first_weeks_do_not_tell_is_found_out() -> None:
+    path = next(path for path in FILES if path.stem == "srms-deploy")
+    old, now, level = FramesOf1(0.5, 0.15), [frame for _, frame in Recording(path).steps()], "info"
+    for written, frame in zip(as_written(path), now, strict=True):
+        del written["work"]["clearance_level"], written["attached"], written["wrist_pitch"], written["times"]
+        taken = old.frame(written)
+        near = frame.work.nearest
+        if near is not None:
+            level = level_of(near.clearance, 0.5, 0.15, level)  # type: ignore[arg-type]
+        assert taken["work"]["clearance_level"] == level and taken["attached"] == frame.attached
+        assert taken["wrist_pitch"] is None
+
+
+def test_layout_2_is_what_is_written() -> None:
+    assert {"angles", "position", "orientation", "payload"} <= set(FrameRecord.__struct_fields__)
