@@ -45,7 +45,9 @@ format: .venv/.dev $(MODULES)  ## bring Python and TypeScript into the house for
 	.venv/bin/ruff check --fix .
 	cd web && npm run --silent format
 
-generate: .venv/.aftdeck  ## write what is made from types: web/src/protocol.ts, the tables of docs/recording.md
+# It needs no page built: what it makes may be what the page lacks.
+generate: export PYTHONPATH := src
+generate: .venv/.fly  ## write what is made from types: web/src/protocol.ts, the tables of docs/recording.md
 	$(PY) -m aftdeck.station.typescript > .venv/protocol.ts
 	mv .venv/protocol.ts web/src/protocol.ts
 	$(PY) -m aftdeck.recording.document docs/recording.md

@@ -65,12 +65,12 @@ def _bare(sim: Simulation, tally: Tally) -> None:
 def _tallied(sim: Simulation, tally: Tally) -> None:
     """As `run` flies it."""
     sim.advance()
-    tally.take(sim._state)
+    tally.take(sim._state, sim.seal())
 
 
 def _told(sim: Simulation, tally: Tally) -> None:
     sim.step()
-    tally.take(sim._state)
+    tally.take(sim._state, sim.seal())
 
 
 def _flown(scenario: Scenario, how: How) -> tuple[int, float]:

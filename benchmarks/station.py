@@ -13,14 +13,14 @@ from contextlib import contextmanager
 import msgspec
 from websockets.sync.client import ClientConnection, connect
 
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, kinds, to_page
 from benchmarks.measure import Figure, percentile
 
 AFTDECK = (sys.executable, "-m", "aftdeck")
 WAIT = 60.0
 """The longest that anything is waited for [s]."""
 
-_messages: msgspec.json.Decoder[wire.FromServer] = msgspec.json.Decoder(wire.FromServer)
+_messages: msgspec.json.Decoder[to_page.FromServer] = msgspec.json.Decoder(to_page.FromServer)
 
 
 def help_page() -> list[Figure]:
@@ -64,11 +64,11 @@ def latency() -> list[Figure]:
             time.sleep(pause.uniform(0.0, 0.02))  # so that messages come at all times of a control period
             sent = time.perf_counter()
             socket.send(
-                msgspec.json.encode(wire.Sticks(seq, (0.01 * (seq % 2), 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)).decode()
+                msgspec.json.encode(from_page.Sticks(seq, (0.01 * (seq % 2), 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)).decode()
             )
             while True:
                 message = _next(socket)
-                if isinstance(message, wire.Frame) and message.stick_seq >= seq:
+                if isinstance(message, to_page.Frame) and message.stick_seq >= seq:
                     break
             took.append(1e3 * (time.perf_counter() - sent))
     return [
@@ -95,16 +95,16 @@ def flying(scenario: str = "first-flight") -> Iterator[str]:
 def _page(address: str) -> Iterator[ClientConnection]:
     """A page that has been welcomed."""
     with connect(f"ws://{address}/ws", compression=None, open_timeout=WAIT) as socket:
-        socket.send(msgspec.json.encode(wire.Hello(wire.PROTOCOL)).decode())
-        assert isinstance(_next(socket), wire.Welcome)
+        socket.send(msgspec.json.encode(from_page.Hello(kinds.PROTOCOL)).decode())
+        assert isinstance(_next(socket), to_page.Welcome)
         yield socket
 
 
-def _next(socket: ClientConnection) -> wire.FromServer:
+def _next(socket: ClientConnection) -> to_page.FromServer:
     return _messages.decode(socket.recv(timeout=WAIT))
 
 
-def _frame(socket: ClientConnection) -> wire.Frame:
-    while not isinstance(message := _next(socket), wire.Frame):
+def _frame(socket: ClientConnection) -> to_page.Frame:
+    while not isinstance(message := _next(socket), to_page.Frame):
         pass
     return message

@@ -14,7 +14,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import PhasePlan
-from aftdeck.station.protocol import Aim
+from aftdeck.station.to_page import Aim
 from aftdeck.station.wire import Translator
 from tests.browser.conftest import OpenPage, flown
 from tests.browser.flight import Flight

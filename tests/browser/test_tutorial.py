@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from aftdeck.station.protocol import Frame
+from aftdeck.station.to_page import Frame
 from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy

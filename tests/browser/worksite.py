@@ -8,7 +8,7 @@ from typing import Any
 import msgspec
 from playwright.sync_api import Page, WebSocketRoute
 
-from aftdeck.station import protocol as wire
+from aftdeck.station import kinds, to_page
 from aftdeck.worksite.alarm import CLEAR, level_of
 from tests.browser.flight import WAIT_MS, Flight
 
@@ -19,39 +19,39 @@ LOOK_MS = 20
 HERE, THERE = (2.0, -1.2, 1.2), (2.2, -1.6, 0.9)
 """Two points over the bay that camera B sees."""
 
-SNARES = wire.HandFrame("stop", 1.0, None, 0.0, ("EXTEND", "OPEN"), "auto", "off")
-PRONG = wire.HandFrame("close", 0.6, 0.3, None, (), "auto", "off")
-PARTS: tuple[wire.ProblemPart, ...] = ("full problem", "acquisition", "extraction", "manoeuvring")
+SNARES = to_page.HandFrame("stop", 1.0, None, 0.0, ("EXTEND", "OPEN"), "auto", "off")
+PRONG = to_page.HandFrame("close", 0.6, 0.3, None, (), "auto", "off")
+PARTS: tuple[kinds.ProblemPart, ...] = ("full problem", "acquisition", "extraction", "manoeuvring")
 
 
-def near(a: str, b: str, clearance: float, closing: float = 0.0, essential: bool = False) -> wire.Near:
+def near(a: str, b: str, clearance: float, closing: float = 0.0, essential: bool = False) -> to_page.Near:
     """Two watched parts between the two points."""
     middle = wire_vec([(p + q) / 2.0 for p, q in zip(HERE, THERE, strict=True)])
     normal = (0.3714, -0.7428, -0.5571) if clearance > 0.0 else (0.0, 0.0, 0.0)
-    return wire.Near(a, b, clearance, closing, HERE, THERE, middle, normal, essential)
+    return to_page.Near(a, b, clearance, closing, HERE, THERE, middle, normal, essential)
 
 
-def wire_vec(values: list[float]) -> wire.Vec3:
+def wire_vec(values: list[float]) -> kinds.Vec3:
     """Three numbers as a vector of the protocol."""
     x, y, z = values
     return x, y, z
 
 
-def condition(name: str, value: float, limit: float, text: str, unit: str = "m") -> wire.Condition:
+def condition(name: str, value: float, limit: float, text: str, unit: str = "m") -> to_page.Condition:
     """A value that is allowed up to a limit."""
-    return wire.Condition(name, value <= limit, value, limit, unit, limit - value, text)
+    return to_page.Condition(name, value <= limit, value, limit, unit, limit - value, text)
 
 
-def info(hand: Any = "snares", stand: bool = False) -> wire.WorkInfo:
+def info(hand: Any = "snares", stand: bool = False) -> to_page.WorkInfo:
     """A worksite with two payloads and a seat."""
-    telescope = wire.StandInfo(2.4, 5.5, 0.3) if stand else None
-    return wire.WorkInfo(hand, telescope, ("payload", "free flyer"), ("Cargo bay",), PARTS, 0.6, 0.15)
+    telescope = to_page.StandInfo(2.4, 5.5, 0.3) if stand else None
+    return to_page.WorkInfo(hand, telescope, ("payload", "free flyer"), ("Cargo bay",), PARTS, 0.6, 0.15)
 
 
-def work(**changes: Any) -> wire.WorkFrame:
+def work(**changes: Any) -> to_page.WorkFrame:
     """A worksite where nothing is near and nothing moves, but for the changes."""
-    cargo = (wire.CargoFrame("payload", False, "Cargo bay", 0.0), wire.CargoFrame("free flyer", False, "", 0.012))
-    still = wire.WorkFrame(
+    cargo = (to_page.CargoFrame("payload", False, "Cargo bay", 0.0), to_page.CargoFrame("free flyer", False, "", 0.012))
+    still = to_page.WorkFrame(
         task=1,
         nearest=None,
         clearance_level=CLEAR,
@@ -82,7 +82,7 @@ class Worksite:
         asked: every message of the page but its measurements, as decoded JSON.
     """
 
-    def __init__(self, told: wire.WorkInfo, now: wire.WorkFrame) -> None:
+    def __init__(self, told: to_page.WorkInfo, now: to_page.WorkFrame) -> None:
         self.info, self.work = told, now
         self.mode = ""
         self.asked: list[Message] = []

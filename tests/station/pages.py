@@ -16,7 +16,7 @@ from websockets.typing import Origin
 
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.app import make_app
 from aftdeck.station.serve import listen, make_server
 from aftdeck.station.session import Session
@@ -27,7 +27,7 @@ LATE_S = 0.5
 """A stretch of frames may come this late [s]."""
 STILL = (0.0, 0.0, 0.0)
 
-_messages: msgspec.json.Decoder[wire.FromServer] = msgspec.json.Decoder(wire.FromServer)
+_messages: msgspec.json.Decoder[to_page.FromServer] = msgspec.json.Decoder(to_page.FromServer)
 _M = TypeVar("_M", bound=msgspec.Struct)
 
 
@@ -74,13 +74,13 @@ class Page:
         self.seq += 1
         return self.seq
 
-    def push(self, translation: wire.Vec3 = STILL, rotation: wire.Vec3 = STILL, drive: float = 0.0) -> int:
+    def push(self, translation: kinds.Vec3 = STILL, rotation: kinds.Vec3 = STILL, drive: float = 0.0) -> int:
         """Move the sticks; returns the message's number."""
         seq = self.next_seq()
-        self.say(wire.Sticks(seq, translation, rotation, drive))
+        self.say(from_page.Sticks(seq, translation, rotation, drive))
         return seq
 
-    def hear(self) -> wire.FromServer:
+    def hear(self) -> to_page.FromServer:
         """The next message."""
         return _messages.decode(self.socket.recv(timeout=WAIT_S))
 
@@ -93,9 +93,9 @@ class Page:
                 return message
             assert time.monotonic() < end, f"no {kind.__name__} as wanted came within {WAIT_S:g} s"
 
-    def flown(self, seq: int) -> wire.Frame:
+    def flown(self, seq: int) -> to_page.Frame:
         """The first frame that has flown sticks of this number."""
-        return self.wait_for(wire.Frame, lambda frame: frame.stick_seq >= seq)
+        return self.wait_for(to_page.Frame, lambda frame: frame.stick_seq >= seq)
 
     def is_answered(self, steps: int) -> bool:
         """Whether so many steps come at the control period, told by sticks that each frame answers."""
@@ -106,11 +106,11 @@ class Page:
         return in_time(begun, steps)
 
     def refusal(self) -> str:
-        return self.wait_for(wire.Refused).text
+        return self.wait_for(to_page.Refused).text
 
-    def greet(self) -> wire.Welcome:
-        self.say(wire.Hello(wire.PROTOCOL))
-        return self.wait_for(wire.Welcome)
+    def greet(self) -> to_page.Welcome:
+        self.say(from_page.Hello(kinds.PROTOCOL))
+        return self.wait_for(to_page.Welcome)
 
 
 class Station:
@@ -155,8 +155,8 @@ class Station:
 
         def frames_come(steps: int = 6) -> bool:
             with self.page() as page:
-                first, begun = page.wait_for(wire.Frame), time.monotonic()
-                last = page.wait_for(wire.Frame, lambda frame: frame.tick >= first.tick + steps)
+                first, begun = page.wait_for(to_page.Frame), time.monotonic()
+                last = page.wait_for(to_page.Frame, lambda frame: frame.tick >= first.tick + steps)
                 if at_start:
                     assert last.joints == tuple(scenario().initial_angles.tolist())
                 return in_time(begun, steps)

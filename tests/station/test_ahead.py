@@ -7,7 +7,7 @@ import pytest
 
 from aftdeck import Inputs, Simulation
 from aftdeck.scenario.load import load_scenario
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page
 from aftdeck.station.session import LOOK_EVERY, LOOK_S
 from aftdeck.station.wire import Translator
 from tests.station.flying import comes, flying
@@ -41,9 +41,9 @@ def test_pages_are_told_of_it_several_times_a_second_and_set_how_far() -> None:
     with flying() as session:
         told = comes(session, lambda frame: frame.ahead is not None, "a look ahead").ahead
         assert told is not None and told.seconds == LOOK_S and not told.held and not told.moves
-        session.steer(wire.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
+        session.steer(from_page.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
         comes(session, lambda frame: frame.ahead is not None and frame.ahead.held and frame.ahead.moves, "it moves")
-        session.command(wire.LookAhead(2, 12.0))
+        session.command(from_page.LookAhead(2, 12.0))
         comes(session, lambda frame: frame.ahead is not None and frame.ahead.seconds == 12.0, "12 s")
         session.let_go()
         rests = comes(session, lambda f: f.ahead is not None and not f.ahead.held and f.ahead.stopping == 0.0, "rest")
@@ -52,10 +52,10 @@ def test_pages_are_told_of_it_several_times_a_second_and_set_how_far() -> None:
 
 def test_a_restart_forgets_the_axis_that_was_used_last() -> None:
     with flying() as session:
-        session.steer(wire.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
+        session.steer(from_page.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
         comes(session, lambda frame: frame.ahead is not None and frame.ahead.held, "it is held")
         session.let_go()
-        session.command(wire.Restart(2))
+        session.command(from_page.Restart(2))
         comes(session, lambda f: f.tick > LOOK_EVERY and f.ahead is not None and not f.ahead.moves, "nothing moves")
 
 
@@ -63,4 +63,4 @@ def test_a_restart_forgets_the_axis_that_was_used_last() -> None:
 def test_other_times_are_refused(seconds: object) -> None:
     text = msgspec.json.encode({"type": "look_ahead", "seq": 1, "seconds": seconds})
     with pytest.raises(msgspec.ValidationError):
-        msgspec.json.decode(text, type=wire.FromPage)
+        msgspec.json.decode(text, type=from_page.FromPage)

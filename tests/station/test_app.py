@@ -15,8 +15,8 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.station import app as station_app
+from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station import page as station_page
-from aftdeck.station import protocol as wire
 from aftdeck.station import session as station_session
 from aftdeck.station.page import MOST_PAGES, MOST_WRONG
 from aftdeck.station.session import MOST_WAITING, SILENCE, Phase, Session
@@ -53,8 +53,8 @@ def closing(page: Page) -> ConnectionClosed:
 def test_a_page_is_welcomed_with_all_that_it_needs_once(shared: Station) -> None:
     with shared.stranger() as page:
         welcome = page.greet()
-        assert (welcome.protocol, welcome.scenario) == (wire.PROTOCOL, "first-flight")
-        frame = page.wait_for(wire.Frame)
+        assert (welcome.protocol, welcome.scenario) == (kinds.PROTOCOL, "first-flight")
+        frame = page.wait_for(to_page.Frame)
         assert len(frame.poses) == 7 * len(welcome.bodies)
 
 
@@ -98,7 +98,7 @@ def test_a_page_too_many_is_refused(shared: Station) -> None:
         for _ in range(MOST_PAGES):
             pages.enter_context(shared.page())
         with shared.stranger() as late:
-            late.say(wire.Hello(wire.PROTOCOL))
+            late.say(from_page.Hello(kinds.PROTOCOL))
             assert late.refusal() == f"{MOST_PAGES} pages are connected already"
             closing(late)
     shared.is_unhurt()
@@ -106,10 +106,10 @@ def test_a_page_too_many_is_refused(shared: Station) -> None:
 
 def test_a_second_window_never_flies_and_is_no_watcher(station: Station) -> None:
     with station.stranger() as window:
-        window.say(wire.Hello(wire.PROTOCOL, shows=True))
-        assert not window.wait_for(wire.Role).flying
+        window.say(from_page.Hello(kinds.PROTOCOL, shows=True))
+        assert not window.wait_for(to_page.Role).flying
         with station.page() as page:
-            assert page.wait_for(wire.Role) == wire.Role(True, 0, 1, 1, asking=0, name="", names=())
+            assert page.wait_for(to_page.Role) == to_page.Role(True, 0, 1, 1, asking=0, name="", names=())
             assert page.flown(page.push((1.0, 0.0, 0.0))).translation == (1.0, 0.0, 0.0)
         window.push((1.0, 0.0, 0.0))
         assert window.refusal() == "you watch; another page flies"
@@ -117,21 +117,21 @@ def test_a_second_window_never_flies_and_is_no_watcher(station: Station) -> None
 
 def test_a_page_too_narrow_leaves_its_seat_and_takes_it_again_behind_the_others(station: Station) -> None:
     with station.page() as narrow, station.page() as other:
-        narrow.wait_for(wire.Role, lambda role: role.flying and role.watchers == 1)
+        narrow.wait_for(to_page.Role, lambda role: role.flying and role.watchers == 1)
         narrow.push(translation=(1.0, 0.0, 0.0))
-        narrow.wait_for(wire.Frame, lambda frame: frame.translation[0] == 1.0)
-        narrow.say(wire.LeaveSeat(narrow.next_seq()))
-        assert narrow.wait_for(wire.Role, lambda role: not role.flying) == wire.Role(
+        narrow.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 1.0)
+        narrow.say(from_page.LeaveSeat(narrow.next_seq()))
+        assert narrow.wait_for(to_page.Role, lambda role: not role.flying) == to_page.Role(
             False, 0, 0, flier=2, asking=0, name="", names=()
         )
-        assert narrow.wait_for(wire.Frame, lambda frame: frame.position_hold).translation == (0.0, 0.0, 0.0)
-        narrow.say(wire.AskSticks(narrow.next_seq()))
+        assert narrow.wait_for(to_page.Frame, lambda frame: frame.position_hold).translation == (0.0, 0.0, 0.0)
+        narrow.say(from_page.AskSticks(narrow.next_seq()))
         assert narrow.refusal() == "you watch; another page flies"
-        other.wait_for(wire.Role, lambda role: role.flying)
-        narrow.say(wire.TakeSeat(narrow.next_seq()))
-        assert narrow.wait_for(wire.Role, lambda role: role.number == 1).flier == 2, "whoever flies goes on"
-        other.say(wire.LeaveSeat(other.next_seq()))
-        narrow.wait_for(wire.Role, lambda role: role.flying)
+        other.wait_for(to_page.Role, lambda role: role.flying)
+        narrow.say(from_page.TakeSeat(narrow.next_seq()))
+        assert narrow.wait_for(to_page.Role, lambda role: role.number == 1).flier == 2, "whoever flies goes on"
+        other.say(from_page.LeaveSeat(other.next_seq()))
+        narrow.wait_for(to_page.Role, lambda role: role.flying)
         assert narrow.flown(narrow.push((0.5, 0.0, 0.0))).translation == (0.5, 0.0, 0.0)
 
 
@@ -187,37 +187,37 @@ def test_a_message_that_is_none_is_refused_and_the_page_stays(shared: Station, t
         page.say(text)
         assert page.refusal().startswith("message not understood: ")
         seq = page.push()
-        page.wait_for(wire.Frame, lambda frame: frame.stick_seq == seq)
+        page.wait_for(to_page.Frame, lambda frame: frame.stick_seq == seq)
     shared.is_unhurt()
 
 
 def test_a_binary_message_is_refused(shared: Station) -> None:
     with shared.page() as page:
-        page.say(text_of(wire.Proceed(0)).encode())
+        page.say(text_of(from_page.Proceed(0)).encode())
         assert page.refusal() == "messages are JSON text; this one was binary"
     shared.is_unhurt()
 
 
 REFUSED = {
-    "a stick past its travel": (wire.Sticks(0, (0.0, 1.0000001, 0.0), STILL, 0.0), "sticks lie between -1 and 1"),
-    "a huge stick": (wire.Sticks(0, STILL, (0.0, 0.0, -1e308), 0.0), "sticks lie between -1 and 1"),
-    "a huge drive": (wire.Sticks(0, STILL, STILL, 7.0), "sticks lie between -1 and 1"),
-    "a joint too many": (wire.SelectJoint(0, 6), "joints are numbered 0 to 5, got 6"),
-    "a joint below the first": (wire.SelectJoint(0, -1), "joints are numbered 0 to 5, got -1"),
-    "a mode that is none": (wire.EnterMode(0, "WARP"), "no mode 'WARP' can be entered here: there are OPR CMD"),
-    "a mode with signs": (wire.EnterMode(0, "\x00\n<b>é"), "no mode '\\x00\\n<b>é' can be entered here"),
-    "a target at infinity": (wire.SetTarget(0, (1e308, 1e308, -1e308), STILL), "a target lies within 1000 m"),
-    "a target that whirls": (wire.SetTarget(0, STILL, (1e300, 0.0, 0.0)), "is turned by 100 rad at most"),
+    "a stick past its travel": (from_page.Sticks(0, (0.0, 1.0000001, 0.0), STILL, 0.0), "sticks lie between -1 and 1"),
+    "a huge stick": (from_page.Sticks(0, STILL, (0.0, 0.0, -1e308), 0.0), "sticks lie between -1 and 1"),
+    "a huge drive": (from_page.Sticks(0, STILL, STILL, 7.0), "sticks lie between -1 and 1"),
+    "a joint too many": (from_page.SelectJoint(0, 6), "joints are numbered 0 to 5, got 6"),
+    "a joint below the first": (from_page.SelectJoint(0, -1), "joints are numbered 0 to 5, got -1"),
+    "a mode that is none": (from_page.EnterMode(0, "WARP"), "no mode 'WARP' can be entered here: there are OPR CMD"),
+    "a mode with signs": (from_page.EnterMode(0, "\x00\n<b>é"), "no mode '\\x00\\n<b>é' can be entered here"),
+    "a target at infinity": (from_page.SetTarget(0, (1e308, 1e308, -1e308), STILL), "a target lies within 1000 m"),
+    "a target that whirls": (from_page.SetTarget(0, STILL, (1e300, 0.0, 0.0)), "is turned by 100 rad at most"),
 }
 
 
 @pytest.mark.parametrize(("message", "sentence"), REFUSED.values(), ids=REFUSED)
 def test_a_command_that_cannot_be_is_refused_in_a_sentence(
-    shared: Station, message: wire.FromPage, sentence: str
+    shared: Station, message: from_page.FromPage, sentence: str
 ) -> None:
     with shared.page() as page:
         page.say(message)
-        refused = page.wait_for(wire.Refused)
+        refused = page.wait_for(to_page.Refused)
         assert refused.seq == 0
         assert sentence in refused.text
     shared.is_unhurt()
@@ -225,11 +225,11 @@ def test_a_command_that_cannot_be_is_refused_in_a_sentence(
 
 def test_what_the_simulation_refuses_stands_in_the_log(shared: Station) -> None:
     with shared.page() as page:
-        page.say(wire.SetTarget(page.next_seq(), (-50.0, 0.0, 0.0), STILL))
-        page.say(wire.Proceed(page.next_seq()))
+        page.say(from_page.SetTarget(page.next_seq(), (-50.0, 0.0, 0.0), STILL))
+        page.say(from_page.Proceed(page.next_seq()))
         texts: list[str] = []
         while len(texts) < 2:
-            events = page.wait_for(wire.Events).events
+            events = page.wait_for(to_page.Events).events
             texts += [event.text for event in events if event.kind in ("check", "refused")]
         assert texts[0].startswith("CMD CK FAIL: the arm cannot reach this pose: its wrist is ")
         assert texts[1] == "PROCEED does nothing in ORB UNL: enter OPR CMD or AUTO 1-4 first"
@@ -238,24 +238,24 @@ def test_what_the_simulation_refuses_stands_in_the_log(shared: Station) -> None:
 
 def test_a_message_out_of_order_is_not_flown(station: Station) -> None:
     with station.page() as page:
-        page.say(wire.SelectJoint(7, 1))
-        page.say(wire.SelectJoint(6, 2))
-        page.say(wire.SelectJoint(7, 3))
+        page.say(from_page.SelectJoint(7, 1))
+        page.say(from_page.SelectJoint(6, 2))
+        page.say(from_page.SelectJoint(7, 3))
         assert page.refusal() == "message 6 came after message 7; it was not taken"
         assert page.refusal() == "message 7 came after message 7; it was not taken"
-        first = page.wait_for(wire.Frame)
-        assert page.wait_for(wire.Frame, lambda frame: frame.tick > first.tick + 4).joint == 1
+        first = page.wait_for(to_page.Frame)
+        assert page.wait_for(to_page.Frame, lambda frame: frame.tick > first.tick + 4).joint == 1
     station.is_unhurt()
 
 
 def test_a_message_too_long_ends_its_page_alone(shared: Station) -> None:
     with shared.page() as other, shared.page() as page:
-        page.say(" " * wire.MAX_MESSAGE_BYTES + "{}")
+        page.say(" " * kinds.MAX_MESSAGE_BYTES + "{}")
         closed = closing(page)
         assert closed.rcvd is not None
         assert closed.rcvd.code == 1009
-        first = other.wait_for(wire.Frame)
-        other.wait_for(wire.Frame, lambda frame: frame.tick > first.tick + 10)
+        first = other.wait_for(to_page.Frame)
+        other.wait_for(to_page.Frame, lambda frame: frame.tick > first.tick + 10)
     shared.is_unhurt()
 
 
@@ -264,7 +264,7 @@ def test_a_page_that_is_always_wrong_is_closed(shared: Station) -> None:
         for _ in range(MOST_WRONG):
             page.say("nonsense")
         said = f"{MOST_WRONG} messages were refused; the connection is closed"
-        page.wait_for(wire.Refused, lambda refused: refused.text == said)
+        page.wait_for(to_page.Refused, lambda refused: refused.text == said)
         closing(page)
     shared.is_unhurt()
 
@@ -275,7 +275,7 @@ def test_a_page_that_errs_now_and_then_stays(shared: Station) -> None:
             page.say("nonsense")
             page.refusal()
             page.push()
-        page.wait_for(wire.Frame, lambda frame: frame.stick_seq == page.seq)
+        page.wait_for(to_page.Frame, lambda frame: frame.stick_seq == page.seq)
     shared.is_unhurt()
 
 
@@ -286,7 +286,7 @@ def test_a_flood_of_commands_ends_its_page_and_not_the_flight(station: Station) 
     with station.page() as page:
         try:
             for seq in range(10_000):
-                page.say(wire.SelectJoint(seq, seq % 6))
+                page.say(from_page.SelectJoint(seq, seq % 6))
         except ConnectionClosed:
             pass  # the end comes while the flood goes on
         closing(page)
@@ -297,7 +297,7 @@ def test_a_flood_of_sticks_is_flown_newest_first(shared: Station) -> None:
     with shared.page() as page:
         for _ in range(10_000):
             page.push()
-        page.wait_for(wire.Frame, lambda frame: frame.stick_seq == 9_999)
+        page.wait_for(to_page.Frame, lambda frame: frame.stick_seq == 9_999)
     shared.is_unhurt()
 
 
@@ -315,14 +315,14 @@ def test_stop_is_never_refused_and_overtakes_what_waits(station: Station, monkey
         monkeypatch.setattr(simulation, "step", wait)
         assert stands.wait(WAIT_S)
         for _ in range(MOST_WAITING):
-            page.say(wire.SelectJoint(page.next_seq(), 5))
+            page.say(from_page.SelectJoint(page.next_seq(), 5))
         page.push(translation=(0.5, 0.0, 0.0))
         until(lambda: len(queue) == MOST_WAITING, "the queue is full")
-        page.say(wire.Stop(page.next_seq()))
-        page.say(wire.SelectRate(page.next_seq(), "vernier"))
+        page.say(from_page.Stop(page.next_seq()))
+        page.say(from_page.SelectRate(page.next_seq(), "vernier"))
         until(lambda: len(queue) == 2, "STOP and what comes after it alone wait")
         goes_on.set()
-        frame = page.wait_for(wire.Frame, lambda frame: frame.rate == "vernier")
+        frame = page.wait_for(to_page.Frame, lambda frame: frame.rate == "vernier")
         assert (frame.joint, frame.translation) == (0, STILL)
 
 
@@ -345,32 +345,32 @@ def test_sticks_go_to_zero_when_their_page_is_cut_off_and_the_next_page_gets_the
     with station.stranger() as flier, station.page() as next_one:
         # the stranger is welcomed second and watches; the other one flies
         flier.greet()
-        assert next_one.wait_for(wire.Role).flying
-        assert not flier.wait_for(wire.Role).flying
+        assert next_one.wait_for(to_page.Role).flying
+        assert not flier.wait_for(to_page.Role).flying
         next_one.push(translation=(1.0, 0.0, 0.0))
-        flier.wait_for(wire.Frame, lambda frame: frame.translation[0] == 1.0)
+        flier.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 1.0)
         next_one.socket.socket.shutdown(socket.SHUT_RDWR)  # no goodbye
-        assert flier.wait_for(wire.Role, lambda role: role.flying).watchers == 0
-        frame = flier.wait_for(wire.Frame, lambda frame: frame.translation[0] == 0.0)
+        assert flier.wait_for(to_page.Role, lambda role: role.flying).watchers == 0
+        frame = flier.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 0.0)
         assert frame.stick_seq == -1, "not because they were silent"
         seq = flier.push(rotation=(0.0, 0.0, 0.5))
-        assert flier.wait_for(wire.Frame, lambda frame: frame.stick_seq == seq).rotation == (0.0, 0.0, 0.5)
+        assert flier.wait_for(to_page.Frame, lambda frame: frame.stick_seq == seq).rotation == (0.0, 0.0, 0.5)
 
 
 def test_the_sticks_are_handed_over_at_rest_to_the_page_that_asks(station: Station) -> None:
     with station.page() as flier, station.page() as other:
-        flier.wait_for(wire.Role, lambda role: role.flying and role.watchers == 1)
-        assert other.wait_for(wire.Role).flier == 1
-        other.say(wire.AskSticks(other.next_seq()))
-        flier.wait_for(wire.Role, lambda role: role.asking == 2)
+        flier.wait_for(to_page.Role, lambda role: role.flying and role.watchers == 1)
+        assert other.wait_for(to_page.Role).flier == 1
+        other.say(from_page.AskSticks(other.next_seq()))
+        flier.wait_for(to_page.Role, lambda role: role.asking == 2)
         flier.push(translation=(1.0, 0.0, 0.0))
-        flier.wait_for(wire.Frame, lambda frame: frame.translation[0] == 1.0)
-        flier.say(wire.GiveSticks(flier.next_seq()))
+        flier.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 1.0)
+        flier.say(from_page.GiveSticks(flier.next_seq()))
         assert flier.refusal() == "let go of the sticks first: they are given at rest"
         flier.flown(flier.push())
-        flier.say(wire.GiveSticks(flier.next_seq()))
-        assert other.wait_for(wire.Role, lambda role: role.flying).flier == 2
-        assert not flier.wait_for(wire.Role, lambda role: role.flier == 2).flying
+        flier.say(from_page.GiveSticks(flier.next_seq()))
+        assert other.wait_for(to_page.Role, lambda role: role.flying).flier == 2
+        assert not flier.wait_for(to_page.Role, lambda role: role.flier == 2).flying
         flier.push(translation=(1.0, 0.0, 0.0))
         assert flier.refusal() == "you watch; another page flies"
         assert other.flown(other.push(rotation=(0.0, 0.0, 0.5))).rotation == (0.0, 0.0, 0.5)
@@ -380,22 +380,22 @@ def test_the_sticks_are_handed_over_at_rest_to_the_page_that_asks(station: Stati
 
 def test_a_name_goes_to_every_page_and_into_the_log(station: Station) -> None:
     with station.page() as flier, station.page() as other:
-        flier.say(wire.SetName(flier.next_seq(), "Anna"))
-        anna = wire.NamedPage(1, "Anna")
-        assert other.wait_for(wire.Role, lambda role: role.names == (anna,)).name == ""
-        other.say(wire.SetName(other.next_seq(), "Ben"))  # who only watches has a name, too
-        both = flier.wait_for(wire.Role, lambda role: len(role.names) == 2)
-        assert both.names == (anna, wire.NamedPage(2, "Ben")) and both.name == "Anna"
-        other.say(wire.AskSticks(other.next_seq()))
-        flier.wait_for(wire.Role, lambda role: role.asking == 2)
-        flier.say(wire.KeepSticks(flier.next_seq()))
+        flier.say(from_page.SetName(flier.next_seq(), "Anna"))
+        anna = to_page.NamedPage(1, "Anna")
+        assert other.wait_for(to_page.Role, lambda role: role.names == (anna,)).name == ""
+        other.say(from_page.SetName(other.next_seq(), "Ben"))  # who only watches has a name, too
+        both = flier.wait_for(to_page.Role, lambda role: len(role.names) == 2)
+        assert both.names == (anna, to_page.NamedPage(2, "Ben")) and both.name == "Anna"
+        other.say(from_page.AskSticks(other.next_seq()))
+        flier.wait_for(to_page.Role, lambda role: role.asking == 2)
+        flier.say(from_page.KeepSticks(flier.next_seq()))
         assert other.refusal() == "Anna keeps the sticks"
-        other.say(wire.AskSticks(other.next_seq()))
-        flier.wait_for(wire.Role, lambda role: role.asking == 2)
-        flier.say(wire.GiveSticks(flier.next_seq()))
-        other.wait_for(wire.Role, lambda role: role.flying)
-        other.say(wire.SetName(other.next_seq(), ""))
-        assert flier.wait_for(wire.Role, lambda role: len(role.names) == 1).names == (anna,)
+        other.say(from_page.AskSticks(other.next_seq()))
+        flier.wait_for(to_page.Role, lambda role: role.asking == 2)
+        flier.say(from_page.GiveSticks(flier.next_seq()))
+        other.wait_for(to_page.Role, lambda role: role.flying)
+        other.say(from_page.SetName(other.next_seq(), ""))
+        assert flier.wait_for(to_page.Role, lambda role: len(role.names) == 1).names == (anna,)
     until(lambda: "Anna gives the sticks to Ben" in [event.text for event in station.session.log_since(0)], "the line")
 
 
@@ -411,43 +411,43 @@ def test_a_name_goes_to_every_page_and_into_the_log(station: Station) -> None:
 )
 def test_what_is_no_name_is_refused_in_a_sentence_and_not_repaired(station: Station, name: str, sentence: str) -> None:
     with station.page() as page:
-        page.say(wire.SetName(page.next_seq(), "Anna"))
-        page.wait_for(wire.Role, lambda role: role.name == "Anna")
-        page.say(wire.SetName(page.next_seq(), name))
-        refused = page.wait_for(wire.Refused)
+        page.say(from_page.SetName(page.next_seq(), "Anna"))
+        page.wait_for(to_page.Role, lambda role: role.name == "Anna")
+        page.say(from_page.SetName(page.next_seq(), name))
+        refused = page.wait_for(to_page.Refused)
         assert refused.seq == page.seq and sentence in refused.text
-        page.say(wire.AskSticks(page.next_seq()))
-        page.wait_for(wire.Refused)
+        page.say(from_page.AskSticks(page.next_seq()))
+        page.wait_for(to_page.Refused)
         with station.page() as other:
-            assert other.wait_for(wire.Role, lambda role: role.number == 2).names == (wire.NamedPage(1, "Anna"),)
+            assert other.wait_for(to_page.Role, lambda role: role.number == 2).names == (to_page.NamedPage(1, "Anna"),)
 
 
 def test_a_second_window_has_no_name(station: Station) -> None:
     with station.page(), station.stranger() as window:
-        window.say(wire.Hello(wire.PROTOCOL, shows=True))
-        window.say(wire.SetName(window.next_seq(), "Anna"))
+        window.say(from_page.Hello(kinds.PROTOCOL, shows=True))
+        window.say(from_page.SetName(window.next_seq(), "Anna"))
         assert window.refusal() == "you watch; another page flies"
 
 
 def test_sticks_that_are_kept_stay_where_they_are(station: Station) -> None:
     with station.page() as flier, station.page() as other:
-        flier.say(wire.AskSticks(flier.next_seq()))
+        flier.say(from_page.AskSticks(flier.next_seq()))
         assert flier.refusal() == "you fly: there is nobody to ask for the sticks"
-        flier.say(wire.GiveSticks(flier.next_seq()))
+        flier.say(from_page.GiveSticks(flier.next_seq()))
         assert flier.refusal() == "nobody asks for the sticks, or no longer"
-        other.say(wire.AskSticks(other.next_seq()))
-        flier.wait_for(wire.Role, lambda role: role.asking == 2)
-        flier.say(wire.KeepSticks(flier.next_seq()))
+        other.say(from_page.AskSticks(other.next_seq()))
+        flier.wait_for(to_page.Role, lambda role: role.asking == 2)
+        flier.say(from_page.KeepSticks(flier.next_seq()))
         assert other.refusal() == "page 1 keeps the sticks"
-        assert flier.wait_for(wire.Role, lambda role: role.asking == 0).flying
+        assert flier.wait_for(to_page.Role, lambda role: role.asking == 0).flying
 
 
 def test_silent_sticks_go_to_zero(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:
     with station.page() as page:
         seq = page.push(translation=(1.0, 0.0, 0.0))
-        page.wait_for(wire.Frame, lambda frame: frame.translation[0] == 1.0)
+        page.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 1.0)
         monkeypatch.setattr(station_session, "SILENCE", SILENCE)
-        assert page.wait_for(wire.Frame, lambda frame: frame.translation[0] == 0.0).stick_seq == seq
+        assert page.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 0.0).stick_seq == seq
 
 
 def test_a_watcher_may_not_fly(shared: Station) -> None:
@@ -540,7 +540,7 @@ def test_pages_are_told_when_the_simulation_fails(station: Station, monkeypatch:
         raise ZeroDivisionError("a law divided by zero")
 
     with station.page() as page:
-        page.wait_for(wire.Frame)
+        page.wait_for(to_page.Frame)
         monkeypatch.setattr(station.session._sim, "step", fail)
         text = page.refusal()
         assert re.fullmatch(r"the simulation stopped at \d+\.\d\d s: a law divided by zero", text)
@@ -557,7 +557,7 @@ def test_pages_come_and_go_at_once(shared: Station) -> None:
         for _ in range(5):
             with shared.page() as page:
                 page.push(translation=(0.0, 0.0, 0.0))
-                page.wait_for(wire.Frame)
+                page.wait_for(to_page.Frame)
 
     visitors = [Thread(target=visit) for _ in range(6)]
     for visitor in visitors:

@@ -16,7 +16,7 @@ from aftdeck.errors import CommandError
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord, Shown
 from aftdeck.recording.replay import verify
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, kinds
 from aftdeck.station import session as station_session
 from aftdeck.station.reel import Reel
 from aftdeck.station.session import SILENCE
@@ -24,11 +24,11 @@ from aftdeck.station.verdict import CHECKING
 from tests.station.flying import Flown, comes, flying, goes_on, shown
 from tests.station.pages import text_of
 
-_from_page: msgspec.json.Decoder[wire.FromPage] = msgspec.json.Decoder(wire.FromPage)
+_from_page: msgspec.json.Decoder[from_page.FromPage] = msgspec.json.Decoder(from_page.FromPage)
 
 
-def turn(seq: int, camera: str = "B", pan: float = 0.0, tilt: float = 0.0, zoom: float = 0.0) -> wire.DriveCamera:
-    return wire.DriveCamera(seq, camera, pan, tilt, zoom, slow=False)
+def turn(seq: int, camera: str = "B", pan: float = 0.0, tilt: float = 0.0, zoom: float = 0.0) -> from_page.DriveCamera:
+    return from_page.DriveCamera(seq, camera, pan, tilt, zoom, slow=False)
 
 
 @pytest.fixture
@@ -74,7 +74,7 @@ def test_a_page_that_leaves_lets_its_camera_go(session: Flown) -> None:
 def test_stop_lets_the_camera_go_too(session: Flown) -> None:
     session.turn(turn(0, zoom=1.0))
     goes_on(session, 2)
-    session.command(wire.Stop(1))
+    session.command(from_page.Stop(1))
     frame = goes_on(session, 2)
     assert goes_on(session, 5).views == frame.views
 
@@ -88,7 +88,9 @@ def test_stop_lets_the_camera_go_too(session: Flown) -> None:
         (turn(0, tilt=math.nan), r"lie between -1 and 1"),
     ],
 )
-def test_what_cannot_be_turned_is_refused_in_a_sentence(session: Flown, message: wire.DriveCamera, said: str) -> None:
+def test_what_cannot_be_turned_is_refused_in_a_sentence(
+    session: Flown, message: from_page.DriveCamera, said: str
+) -> None:
     with pytest.raises(CommandError, match=said):
         session.turn(message)
 
@@ -100,7 +102,7 @@ def test_while_the_script_flies_no_camera_turns() -> None:
 
 def test_a_monitor_cannot_show_a_camera_that_there_is_not(session: Flown) -> None:
     with pytest.raises(CommandError, match=r"there is no camera 'Q': there are A, B, C, D, KEEL, ELB, WR, AFT P"):
-        session.shown(wire.Shown(0, None, (("B",), ("A", "Q"))))
+        session.shown(from_page.Shown(0, None, (("B",), ("A", "Q"))))
 
 
 @pytest.mark.parametrize(
@@ -115,16 +117,19 @@ def test_more_monitors_halves_or_letters_than_there_are_are_not_understood(monit
 
 def test_the_longest_legal_messages_are_taken() -> None:
     name = "A" * 64
-    for message in (wire.Shown(2**53 - 1, 1e6, ((name, name), (name, name))), turn(2**53 - 1, name, -1.0, -1.0, -1.0)):
+    for message in (
+        from_page.Shown(2**53 - 1, 1e6, ((name, name), (name, name))),
+        turn(2**53 - 1, name, -1.0, -1.0, -1.0),
+    ):
         text = text_of(message)
-        assert len(text) < wire.MAX_MESSAGE_BYTES / 4
+        assert len(text) < kinds.MAX_MESSAGE_BYTES / 4
         assert _from_page.decode(text) == message
 
 
 def test_a_recording_keeps_cameras_and_monitors_as_they_change_and_flies_again_alike(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         for seq, monitors in enumerate([(("B",), ("WR",)), (("B",), ("WR",)), (("A", "C"), ("WR",))]):
-            session.shown(wire.Shown(seq, 40.0, monitors))
+            session.shown(from_page.Shown(seq, 40.0, monitors))
             session.turn(turn(seq, pan=0.5, zoom=0.25))
             goes_on(session, 10)
         session.let_go()

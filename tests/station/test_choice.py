@@ -14,7 +14,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.load import HERE, about, built_in, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, to_page
 from aftdeck.station.choice import Choice
 from aftdeck.station.session import Session
 from tests.station.pages import WAIT_S, Page, Station, scenario, served
@@ -30,15 +30,15 @@ def station() -> Iterator[Station]:
         yield station
 
 
-def number(told: wire.Scenarios, name: str) -> int:
+def number(told: to_page.Scenarios, name: str) -> int:
     return [info.name for info in told.scenarios].index(name)
 
 
 def choose(page: Page, name: str) -> None:
     """Ask for a scenario, once the page flies."""
-    told = page.wait_for(wire.Scenarios)
-    page.wait_for(wire.Role, lambda role: role.flying)
-    page.say(wire.FlyScenario(page.next_seq(), number(told, name)))
+    told = page.wait_for(to_page.Scenarios)
+    page.wait_for(to_page.Role, lambda role: role.flying)
+    page.say(from_page.FlyScenario(page.next_seq(), number(told, name)))
 
 
 def own_file() -> Scenario:
@@ -69,13 +69,13 @@ def test_every_page_comes_along_and_the_same_one_flies(station: Station) -> None
     with station.page() as flier, station.page() as watcher:
         choose(flier, OTHER)
         for page in (flier, watcher):
-            assert page.wait_for(wire.Scenarios, lambda told: told.coming is not None).flown != 0
-            assert page.wait_for(wire.Welcome).scenario == OTHER
-            told = page.wait_for(wire.Scenarios, lambda told: told.coming is None)
+            assert page.wait_for(to_page.Scenarios, lambda told: told.coming is not None).flown != 0
+            assert page.wait_for(to_page.Welcome).scenario == OTHER
+            told = page.wait_for(to_page.Scenarios, lambda told: told.coming is None)
             assert told.scenarios[told.flown].name == OTHER
         frame = flier.flown(flier.push((1.0, 0.0, 0.0)))
         assert frame.translation == (1.0, 0.0, 0.0)
-        assert watcher.wait_for(wire.Frame, lambda frame: frame.tick > 1).joints != tuple(scenario().initial_angles)
+        assert watcher.wait_for(to_page.Frame, lambda frame: frame.tick > 1).joints != tuple(scenario().initial_angles)
         with station.stranger() as late:
             assert late.greet().scenario == OTHER
     assert station.get("/health") == (200, "flying\n")
@@ -92,30 +92,32 @@ def test_the_arm_comes_to_rest_while_another_is_made_ready(station: Station, mon
     monkeypatch.setattr(Session, "another", slow)
     with station.page() as page:
         page.flown(page.push((1.0, 0.0, 0.0)))
-        page.wait_for(wire.Frame, lambda frame: frame.translation[0] == 1.0)
+        page.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 1.0)
     with station.page() as page:
         choose(page, OTHER)
-        page.wait_for(wire.Frame, lambda frame: frame.translation == (0.0, 0.0, 0.0) and not any(frame.rates_commanded))
-        page.say(wire.FlyScenario(page.next_seq(), 0))
+        page.wait_for(
+            to_page.Frame, lambda frame: frame.translation == (0.0, 0.0, 0.0) and not any(frame.rates_commanded)
+        )
+        page.say(from_page.FlyScenario(page.next_seq(), 0))
         assert "is being made ready: wait until it flies" in page.refusal()
         page.push((1.0, 0.0, 0.0))
-        page.say(wire.EnterMode(page.next_seq(), "END EFF"))
+        page.say(from_page.EnterMode(page.next_seq(), "END EFF"))
         assert "the arm rests meanwhile" in page.refusal()
-        assert page.wait_for(wire.Frame).translation == (0.0, 0.0, 0.0)
-        page.say(wire.SetBrakes(page.next_seq(), on=True))
-        page.wait_for(wire.Frame, lambda frame: frame.brakes)
+        assert page.wait_for(to_page.Frame).translation == (0.0, 0.0, 0.0)
+        page.say(from_page.SetBrakes(page.next_seq(), on=True))
+        page.wait_for(to_page.Frame, lambda frame: frame.brakes)
         made.set()
-        assert page.wait_for(wire.Welcome).scenario == OTHER
+        assert page.wait_for(to_page.Welcome).scenario == OTHER
 
 
 def test_each_scenario_has_a_recording_of_its_own_and_the_first_is_kept(tmp_path: Path) -> None:
     with served(Session(scenario(), record=tmp_path)) as station, station.page() as page:
-        page.wait_for(wire.Frame, lambda frame: frame.tick > 20)
+        page.wait_for(to_page.Frame, lambda frame: frame.tick > 20)
         with station.page():
             page.flown(page.push((1.0, 0.0, 0.0)))
-        page.say(wire.FlyScenario(page.next_seq(), number(Choice(scenario()).message(), OTHER)))
-        page.wait_for(wire.Welcome)
-        page.wait_for(wire.Frame, lambda frame: frame.tick > 20 and frame.recording_s is not None)
+        page.say(from_page.FlyScenario(page.next_seq(), number(Choice(scenario()).message(), OTHER)))
+        page.wait_for(to_page.Welcome)
+        page.wait_for(to_page.Frame, lambda frame: frame.tick > 20 and frame.recording_s is not None)
     first, second = files(tmp_path)
     assert [Recording(path).opening.scenario for path in (first, second)] == ["first-flight", OTHER]
     assert [ended(path) for path in (first, second)] == ["stopped", "stopped"]
@@ -126,21 +128,21 @@ def test_what_cannot_be_flown_is_refused_and_the_flight_goes_on(
     station: Station, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with station.page() as page, station.page() as watcher:
-        watcher.say(wire.FlyScenario(watcher.next_seq(), 0))
+        watcher.say(from_page.FlyScenario(watcher.next_seq(), 0))
         assert watcher.refusal() == "you watch; another page flies"
-        told = page.wait_for(wire.Scenarios)
-        page.say(wire.FlyScenario(page.next_seq(), len(told.scenarios)))
+        told = page.wait_for(to_page.Scenarios)
+        page.say(from_page.FlyScenario(page.next_seq(), len(told.scenarios)))
         assert page.refusal() == f"scenarios are numbered 0 to {len(told.scenarios) - 1}, got {len(told.scenarios)}"
-        page.say(wire.FlyScenario(page.next_seq(), told.flown))
+        page.say(from_page.FlyScenario(page.next_seq(), told.flown))
         assert page.refusal() == "'First flight' is flown already: Restart puts it back"
 
         def broken(self: Choice, chosen: int) -> Scenario:
             raise ScenarioError(["singular.toml: is gone"])
 
         monkeypatch.setattr(Choice, "load", broken)
-        page.say(wire.FlyScenario(page.next_seq(), number(told, OTHER)))
+        page.say(from_page.FlyScenario(page.next_seq(), number(told, OTHER)))
         assert page.refusal() == "'Three singularities' cannot be flown: singular.toml: is gone"
-        after = page.wait_for(wire.Scenarios, lambda told: told.coming is None)
+        after = page.wait_for(to_page.Scenarios, lambda told: told.coming is None)
         assert after.flown == told.flown
     station.is_unhurt()
 
@@ -150,7 +152,7 @@ def test_the_server_ends_at_once_though_a_scenario_is_being_made_ready(monkeypat
     monkeypatch.setattr(Session, "another", lambda *_: never.wait(WAIT_S))
     with served(Session(scenario())) as station, station.page() as page:
         choose(page, OTHER)
-        page.wait_for(wire.Scenarios, lambda told: told.coming is not None)
+        page.wait_for(to_page.Scenarios, lambda told: told.coming is not None)
         begun = time.monotonic()
     assert time.monotonic() - begun < WAIT_S / 4
     never.set()

@@ -13,32 +13,32 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import LightRecord
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.light import Lighting, LockedExposure
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page
 from aftdeck.station.reel import Reel
 from tests.station.flying import comes, flying, goes_on, shown
 from tests.station.pages import scenario, text_of
 
 NIGHT = Lighting("night", ("end effector",), (LockedExposure("B", 1.25),))
 
-_from_page: msgspec.json.Decoder[wire.FromPage] = msgspec.json.Decoder(wire.FromPage)
+_from_page: msgspec.json.Decoder[from_page.FromPage] = msgspec.json.Decoder(from_page.FromPage)
 
 
 def test_light_is_the_scenarios_until_it_is_set_and_again_after_a_restart() -> None:
     own = scenario().lighting
     with flying() as session:
         assert shown(session).lighting == own
-        session.light(wire.SetLight(0, NIGHT))
+        session.light(from_page.SetLight(0, NIGHT))
         comes(session, lambda frame: frame.lighting == NIGHT, "night")
         assert [event.text for event in session.log_since(0) if event.kind == "light"] == [
             "light: night; lamps lit: end effector"
         ]
-        session.command(wire.Restart(1))
+        session.command(from_page.Restart(1))
         assert comes(session, lambda frame: frame.tick == 1, "the first instant again").lighting == own
 
 
 def test_light_is_set_while_the_script_flies_on() -> None:
     with flying(demo=True) as session:
-        session.light(wire.SetLight(0, NIGHT))
+        session.light(from_page.SetLight(0, NIGHT))
         assert comes(session, lambda frame: frame.lighting == NIGHT, "night").by == "script"
 
 
@@ -53,13 +53,13 @@ def test_light_is_set_while_the_script_flies_on() -> None:
 def test_what_there_is_not_is_refused_and_changes_nothing(wrong: Lighting, said: str) -> None:
     with flying() as session:
         with pytest.raises(CommandError, match=said):
-            session.light(wire.SetLight(0, wrong))
+            session.light(from_page.SetLight(0, wrong))
         assert goes_on(session, 5).lighting == scenario().lighting
 
 
 @pytest.mark.parametrize("stops", ["1e9", "-21", "NaN", '"much"'])
 def test_an_exposure_beyond_all_cameras_is_not_understood(stops: str) -> None:
-    text = text_of(wire.SetLight(0, NIGHT)).replace("1.25", stops)
+    text = text_of(from_page.SetLight(0, NIGHT)).replace("1.25", stops)
     with pytest.raises(msgspec.DecodeError):
         _from_page.decode(text)
 
@@ -68,11 +68,11 @@ def test_a_recording_keeps_the_light_as_it_changes_and_a_replay_has_it_again(tmp
     own = scenario().lighting
     with flying(record=tmp_path) as session:
         goes_on(session, 20)
-        session.light(wire.SetLight(0, NIGHT))
+        session.light(from_page.SetLight(0, NIGHT))
         first = comes(session, lambda frame: frame.lighting == NIGHT, "night").tick
-        session.light(wire.SetLight(1, NIGHT))
+        session.light(from_page.SetLight(1, NIGHT))
         goes_on(session, 300)  # into the recording's next block
-        session.light(wire.SetLight(2, own))
+        session.light(from_page.SetLight(2, own))
         last = comes(session, lambda frame: frame.lighting == own, "day").tick
         goes_on(session, 5)
     (path,) = tmp_path.glob("*.mcap")

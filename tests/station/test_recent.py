@@ -6,14 +6,13 @@ import pytest
 
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station import protocol as wire
-from aftdeck.station import recent
+from aftdeck.station import from_page, kinds, recent, to_page
 from aftdeck.station.recent import RecentFlight
 from aftdeck.station.session import Session
 from aftdeck.station.strips import readings, sources
 from tests.station.pages import scenario, served
 
-LIT = wire.Lamp("RATE LIM", "caution", "a test's")
+LIT = to_page.Lamp("RATE LIM", "caution", "a test's")
 PERIOD = scenario().control_period
 EVERY = round(recent.SPACING_S / PERIOD)
 
@@ -25,7 +24,7 @@ class Flown:
         self.simulation = Simulation(scenario())
         self.recent = RecentFlight(scenario())
 
-    def fly(self, steps: int, *lamps: wire.Lamp, monitors: tuple[tuple[str, ...], ...] = (("A",), ("B",))) -> None:
+    def fly(self, steps: int, *lamps: to_page.Lamp, monitors: tuple[tuple[str, ...], ...] = (("A",), ("B",))) -> None:
         for _ in range(steps):
             frame = self.simulation.step(Inputs(translation=(0.5, 0.0, 0.0)))
             self.recent.add(frame, lamps, None, monitors)
@@ -86,10 +85,10 @@ def test_what_is_older_than_the_last_minutes_is_forgotten(monkeypatch: pytest.Mo
 
 def test_only_a_window_that_draws_strips_is_sent_them_and_a_restart_begins_anew() -> None:
     with served(Session(scenario())) as station, station.stranger() as strips, station.page() as page:
-        strips.say(wire.Hello(wire.PROTOCOL, shows=True, strips=True))
-        assert strips.wait_for(wire.Recent).strips
-        assert not strips.wait_for(wire.Recent).strips
-        page.say(wire.Restart(page.next_seq()))
-        anew = strips.wait_for(wire.Recent, lambda told: bool(told.strips))
+        strips.say(from_page.Hello(kinds.PROTOCOL, shows=True, strips=True))
+        assert strips.wait_for(to_page.Recent).strips
+        assert not strips.wait_for(to_page.Recent).strips
+        page.say(from_page.Restart(page.next_seq()))
+        anew = strips.wait_for(to_page.Recent, lambda told: bool(told.strips))
         assert anew.samples[0].time_s == pytest.approx(PERIOD)
-        assert not any(isinstance(page.hear(), wire.Recent) for _ in range(30))
+        assert not any(isinstance(page.hear(), to_page.Recent) for _ in range(30))

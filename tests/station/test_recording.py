@@ -17,7 +17,7 @@ from aftdeck.recording.records import FrameRecord, Input
 from aftdeck.recording.replay import verify
 from aftdeck.recording.sink import Sink
 from aftdeck.recording.trial import Trial
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, to_page
 from aftdeck.station.reel import Reel
 from aftdeck.station.session import MOST_BEHIND, Session
 from aftdeck.station.verdict import CHECKING
@@ -27,7 +27,7 @@ from tests.station.pages import STILL, WAIT_S, scenario, until
 ROOM = 90_000
 
 
-def begins_anew(session: Flown) -> wire.Frame:
+def begins_anew(session: Flown) -> to_page.Frame:
     """The first frame of the flight after a restart."""
     return comes(session, lambda frame: frame.tick == 1, "the first instant again")
 
@@ -45,16 +45,16 @@ def ended(path: Path) -> str:
 
 def test_every_flight_has_its_file_and_repeats_itself(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
-        session.steer(wire.Sticks(0, (1.0, 0.0, 0.0), STILL, 0.0))
-        session.command(wire.SelectRate(1, "vernier"))
+        session.steer(from_page.Sticks(0, (1.0, 0.0, 0.0), STILL, 0.0))
+        session.command(from_page.SelectRate(1, "vernier"))
         goes_on(session, 30)
-        session.command(wire.Restart(2))
+        session.command(from_page.Restart(2))
         begins_anew(session)
-        session.command(wire.EnterMode(3, "SINGLE"))
-        session.command(wire.SelectJoint(4, 2))
-        session.command(wire.Stop(5))
+        session.command(from_page.EnterMode(3, "SINGLE"))
+        session.command(from_page.SelectJoint(4, 2))
+        session.command(from_page.Stop(5))
         goes_on(session, 10)
-        session.command(wire.Restart(6))
+        session.command(from_page.Restart(6))
         begins_anew(session)
         goes_on(session, 5)
     first, second, third = files(tmp_path)
@@ -70,7 +70,7 @@ def test_every_flight_has_its_file_and_repeats_itself(tmp_path: Path) -> None:
 def test_every_flight_says_who_took_part_and_no_page_is_told(tmp_path: Path) -> None:
     trial = Trial("P07", "wrist camera off")
     with flying(record=tmp_path, trial=trial) as session:
-        session.command(wire.Restart(0))
+        session.command(from_page.Restart(0))
         begins_anew(session)
         goes_on(session)
         told = (session.welcome, shown(session), session.log_since(0))
@@ -96,7 +96,7 @@ def test_the_flights_are_listed(tmp_path: Path) -> None:
 def test_a_demonstration_and_the_hand_that_takes_it_over_are_recorded(tmp_path: Path) -> None:
     with flying(record=tmp_path, demo=True) as session:
         goes_on(session)
-        session.steer(wire.Sticks(0, (0.0, 0.5, 0.0), STILL, 0.0))
+        session.steer(from_page.Sticks(0, (0.0, 0.5, 0.0), STILL, 0.0))
         comes(session, lambda frame: frame.by == "hand", "the hand")
     (path,) = files(tmp_path)
     assert verify(path).equal
@@ -108,7 +108,7 @@ def test_the_page_is_told_how_long_the_recording_is(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         frame = goes_on(session)
         assert frame.recording_s == pytest.approx(frame.tick * 0.02)
-        session.command(wire.Restart(0))
+        session.command(from_page.Restart(0))
         begins_anew(session)
         frame = goes_on(session, 1)
         assert frame.recording_s == pytest.approx(frame.tick * 0.02)
@@ -127,7 +127,7 @@ def test_a_session_that_records_nothing_says_so() -> None:
 def test_the_latency_that_the_page_shows_is_recorded_until_it_leaves(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         goes_on(session, 3)
-        session.shown(wire.Shown(0, 41.5))
+        session.shown(from_page.Shown(0, 41.5))
         goes_on(session, 5)
         session.let_go()
         goes_on(session, 5)
@@ -138,17 +138,17 @@ def test_the_latency_that_the_page_shows_is_recorded_until_it_leaves(tmp_path: P
     assert set(told[first : first + told.count(41.5)]) == {41.5}
 
 
-KEYS = wire.ControllerInUse("keyboard", "Keyboard", 0.0, 0.0, ("KeyW +X", "KeyS -X"), ())
-PAD = wire.ControllerInUse("pad", "Test pad", 0.08, 0.3, ("a1 -X", "b9+b12 +telescope"), (0.0, 0.11))
+KEYS = from_page.ControllerInUse("keyboard", "Keyboard", 0.0, 0.0, ("KeyW +X", "KeyS -X"), ())
+PAD = from_page.ControllerInUse("pad", "Test pad", 0.08, 0.3, ("a1 -X", "b9+b12 +telescope"), (0.0, 0.11))
 
 
 def test_controllers_are_recorded_at_the_beginning_and_when_they_change(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
-        session.controllers_in_use(wire.Controllers(0, (KEYS,)))
+        session.controllers_in_use(from_page.Controllers(0, (KEYS,)))
         goes_on(session, 5)
-        session.controllers_in_use(wire.Controllers(1, (KEYS, PAD)))
+        session.controllers_in_use(from_page.Controllers(1, (KEYS, PAD)))
         goes_on(session, 5)
-        session.command(wire.Restart(2))
+        session.command(from_page.Restart(2))
         begins_anew(session)
         goes_on(session, 5)
         session.let_go()
@@ -171,7 +171,7 @@ def test_a_flight_by_script_tells_of_no_controllers(tmp_path: Path) -> None:
 
 def test_the_replay_names_the_controllers_and_how_they_were_set(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
-        session.controllers_in_use(wire.Controllers(0, (KEYS, PAD)))
+        session.controllers_in_use(from_page.Controllers(0, (KEYS, PAD)))
         goes_on(session, 5)
     (path,) = files(tmp_path)
     with Reel(path) as reel:
@@ -260,7 +260,7 @@ def test_a_restart_waits_for_no_disk(tmp_path: Path, monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(Sink, "close", stuck)
     with flying(record=tmp_path) as session:
         goes_on(session)
-        session.command(wire.Restart(0))
+        session.command(from_page.Restart(0))
         begins_anew(session)
         goes_on(session)
         freed.set()

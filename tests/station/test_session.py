@@ -10,15 +10,15 @@ from typing import Literal
 import pytest
 
 from aftdeck.errors import CommandError
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, to_page
 from aftdeck.station import session as station_session
 from aftdeck.station.session import MOST_BEHIND, MOST_WAITING, SILENCE, Phase, Session
 from tests.station.flying import Flown, comes, flying, goes_on, shown
 from tests.station.pages import STILL, WAIT_S, in_time, scenario, until
 
 
-def sticks(seq: int, forward: float = 0.0) -> wire.Sticks:
-    return wire.Sticks(seq, (forward, 0.0, 0.0), STILL, 0.0)
+def sticks(seq: int, forward: float = 0.0) -> from_page.Sticks:
+    return from_page.Sticks(seq, (forward, 0.0, 0.0), STILL, 0.0)
 
 
 def test_a_session_goes_from_ready_to_flying_to_closed() -> None:
@@ -85,7 +85,7 @@ def test_sticks_under_way_are_not_told_to_the_page_that_flies_next() -> None:
         session.steer(sticks(5))
         told = {taken.flown_seq}
 
-        def flies(frame: wire.Frame) -> bool:
+        def flies(frame: to_page.Frame) -> bool:
             told.add(frame.flown_seq)
             return frame.flown_seq == 5
 
@@ -104,7 +104,7 @@ def test_without_a_delay_the_sticks_taken_are_flown_and_a_script_flies_none() ->
 def test_whoever_leaves_leaves_the_arm_holding_its_position() -> None:
     with flying() as session:
         session.steer(sticks(1, forward=0.5))
-        session.command(wire.RateHold(2))
+        session.command(from_page.RateHold(2))
         comes(session, lambda frame: frame.rate_hold, "RATE HOLD")
         session.steer(sticks(3))
         assert goes_on(session, 5).translation[0] == 0.5
@@ -125,11 +125,11 @@ def test_a_page_that_says_so_is_left_alone_and_its_sequence_goes_on(
 ) -> None:
     with flying() as session:
         x, y, z = shown(session).actual.position
-        session.command(wire.EnterMode(0, "OPR CMD"))
-        session.command(wire.SetTarget(1, (x + 0.1, y, z), shown(session).actual.attitude))
-        session.command(wire.Proceed(2))
+        session.command(from_page.EnterMode(0, "OPR CMD"))
+        session.command(from_page.SetTarget(1, (x + 0.1, y, z), shown(session).actual.attitude))
+        session.command(from_page.Proceed(2))
         comes(session, lambda frame: frame.sequence == "in progress", "under way")
-        session.command(wire.HandsOff(3, cause))
+        session.command(from_page.HandsOff(3, cause))
         frame = comes(session, lambda frame: frame.position_hold, "POSITION HOLD")
         assert frame.sequence == "in progress"
         session.let_go()  # now nobody could stop it
@@ -140,7 +140,7 @@ def test_a_page_that_says_so_is_left_alone_and_its_sequence_goes_on(
 def test_a_demonstration_goes_on_when_nobody_looks() -> None:
     with flying(demo=True) as session:
         comes(session, lambda frame: frame.phase == "up", "the script's first phase")
-        session.command(wire.HandsOff(0, "page hidden"))
+        session.command(from_page.HandsOff(0, "page hidden"))
         session.let_go()
         frame = goes_on(session, 10)
         assert frame.by == "script" and not frame.position_hold
@@ -153,7 +153,7 @@ def test_a_held_rate_needs_a_page_that_is_heard_of(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(station_session, "time", fake)
     with flying() as session:
         session.steer(sticks(1, forward=1.0))
-        session.command(wire.RateHold(2))
+        session.command(from_page.RateHold(2))
         comes(session, lambda frame: frame.rate_hold, "RATE HOLD")
         for seq in range(3, 6):
             clock[0] += 0.9 * SILENCE
@@ -171,7 +171,7 @@ def test_a_held_rate_that_is_let_go_through_a_delay_is_let_go_once(monkeypatch: 
     delayed = dataclasses.replace(scenario(), delay=20)
     with flying(made=delayed) as session:
         session.steer(sticks(1, forward=1.0))
-        session.command(wire.RateHold(2))
+        session.command(from_page.RateHold(2))
         comes(session, lambda frame: frame.rate_hold, "RATE HOLD, delayed")
         clock[0] += 1.1 * SILENCE
         assert comes(session, lambda frame: not frame.rate_hold, "it is let go").position_hold
@@ -187,10 +187,10 @@ def test_a_hidden_page_that_falls_silent_lets_a_held_rate_go_once(monkeypatch: p
     monkeypatch.setattr(station_session, "time", fake)
     with flying(made=dataclasses.replace(scenario(), delay=40)) as session:
         session.steer(sticks(1, forward=1.0))
-        session.command(wire.RateHold(2))
+        session.command(from_page.RateHold(2))
         comes(session, lambda frame: frame.rate_hold, "RATE HOLD, delayed")
         session.steer(sticks(3))
-        session.command(wire.HandsOff(4, "page hidden"))
+        session.command(from_page.HandsOff(4, "page hidden"))
         goes_on(session, 5)
         clock[0] += 1.1 * SILENCE
         comes(session, lambda frame: not frame.rate_hold, "it is let go")
@@ -201,7 +201,7 @@ def test_a_hidden_page_that_falls_silent_lets_a_held_rate_go_once(monkeypatch: p
 
 def test_letting_go_forgets_the_commands_that_wait() -> None:
     session = Flown(scenario())
-    session.command(wire.SelectJoint(0, 5))
+    session.command(from_page.SelectJoint(0, 5))
     session.let_go()
     session.start(lambda: None)
     try:
@@ -250,7 +250,7 @@ def test_a_restart_begins_anew() -> None:
         session.steer(sticks(0, forward=1.0))
         goes_on(session, 30)
         session.let_go()
-        session.command(wire.Restart(1))
+        session.command(from_page.Restart(1))
         frame = comes(session, lambda frame: frame.tick == 1, "the first instant again")
         assert frame.joints == pytest.approx(tuple(scenario().initial_angles.tolist()), abs=1e-12)
         assert [event.kind for event in session.log_since(0)][-1] == "restart"
@@ -276,9 +276,9 @@ def test_a_target_keyed_in_is_flown_to() -> None:
     with flying() as session:
         here = shown(session).actual
         x, y, z = here.position
-        session.command(wire.EnterMode(0, "OPR CMD"))
-        session.command(wire.SetTarget(1, (x + 0.05, y, z), here.attitude))
-        session.command(wire.Proceed(2))
+        session.command(from_page.EnterMode(0, "OPR CMD"))
+        session.command(from_page.SetTarget(1, (x + 0.05, y, z), here.attitude))
+        session.command(from_page.Proceed(2))
         under_way = comes(session, lambda frame: frame.sequence == "in progress", "under way")
         assert under_way.aim is not None
         assert under_way.aim.position == pytest.approx((x + 0.05, y, z), abs=1e-9)
@@ -290,10 +290,10 @@ def test_a_target_keyed_in_is_flown_to() -> None:
 def test_more_commands_than_may_wait_are_refused() -> None:
     session = Session(scenario())
     for seq in range(MOST_WAITING):
-        session.command(wire.SelectJoint(seq, 1))
+        session.command(from_page.SelectJoint(seq, 1))
     with pytest.raises(CommandError, match="32 commands are waiting already; this one was not taken"):
-        session.command(wire.SelectJoint(99, 1))
-    session.command(wire.Stop(100))
+        session.command(from_page.SelectJoint(99, 1))
+    session.command(from_page.Stop(100))
 
 
 def test_commands_from_many_threads_are_all_taken_or_refused() -> None:
@@ -304,7 +304,7 @@ def test_commands_from_many_threads_are_all_taken_or_refused() -> None:
             for seq in range(2000):
                 session.steer(sticks(seq))
                 try:
-                    session.command(wire.SelectRate(seq, "vernier"))
+                    session.command(from_page.SelectRate(seq, "vernier"))
                 except CommandError as error:
                     refused.append(str(error))
 

@@ -9,7 +9,7 @@ from aftdeck.frames import Pose
 from aftdeck.scenario.load import built_in
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page
 from aftdeck.station.wire import Translator
 from tests.station.pages import scenario
 from tests.steering.flying import BAY, PAYLOAD
@@ -84,7 +84,7 @@ def test_a_stored_point_keyed_in_is_the_pose_that_the_sequence_flies_to(name: st
     assert set(told) == set(loaded.sequences)
     for position, points in loaded.sequences.items():
         for shown, point in zip(told[position], points, strict=True):
-            pose = translator.target(wire.SetTarget(0, shown.position, shown.attitude))
+            pose = translator.target(from_page.SetTarget(0, shown.position, shown.attitude))
             assert pose.position == pytest.approx(point.target.pose.position, abs=1e-9)
             assert pose.rotation == pytest.approx(point.target.pose.rotation, abs=1e-9)
             assert shown.pause == point.pause

@@ -8,7 +8,7 @@ from typing import Literal
 import msgspec
 import pytest
 
-from aftdeck.station import protocol
+from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.typescript import _Writer, typescript
 
 GENERATED = Path(__file__).parents[2] / "web" / "src" / "protocol.ts"
@@ -28,7 +28,7 @@ def test_the_committed_file_is_the_generated_one() -> None:
 
 def test_every_message_becomes_an_interface_with_its_type() -> None:
     text = typescript()
-    for union in (protocol.FromPage, protocol.FromServer):
+    for union in (from_page.FromPage, to_page.FromServer):
         for message in union.__args__:
             tag = message.__struct_config__.tag
             assert f"export interface {message.__name__} {{\n  readonly type: '{tag}';" in text
@@ -39,7 +39,7 @@ def test_the_hello_which_no_union_holds_is_there_too() -> None:
 
 
 def test_the_version_of_the_protocol_is_the_pages_too() -> None:
-    assert f"export const PROTOCOL = {protocol.PROTOCOL};" in typescript()
+    assert f"export const PROTOCOL = {kinds.PROTOCOL};" in typescript()
 
 
 def test_a_struct_keeps_its_tag_its_fields_in_order_and_their_comments() -> None:

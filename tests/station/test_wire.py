@@ -13,7 +13,7 @@ from aftdeck.frames import Pose
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.wire import Translator
 from tests.station.pages import scenario
 from tests.steering.flying import BAY, PAYLOAD
@@ -23,7 +23,7 @@ OVER_THE_PIN = Path(__file__).parents[1] / "browser" / "over-the-pin.toml"
 SCENE = np.diag([-1.0, 1.0, -1.0])
 
 
-def flown(inputs: Inputs, steps: int = 40, name: str = "first-flight") -> tuple[Simulation, wire.Frame]:
+def flown(inputs: Inputs, steps: int = 40, name: str = "first-flight") -> tuple[Simulation, to_page.Frame]:
     """A simulation after some steps, and its last frame for the page."""
     sim = Simulation(scenario(name))
     for _ in range(steps):
@@ -49,7 +49,7 @@ def test_first_flight_starts_over_the_bays_middle_looking_down() -> None:
 
 def test_a_target_on_the_panel_is_the_pose_that_the_panel_shows() -> None:
     sim, shown = flown(Inputs(rotation=(0.2, 0.4, -0.3)))
-    message = wire.SetTarget(0, shown.actual.position, shown.actual.attitude)
+    message = from_page.SetTarget(0, shown.actual.position, shown.actual.attitude)
     pose = Translator(sim.scenario, demo=False).target(message)
     tip = sim.scenario.arm.forward(shown.joints)
     assert pose.position == pytest.approx(tip.position, abs=1e-12)
@@ -195,7 +195,7 @@ def test_a_frame_and_the_welcome_come_back_from_json_as_they_went() -> None:
 
 
 def test_the_controllers_with_full_mappings_fit_into_a_message() -> None:
-    used = wire.ControllerInUse(
+    used = from_page.ControllerInUse(
         "rhc joystick",
         "🕹" * 80,
         -math.pi * -0.1 / 2,
@@ -203,21 +203,21 @@ def test_the_controllers_with_full_mappings_fit_into_a_message() -> None:
         ("x" * 16 + " " + "y" * 16,) * 64,
         (-0.29999999999999993,) * 16,
     )
-    message = wire.Controllers(2**53 - 1, (used,) * 5)
+    message = from_page.Controllers(2**53 - 1, (used,) * 5)
     text = msgspec.json.encode(message)
-    assert len(text) <= wire.MAX_MESSAGE_BYTES
-    assert msgspec.json.decode(text, type=wire.Controllers) == message
+    assert len(text) <= kinds.MAX_MESSAGE_BYTES
+    assert msgspec.json.decode(text, type=from_page.Controllers) == message
     with pytest.raises(msgspec.ValidationError):
-        msgspec.json.decode(msgspec.json.encode(wire.Controllers(0, (used,) * 6)), type=wire.Controllers)
+        msgspec.json.decode(msgspec.json.encode(from_page.Controllers(0, (used,) * 6)), type=from_page.Controllers)
 
 
 def test_the_longest_message_of_a_page_is_far_below_the_limit() -> None:
     third, pi = -1.0 / 3.0, -math.pi * 1e-300
     longest = [
-        wire.Sticks(2**53 - 1, (third, third, third), (pi, pi, pi), third),
-        wire.SetTarget(2**53 - 1, (third, third, third), (pi, pi, pi)),
+        from_page.Sticks(2**53 - 1, (third, third, third), (pi, pi, pi), third),
+        from_page.SetTarget(2**53 - 1, (third, third, third), (pi, pi, pi)),
     ]
-    assert max(len(msgspec.json.encode(message)) for message in longest) < wire.MAX_MESSAGE_BYTES / 8
+    assert max(len(msgspec.json.encode(message)) for message in longest) < kinds.MAX_MESSAGE_BYTES / 8
 
 
 def test_every_body_has_a_pose_whether_a_payload_without_shape_is_held_or_detached() -> None:

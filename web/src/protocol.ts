@@ -1,4 +1,4 @@
-// Generated from station/protocol.py and station/playback.py by `make generate`; do not edit.
+// Generated from station/from_page.py, to_page.py and playback.py by `make generate`; do not edit.
 // All quantities are SI and radians; see there for frames.
 
 export const PROTOCOL = 3;
@@ -8,7 +8,6 @@ export type Vec3 = readonly [number, number, number];
 export type Axis = 'x' | 'y' | 'z';
 export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'glow';
 export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group;
-export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
 export type Six = readonly [number, number, number, number, number, number];
 export type Quat = readonly [number, number, number, number];
 export type Rate = 'coarse' | 'vernier';
@@ -18,6 +17,8 @@ export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
 export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
+export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE';
 export type FromServer = Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -874,8 +875,7 @@ export interface WayOut {
 
 /** A lit lamp and its cause. */
 export interface Lamp {
-  /** `SINGULAR`, `REACH LIM`, `SOFT STOP`, `RATE LIM` ..., as on the spine. */
-  readonly name: string;
+  readonly name: FlightLamp;
   readonly level: Level;
   /** The cause: `elbow 0.12 from straight`. */
   readonly text: string;

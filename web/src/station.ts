@@ -15,7 +15,7 @@ import { Latency } from './latency';
 import { LOST_MS, Operator } from './operator';
 import { calledFirst } from './panel/called';
 import { clearanceCause } from './panel/clearance';
-import { concernOf, outline } from './panel/concerns';
+import { outline } from './panel/concerns';
 import { ControlPage } from './panel/control-page';
 import { ControllersSheet } from './panel/controllers';
 import { deskGroups, type Groups } from './panel/desk';
@@ -24,6 +24,7 @@ import { EventsGroup } from './panel/events';
 import { handOver } from './panel/hand-over';
 import { KeyMap } from './panel/keys';
 import { lightSegments } from './panel/lamp-test';
+import { LAMPS, type LampName, type SpineLamp } from './panel/lamps';
 import { lightControl } from './panel/light';
 import type { Delays } from './panel/link';
 import { naming } from './panel/naming';
@@ -442,7 +443,7 @@ export class Station {
     this.sheet.open();
   }
 
-  private ownLamps(delays: Delays, now: number): readonly Lamp[] {
+  private ownLamps(delays: Delays, now: number): readonly SpineLamp[] {
     const controllers = this.tooNarrow ? null : this.operator.controllers;
     const [silence, pictures] = [this.arrivals.silence(now), this.arrivals.age('camera', now)];
     return ownLamps({ refusedAt: this.refusedAt, silence, delays, pictures, controllers }, now);
@@ -463,8 +464,8 @@ export class Station {
   }
 
   /** A lamp was pressed: the log keeps to its cause, and what it speaks of is outlined. */
-  private explain(lamp: string): void {
-    const concern = concernOf(lamp);
+  private explain(lamp: LampName): void {
+    const concern = LAMPS[lamp];
     this.events.keepTo(lamp, concern.kinds);
     outline(concern);
   }

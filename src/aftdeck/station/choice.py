@@ -5,7 +5,7 @@ from __future__ import annotations
 from aftdeck.errors import CommandError
 from aftdeck.scenario.load import about, built_in, load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.station import protocol as wire
+from aftdeck.station import to_page
 
 FIRST = ("tutorial", "first-flight")
 """Where a newcomer begins stands first; the others follow by name."""
@@ -22,18 +22,18 @@ class Choice:
 
     def __init__(self, given: Scenario) -> None:
         names = sorted(built_in(), key=lambda name: (name not in FIRST, FIRST.index(name) if name in FIRST else 0))
-        told = [wire.ScenarioInfo(name, *about(name)[:2], given=False) for name in names]
+        told = [to_page.ScenarioInfo(name, *about(name)[:2], given=False) for name in names]
         own = given.name in names and about(given.name).file == given.text
         self._given = None if own else given
         if not own:
-            told.insert(0, wire.ScenarioInfo(given.name, given.title, given.description, given=True))
+            told.insert(0, to_page.ScenarioInfo(given.name, given.title, given.description, given=True))
         self.scenarios = tuple(told)
         self.flown = names.index(given.name) if own else 0
         self.coming: int | None = None
 
-    def message(self) -> wire.Scenarios:
+    def message(self) -> to_page.Scenarios:
         """What pages are told."""
-        return wire.Scenarios(self.scenarios, self.flown, self.coming)
+        return to_page.Scenarios(self.scenarios, self.flown, self.coming)
 
     def choose(self, number: int) -> None:
         """One of them shall be made ready.

@@ -11,7 +11,7 @@ from aftdeck.frames import Pose
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, to_page
 
 FARTHEST = 1000.0
 """Greatest component of a keyed-in position that is looked at [m]; the arm itself reaches 16 m."""
@@ -19,36 +19,36 @@ MOST_TURNED = 100.0
 """Greatest angle of a keyed-in attitude that is looked at [rad]."""
 
 _SWITCHES: dict[type, tuple[str, str]] = {
-    wire.EnterMode: ("mode", "mode"),
-    wire.SelectJoint: ("joint", "joint"),
-    wire.SelectLaw: ("law", "law"),
-    wire.SelectRate: ("rate", "rate"),
-    wire.PayloadAxes: ("payload_axes", "on"),
-    wire.PositionHold: ("position_hold", "on"),
-    wire.SetBrakes: ("brakes", "on"),
-    wire.SetSafing: ("safing", "on"),
-    wire.SetEffector: ("effector", "switch"),
-    wire.SetEffectorMode: ("effector_mode", "mode"),
-    wire.SetRigid: ("rigid", "rigid"),
-    wire.PressLatch: ("latch", "latch"),
-    wire.SetMaster: ("master", "angles"),
-    wire.Initialise: ("initialise", "part"),
+    from_page.EnterMode: ("mode", "mode"),
+    from_page.SelectJoint: ("joint", "joint"),
+    from_page.SelectLaw: ("law", "law"),
+    from_page.SelectRate: ("rate", "rate"),
+    from_page.PayloadAxes: ("payload_axes", "on"),
+    from_page.PositionHold: ("position_hold", "on"),
+    from_page.SetBrakes: ("brakes", "on"),
+    from_page.SetSafing: ("safing", "on"),
+    from_page.SetEffector: ("effector", "switch"),
+    from_page.SetEffectorMode: ("effector_mode", "mode"),
+    from_page.SetRigid: ("rigid", "rigid"),
+    from_page.PressLatch: ("latch", "latch"),
+    from_page.SetMaster: ("master", "angles"),
+    from_page.Initialise: ("initialise", "part"),
 }
 """Messages that put one switch: its name among the inputs, and the message's field that says where."""
 
 
-def travel(sticks: wire.Sticks) -> tuple[float, ...]:
+def travel(sticks: from_page.Sticks) -> tuple[float, ...]:
     """Every stick and switch that springs back."""
     return (*sticks.translation, *sticks.rotation, sticks.drive, sticks.telescope, *sticks.orbiter)
 
 
-def check_sticks(sticks: wire.Sticks) -> None:
+def check_sticks(sticks: from_page.Sticks) -> None:
     """Raises `CommandError` for a stick beyond its travel."""
     if not all(-1.0 <= s <= 1.0 for s in travel(sticks)):
         raise CommandError("sticks lie between -1 and 1; this message was not flown")
 
 
-def check_camera(message: wire.DriveCamera, welcome: wire.Welcome) -> None:
+def check_camera(message: from_page.DriveCamera, welcome: to_page.Welcome) -> None:
     """Raises `CommandError` for a camera that cannot be turned, or a switch beyond its travel."""
     driven = [camera.name for camera in welcome.cameras if camera.drive is not None]
     if message.camera not in driven:
@@ -58,27 +58,27 @@ def check_camera(message: wire.DriveCamera, welcome: wire.Welcome) -> None:
         raise CommandError("a camera's pan, tilt and zoom lie between -1 and 1; this message was not flown")
 
 
-def check_shown(message: wire.Shown, welcome: wire.Welcome) -> None:
+def check_shown(message: from_page.Shown, welcome: to_page.Welcome) -> None:
     """Raises `CommandError` for a camera that there is not."""
     _check_names("camera", [name for monitor in message.monitors for name in monitor], _cameras(welcome))
 
 
-def check_light(lighting: Lighting, welcome: wire.Welcome) -> None:
+def check_light(lighting: Lighting, welcome: to_page.Welcome) -> None:
     """Raises `CommandError` for a condition, a lamp or a camera that there is not."""
     _check_names("condition of light", [lighting.condition], [condition.name for condition in welcome.conditions])
     _check_names("lamp", lighting.lamps, welcome.lamps)
     _check_names("camera", [locked.camera for locked in lighting.locked], _cameras(welcome))
 
 
-def check_switch(message: wire.FromPage, welcome: wire.Welcome) -> None:
+def check_switch(message: from_page.FromPage, welcome: to_page.Welcome) -> None:
     """Raises `CommandError` for a switch position that does not exist, or a target beyond all reason."""
     match message:
-        case wire.SelectJoint(joint=joint) if not 0 <= joint < len(welcome.joints):
+        case from_page.SelectJoint(joint=joint) if not 0 <= joint < len(welcome.joints):
             raise CommandError(f"joints are numbered 0 to {len(welcome.joints) - 1}, got {joint}")
-        case wire.EnterMode(mode=mode) if mode not in {m.position for m in welcome.modes}:
+        case from_page.EnterMode(mode=mode) if mode not in {m.position for m in welcome.modes}:
             known = ", ".join(m.position for m in welcome.modes)
             raise CommandError(f"no mode {mode!r} can be entered here: there are {known}")
-        case wire.SetTarget(position=position, attitude=attitude) if not (
+        case from_page.SetTarget(position=position, attitude=attitude) if not (
             all(abs(x) <= FARTHEST for x in position) and all(abs(x) <= MOST_TURNED for x in attitude)
         ):
             raise CommandError(
@@ -89,7 +89,9 @@ def check_switch(message: wire.FromPage, welcome: wire.Welcome) -> None:
             pass
 
 
-def inputs_of(sticks: wire.Sticks, message: wire.FromPage | None, target: Callable[[wire.SetTarget], Pose]) -> Inputs:
+def inputs_of(
+    sticks: from_page.Sticks, message: from_page.FromPage | None, target: Callable[[from_page.SetTarget], Pose]
+) -> Inputs:
     """One step's inputs: sticks, and a message that puts a switch.
 
     Args:
@@ -108,19 +110,19 @@ def inputs_of(sticks: wire.Sticks, message: wire.FromPage | None, target: Callab
         field, value = _SWITCHES[type(message)]
         return msgspec.structs.replace(inputs, **{field: getattr(message, value)})
     match message:
-        case wire.RateHold():
+        case from_page.RateHold():
             return msgspec.structs.replace(inputs, rate_hold=True)
-        case wire.SetTarget():
+        case from_page.SetTarget():
             return msgspec.structs.replace(inputs, target=target_at(target(message)))
-        case wire.Proceed():
+        case from_page.Proceed():
             return msgspec.structs.replace(inputs, proceed=True)
-        case wire.Stop():
+        case from_page.Stop():
             return Inputs(stop=True, effector="stop")
         case _:
             return inputs
 
 
-def _cameras(welcome: wire.Welcome) -> list[str]:
+def _cameras(welcome: to_page.Welcome) -> list[str]:
     return [camera.name for camera in welcome.cameras]
 
 

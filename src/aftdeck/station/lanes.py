@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.tasks import TASKS
 from aftdeck.station.curves import Lane, Stretch
-from aftdeck.station.protocol import Lamp, Level
+from aftdeck.station.kinds import Level
+from aftdeck.station.to_page import Lamp
 
 MONITORS = ("MON 1", "MON 2")
 

@@ -9,8 +9,8 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.station.captured import Captured, captured
 from aftdeck.station.curves import Quantity
 from aftdeck.station.playback import Measure
-from aftdeck.station.protocol import Lamp
 from aftdeck.station.strips import worst_rate
+from aftdeck.station.to_page import Lamp
 from aftdeck.worksite.alarm import Level
 
 _MINUTE = 60.0
@@ -53,7 +53,7 @@ class Measures:
         self._vernier += frame.rate == "vernier"
         self._fastest = max(self._fastest, math.hypot(*frame.twist[3:]))
         self._worst = max(self._worst, worst_rate(frame.rates_commanded, frame.rate_limits)[0])
-        lit = {lamp.name: lamp.level for lamp in lamps}
+        lit: dict[str, Level] = {lamp.name: lamp.level for lamp in lamps}
         self._worst_lamp = _worse(self._worst_lamp, *lit.values())
         self._worst_clearance = _worse(self._worst_clearance, frame.work.clearance_level)
         self._alarms += sum(_RANK[level] > _RANK[self._lit.get(name, "info")] for name, level in lit.items())

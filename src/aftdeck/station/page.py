@@ -10,7 +10,7 @@ import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from aftdeck.errors import CommandError, InputError
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.pages import Pages
 from aftdeck.station.recent import Mark
 from aftdeck.station.session import Phase
@@ -25,22 +25,22 @@ LONGEST_REASON = 123
 """Longest reason in a WebSocket's close frame [bytes]; RFC 6455, 5.5."""
 
 _AT_REST = (
-    wire.Stop
-    | wire.SetBrakes
-    | wire.SetSafing
-    | wire.HandsOff
-    | wire.Shown
-    | wire.Controllers
-    | wire.SetLight
-    | wire.GiveSticks
-    | wire.KeepSticks
-    | wire.FlyScenario
+    from_page.Stop
+    | from_page.SetBrakes
+    | from_page.SetSafing
+    | from_page.HandsOff
+    | from_page.Shown
+    | from_page.Controllers
+    | from_page.SetLight
+    | from_page.GiveSticks
+    | from_page.KeepSticks
+    | from_page.FlyScenario
 )
 """What is looked at while another scenario is made ready: nothing that moves the arm."""
 
 _encoder = msgspec.json.Encoder()
-_hello = msgspec.json.Decoder(wire.Hello)
-_messages: msgspec.json.Decoder[wire.FromPage] = msgspec.json.Decoder(wire.FromPage)
+_hello = msgspec.json.Decoder(from_page.Hello)
+_messages: msgspec.json.Decoder[from_page.FromPage] = msgspec.json.Decoder(from_page.FromPage)
 
 
 class Page:
@@ -55,7 +55,7 @@ class Page:
         self.welcomed, self.shows, self.strips = pages.session, False, False
         self.seq = -1
         self.wrong = 0
-        self.answers: deque[wire.Refused] = deque()
+        self.answers: deque[to_page.Refused] = deque()
 
     async def serve(self) -> None:
         """Handshake, then receive and send until one side goes."""
@@ -81,9 +81,9 @@ class Page:
             return await self._goodbye(f"no hello came within {HELLO_WITHIN:g} s")
         except (msgspec.MsgspecError, KeyError, RecursionError) as error:
             return await self._goodbye(f"the first message must be a hello with the protocol's number: {error}")
-        if hello.protocol != wire.PROTOCOL:
+        if hello.protocol != kinds.PROTOCOL:
             return await self._goodbye(
-                f"this page speaks protocol {hello.protocol}, the station {wire.PROTOCOL}: reload the page"
+                f"this page speaks protocol {hello.protocol}, the station {kinds.PROTOCOL}: reload the page"
             )
         if len(self.pages.seats) + len(self.pages.windows) >= MOST_PAGES:
             return await self._goodbye(f"{MOST_PAGES} pages are connected already")
@@ -92,11 +92,11 @@ class Page:
         return True
 
     async def _goodbye(self, text: str) -> bool:
-        await self._send(wire.Refused(-1, text))
+        await self._send(to_page.Refused(-1, text))
         await self.socket.close(1008, text.encode()[:LONGEST_REASON].decode(errors="ignore"))
         return False
 
-    async def _send(self, message: wire.FromServer) -> None:
+    async def _send(self, message: to_page.FromServer) -> None:
         await self.socket.send_text(_encoder.encode(message).decode())
 
     # --- from the page ------------------------------------------------------------------------------------
@@ -123,11 +123,11 @@ class Page:
                 message.seq, f"message {message.seq} came after message {self.seq}; it was not taken"
             )
         self.seq = message.seq
-        if isinstance(message, wire.LeaveSeat | wire.TakeSeat):
-            return self.pages.reseat(self, seated=isinstance(message, wire.TakeSeat))
-        if isinstance(message, wire.AskSticks | wire.SetName) and not self.shows:
+        if isinstance(message, from_page.LeaveSeat | from_page.TakeSeat):
+            return self.pages.reseat(self, seated=isinstance(message, from_page.TakeSeat))
+        if isinstance(message, from_page.AskSticks | from_page.SetName) and not self.shows:
             try:
-                if isinstance(message, wire.AskSticks):
+                if isinstance(message, from_page.AskSticks):
                     return self.pages.ask(self)
                 return self.pages.name(self, message.name)
             except (CommandError, InputError) as error:
@@ -140,26 +140,26 @@ class Page:
             return await self.refuse(message.seq, str(error))
         self.wrong = 0
 
-    def _do(self, message: wire.FromPage) -> None:
+    def _do(self, message: from_page.FromPage) -> None:
         session = self.pages.session
         if self.pages.choice.coming is not None and not isinstance(message, _AT_REST):
-            if isinstance(message, wire.Sticks | wire.DriveCamera):
+            if isinstance(message, from_page.Sticks | from_page.DriveCamera):
                 return  # on their way when the scenario was chosen
             raise CommandError("another scenario is made ready; the arm rests meanwhile")
         match message:
-            case wire.GiveSticks() | wire.KeepSticks():
-                self.pages.answer(isinstance(message, wire.GiveSticks))
-            case wire.Sticks():
+            case from_page.GiveSticks() | from_page.KeepSticks():
+                self.pages.answer(isinstance(message, from_page.GiveSticks))
+            case from_page.Sticks():
                 session.steer(message)
-            case wire.Shown():
+            case from_page.Shown():
                 session.shown(message)
-            case wire.Controllers():
+            case from_page.Controllers():
                 session.controllers_in_use(message)
-            case wire.DriveCamera():
+            case from_page.DriveCamera():
                 session.turn(message)
-            case wire.SetLight():
+            case from_page.SetLight():
                 session.light(message)
-            case wire.FlyScenario():
+            case from_page.FlyScenario():
                 self.pages.fly(message.number, self)
             case _:
                 session.command(message)
@@ -167,7 +167,7 @@ class Page:
     async def refuse(self, seq: int, text: str, *, counts: bool = True) -> None:
         """Tell the page what was not taken; `counts`: among those after which the connection is closed."""
         self.wrong += counts
-        await self._send(wire.Refused(seq, text))
+        await self._send(to_page.Refused(seq, text))
 
     # --- to the page --------------------------------------------------------------------------------------
 
@@ -195,7 +195,7 @@ class Page:
                 await self._send(now)
             if news := session.log_since(lines):
                 lines += len(news)
-                await self._send(wire.Events(tuple(wire.Event(e.time_s, e.kind, e.level, e.text) for e in news)))
+                await self._send(to_page.Events(tuple(to_page.Event(e.time_s, e.kind, e.level, e.text) for e in news)))
             recent = session.recent.news(told) if self.strips else None
             if recent:
                 message, told = recent

@@ -11,7 +11,7 @@ from threading import Thread
 from typing import Protocol
 
 from aftdeck.errors import AftdeckError
-from aftdeck.station import protocol as wire
+from aftdeck.station import to_page
 from aftdeck.station.choice import Choice
 from aftdeck.station.seats import ANSWER_WITHIN, Seats
 from aftdeck.station.session import Session
@@ -28,7 +28,7 @@ class Connected(Protocol):
 
     shows: bool
     seq: int
-    answers: deque[wire.Refused]
+    answers: deque[to_page.Refused]
 
 
 class Pages:
@@ -68,7 +68,7 @@ class Pages:
             await asyncio.to_thread(before.close)  # its recording is finished before the next begins
             self.session.start(self._told)
         except Exception as error:  # whoever asked must hear of it, whatever it was
-            asking.answers.append(wire.Refused(-1, f"{choice.scenarios[number].title!r} cannot be flown: {error}"))
+            asking.answers.append(to_page.Refused(-1, f"{choice.scenarios[number].title!r} cannot be flown: {error}"))
             if not isinstance(error, AftdeckError):
                 raise
         finally:
@@ -108,20 +108,20 @@ class Pages:
         self.come(page)
         self.wake()
 
-    def role(self, page: Connected) -> wire.Role:
+    def role(self, page: Connected) -> to_page.Role:
         """What a page is told of who flies."""
         seats = self.seats
         number, flier, asking = (
             0 if one is None or one.shows else seats.number(one) for one in (page, seats.flier, seats.asking)
         )
-        return wire.Role(
+        return to_page.Role(
             flying=page is seats.flier,
             watchers=max(0, len(seats) - 1),
             number=number,
             flier=flier,
             asking=asking,
             name=seats.name(page),
-            names=tuple(wire.NamedPage(*named) for named in seats.named()),
+            names=tuple(to_page.NamedPage(*named) for named in seats.named()),
         )
 
     def name(self, page: Connected, name: str) -> None:
@@ -156,7 +156,7 @@ class Pages:
         if gives:
             self.session.hand_over(f"{flier} gives the sticks to {seats.called(asked)}")
         else:
-            asked.answers.append(wire.Refused(asked.seq, f"{flier} keeps the sticks"))
+            asked.answers.append(to_page.Refused(asked.seq, f"{flier} keeps the sticks"))
         seats.answer(gives)
         self.wake()
 

@@ -12,7 +12,8 @@ from typing import Literal
 import msgspec
 
 from aftdeck.station.curves import Lane, Quantity, Strip
-from aftdeck.station.protocol import Event, Frame, Level, Welcome
+from aftdeck.station.kinds import Level
+from aftdeck.station.to_page import Event, Frame, Welcome
 
 BLOCK = 256
 """Moments in a block, but the last one: 5 s of a recording at 50 steps a second."""

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.station import protocol as wire
+from aftdeck.station import to_page
 from aftdeck.station.lanes import Lanes
 from aftdeck.station.strips import blank, readings, worst_joint
 
@@ -46,14 +46,14 @@ class RecentFlight:
         self._ticks_kept = round(KEPT_S / period)
         self._strips, self._readings = blank(scenario), readings(scenario)
         self._lanes = Lanes(period)
-        self._samples: deque[wire.Sample] = deque(maxlen=self._ticks_kept // self._every)
+        self._samples: deque[to_page.Sample] = deque(maxlen=self._ticks_kept // self._every)
         self._count = 0
         self._lock = Lock()
 
     def add(
         self,
         frame: Frame,
-        lamps: Iterable[wire.Lamp],
+        lamps: Iterable[to_page.Lamp],
         latency_ms: float | None,
         monitors: Sequence[tuple[str, ...]],
     ) -> None:
@@ -66,10 +66,10 @@ class RecentFlight:
             self._lanes.forget(frame.tick - self._ticks_kept)
             values = self._readings(frame, latency_ms)
             rounded = tuple([None if value is None else round(value, DECIMALS) for value in values])
-            self._samples.append(wire.Sample(frame.time_s, rounded, worst_joint(frame, self._scenario)))
+            self._samples.append(to_page.Sample(frame.time_s, rounded, worst_joint(frame, self._scenario)))
             self._count += 1
 
-    def news(self, told: Mark | None) -> tuple[wire.Recent, Mark] | None:
+    def news(self, told: Mark | None) -> tuple[to_page.Recent, Mark] | None:
         """What a page does not know yet, and how far it will have been told; None: there is nothing."""
         with self._lock:
             begins = told is None or told.flight is not self
@@ -81,4 +81,4 @@ class RecentFlight:
             changed = told is None or begins or told.begun != self._lanes.begun
             lanes = self._lanes.lanes() if changed else ()
             mark = Mark(self, self._count, self._lanes.begun)
-            return wire.Recent(self._strips if begins else (), samples, lanes), mark
+            return to_page.Recent(self._strips if begins else (), samples, lanes), mark

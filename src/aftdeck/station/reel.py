@@ -28,8 +28,8 @@ from aftdeck.simulation.frame import Event as SimEvent
 from aftdeck.station.lanes import Lanes
 from aftdeck.station.measures import Measures
 from aftdeck.station.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
-from aftdeck.station.protocol import Event
 from aftdeck.station.strips import Strips, readings, worst_joint
+from aftdeck.station.to_page import Event
 from aftdeck.station.verdict import CHECKING
 from aftdeck.station.wire import Translator
 

@@ -30,7 +30,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.look_ahead import Axis
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.commands import (
     check_camera,
     check_light,
@@ -58,8 +58,8 @@ LOOK_S = 5.0
 """How far is looked ahead until a page says otherwise [s]."""
 MOVED = 1e-3
 """Stick deflection from which a person takes over from the demonstration."""
-NO_CONTROLLERS = wire.Controllers(0, ())
-HANDS_OFF = wire.Sticks(-1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
+NO_CONTROLLERS = from_page.Controllers(0, ())
+HANDS_OFF = from_page.Sticks(-1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
 STILL = CameraDrive("")
 """No camera turns."""
 
@@ -112,16 +112,16 @@ class Session:
         self._tape = Tape(record, Index(), live, trial)
         self._latency_ms: float | None = None
         self._look_s = LOOK_S
-        self._ahead: wire.Ahead | None = None
+        self._ahead: to_page.Ahead | None = None
         self._axis: Axis | None = None
         self._controllers = NO_CONTROLLERS
         self._recorded = NO_CONTROLLERS
-        self._monitors: tuple[wire.Monitor, ...] = ()
-        self._monitors_kept: tuple[wire.Monitor, ...] = ()
+        self._monitors: tuple[kinds.Monitor, ...] = ()
+        self._monitors_kept: tuple[kinds.Monitor, ...] = ()
         self._lighting = scenario.lighting
         self._lighting_kept: Lighting | None = None
         self._camera, self._camera_heard = STILL, 0.0
-        self._commands: deque[wire.FromPage] = deque()
+        self._commands: deque[from_page.FromPage] = deque()
         self._sticks = HANDS_OFF
         self._under_way = self._none_under_way()
         self._heard = self._left_until = 0.0
@@ -176,7 +176,7 @@ class Session:
         with self._lock:
             return tuple(self._log[index:])
 
-    def steer(self, sticks: wire.Sticks) -> None:
+    def steer(self, sticks: from_page.Sticks) -> None:
         """Where the sticks of the page that flies stand.
 
         Those that were deflected and silent for longer than `LOST` are flown again when they have been at rest.
@@ -198,7 +198,7 @@ class Session:
                 return
             self._sticks, self._lost = sticks, ""
 
-    def turn(self, message: wire.DriveCamera) -> None:
+    def turn(self, message: from_page.DriveCamera) -> None:
         """How the switches stand that turn a camera.
 
         Raises:
@@ -211,7 +211,7 @@ class Session:
             self._camera = CameraDrive(message.camera, message.pan, message.tilt, message.zoom, message.slow)
             self._camera_heard = time.monotonic()
 
-    def shown(self, message: wire.Shown) -> None:
+    def shown(self, message: from_page.Shown) -> None:
         """What the page that flies measures of itself and shows.
 
         Raises:
@@ -220,7 +220,7 @@ class Session:
         check_shown(message, self.welcome)
         self._latency_ms, self._monitors = message.latency_ms, message.monitors
 
-    def light(self, message: wire.SetLight) -> None:
+    def light(self, message: from_page.SetLight) -> None:
         """How the light shall stand; whoever flies may say so, the script's onlooker too.
 
         Raises:
@@ -229,7 +229,7 @@ class Session:
         check_light(message.lighting, self.welcome)
         self._lighting = message.lighting
 
-    def controllers_in_use(self, message: wire.Controllers) -> None:
+    def controllers_in_use(self, message: from_page.Controllers) -> None:
         """What moves the sticks of the page that flies, and how."""
         with self._lock:
             self._controllers = message
@@ -260,7 +260,7 @@ class Session:
             self._controllers = NO_CONTROLLERS
         self._latency_ms = None
 
-    def command(self, message: wire.FromPage) -> None:
+    def command(self, message: from_page.FromPage) -> None:
         """Queue a switch's movement for one of the next steps.
 
         STOP overtakes: what waits is forgotten, so that it is never refused and never late.
@@ -271,7 +271,7 @@ class Session:
         """
         check_switch(message, self.welcome)
         with self._lock:
-            if isinstance(message, wire.Stop):
+            if isinstance(message, from_page.Stop):
                 self._commands.clear()
                 self._sticks = msgspec.structs.replace(HANDS_OFF, seq=self._sticks.seq)
                 self._camera = STILL
@@ -316,12 +316,12 @@ class Session:
             message = self._commands.popleft() if self._commands else None
             left, handed, self._left, self._handed = self._left, self._handed, "", ""
             controllers = self._controllers
-        if isinstance(message, wire.Restart):
+        if isinstance(message, from_page.Restart):
             self._restart()
             message = None
-        elif isinstance(message, wire.LookAhead):
+        elif isinstance(message, from_page.LookAhead):
             self._look_s, message = message.seconds, None
-        elif isinstance(message, wire.HandsOff):
+        elif isinstance(message, from_page.HandsOff):
             left, message = left or message.cause, None
         if controllers is not self._recorded:
             self._recorded = controllers

@@ -15,13 +15,16 @@ import typing
 import msgspec
 
 from aftdeck import shapes
-from aftdeck.station import playback, protocol
+from aftdeck.station import from_page, kinds, playback, to_page
 from aftdeck.told import comments
 
 HEADER = """\
-// Generated from station/protocol.py and station/playback.py by `make generate`; do not edit.
+// Generated from station/from_page.py, to_page.py and playback.py by `make generate`; do not edit.
 // All quantities are SI and radians; see there for frames.
 """
+
+MODULES = (kinds, from_page, to_page, playback)
+"""Modules whose structs the page knows."""
 
 _PLAIN: dict[object, str] = {
     float: "number",
@@ -46,7 +49,7 @@ class _Writer:
 
     def __init__(self) -> None:
         self.aliases: dict[object, str] = {}
-        for module in (shapes, protocol, playback):
+        for module in (shapes, *MODULES):
             for name, value in vars(module).items():
                 if typing.get_origin(value) in (tuple, typing.Literal, typing.Union, types.UnionType):
                     self.aliases[value] = name
@@ -54,12 +57,12 @@ class _Writer:
 
     def file(self) -> str:
         named = [f"export type {name} = {self.structure(alias)};" for alias, name in self.aliases.items()]
-        for value in (*vars(protocol).values(), *vars(playback).values()):
-            if isinstance(value, type) and issubclass(value, msgspec.Struct) and value.__name__[0] != "_":
+        for value in [value for module in MODULES for value in vars(module).values()]:
+            if isinstance(value, type) and issubclass(value, msgspec.Struct) and value is not kinds.WireMessage:
                 self.structure(value)
         parts = [
             HEADER,
-            f"export const PROTOCOL = {protocol.PROTOCOL};\n",
+            f"export const PROTOCOL = {kinds.PROTOCOL};\n",
             "\n".join(named) + "\n",
             *self.interfaces.values(),
         ]

@@ -19,7 +19,7 @@ from aftdeck.simulation import frame as sim
 from aftdeck.simulation.log import spoken
 from aftdeck.simulation.look_ahead import Ahead
 from aftdeck.simulation.master import AXES, axes_of
-from aftdeck.station import protocol as wire
+from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.wire_spec94 import payload_table, stored_sequences
 from aftdeck.station.wire_work import WorkTranslator, effector_lamps, work_info
 from aftdeck.steering.mode import MODES, Mode
@@ -41,17 +41,17 @@ class Translator:
         self._hand = rotation_x(scenario.arm.model.end_effector_roll)
         self._poses = ScenePoses(scenario)
         self._work = WorkTranslator(scenario)
-        bodies = tuple(wire.BodyInfo(body.name, body.shapes) for body in bodies_of(scenario))
+        bodies = tuple(to_page.BodyInfo(body.name, body.shapes) for body in bodies_of(scenario))
         phases = tuple(phase.name for phase in scenario.phases) if demo else ()
         self.welcome = self._welcome(bodies, cameras_of(scenario), phases)
-        self._views: tuple[tuple[Setting, ...], tuple[wire.Vec3, ...]] = ((), ())
+        self._views: tuple[tuple[Setting, ...], tuple[kinds.Vec3, ...]] = ((), ())
 
     def _welcome(
-        self, bodies: tuple[wire.BodyInfo, ...], cameras: tuple[Camera, ...], phases: tuple[str, ...]
-    ) -> wire.Welcome:
+        self, bodies: tuple[to_page.BodyInfo, ...], cameras: tuple[Camera, ...], phases: tuple[str, ...]
+    ) -> to_page.Welcome:
         scenario, model = self._scenario, self._arm.model
         joints = tuple(
-            wire.JointInfo(
+            to_page.JointInfo(
                 name,
                 label,
                 stick=AXES[axis],
@@ -65,11 +65,11 @@ class Translator:
             for i, (name, label, axis) in enumerate(zip(model.joints, model.labels, axes_of(model), strict=True))
         )
         modes = tuple(
-            wire.ModeInfo(m.position, m.laws, m.title, m.kind, m.point, self._has_points(m), m.axes, m.axis_names)
+            to_page.ModeInfo(m.position, m.laws, m.title, m.kind, m.point, self._has_points(m), m.axes, m.axis_names)
             for m in MODES.values()
         )
-        return wire.Welcome(
-            protocol=wire.PROTOCOL,
+        return to_page.Welcome(
+            protocol=kinds.PROTOCOL,
             version=__version__,
             scenario=scenario.name,
             title=scenario.title,
@@ -102,10 +102,10 @@ class Translator:
     def _has_points(self, mode: Mode) -> bool:
         return not mode.position.startswith("AUTO") or mode.position in self._scenario.sequences
 
-    def ahead(self, ahead: Ahead, frame: sim.Frame) -> wire.Ahead:
+    def ahead(self, ahead: Ahead, frame: sim.Frame) -> to_page.Ahead:
         """A look ahead from a frame as the page takes it."""
         near = ahead.nearest
-        return wire.Ahead(
+        return to_page.Ahead(
             seconds=ahead.seconds,
             held=ahead.held,
             moves=ahead.moves,
@@ -124,16 +124,16 @@ class Translator:
         frame: sim.Frame,
         stick_seq: int,
         recording_s: float | None = None,
-        ahead: wire.Ahead | None = None,
+        ahead: to_page.Ahead | None = None,
         lighting: Lighting | None = None,
         flown_seq: int = -1,
-    ) -> wire.Frame:
+    ) -> to_page.Frame:
         """A frame of the simulation as the page takes it; the light is the scenario's, where none is given."""
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         resolution, axes = np.array(frame.resolution), self._shown_axes(frame, tip, loaded)
         control = self._control_axes(frame, tip)
-        return wire.Frame(
+        return to_page.Frame(
             tick=frame.tick,
             time_s=frame.time_s,
             stick_seq=stick_seq,
@@ -154,7 +154,7 @@ class Translator:
             sequence=frame.sequence,
             point=frame.point,
             points=frame.points,
-            check=None if frame.check is None else wire.Check(frame.check.good, frame.check.text),
+            check=None if frame.check is None else to_page.Check(frame.check.good, frame.check.text),
             translation=frame.translation,
             rotation=frame.rotation,
             drive=frame.drive,
@@ -169,9 +169,9 @@ class Translator:
             por_limits=frame.por_limits,
             payload=self._payload(frame),
             por_offset=self._por_offset(frame, tip),
-            limits=tuple(wire.Limit(limit.kind, limit.joint, limit.text) for limit in frame.limits),
+            limits=tuple(to_page.Limit(limit.kind, limit.joint, limit.text) for limit in frame.limits),
             singularity=frame.singularity,
-            ways_out=tuple(wire.WayOut(w.cause, w.text, w.stick, w.axis, w.sign) for w in frame.ways_out),
+            ways_out=tuple(to_page.WayOut(w.cause, w.text, w.stick, w.axis, w.sign) for w in frame.ways_out),
             lamps=self.lamps(frame),
             aim=self._aim(frame.goal),
             work=self._work.frame(frame.work, tip.position, control if MODES[frame.mode].kind == "manual" else None),
@@ -186,7 +186,7 @@ class Translator:
         """PL ID of what is in the grasp."""
         return frame.attached or next((i for i, cargo in enumerate(frame.work.cargo, 1) if cargo.held), 0)
 
-    def _por_offset(self, frame: sim.Frame, tip: Pose) -> wire.Vec3:
+    def _por_offset(self, frame: sim.Frame, tip: Pose) -> kinds.Vec3:
         """From the tip to the point that ORB LD and PL move, in the end effector's axes."""
         if frame.payload is None or self._scenario.strict:  # the source moves the tip in every mode
             return (0.0, 0.0, 0.0)
@@ -195,11 +195,11 @@ class Translator:
         point = centre if own is None else centre + axes @ own.por
         return _vec3(((point - tip.position) @ tip.rotation @ self._hand).tolist())
 
-    def target(self, message: wire.SetTarget) -> Pose:
+    def target(self, message: from_page.SetTarget) -> Pose:
         """A keyed-in target, panel components, as frame 7 in L."""
         return self._arm.from_panel(message.position, message.attitude)
 
-    def _shortened(self, views: tuple[Setting, ...]) -> tuple[wire.Vec3, ...]:
+    def _shortened(self, views: tuple[Setting, ...]) -> tuple[kinds.Vec3, ...]:
         """The settings to a microradian; while no camera moves, what was made before."""
         if views is not self._views[0]:
             short = [(round(pan, VIEW), round(tilt, VIEW), round(zoom, VIEW)) for pan, tilt, zoom in views]
@@ -230,27 +230,27 @@ class Translator:
             return np.asarray(self._mount.rotation @ np.array(frame.payload[1]))
         return np.eye(3)
 
-    def _resolution(self, pose: Pose, twist: sim.Six) -> wire.Resolution:
+    def _resolution(self, pose: Pose, twist: sim.Six) -> to_page.Resolution:
         """A point with axes in L and its twist, panel components."""
         shown = self._mount.to("panel", pose)
         turn = self._mount.rotation @ np.array(twist[:3])
         velocity = self._mount.rotation @ np.array(twist[3:])
-        return wire.Resolution(
+        return to_page.Resolution(
             _vec3(shown.position.tolist()),
             panel_attitude(shown.rotation),
             _vec3(velocity.tolist()),
             (float(turn[1]), float(turn[2]), float(turn[0])),
         )
 
-    def _aim(self, goal: sim.Goal | None) -> wire.Aim | None:
+    def _aim(self, goal: sim.Goal | None) -> to_page.Aim | None:
         if goal is None:
             return None
         goal_pose = Pose(np.array(goal.position), np.array(goal.rotation) @ self._hand)
         shown = self._mount.to("panel", goal_pose)
         position = _vec3(shown.position.tolist())
-        return wire.Aim(position, panel_attitude(shown.rotation), goal.distance, goal.angle, goal.remaining_s)
+        return to_page.Aim(position, panel_attitude(shown.rotation), goal.distance, goal.angle, goal.remaining_s)
 
-    def lamps(self, frame: sim.Frame) -> tuple[wire.Lamp, ...]:
+    def lamps(self, frame: sim.Frame) -> tuple[to_page.Lamp, ...]:
         """The lit lamps, each with its cause."""
         joints = [spoken(name) for name in self._arm.joints]
         lamps = []
@@ -260,24 +260,28 @@ class Translator:
                 for name, d in zip(("shoulder", "elbow", "wrist"), frame.singularity, strict=True)
                 if name in frame.singular
             )
-            lamps.append(wire.Lamp("SINGULAR", "caution", shown))
-        for name, zone in (("REACH LIM", sim.PAST_REACH), ("SOFT STOP", sim.PAST_SOFT)):
+            lamps.append(to_page.Lamp("SINGULAR", "caution", shown))
+        zones: tuple[tuple[to_page.FlightLamp, int], ...] = (
+            ("REACH LIM", sim.PAST_REACH),
+            ("SOFT STOP", sim.PAST_SOFT),
+        )
+        for name, zone in zones:
             past = [joint for joint, z in zip(joints, frame.zones, strict=True) if z >= zone]
             if past:
-                lamps.append(wire.Lamp(name, "caution", ", ".join(past)))
+                lamps.append(to_page.Lamp(name, "caution", ", ".join(past)))
         held = [limit.text for limit in frame.limits if limit.kind == "soft stop"]
         if held and not any(lamp.name == "SOFT STOP" for lamp in lamps):
-            lamps.append(wire.Lamp("SOFT STOP", "caution", held[0]))
+            lamps.append(to_page.Lamp("SOFT STOP", "caution", held[0]))
         rate = [limit.text for limit in frame.limits if limit.kind == "joint rate"]
         if rate:
-            lamps.append(wire.Lamp("RATE LIM", "info", rate[0]))
+            lamps.append(to_page.Lamp("RATE LIM", "info", rate[0]))
         near = frame.work.nearest
         if near is not None and frame.work.clearance_level != "info":
-            lamps.append(wire.Lamp("CLEARANCE", frame.work.clearance_level, f"{near.a} to {near.b}"))
+            lamps.append(to_page.Lamp("CLEARANCE", frame.work.clearance_level, f"{near.a} to {near.b}"))
         return (*lamps, *effector_lamps(frame.work))
 
 
-def controller_records(message: wire.Controllers) -> tuple[ControllerRecord, ...]:
+def controller_records(message: from_page.Controllers) -> tuple[ControllerRecord, ...]:
     """The hand controllers in use, as they are recorded."""
     return tuple(
         ControllerRecord(used.kind, used.name, used.deadband, used.expo, used.bindings, used.centres)
@@ -285,8 +289,8 @@ def controller_records(message: wire.Controllers) -> tuple[ControllerRecord, ...
     )
 
 
-def _vec3(values: list[float]) -> wire.Vec3:
-    return cast("wire.Vec3", tuple(values))
+def _vec3(values: list[float]) -> kinds.Vec3:
+    return cast("kinds.Vec3", tuple(values))
 
 
 def _pair(values: Array) -> tuple[float, float]:

@@ -10,16 +10,16 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.frames import SCENE_FROM_PANEL_AXES
 from aftdeck.scenario.model import Scenario
-from aftdeck.station import protocol as wire
+from aftdeck.station import kinds, to_page
 from aftdeck.worksite.report import Near, Vec3, Work
 
 
-def work_info(scenario: Scenario) -> wire.WorkInfo:
+def work_info(scenario: Scenario) -> to_page.WorkInfo:
     """What can be done at a scenario's worksite."""
     has = scenario.arm.model.equipment
-    return wire.WorkInfo(
+    return to_page.WorkInfo(
         hand="snares" if has.prong is None else "prong",
-        stand=None if has.telescope is None else wire.StandInfo(*has.telescope),
+        stand=None if has.telescope is None else to_page.StandInfo(*has.telescope),
         cargo=tuple(cargo.name for cargo in scenario.cargo),
         seats=tuple(seat.title for seat in scenario.worksite.seats),
         parts=tuple(scenario.parts),
@@ -28,7 +28,7 @@ def work_info(scenario: Scenario) -> wire.WorkInfo:
     )
 
 
-def effector_lamps(work: Work) -> tuple[wire.Lamp, ...]:
+def effector_lamps(work: Work) -> tuple[to_page.Lamp, ...]:
     """DERIGIDIZE and RELEASE, while a payload is in snares that do not hold it rigid, or let it go."""
     hand = work.hand
     if hand.carriage is None or "RIGID" in hand.flags or not any(cargo.held for cargo in work.cargo):
@@ -36,9 +36,9 @@ def effector_lamps(work: Work) -> tuple[wire.Lamp, ...]:
     releases = hand.switch == "open"
     moves = releases or hand.switch == "close" if hand.mode == "auto" else hand.rigid != "off"
     text = "the payload is held, not rigid"
-    lamps = [wire.Lamp("DERIGIDIZE", "info" if moves or releases else "caution", text)]
+    lamps = [to_page.Lamp("DERIGIDIZE", "info" if moves or releases else "caution", text)]
     if releases and hand.rigid == "off":
-        lamps.append(wire.Lamp("RELEASE", "info", "the payload is let go"))
+        lamps.append(to_page.Lamp("RELEASE", "info", "the payload is let go"))
     return tuple(lamps)
 
 
@@ -53,7 +53,7 @@ class WorkTranslator:
         self._fixtures = {cargo.name: cargo.grapple.position for cargo in scenario.cargo if cargo.grapple is not None}
         self._origin = SCENE_FROM_PANEL_AXES @ mount.origin - scenario.worksite.origin
 
-    def frame(self, work: Work, tip: Array, control: Array | None) -> wire.WorkFrame:
+    def frame(self, work: Work, tip: Array, control: Array | None) -> to_page.WorkFrame:
         """The worksite in a frame.
 
         Args:
@@ -62,7 +62,7 @@ class WorkTranslator:
             control: (3, 3) the axes that the sticks act along, in panel components; None: the mode takes none.
         """
         hand, way = work.hand, self._to_fixture(work, tip)
-        return wire.WorkFrame(
+        return to_page.WorkFrame(
             task=work.task,
             nearest=None if work.nearest is None else self._near(work.nearest),
             clearance_level=work.clearance_level,
@@ -72,16 +72,16 @@ class WorkTranslator:
             inhibits=work.inhibits,
             pursuit=work.pursuit,
             conditions=tuple(
-                wire.Condition(c.name, c.holds, c.value, c.limit, c.unit, c.margin, c.text) for c in work.conditions
+                to_page.Condition(c.name, c.holds, c.value, c.limit, c.unit, c.margin, c.text) for c in work.conditions
             ),
-            hand=wire.HandFrame(
+            hand=to_page.HandFrame(
                 hand.switch, hand.opening, hand.spacing, hand.carriage, hand.flags, hand.mode, hand.rigid
             ),
             stand=work.stand,
             orbiter=_vec3(self._panel_axes @ np.array(work.orbiter)),
             orbiter_velocity=_vec3(self._panel_axes @ np.array(work.orbiter_velocity)),
             cargo=tuple(
-                wire.CargoFrame(cargo.name, cargo.held, self._titles[cargo.seat], math.hypot(*cargo.velocity))
+                to_page.CargoFrame(cargo.name, cargo.held, self._titles[cargo.seat], math.hypot(*cargo.velocity))
                 for cargo in work.cargo
             ),
             master=work.master,
@@ -101,24 +101,24 @@ class WorkTranslator:
         nearest = min(ways, key=lambda way: math.hypot(*way.tolist()), default=None)
         return None if nearest is None else self._panel_axes @ nearest
 
-    def _near(self, near: Near) -> wire.Near:
+    def _near(self, near: Near) -> to_page.Near:
         a, b = self._point(near.point_a), self._point(near.point_b)
         middle = tuple(0.5 * (x + y) for x, y in zip(a, b, strict=True))
-        return wire.Near(
+        return to_page.Near(
             near.a,
             near.b,
             near.clearance,
             near.closing,
             a,
             b,
-            cast("wire.Vec3", middle),
+            cast("kinds.Vec3", middle),
             _vec3(self._axes @ np.array(near.normal)),
             near.essential,
         )
 
-    def _point(self, point: Vec3) -> wire.Vec3:
+    def _point(self, point: Vec3) -> kinds.Vec3:
         return _vec3(self._axes @ np.array(point) + self._origin)
 
 
-def _vec3(values: np.ndarray) -> wire.Vec3:
-    return cast("wire.Vec3", tuple(values.tolist()))
+def _vec3(values: np.ndarray) -> kinds.Vec3:
+    return cast("kinds.Vec3", tuple(values.tolist()))

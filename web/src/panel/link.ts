@@ -1,6 +1,6 @@
 /** The three delays, as they are set and as they are measured; LINK DELAY, where commands take longer or do not come. */
 
-import type { Lamp } from '../protocol';
+import type { SpineLamp } from './lamps';
 
 /** A station that says nothing for so long is silent [s]. */
 const SILENT_S = 0.5;
@@ -61,7 +61,7 @@ function differs(name: Name, { set, measured }: Delay): boolean {
 }
 
 /** `silence`: since a frame came last [s]. */
-export function linkLamp(silence: number, { command, telemetry, camera }: Delays): Lamp | null {
+export function linkLamp(silence: number, { command, telemetry, camera }: Delays): SpineLamp | null {
   const name = 'LINK DELAY';
   if (silence > SILENT_S) return { name, level: 'caution', text: `silent for ${silence.toFixed(0)} s` };
   const { set, measured } = command;

@@ -2,7 +2,7 @@
 
 import { type Age, isStale } from '../delay-line';
 import type { Controllers } from '../input/controllers';
-import type { Lamp } from '../protocol';
+import type { LampName, SpineLamp } from './lamps';
 import { type Delays, linkLamp } from './link';
 
 /** As much of a device's name as a lamp holds [characters]. */
@@ -23,7 +23,10 @@ export interface Knows {
   readonly controllers: Pick<Controllers, 'lost' | 'waiting'> | null;
 }
 
-export function ownLamps({ refusedAt, silence, delays, pictures, controllers }: Knows, now: number): Lamp[] {
+export function ownLamps(
+  { refusedAt, silence, delays, pictures, controllers }: Knows,
+  now: number,
+): SpineLamp[] {
   const link = linkLamp(silence, delays);
   return [
     ...(now - refusedAt < REFUSAL_MS ? [caution('CHECK CRT', 'see the log')] : []),
@@ -33,7 +36,7 @@ export function ownLamps({ refusedAt, silence, delays, pictures, controllers }: 
   ];
 }
 
-function controllerLamp({ lost, waiting }: Pick<Controllers, 'lost' | 'waiting'>): readonly Lamp[] {
+function controllerLamp({ lost, waiting }: Pick<Controllers, 'lost' | 'waiting'>): readonly SpineLamp[] {
   const [gone, waits] = [lost[0], waiting[0]];
   if (gone) return [caution('CONTROLLER', `${gone.short.slice(0, LAMP_NAME)} is gone`)];
   if (!waits) return [];
@@ -42,6 +45,6 @@ function controllerLamp({ lost, waiting }: Pick<Controllers, 'lost' | 'waiting'>
   ];
 }
 
-function caution(name: string, text: string): Lamp {
+function caution(name: LampName, text: string): SpineLamp {
   return { name, level: 'caution', text };
 }

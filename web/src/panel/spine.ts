@@ -1,47 +1,28 @@
 /** The lamps between the monitors, each with its cause, under the master alarm. */
 
 import { keyOf } from '../input/layout';
-import type { Lamp } from '../protocol';
 import type { Alarm } from '../tones';
 import { button, el, setAttribute, setClass, setText } from './dom';
+import { type LampName, lampsIn, type Row, type SpineLamp } from './lamps';
 
-/**
- * Lamps that tell their cause: the arm's as on the panel, then the station's. The others stand in pairs, their cause in
- * the title; the first three pairs are of things that are not simulated, and are lit by TEST alone.
- */
-const ARM = ['SINGULAR', 'REACH LIM', 'SOFT STOP', 'RATE LIM', 'CHECK CRT'];
 /** A lamp alarms as it rises: one that was seen as a caution does so again as a warning. */
 const RANK = { info: 0, caution: 1, warning: 2 } as const;
-const STATION = ['CLEARANCE', 'CONTROLLER'];
-const PAIRS = [
-  'MCIU',
-  'ABE',
-  'GPC DATA',
-  'CONTR ERR',
-  'PORT TEMP',
-  'STBD TEMP',
-  'DERIGIDIZE',
-  'RELEASE',
-  'CAMERA',
-  'LINK DELAY',
-];
 
 export interface SpineListener {
   acknowledged(): void;
   /** A lamp was pressed, by its name. */
-  pressed(lamp: string): void;
+  pressed(lamp: LampName): void;
 }
 
 export class Spine {
   readonly element: HTMLElement;
-  private readonly lamps = new Map<string, { key: HTMLButtonElement; cause: HTMLElement }>();
+  private readonly lamps = new Map<LampName, { key: HTMLButtonElement; cause: HTMLElement }>();
   private readonly words = el('span');
   private readonly master: HTMLButtonElement;
   private readonly polite = el('p', { class: 'unseen', 'aria-live': 'polite' });
   private readonly alert = el('p', { class: 'unseen', role: 'alert' });
-  private readonly arm = el('div', { class: 'lamps' });
-  private lit = new Map<string, Lamp>();
-  private unseen = new Set<string>();
+  private lit = new Map<LampName, SpineLamp>();
+  private unseen = new Set<LampName>();
   private raised = false;
   private readonly silent = el('p', { class: 'silent' }, 'Tones muted');
 
@@ -49,17 +30,14 @@ export class Spine {
     this.master = button({ class: 'master' }, [el('b', {}, 'Master alarm'), this.words], () =>
       listener.acknowledged(),
     );
-    this.arm.append(...ARM.map((name) => this.lamp(name)));
-    const pairs = el('div', { class: 'lamp-pairs' }, ...PAIRS.map((name) => this.lamp(name)));
-    const station = el('div', { class: 'lamps' }, ...STATION.map((name) => this.lamp(name)));
     this.element = el(
       'section',
       { class: 'spine', 'aria-label': 'Lamps' },
       this.master,
       this.silent,
-      this.arm,
-      pairs,
-      station,
+      this.row('arm'),
+      this.row('pair', 'lamp-pairs'),
+      this.row('station'),
       this.polite,
       this.alert,
     );
@@ -67,10 +45,9 @@ export class Spine {
   }
 
   /** Lights exactly these lamps; in a test all of them, which alarms nobody. */
-  show(lamps: readonly Lamp[], test = false): void {
+  show(lamps: readonly SpineLamp[], test = false): void {
     const now = new Map(lamps.map((lamp) => [lamp.name, lamp]));
     for (const [name, lamp] of now) {
-      if (!this.lamps.has(name)) this.arm.append(this.lamp(name));
       if (RANK[lamp.level] > RANK[this.lit.get(name)?.level ?? 'info']) this.raise(lamp);
     }
     this.lit = now;
@@ -116,13 +93,17 @@ export class Spine {
     this.show([...this.lit.values()]);
   }
 
-  private raise(lamp: Lamp): void {
+  private raise(lamp: SpineLamp): void {
     this.raised = true;
     this.unseen.add(lamp.name);
     setText(lamp.level === 'warning' ? this.alert : this.polite, `${lamp.name}: ${lamp.text}`);
   }
 
-  private lamp(name: string): HTMLButtonElement {
+  private row(row: Row, name = 'lamps'): HTMLElement {
+    return el('div', { class: name }, ...lampsIn(row).map((lamp) => this.lamp(lamp)));
+  }
+
+  private lamp(name: LampName): HTMLButtonElement {
     const cause = el('small');
     const key = button({ class: 'lamp' }, [el('b', {}, name), cause], () => this.listener.pressed(name));
     this.lamps.set(name, { key, cause });
@@ -131,7 +112,7 @@ export class Spine {
 }
 
 /** `1 warning, 2 cautions`; empty where neither is lit. */
-export function counted(lamps: readonly Pick<Lamp, 'level'>[]): string {
+export function counted(lamps: readonly Pick<SpineLamp, 'level'>[]): string {
   return (['warning', 'caution'] as const)
     .map((name) => ({ name, count: lamps.filter(({ level }) => level === name).length }))
     .filter(({ count }) => count > 0)

@@ -1,14 +1,8 @@
-"""The station's wire protocol: every message between server and page, defined here and nowhere else.
-
-Messages are JSON objects whose ``type`` names the struct; the page's TypeScript is generated from these
-types (``make generate``). All quantities are SI and radians. *panel* components are X = -Xo, Y = Yo,
-Z = -Zo with pitch, yaw, roll applied in that order; *scene* is x aft, y starboard, z up with its origin at
-Xo 942, Yo 0, Zo 400 in. Quaternions are wxyz.
-"""
+"""Every message from the server to a page, and what they hold."""
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Literal
 
 import msgspec
 
@@ -17,358 +11,17 @@ from aftdeck.scenario.light import LightCondition, Lighting
 from aftdeck.shapes import Shape
 from aftdeck.simulation.frame import LimitKind
 from aftdeck.station.curves import Lane, Strip
-
-PROTOCOL = 3
-"""Version of this protocol; a page that speaks another one is refused in the handshake."""
-
-MAX_MESSAGE_BYTES = 16_384
-"""Longest message accepted from a page [bytes]: `Controllers` with full mappings; others have under 400."""
-
-Vec3 = tuple[float, float, float]
-Six = tuple[float, float, float, float, float, float]
-Quat = tuple[float, float, float, float]
-Rate = Literal["coarse", "vernier"]
-LawChoice = Literal["position", "closed loop", "open loop"]
-Level = Literal["info", "caution", "warning"]
-EffectorSwitch = Literal["stop", "close", "open"]
-ProblemPart = Literal["full problem", "acquisition", "extraction", "manoeuvring"]
-ControllerKind = Literal["keyboard", "pad", "thc pad", "rhc pad", "thc joystick", "rhc joystick", "spacemouse", "touch"]
-Binding = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9+]{1,16} [A-Za-z0-9+ -]{1,16}$")]
-Offset = Annotated[float, msgspec.Meta(ge=-0.3, le=0.3)]
-Seq = Annotated[int, msgspec.Meta(ge=0, le=2**53 - 1)]
-"""Number of a page's message: a whole number that JavaScript carries exactly."""
-Name = Annotated[str, msgspec.Meta(max_length=64)]
-Monitor = Annotated[tuple[Name, ...], msgspec.Meta(min_length=1, max_length=2)]
-"""Names of the cameras that a monitor shows: one, or two halves from the left."""
-
-
-class _Message(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="type"):
-    """A frozen, tagged message that refuses unknown fields."""
-
-
-# --- page to server ---------------------------------------------------------------------------------------
-
-
-class Hello(_Message, frozen=True, tag="hello"):
-    """First message of a page: the protocol that it speaks."""
-
-    protocol: int
-    shows: bool = False
-    """A second window, or a page too narrow to fly from: it shows the flight and is nobody's hands (`TakeSeat`)."""
-    strips: bool = False
-    """It draws strips: it is sent the flight's last minutes, too."""
-
-
-class Sticks(_Message, frozen=True, tag="sticks"):
-    """Where the hand controllers stand, after deadband and expo, each axis in [-1, 1].
-
-    Sent whenever they change and at least every 0.2 s while they are deflected or RATE HOLD keeps a rate: sticks
-    that have been silent for 0.5 s return to zero, and nobody is held to be at the controls (`HandsOff`).
-    """
-
-    seq: Seq
-    """Grows with every message of a page; an older one is refused."""
-    translation: Vec3
-    """THC: +X, +Y, +Z of the present control frame."""
-    rotation: Vec3
-    """RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame."""
-    drive: float
-    """SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT)."""
-    telescope: float = 0.0
-    """The stand: + longer, - shorter, in [-1, 1]."""
-    orbiter: Vec3 = (0.0, 0.0, 0.0)
-    """Translation of the orbiter: forward, starboard, down, each in [-1, 1]."""
-
-
-class EnterMode(_Message, frozen=True, tag="enter_mode"):
-    """Turn the MODE rotary to a position and press ENTER."""
-
-    seq: Seq
-    mode: str
-    """A panel position, as `ModeInfo.position`."""
-
-
-class SelectJoint(_Message, frozen=True, tag="select_joint"):
-    """Turn the JOINT rotary."""
-
-    seq: Seq
-    joint: int
-    """0 to 5, in the order of `Welcome.joints`."""
-
-
-class SelectRate(_Message, frozen=True, tag="select_rate"):
-    """Set the COARSE/VERNIER switch."""
-
-    seq: Seq
-    rate: Rate
-
-
-class SetTarget(_Message, frozen=True, tag="set_target"):
-    """Key in the end position and attitude of OPR CMD (SPEC 94 items 18-23), in panel components."""
-
-    seq: Seq
-    position: Vec3
-    """X, Y, Z [m]."""
-    attitude: Vec3
-    """Pitch, yaw, roll [rad]."""
-
-
-class SelectLaw(_Message, frozen=True, tag="select_law"):
-    """Set the switch beside OPR CMD and AUTO 1-4: which of the report's modes 1 to 3 they fly."""
-
-    seq: int
-    law: LawChoice
-
-
-class PayloadAxes(_Message, frozen=True, tag="payload_axes"):
-    """Set the switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4)."""
-
-    seq: int
-    on: bool
-
-
-class RateHold(_Message, frozen=True, tag="rate_hold"):
-    """Press RATE HOLD: keep the present stick command; pressed again, let it go."""
-
-    seq: int
-
-
-class PositionHold(_Message, frozen=True, tag="position_hold"):
-    """Set POSITION HOLD: with sticks at rest, keep position and attitude."""
-
-    seq: int
-    on: bool
-
-
-class AskSticks(_Message, frozen=True, tag="ask_sticks"):
-    """A page that watches wants to fly; the one that flies gives or keeps within 10 s."""
-
-    seq: Seq
-
-
-class GiveSticks(_Message, frozen=True, tag="give_sticks"):
-    """Give the sticks, which are at rest, to the page that asks."""
-
-    seq: Seq
-
-
-class KeepSticks(_Message, frozen=True, tag="keep_sticks"):
-    """Keep the sticks; the page that asks is told."""
-
-    seq: Seq
-
-
-class SetName(_Message, frozen=True, tag="set_name"):
-    """What the person at this page is called from now on, to the other pages and in the log."""
-
-    seq: Seq
-    name: str
-    """One line of 24 characters at most; empty: the page goes by its number again."""
-
-
-class LeaveSeat(_Message, frozen=True, tag="leave_seat"):
-    """The page has become too narrow to fly from: it shows the flight from now on, and the next page flies."""
-
-    seq: Seq
-
-
-class TakeSeat(_Message, frozen=True, tag="take_seat"):
-    """The page is wide enough to fly from again: it flies if nobody else does, and else watches."""
-
-    seq: Seq
-
-
-class HandsOff(_Message, frozen=True, tag="hands_off"):
-    """Nobody is at the controls: sticks at rest, RATE HOLD let go, POSITION HOLD on; a sequence goes on."""
-
-    seq: Seq
-    cause: Literal["page hidden", "device lost"]
-
-
-class SetBrakes(_Message, frozen=True, tag="brakes"):
-    """Set BRAKES: on, every joint stands at once."""
-
-    seq: Seq
-    on: bool
-
-
-class SetSafing(_Message, frozen=True, tag="safing"):
-    """Set SAFING: on, zero joint rates are commanded; off is its CANCEL."""
-
-    seq: Seq
-    on: bool
-
-
-class LookAhead(_Message, frozen=True, tag="look_ahead"):
-    """How far to look ahead."""
-
-    seq: Seq
-    seconds: Annotated[float, msgspec.Meta(ge=2.0, le=20.0)]
-    """[s]"""
-
-
-class Proceed(_Message, frozen=True, tag="proceed"):
-    """AUTO SEQ switch to PROCEED."""
-
-    seq: Seq
-
-
-class Stop(_Message, frozen=True, tag="stop"):
-    """AUTO SEQ switch to STOP; sticks go to zero too."""
-
-    seq: Seq
-
-
-class SetEffector(_Message, frozen=True, tag="effector"):
-    """Put the end effector's switch: the prong closes or opens; the snares capture or release."""
-
-    seq: Seq
-    switch: EffectorSwitch
-
-
-class SetEffectorMode(_Message, frozen=True, tag="effector_mode"):
-    """END EFFECTOR MODE of the snares: the whole sequence, or the snares alone."""
-
-    seq: Seq
-    mode: Literal["auto", "manual"]
-
-
-class SetRigid(_Message, frozen=True, tag="rigid"):
-    """END EFFECTOR MAN CONTR: the carriage alone, in manual."""
-
-    seq: Seq
-    rigid: Literal["off", "rigid", "derigid"]
-
-
-class PressLatch(_Message, frozen=True, tag="latch"):
-    """Hold the payload in its seat (retention latches, docking port), or let it go."""
-
-    seq: Seq
-    latch: Literal["latch", "unlatch"]
-
-
-class SetMaster(_Message, frozen=True, tag="master"):
-    """Put the master arm, which MASTER follows."""
-
-    seq: Seq
-    angles: Six
-    """[rad]"""
-
-
-class Initialise(_Message, frozen=True, tag="initialise"):
-    """Put arm and payload back to where a part of the problem begins."""
-
-    seq: Seq
-    part: ProblemPart
-
-
-class Restart(_Message, frozen=True, tag="restart"):
-    """Put the scenario back to its first instant."""
-
-    seq: Seq
-
-
-class FlyScenario(_Message, frozen=True, tag="fly_scenario"):
-    """Leave this flight and fly another scenario; what is recorded of this one is finished and kept."""
-
-    seq: Seq
-    number: Annotated[int, msgspec.Meta(ge=0)]
-    """Its place in `Scenarios.scenarios`."""
-
-
-class DriveCamera(_Message, frozen=True, tag="drive_camera"):
-    """The switches that turn a camera, each in [-1, 1]; sent and forgotten as `Sticks` are."""
-
-    seq: Seq
-    camera: Name
-    pan: float
-    """To the right in the picture."""
-    tilt: float
-    """Upwards."""
-    zoom: float
-    """In, to a narrower field of view."""
-    slow: bool
-    """At the low speed, where the drive has two."""
-
-
-class Shown(_Message, frozen=True, tag="shown"):
-    """What the page measures of itself and shows, told once a second and when it changes; for recording and strips."""
-
-    seq: Seq
-    latency_ms: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] | None
-    """Stick to picture, 95th percentile of the last 10 s [ms]."""
-    monitors: Annotated[tuple[Monitor, ...], msgspec.Meta(max_length=2)] = ()
-    """What MON 1 and MON 2 show."""
-
-
-class SetLight(_Message, frozen=True, tag="set_light"):
-    """How the light shall stand from now on, as a whole; it is no input of the flight, and is recorded."""
-
-    seq: Seq
-    lighting: Lighting
-
-
-class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A device that moves the hand controllers, and what each part of it is put to."""
-
-    kind: ControllerKind
-    name: Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
-    """As the browser calls it."""
-    deadband: Annotated[float, msgspec.Meta(ge=0.0, le=0.5)]
-    """Part of an axis' travel about its centre that counts as zero."""
-    expo: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
-    """0 straight, 1 the cube: (1 - expo) x + expo x**3 of what is left beyond the deadband."""
-    bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=64)]
-    """What is pressed or moved, and what it does: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
-    centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=16)]
-    """Where each axis rests, as the operator has confirmed; beyond the last: 0."""
-
-
-class Controllers(_Message, frozen=True, tag="controllers"):
-    """The hand controllers in use, told when the page begins to fly and whenever they change; for the recording."""
-
-    seq: Seq
-    controllers: Annotated[tuple[ControllerInUse, ...], msgspec.Meta(max_length=5)]
-
-
-FromPage = (
-    Sticks
-    | Shown
-    | Controllers
-    | DriveCamera
-    | SetLight
-    | EnterMode
-    | SelectJoint
-    | SelectRate
-    | SelectLaw
-    | PayloadAxes
-    | RateHold
-    | PositionHold
-    | AskSticks
-    | GiveSticks
-    | KeepSticks
-    | SetName
-    | LeaveSeat
-    | TakeSeat
-    | HandsOff
-    | LookAhead
-    | SetBrakes
-    | SetSafing
-    | SetTarget
-    | Proceed
-    | Stop
-    | Restart
-    | FlyScenario
-    | SetEffector
-    | SetEffectorMode
-    | SetRigid
-    | PressLatch
-    | SetMaster
-    | Initialise
+from aftdeck.station.kinds import (
+    EffectorSwitch,
+    LawChoice,
+    Level,
+    ProblemPart,
+    Quat,
+    Rate,
+    Six,
+    Vec3,
+    WireMessage,
 )
-
-
-# --- server to page ---------------------------------------------------------------------------------------
 
 
 class JointInfo(msgspec.Struct, frozen=True):
@@ -481,7 +134,7 @@ class StoredSequence(msgspec.Struct, frozen=True):
     points: tuple[StoredPoint, ...]
 
 
-class Welcome(_Message, frozen=True, tag="welcome"):
+class Welcome(WireMessage, frozen=True, tag="welcome"):
     """Answer to `Hello`: all that a page needs to know once."""
 
     protocol: int
@@ -531,7 +184,7 @@ class ScenarioInfo(msgspec.Struct, frozen=True):
     """The user's own file; the others are built in."""
 
 
-class Scenarios(_Message, frozen=True, tag="scenarios"):
+class Scenarios(WireMessage, frozen=True, tag="scenarios"):
     """What this station can fly: sent on connection and whenever something of it changes."""
 
     scenarios: tuple[ScenarioInfo, ...]
@@ -549,7 +202,7 @@ class NamedPage(msgspec.Struct, frozen=True):
     """As the others are told it: with the page's number behind it where two have given the same."""
 
 
-class Role(_Message, frozen=True, tag="role"):
+class Role(WireMessage, frozen=True, tag="role"):
     """Who flies: sent on connection and whenever it changes."""
 
     flying: bool
@@ -577,11 +230,14 @@ class Limit(msgspec.Struct, frozen=True):
     """For people: ``elbow pitch at its rate limit``."""
 
 
+FlightLamp = Literal["SINGULAR", "REACH LIM", "SOFT STOP", "RATE LIM", "CLEARANCE", "DERIGIDIZE", "RELEASE"]
+"""The lamps that a flight lights; the page has others of its own, and a place for each."""
+
+
 class Lamp(msgspec.Struct, frozen=True):
     """A lit lamp and its cause."""
 
-    name: str
-    """``SINGULAR``, ``REACH LIM``, ``SOFT STOP``, ``RATE LIM`` ..., as on the spine."""
+    name: FlightLamp
     level: Level
     text: str
     """The cause: ``elbow 0.12 from straight``."""
@@ -753,7 +409,7 @@ class Ahead(msgspec.Struct, frozen=True):
     """Seven numbers for each body of `Welcome.ghost`, as in `Frame.poses`."""
 
 
-class Frame(_Message, frozen=True, tag="frame"):
+class Frame(WireMessage, frozen=True, tag="frame"):
     """All that the page shows of one instant; newest wins, frames may be skipped."""
 
     tick: int
@@ -838,13 +494,13 @@ class Event(msgspec.Struct, frozen=True):
     text: str
 
 
-class Events(_Message, frozen=True, tag="events"):
+class Events(WireMessage, frozen=True, tag="events"):
     """New log lines, oldest first; none is ever skipped."""
 
     events: tuple[Event, ...]
 
 
-class Refused(_Message, frozen=True, tag="refused"):
+class Refused(WireMessage, frozen=True, tag="refused"):
     """A message or command that was not taken, and why, in a sentence for the operator."""
 
     seq: int
@@ -862,7 +518,7 @@ class Sample(msgspec.Struct, frozen=True):
     """The joint that is nearest to its rate limit; empty at rest."""
 
 
-class Recent(_Message, frozen=True, tag="recent"):
+class Recent(WireMessage, frozen=True, tag="recent"):
     """To a window that draws strips: at first the flight's last minutes, then what is new."""
 
     strips: tuple[Strip, ...]
