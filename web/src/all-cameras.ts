@@ -4,7 +4,8 @@ import { middleOf } from './panel/gap-overlay';
 import type { Matrix } from './panel/matrix';
 import { extentOf } from './panel/plan';
 import type { Camera, Frame, Near } from './protocol';
-import type { Rect, Scene } from './scene';
+import type { Scene } from './scene';
+import type { Rect } from './scene/drawn';
 import { pairWords, type Survey } from './survey';
 
 /** One camera is looked through each so many times that the page is drawn. */

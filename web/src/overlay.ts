@@ -3,7 +3,8 @@
 import { type GapLine, middleOf, type Touch } from './panel/gap-overlay';
 import type { Picture } from './panel/picture';
 import type { Frame, Near } from './protocol';
-import type { Scene, View } from './scene';
+import type { Scene } from './scene';
+import type { View } from './scene/drawn';
 
 export interface Over {
   readonly frame: Frame;

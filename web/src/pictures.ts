@@ -16,8 +16,9 @@ import type { View as DeskView } from './panel/part';
 import type { Picture } from './panel/picture';
 import type { Camera, Frame, Level, Near, Welcome } from './protocol';
 import type { Drawing } from './quality';
-import { type Rect, Scene, type View } from './scene';
+import { Scene } from './scene';
 import type { DrawnBody } from './scene/bodies';
+import type { Rect, View } from './scene/drawn';
 import { Survey } from './survey';
 import { inset } from './width';
 

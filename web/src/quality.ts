@@ -1,6 +1,6 @@
 /** Which drawing profile the page uses, and on what. */
 
-import type { Quality } from './scene';
+import type { Quality } from './scene/drawn';
 
 export interface Drawing {
   readonly quality: Quality;

@@ -1,7 +1,7 @@
 /** What the operator flies with at the moment: keys, or the device that was moved last; and what a use is called there. */
 
-import type { Controllers } from './controllers';
 import type { Device } from './device';
+import type { Keyboard } from './keyboard';
 import { keyOf, nameOfSource, shortOfSource } from './layout';
 import { centred, indexOf, type Kind } from './mapping';
 import { movers, type Source } from './rebind';
@@ -20,11 +20,17 @@ export interface Names {
 /** Those of the keyboard. */
 export const KEYS: Names = { name: keyOf, short: (use) => called(['keyboard'], use, shortOfSource) };
 
+/** What may be moved: the keys, and devices. */
+export interface Movable {
+  readonly devices: readonly Device[];
+  readonly keyboard: Pick<Keyboard, 'held'>;
+}
+
 export class InHand implements Names {
   /** The device moved last; null: the keys. */
   device: Device | null = null;
 
-  constructor(private readonly controllers: Pick<Controllers, 'devices' | 'keyboard'>) {}
+  constructor(private readonly controllers: Movable) {}
 
   /** Looks which was moved. */
   look(): void {

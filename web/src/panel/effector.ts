@@ -2,10 +2,9 @@
 
 import { fixed, small } from '../format';
 import type { GripAction } from '../input/keymap';
-import type { Frame, HandFrame, PayloadInfo, WorkFrame } from '../protocol';
+import type { Frame, PayloadInfo, WorkFrame } from '../protocol';
 import type { Units } from '../units';
 import { group, setAbout } from './dom';
-import type { HoldButton } from './hold-button';
 import type { Desk, Part } from './part';
 import { prong } from './prong';
 import { seat } from './seat';
@@ -14,18 +13,6 @@ import { snares } from './snares';
 export interface EffectorGroup extends Part {
   /** A grip's key or button went down or up. */
   grip(action: GripAction): void;
-}
-
-/** One kind of end effector. */
-export interface Hand {
-  readonly element: HTMLElement;
-  /** What is held to close and to open it. */
-  readonly close: HoldButton;
-  readonly open: HoldButton;
-  /** Whether it moves, and a press of either stops it before anything is held. */
-  moves(hand: HandFrame): boolean;
-  bars(hand: HandFrame): void;
-  set(hand: HandFrame, units: Units): void;
 }
 
 export function effectorGroup(desk: Desk): EffectorGroup {

@@ -3,10 +3,9 @@
 import { small } from '../format';
 import type { EffectorSwitch, HandFrame } from '../protocol';
 import { button, el, setAttribute, setPressed, setText, svg } from './dom';
-import type { Hand } from './effector';
+import { CLOSE_S, type Hand, OPEN_S } from './hand';
 import { holdButton } from './hold-button';
 import type { Desk } from './part';
-import { CLOSE_S, OPEN_S } from './snares';
 
 const LENGTH = 100;
 

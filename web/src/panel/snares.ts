@@ -2,13 +2,9 @@
 
 import type { HandFrame } from '../protocol';
 import { button, el, setClass, setPressed } from './dom';
-import type { Hand } from './effector';
+import { CLOSE_S, type Hand, OPEN_S } from './hand';
 import { holdButton } from './hold-button';
 import type { Desk } from './part';
-
-/** Held so long to capture or close, and to release or open [s]. */
-export const CLOSE_S = 0.3;
-export const OPEN_S = 1;
 
 /** As on the panel, the row of a capture over that of a release. */
 const FLAGS = ['CAPTURE', 'CLOSE', 'RIGID', 'EXTEND', 'OPEN', 'DERIGID'] as const;

@@ -11,7 +11,7 @@ import {
   Vector3,
 } from 'three';
 import type { BodyInfo, Group, Light, Shape, Vec3 } from '../protocol';
-import type { Quality } from './index';
+import type { Quality } from './drawn';
 import type { Materials } from './materials';
 import { surfaceOf } from './shapes';
 import { Surface } from './surface';

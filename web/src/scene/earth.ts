@@ -12,7 +12,7 @@ import {
   Vector3,
 } from 'three';
 import { type Daylight, FULL_SUN } from './daylight';
-import type { Quality } from './index';
+import type { Quality } from './drawn';
 import { paintedCap, paintedClouds } from './painted';
 
 /** Radius of the Earth and of an orbit 350 km up [km]. */

@@ -21,6 +21,7 @@ import { Blob } from './blob';
 import { Body, type DrawnBody, lampCount } from './bodies';
 import { Cameras, type Place, type Projected } from './cameras';
 import { type Daylight, daylightOf, FULL_SUN } from './daylight';
+import type { Quality, Rect, View } from './drawn';
 import { Earth } from './earth';
 import { Exposure, metered } from './exposure';
 import { Gap } from './gap';
@@ -34,24 +35,6 @@ import { Relay } from './relay';
 import { Sight } from './sight';
 import { Sun } from './sun';
 import { Television } from './television';
-
-/** `full` is for graphics hardware; `low` is quick where the processor draws. */
-export type Quality = 'full' | 'low';
-
-/** One picture: a camera by name, and where on the canvas it goes [CSS px from its top left]. */
-export interface View {
-  readonly camera: string;
-  readonly rect: Rect;
-  /** Black and white, with noise. */
-  readonly early: boolean;
-}
-
-export interface Rect {
-  readonly left: number;
-  readonly top: number;
-  readonly width: number;
-  readonly height: number;
-}
 
 /** Numbers a body in `Frame.poses`. */
 const POSE = 7;

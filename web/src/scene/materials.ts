@@ -1,8 +1,7 @@
 import { Color, type Material as Drawn, MeshBasicMaterial, MeshStandardMaterial, type Texture } from 'three';
 import { present } from '../assert';
 import type { Material } from '../protocol';
-import type { Quality } from './index';
-import type { LambertLight } from './lambert';
+import type { Quality } from './drawn';
 import { crumpleTexture, type Pattern, patternTexture } from './textures';
 
 interface Look {
@@ -43,6 +42,11 @@ const GLOW = 'glow ';
 /** Of a lamp's face that is dark. */
 const UNLIT = 0.08;
 
+/** What makes the low profile's materials. */
+export interface Shading {
+  material(pattern: Texture | null): Drawn;
+}
+
 /** The materials of one profile, made when first asked for. */
 export class Materials {
   private readonly made = new Map<string, Drawn>();
@@ -51,7 +55,7 @@ export class Materials {
   /** `light`: of the low profile. */
   constructor(
     private readonly quality: Quality,
-    private readonly light: LambertLight,
+    private readonly light: Shading,
   ) {}
 
   /**

@@ -1,5 +1,5 @@
 import type { WebGLRenderer } from 'three';
-import type { Rect } from './index';
+import type { Rect } from './drawn';
 
 /** The middle of a picture, of its width and height. */
 const MIDDLE = 0.6;

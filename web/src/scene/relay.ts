@@ -2,7 +2,7 @@
 
 import type { WebGLRenderer } from 'three';
 import { present } from '../assert';
-import type { Rect } from './index';
+import type { Rect } from './drawn';
 
 /** Bytes of a pixel. */
 const PIXEL = 4;

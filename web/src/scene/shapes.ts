@@ -1,7 +1,7 @@
 import { Vector3 } from 'three';
 import { assertUnreachable } from '../assert';
 import type { Box, Cylinder, Group, Hexahedron, Light, Ring, Shape, Shell, Sphere, Vec2 } from '../protocol';
-import type { Quality } from './index';
+import type { Quality } from './drawn';
 import { loft } from './loft';
 import { plate } from './plate';
 import { revolve, type Strip } from './revolve';

@@ -13,7 +13,7 @@ import {
   Vector2,
   type WebGLRenderer,
 } from 'three';
-import type { Rect } from './index';
+import type { Rect } from './drawn';
 
 /** Of the noise, from its mean to its edge, of white. */
 const NOISE = '0.07';

@@ -1,6 +1,6 @@
 import { CanvasTexture, LinearMipmapNearestFilter, NoColorSpace, RepeatWrapping, type Texture } from 'three';
 import { present } from '../assert';
-import type { Quality } from './index';
+import type { Quality } from './drawn';
 
 /** What is drawn on a surface, as a grey that dims its colour; `plain` has none. */
 export type Pattern = 'plain' | 'quilt' | 'liner' | 'seams' | 'tiles' | 'panel';

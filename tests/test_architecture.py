@@ -1,0 +1,56 @@
+"""The step as docs/architecture.md shows it is the step as it is."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import aftdeck.simulation.fly
+import aftdeck.simulation.step
+
+DOCUMENT = Path(__file__).parents[1] / "docs" / "architecture.md"
+
+
+def calls(source: str) -> list[str]:
+    """The functions called in a source, in the order of its lines."""
+    found = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
+    in_order = sorted(found, key=lambda node: (node.lineno, node.col_offset))
+    return [ast.unparse(node.func).split(".")[-1] for node in in_order]
+
+
+def body(module: object, name: str) -> list[str]:
+    """The calls of a function of a module."""
+    file = Path(str(vars(module)["__file__"]))
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    (function,) = (node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name)
+    return calls(ast.unparse(function))
+
+
+def shown() -> list[str]:
+    """The calls that the document shows, without its comments."""
+    text = DOCUMENT.read_text(encoding="utf-8")
+    block = re.search(r"^    def step\(.*?(?=^\S)", text, re.MULTILINE | re.DOTALL)
+    assert block is not None
+    lines = [re.sub(r"\s*#.*", "", line) for line in block[0].splitlines()]
+    return [name for line in lines for name in re.findall(r"(\w+)\(", line) if name != "step"]
+
+
+def test_every_call_that_is_shown_is_made_and_in_this_order() -> None:
+    told = shown()
+    assert len(told) > 10 and "go" in told
+    at = told.index("go")
+    inner = body(aftdeck.simulation.fly, "go")
+    ends = at + 1 + sum(name in inner for name in told[at + 1 :])
+    for names, made in (
+        (told[: at + 1] + told[ends:], body(aftdeck.simulation.step, "step")),
+        (told[at + 1 : ends], inner),
+    ):
+        left = iter(made)
+        assert all(name in left for name in names), f"shown: {names}; made: {made}"
+
+
+def test_every_call_of_the_step_that_changes_something_is_shown() -> None:
+    """Left out are only what a camera's drive, the log and the report's own words do."""
+    left_out = set(body(aftdeck.simulation.step, "step")) - set(shown())
+    assert left_out <= {"phase_name", "hand_over", "initialise", "driven"}

@@ -1,0 +1,32 @@
+"""The page's sources import each other in one direction: no file comes back to itself, by types neither."""
+
+from __future__ import annotations
+
+import re
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+SOURCES = Path(__file__).parents[1] / "web" / "src"
+FROM = re.compile(r"^(?:import|export)\b[^;]*?\bfrom '(\.[^']+)'", re.MULTILINE)
+
+
+def imports() -> dict[Path, set[Path]]:
+    """What each source imports of the page's own."""
+    found = {}
+    for file in SOURCES.rglob("*.ts"):
+        named = [(file.parent / path).resolve() for path in FROM.findall(file.read_text(encoding="utf-8"))]
+        found[file] = {
+            one for path in named for one in (path.with_name(f"{path.name}.ts"), path / "index.ts") if one.is_file()
+        }
+    return found
+
+
+def test_no_file_imports_itself_through_others() -> None:
+    found = imports()
+    assert len(found) > 150 and SOURCES / "live.ts" in found[SOURCES / "main.ts"]
+    try:
+        TopologicalSorter(found).prepare()
+    except CycleError as error:
+        pytest.fail(" -> ".join(str(file.relative_to(SOURCES)) for file in error.args[1]))

@@ -1,0 +1,21 @@
+/** What the two kinds of end effector have in common on the desk. */
+
+import type { HandFrame } from '../protocol';
+import type { Units } from '../units';
+import type { HoldButton } from './hold-button';
+
+/** Held so long to capture or close, and to release or open [s]. */
+export const CLOSE_S = 0.3;
+export const OPEN_S = 1;
+
+/** One kind of end effector. */
+export interface Hand {
+  readonly element: HTMLElement;
+  /** What is held to close and to open it. */
+  readonly close: HoldButton;
+  readonly open: HoldButton;
+  /** Whether it moves, and a press of either stops it before anything is held. */
+  moves(hand: HandFrame): boolean;
+  bars(hand: HandFrame): void;
+  set(hand: HandFrame, units: Units): void;
+}
