@@ -67,7 +67,11 @@ def test_latch_docks_a_floating_payload_just_where_the_port_would_take_it(seed: 
 def test_latch_keeps_a_floating_payload_in_the_bay_just_within_its_tolerances(seed: int, spread: float) -> None:
     rng = np.random.default_rng(seed)
     off, turned = spread * rng.uniform(-0.25, 0.25, 3), spread * rng.uniform(-2.0, 2.0, 3)
-    before, after = pressed(scenario(cargo=floating(IN_BAY + off, turned)))
+    try:
+        made = scenario(cargo=floating(IN_BAY + off, turned))
+    except ScenarioError:
+        assume(False)  # it would start inside the bay's floor
+    before, after = pressed(made)
     centre, axes = pose(before)
     turn = math.acos(min(1.0, max(-1.0, (np.trace(axes @ np.diag([1.0, -1.0, -1.0])) - 1.0) / 2.0)))
     margin = min(DISTANCE - float(np.linalg.norm(centre - AT_STOWED)), ANGLE - turn)

@@ -22,11 +22,9 @@ from aftdeck.simulation.master import AXES, axes_of
 from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.wire_spec94 import payload_table, stored_sequences
 from aftdeck.station.wire_work import WorkTranslator, effector_lamps, work_info
-from aftdeck.steering.mode import MODES, Mode
+from aftdeck.steering.mode import MODES, STICK_AXES, Mode
 from aftdeck.version import __version__
 
-END_EFFECTOR, PAYLOAD = 5, 6
-"""The report's numbers of the modes whose axes move with the arm."""
 VIEW = 6
 """Decimals of a camera's angles on the page [rad]: a pixel is a thousand times as wide."""
 
@@ -223,10 +221,11 @@ class Translator:
 
     def _control_axes(self, frame: sim.Frame, tip: Pose) -> Array:
         """The axes that the sticks act along, in panel components."""
-        if frame.law == END_EFFECTOR:
+        along = STICK_AXES.get(frame.law)
+        if along == "end effector":
             hand = tip.rotation if self._scenario.strict else tip.rotation @ self._hand
             return np.asarray(self._mount.rotation @ hand)
-        if frame.law == PAYLOAD and frame.payload is not None:
+        if along == "payload" and frame.payload is not None:
             return np.asarray(self._mount.rotation @ np.array(frame.payload[1]))
         return np.eye(3)
 

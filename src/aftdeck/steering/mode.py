@@ -85,8 +85,15 @@ MODES: dict[str, Mode] = {
 """Every position, by its name."""
 
 
+NUMBERED = range(1, 9)
+"""The numbers of JSC-12628's own modes."""
+
+StickAxes = Literal["orbiter", "end effector", "payload"]
+STICK_AXES: dict[int, StickAxes] = {4: "orbiter", 5: "end effector", 6: "payload", 7: "orbiter"}
+"""Of the report's modes that sticks fly, along whose axes they move the point; mode 7 turns it about the payload's."""
+
+
 def position_of(law: int) -> tuple[PanelPosition, int] | None:
     """The panel position that flies one of the report's modes 1 to 8 first, and the law; None for other numbers."""
-    first: dict[int, PanelPosition] = {1: "OPR CMD", 2: "OPR CMD", 3: "OPR CMD", 4: "ORB UNL", 5: "END EFF"}
-    first |= {6: "PL", 7: "ORB LD", 8: "SINGLE"}
-    return (first[law], law) if law in first else None
+    first = next((mode.position for mode in MODES.values() if law in mode.laws), None)
+    return None if first is None or law not in NUMBERED else (first, law)

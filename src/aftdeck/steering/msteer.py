@@ -44,18 +44,7 @@ from aftdeck.steering.layout import (
     TWIST,
 )
 from aftdeck.steering.limiters import BY_RATE, NEAREST, avclmt, joint_ratio, ratlmt
-from aftdeck.steering.modes import (
-    closed_loop,
-    direct,
-    end_effector,
-    master,
-    mixed,
-    open_loop,
-    orbiter,
-    payload,
-    position,
-    single_joint,
-)
+from aftdeck.steering.modes import closed_loop, direct, manual, master, open_loop, position, single_joint
 from aftdeck.steering.one_factor import one_factor
 from aftdeck.steering.turn import from_hand
 
@@ -214,16 +203,8 @@ def _wanted(rules: Array, command: Array, state: Array, report: Array, here: Tip
         closed_loop.note_arrival(rules, state, report)
     elif number == 3.0:
         wanted = open_loop.demand(rules, command, state, report)
-    elif number == 4.0:
-        wanted = orbiter.demand(rules, command)
-    elif number == 5.0:
-        wanted = end_effector.demand(rules, command, here)
-    elif number == 6.0:
-        wanted = payload.demand(rules, command, here)
-    elif number == 7.0:
-        wanted = mixed.demand(rules, command, here)
     else:
-        wanted = Twist(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        wanted = manual.demand(rules, command, here)
     return wanted
 
 

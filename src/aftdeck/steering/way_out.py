@@ -14,9 +14,9 @@ from aftdeck.kinematics.linkage import Sines, Tip, sines, tip
 from aftdeck.kinematics.rates import rmsrat
 from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
-from aftdeck.steering.layout import ANGLES, LAW, STICKS
+from aftdeck.steering.layout import ANGLES, STICKS
 from aftdeck.steering.limiters import closing, ratlmt
-from aftdeck.steering.modes import end_effector, mixed, orbiter, payload
+from aftdeck.steering.modes import manual
 from aftdeck.steering.msteer import NEAR_FLOOR, carried_to_tip
 
 DIRECTIONS = 12
@@ -65,15 +65,7 @@ def _stick_rates(rules: Array, command: Array, a: Sines, here: Tip, k: int) -> R
     for i in range(6):
         command[STICKS + i] = 0.0
     command[STICKS + k // 2] = 1.0 if k % 2 == 0 else -1.0
-    number = command[LAW]
-    if number == 4.0:
-        wanted = orbiter.demand(rules, command)
-    elif number == 5.0:
-        wanted = end_effector.demand(rules, command, here)
-    elif number == 6.0:
-        wanted = payload.demand(rules, command, here)
-    else:
-        wanted = mixed.demand(rules, command, here)
+    wanted = manual.demand(rules, command, here)
     return rmsrat(rules, a, carried_to_tip(rules, here, wanted), NEAR_FLOOR)
 
 

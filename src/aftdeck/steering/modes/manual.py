@@ -1,0 +1,29 @@
+"""The report's modes that sticks fly, 4 to 7, by their numbers: what they ask of the point of resolution.
+
+`msteer` flies them, and `way_out` tries their sticks. A mode of this kind is a file beside this one, a line here, and a
+row of `STICK_AXES` in `steering.mode`.
+"""
+
+from __future__ import annotations
+
+from aftdeck.arrays import Array
+from aftdeck.kinematics.jacobian import Twist
+from aftdeck.kinematics.linkage import Tip
+from aftdeck.law import law
+from aftdeck.steering.layout import LAW
+from aftdeck.steering.modes import end_effector, mixed, orbiter, payload
+
+
+@law
+def demand(rules: Array, command: Array, here: Tip) -> Twist:
+    """The twist that the sticks ask for in the mode whose number the command has; none in other modes."""
+    number = command[LAW]
+    if number == 4.0:
+        return orbiter.demand(rules, command)
+    if number == 5.0:
+        return end_effector.demand(rules, command, here)
+    if number == 6.0:
+        return payload.demand(rules, command, here)
+    if number == 7.0:
+        return mixed.demand(rules, command, here)
+    return Twist(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
