@@ -82,7 +82,7 @@ MODES: dict[str, Mode] = {
         ),
     )
 }  # fmt: skip
-"""Every position, by its name."""
+"""Every position, by its name: down the panel's left column, then its right one, and last what is not on that panel."""
 
 
 NUMBERED = range(1, 9)

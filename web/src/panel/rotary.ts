@@ -1,24 +1,7 @@
 /** The MODE rotary: twelve positions, and MASTER where the arm has one; one is turned to, then entered. */
 
-import type { ModeInfo } from '../protocol';
 import { button, el, setAttribute, setClass, setPressed } from './dom';
 import type { Desk } from './part';
-
-/** As printed on the panel, down its left column, then its right one. */
-const POSITIONS = [
-  'OPR CMD',
-  'AUTO 1',
-  'AUTO 2',
-  'AUTO 3',
-  'AUTO 4',
-  'TEST',
-  'ORB UNL',
-  'END EFF',
-  'ORB LD',
-  'PL',
-  'SINGLE',
-  'DIRECT',
-];
 
 export interface Rotary {
   readonly element: HTMLElement;
@@ -32,9 +15,7 @@ export interface Rotary {
 }
 
 export function rotary(desk: Desk): Rotary {
-  // What is not on the flown panel stands last.
-  const place = ({ position }: ModeInfo) => POSITIONS.indexOf(position) + 1 || POSITIONS.length + 1;
-  const modes = [...desk.welcome.modes].sort((a, b) => place(a) - place(b));
+  const { modes } = desk.welcome;
   let entered = '';
   let turned: string | null = null;
 
