@@ -1,6 +1,6 @@
-"""Aftdeck simulates a space manipulator at work, with a person in the loop or without.
+"""Aftdeck: simulator of a space manipulator at work, with or without a person in the loop.
 
-Names are loaded when they are first used, so that importing the package costs nothing.
+Names are loaded on first use, so that importing the package takes almost no time.
 """
 
 from __future__ import annotations
@@ -59,12 +59,12 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    """Load a public name from where it lives."""
+    """Load a public name from its module."""
     if name not in _HOMES:
         raise AttributeError(f"module 'aftdeck' has no attribute {name!r}")
     return getattr(importlib.import_module(_HOMES[name]), name)
 
 
 def __dir__() -> list[str]:
-    """The public names."""
+    """Return the public names, sorted."""
     return sorted(__all__)

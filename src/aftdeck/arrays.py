@@ -1,4 +1,4 @@
-"""The kinds of arrays that are passed about; a docstring gives the shape and the unit of each."""
+"""Array types used throughout the package; the docstring at each use gives the shape and the unit."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
 """Named dimensions of a file, and quantities that are derived from them.
 
 A file's ``[dimensions]`` table names quantities; any other value of the file may then be a string that begins with
-``=`` and computes a quantity from them: ``"= payload_length / 2 - 2 ft"``. Allowed are numbers, with a unit or without,
-names, ``+ - * /``, brackets, ``min``, ``max``, ``sqrt``, ``cos``, ``sin`` and ``tan``. Units are checked: lengths are
-not added to angles, and a result takes the place of a quantity of its own kind. A dimension may be derived from those
-above it.
+``=`` and computes a quantity from them: ``"= payload_length / 2 - 2 ft"``. An expression may use numbers with or
+without a unit, names, ``+ - * /``, brackets, ``min``, ``max``, ``sqrt``, ``cos``, ``sin`` and ``tan``. Units are
+checked: a length cannot be added to an angle, and a result can only replace a quantity of the same kind. A dimension
+may be derived from dimensions listed above it.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from aftdeck.files import Problem, Where
 from aftdeck.units import Angle, AngularRate, Length, Mass, Quantity, Speed, Time, short
 
 KEY = "dimensions"
-"""The table's name."""
+"""Name of the table of dimensions."""
 _LONGEST = 300
-"""Characters of an expression at most: no dimension needs more, and deep brackets cannot exhaust the parser."""
+"""Maximum length of an expression [characters]: ample for a dimension; deep brackets cannot exhaust the parser."""
 _LITERAL = re.compile(r"(?<![\w.])((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(?:\s*([A-Za-z]+(?:/s\b)?))?")
 _NAME = re.compile(r"[a-z][a-z0-9_]*")
 
 Powers = tuple[float, float, float, float]
-"""Of metre, kilogram, second and radian."""
+"""Exponents of metre, kilogram, second and radian."""
 _PLAIN: Powers = (0.0, 0.0, 0.0, 0.0)
 _KINDS: dict[Powers, type[Quantity]] = {
     (1.0, 0.0, 0.0, 0.0): Length,
@@ -40,16 +40,16 @@ _KINDS: dict[Powers, type[Quantity]] = {
 
 class _Value(NamedTuple):
     number: float
-    """In SI."""
+    """The value in SI units."""
     powers: Powers
 
 
 _WRONG = _Value(math.nan, _PLAIN)
-"""Of a dimension that has no value."""
+"""Placeholder for a dimension whose value could not be computed."""
 
 
 def derive(raw: dict[str, Any]) -> list[Problem]:
-    """Put the values of derived quantities in their places in a file's raw contents; return what is wrong."""
+    """Replace the expressions in a file's raw contents by their values; return the problems found."""
     given = raw.get(KEY, {})
     if not isinstance(given, dict):
         return [Problem((KEY,), f"expected a table of named quantities, got {short(given)}")]
@@ -66,12 +66,12 @@ def derive(raw: dict[str, Any]) -> list[Problem]:
 
 
 def derive_from(given: Mapping[str, str | float], raw: dict[str, Any]) -> list[Problem]:
-    """As `derive`, in a file whose expressions use another file's dimensions, as `derive` left them there."""
+    """Replace expressions as `derive` does, with another file's dimensions, already evaluated by `derive`."""
     return _substituted(raw, {name: _dimension(name, value, {}) for name, value in given.items()})
 
 
 def has_formulas(raw: dict[str, Any]) -> bool:
-    """Return whether any of a file's raw contents is an expression."""
+    """Return whether a file's raw contents hold any expression."""
     return next(_formulas(raw, ()), None) is not None
 
 
@@ -86,7 +86,7 @@ def _substituted(raw: dict[str, Any], names: Mapping[str, _Value]) -> list[Probl
 
 
 def _formulas(value: Any, where: Where) -> Iterator[tuple[Any, Any, Where, str]]:
-    """Yield each list or table that holds an expression, its key there, its place in the file and its text."""
+    """Yield for each expression the list or table that holds it, its key there, its place in the file, and its text."""
     items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     for key, inner in items:
         if (*where, key) == (KEY,):
@@ -98,7 +98,7 @@ def _formulas(value: Any, where: Where) -> Iterator[tuple[Any, Any, Where, str]]
 
 
 def _dimension(name: str, given: object, names: Mapping[str, _Value]) -> _Value:
-    """Return a dimension's value; `names` are those above it."""
+    """Return a dimension's value; `names` holds the dimensions listed above it."""
     if not _NAME.fullmatch(name):
         raise ValueError(f"{name!r} is no name of a dimension: small letters, digits and _, a letter first")
     if name in _FUNCTIONS:
@@ -111,7 +111,7 @@ def _dimension(name: str, given: object, names: Mapping[str, _Value]) -> _Value:
 
 
 def _written(value: _Value) -> str | float:
-    """Return a value as a file would give it, in SI with its unit."""
+    """Return a value as a file gives it: a plain number, or a string in SI with its unit."""
     if value.powers == _PLAIN:
         return value.number
     if value.powers not in _KINDS:
@@ -120,7 +120,7 @@ def _written(value: _Value) -> str | float:
 
 
 def _computed(text: str, names: Mapping[str, _Value]) -> _Value:
-    """Return the value of an expression (ValueError where it has none)."""
+    """Return the value of an expression; raise ValueError if it has none."""
     if len(text) > _LONGEST:
         raise ValueError(f"an expression has at most {_LONGEST} characters, got {len(text)}")
     literals: list[_Value] = []
@@ -191,7 +191,7 @@ def _sum(a: Powers, b: Powers, sign: float) -> Powers:
 
 
 def _alike(values: list[_Value]) -> None:
-    """Refuse to add or compare quantities of unlike kinds (ValueError)."""
+    """Raise ValueError if quantities of different kinds are to be added or compared."""
     if len({value.powers for value in values}) > 1:
         kinds = [_KINDS[value.powers].noun if value.powers in _KINDS else "number" for value in values]
         raise ValueError(f"{' and '.join(map(_with_article, dict.fromkeys(kinds)))} cannot be added or compared")

@@ -1,4 +1,4 @@
-"""What can be wrong, one class a cause. Messages are sentences: what was given, what is allowed, where."""
+"""Exceptions of Aftdeck, one class per cause. A message says what was given, what is allowed, and where."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class InputError(AftdeckError, ValueError):
 
 
 class ArmError(AftdeckError):
-    """An arm file that cannot be read or that describes no arm of a known family."""
+    """An arm file that cannot be read, or that does not describe an arm of a known family."""
 
 
 class LimitError(AftdeckError):
@@ -22,8 +22,8 @@ class LimitError(AftdeckError):
 
     Attributes:
         joint: name of the joint.
-        angle: what was given [rad].
-        allowed: least and greatest angle [rad].
+        angle: given angle [rad].
+        allowed: minimum and maximum angle [rad].
     """
 
     def __init__(self, message: str, joint: str, angle: float, allowed: tuple[float, float]) -> None:
@@ -32,7 +32,7 @@ class LimitError(AftdeckError):
 
 
 class SingularityError(AftdeckError):
-    """The arm stands at a singularity, where a commanded tip motion has no bounded joint rates.
+    """An arm at a singularity, where a commanded tip motion has no bounded joint rates.
 
     Attributes:
         singularity: ``shoulder``, ``elbow`` or ``wrist``.
@@ -45,11 +45,11 @@ class SingularityError(AftdeckError):
 
 
 class UnreachableError(AftdeckError):
-    """A pose that the arm cannot take.
+    """A pose that the arm cannot reach.
 
     Attributes:
-        excess: by how much: metres beyond the reach, or radians beyond a joint limit.
-        joint: the joint whose limit is passed on the branch that comes nearest; None where reach is short.
+        excess: distance beyond the reach [m], or angle beyond a joint limit [rad].
+        joint: joint whose limit is exceeded on the branch that comes nearest; None if the pose is out of reach.
     """
 
     def __init__(self, message: str, excess: float, joint: str | None = None) -> None:
@@ -58,7 +58,7 @@ class UnreachableError(AftdeckError):
 
 
 class ScenarioError(AftdeckError):
-    """A scenario, worksite or arm file with errors, all of them at once.
+    """A scenario, worksite or arm file with errors, all reported at once.
 
     Attributes:
         problems: one sentence each, beginning with its place (``file.toml:12: phase[1].rate: ...``).
@@ -70,12 +70,12 @@ class ScenarioError(AftdeckError):
 
 
 class CommandError(AftdeckError):
-    """An operator's command that cannot be taken in the present state; the flight goes on unchanged."""
+    """An operator's command that is rejected in the present state; the run continues unchanged."""
 
 
 class SimulationError(AftdeckError):
-    """The simulation itself broke down (a number is not finite); carries the time and the cause."""
+    """A failure of the simulation itself (a number is not finite); the message gives the time and the cause."""
 
 
 class RecordingError(AftdeckError):
-    """A session file that cannot be written, read or understood; says which and why."""
+    """A recording file that cannot be written, read or understood; the message says which file and why."""

@@ -1,4 +1,4 @@
-"""Reading TOML files into types: every error at once, each with its place."""
+"""Decoding of TOML files into types; all errors are reported at once, each with its place."""
 
 from __future__ import annotations
 
@@ -19,25 +19,25 @@ from aftdeck.units import decode_hook, short
 _T = TypeVar("_T")
 
 MOST_BYTES = 4_000_000
-"""Longest file read [bytes]; longer ones are refused before they are parsed."""
+"""Maximum length of a file [bytes]; a longer file is rejected before it is parsed."""
 
 
 class Text(NamedTuple):
-    """A file as it was read."""
+    """Name and text of a file."""
 
     name: str
     text: str
 
 
 def read(path: Path, most: int | None = MOST_BYTES) -> Text:
-    """The file's name and text.
+    """Read a file and return its name and text.
 
     Args:
         path: the file.
-        most: the longest file read [bytes]; None: of any length.
+        most: maximum length [bytes]; None for no limit.
 
     Raises:
-        ScenarioError: missing, unreadable, too long or not UTF-8.
+        ScenarioError: the file is missing, unreadable, too long or not UTF-8.
     """
     try:
         status = path.stat()
@@ -55,15 +55,15 @@ def read(path: Path, most: int | None = MOST_BYTES) -> Text:
 
 
 def beside(name: str, folder: Path) -> str:
-    """Return a name that one file gives another by: a path from `folder`, or a built-in's name as it is."""
+    """Return a reference in a file as a path from `folder`; built-in names and absolute paths stay as given."""
     return str(folder / name) if name.endswith(".toml") and not Path(name).is_absolute() else name
 
 
 def parse(kind: type[_T], file: Text) -> _T:
-    """The file's contents as a value of `kind`, a msgspec struct.
+    """Return the file's contents as a value of `kind`, a msgspec struct.
 
     Raises:
-        ScenarioError: with all problems found: wrong TOML, wrong or unknown fields.
+        ScenarioError: the TOML is invalid, or fields are wrong or unknown; lists all problems found.
     """
     value, problems = examine(kind, file)
     if value is None or problems:
@@ -77,18 +77,18 @@ def examine(
     changes: Changes | None = None,
     derive: Callable[[dict[str, Any]], list[Problem]] | None = None,
 ) -> tuple[_T | None, list[Problem]]:
-    """The file's contents, with what is wrong in them left out, and everything that is wrong.
+    """Return the file's contents without the wrong fields, and all problems found.
 
-    The contents are None where what is wrong cannot be left out. `changes` are put in place of what the file says;
-    then `derive` puts computed values in the place of expressions (`aftdeck.dimensions`).
+    The contents are None if the wrong fields cannot be left out. `changes` replace values of the file; then `derive`
+    replaces expressions by computed values (`aftdeck.dimensions`).
 
     Raises:
-        ScenarioError: text that is no TOML.
+        ScenarioError: the text is not TOML, or is nested too deeply.
     """
     name, text = file
     try:
         raw = tomllib.loads(text)
-    except ValueError as error:  # wrong TOML, or a number of thousands of digits
+    except ValueError as error:  # invalid TOML, or a number with thousands of digits
         raise ScenarioError([f"{name}: {error}"]) from None
     except RecursionError:
         raise ScenarioError([f"{name}: is nested too deeply to be read"]) from None
@@ -110,10 +110,10 @@ def examine(
 
 
 def _put(raw: Any, where: Where, value: object) -> None:
-    """Put a value at a place of the raw contents, with the tables on the way to it where there are none.
+    """Set a value at a place in the raw contents; create the missing tables on the way to that place.
 
     Raises:
-        InputError: a place in a list that is not there, or below what is no table.
+        InputError: the place is a list item that does not exist, or lies below a value that is not a table.
     """
     *way, last = where
     value = _plain(value)
@@ -127,7 +127,7 @@ def _put(raw: Any, where: Where, value: object) -> None:
 
 
 def _plain(value: Any) -> Any:
-    """Return a value with Python's own numbers and lists for NumPy's."""
+    """Return a value with NumPy types and tuples converted to Python numbers and lists."""
     if isinstance(value, dict):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
@@ -136,7 +136,7 @@ def _plain(value: Any) -> Any:
 
 
 def _item(raw: Any, where: Where, depth: int) -> Any:
-    """The list's item that a place names at a depth."""
+    """Return the list item that a place names at a depth."""
     part, before = where[depth], place(where[:depth])
     if isinstance(part, str):
         raise InputError(f"{place(where)}: {before} is no table, so nothing in it can be named {part!r}")
@@ -147,7 +147,7 @@ def _item(raw: Any, where: Where, depth: int) -> Any:
 
 
 def _leave_out(raw: Any, where: Where) -> None:
-    """Take the innermost named field of a place out of the raw contents."""
+    """Remove the innermost named field of a place from the raw contents."""
     names = [i for i, part in enumerate(where) if isinstance(part, str)]
     if not names:
         return
@@ -161,42 +161,42 @@ def _leave_out(raw: Any, where: Where) -> None:
 
 
 def convert(raw: object, kind: type[_T]) -> _T:
-    """A decoded value of `kind` from plain dicts, lists, numbers and strings."""
+    """Convert plain dicts, lists, numbers and strings to a decoded value of `kind`."""
     return msgspec.convert(raw, kind, dec_hook=decode_hook)
 
 
 Where = tuple[str | int, ...]
-"""Keys and indices from the top of a file to a place in it. An index counts the items of a list from 0, all of them."""
+"""Keys and indices from the top of a file to a place in it. An index counts all items of a list from 0."""
 Changes = Mapping[Where, object]
-"""Values in place of a file's own."""
+"""Values that replace those of a file, by place."""
 
 
 def place(where: Where) -> str:
-    """``phase[1].rate``."""
+    """Return a place as text, such as ``phase[1].rate``."""
     return "".join(f"[{k}]" if isinstance(k, int) else f".{k}" for k in where).lstrip(".")
 
 
 class Problem(msgspec.Struct, frozen=True):
-    """Something wrong at a place in a file."""
+    """A problem at a place in a file."""
 
     where: Where
     what: str
 
     def sentence(self, name: str, text: str) -> str:
-        """``file.toml:12: phase[1].rate: what is wrong``."""
+        """Return the problem as ``file.toml:12: phase[1].rate: what is wrong``."""
         line = line_of(self.where, text)
         where = place(self.where)
         return f"{name}{f':{line}' if line else ''}: {where + ': ' if where else ''}{self.what}"
 
 
 def sentences(problems: Sequence[Problem], name: str, text: str) -> list[str]:
-    """A sentence for each problem, in the order of their lines; `name` stands for the file."""
+    """Return one sentence per problem, in order of lines; `name` is the file's name in the sentences."""
     in_order = sorted(problems, key=lambda problem: line_of(problem.where, text) or 0)
     return [problem.sentence(name, text) for problem in in_order]
 
 
 def line_of(where: Where, text: str) -> int | None:
-    """Return the line (from 1) of the deepest part of `where` that the text gives; None where it gives none of it."""
+    """Return the line (from 1) of the deepest part of `where` found in the text, or None if no part is found."""
     found = located(text)
     for part in where:
         if part not in found.parts:
@@ -206,10 +206,10 @@ def line_of(where: Where, text: str) -> int | None:
 
 
 def _problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
-    """Everything that keeps `raw` from being a `kind`."""
+    """Return all reasons why `raw` is not a valid `kind`, each with its place."""
     kind = _without_none(kind)
     base = get_origin(kind) or kind
-    if base is Annotated:  # what is wrong inside comes before what is asked of the whole
+    if base is Annotated:  # problems inside the value come before a constraint on the whole value
         return _problems(raw, get_args(kind)[0], where) or _problem(raw, kind, where)
     if tagged := _tagged(kind):
         return _tagged_problems(raw, kind, tagged, where)
@@ -223,7 +223,7 @@ def _problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
 
 
 def _problem(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
-    """The first thing that keeps `raw` from being a `kind`."""
+    """Return the first reason why `raw` is not a valid `kind`, with its place; empty if `raw` is valid."""
     try:
         convert(raw, kind)
     except msgspec.ValidationError as error:
@@ -233,7 +233,7 @@ def _problem(raw: object, kind: Any, where: Where) -> list[tuple[Where, str]]:
 
 
 def _tagged(kind: Any) -> dict[str, Any]:
-    """The structs of a union that a field tells apart, by what stands in that field; nothing for other kinds."""
+    """Return the structs of a tagged union, by the value of their tag field; empty for other kinds."""
     members = get_args(kind) if get_origin(kind) in (Union, types.UnionType) else ()
     if not all(isinstance(k, type) and issubclass(k, msgspec.Struct) and k.__struct_config__.tag for k in members):
         return {}
@@ -241,7 +241,11 @@ def _tagged(kind: Any) -> dict[str, Any]:
 
 
 def _tagged_problems(raw: object, kind: Any, tagged: dict[str, Any], where: Where) -> list[tuple[Where, str]]:
-    """What keeps `raw` from being one of a union's structs: those of the one that its field names."""
+    """Return the reasons why `raw` is not a valid struct of a tagged union, each with its place.
+
+    The tag field selects the struct to check. If the tag is missing or unknown, that is reported, and only the fields
+    that all structs share are checked.
+    """
     try:
         convert(raw, kind)
     except msgspec.ValidationError:
@@ -285,7 +289,7 @@ def _struct_problems(raw: object, kind: Any, where: Where) -> list[tuple[Where, 
 
 
 def _without_none(kind: Any) -> Any:
-    """X for X | None, else the kind itself."""
+    """Return X for X | None, else the kind itself."""
     if get_origin(kind) in (Union, types.UnionType):
         rest = [k for k in get_args(kind) if k is not type(None)]
         if len(rest) == 1:
@@ -294,7 +298,7 @@ def _without_none(kind: Any) -> Any:
 
 
 def _split(message: str) -> tuple[str, Where]:
-    """A message of msgspec apart from its path: ``... - at `$.a[0]` ``."""
+    """Split a message of msgspec, ``... - at `$.a[0]` ``, into its text and its path."""
     what, _, path = message.partition(" - at `$")
     parts = re.findall(r"\.([A-Za-z0-9_-]+)|\[(\d+)\]", path)
     return what, tuple(name or int(index) for name, index in parts)

@@ -1,13 +1,13 @@
-"""Frames, poses and the angles that people use for them.
+"""Coordinate frames, poses, and the angles that describe orientations.
 
 - **L**, the longeron frame: the arm's base, origin at the shoulder yaw joint; all laws work in it.
 - **orbiter** (B): origin at the orbiter's centre of mass, x forward, y starboard, z down; orientation by
   ENDORI angles (azimuth about 3, elevation about 2, roll about 1, in that order) or by a matrix.
 - **panel**: X = -Xo, Y = Yo, Z = -Zo from the structural origin; orientation by pitch about 2, yaw about 3,
   roll about 1, in that order. Its attitude is that of the end effector's own axes E.
-- **scene**: x aft, y starboard, z up, origin at the worksite's; for pictures only.
+- **scene**: x aft, y starboard, z up, origin at the worksite's origin; for pictures only.
 
-A transform's name says both frames: ``T_orbiter_L`` takes components in L and gives them in orbiter.
+A transform's name gives both frames: ``T_orbiter_L`` converts components in L to components in orbiter.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ FrameName = Literal["L", "orbiter", "panel"]
 SCENE_ORIGIN = np.array([942.0, 0.0, 400.0]) * INCH
 """Origin of the Shuttle's scene in structural coordinates Xo, Yo, Zo [m]."""
 SCENE_FROM_PANEL_AXES = np.diag([-1.0, 1.0, -1.0])
-"""Axes only: scene x aft, y starboard, z up; panel x forward, y starboard, z down."""
+"""Rotation from panel to scene axes: scene x aft, y starboard, z up; panel x forward, y starboard, z down."""
 
 
 class Pose(NamedTuple):
@@ -42,7 +42,7 @@ class Pose(NamedTuple):
 
 
 class Mount(NamedTuple):
-    """Where an arm's base frame L sits in the orbiter.
+    """Position and orientation of an arm's base frame L in the orbiter.
 
     Attributes:
         origin: (3,) L's origin in panel coordinates [m].
@@ -55,7 +55,7 @@ class Mount(NamedTuple):
     orbiter_origin: Array
 
     def to(self, frame: FrameName, pose: Pose) -> Pose:
-        """A pose given in L, in another frame."""
+        """Return a pose given in L, expressed in another frame."""
         if frame == "L":
             return pose
         rotation = self.rotation @ pose.rotation
@@ -63,7 +63,7 @@ class Mount(NamedTuple):
         return Pose(position if frame == "panel" else position - self.orbiter_origin, rotation)
 
     def from_(self, frame: FrameName, pose: Pose) -> Pose:
-        """A pose given in another frame, in L."""
+        """Return a pose given in another frame, expressed in L."""
         if frame == "L":
             return pose
         position = pose.position if frame == "panel" else pose.position + self.orbiter_origin
@@ -71,37 +71,37 @@ class Mount(NamedTuple):
 
 
 def rotation_x(angle: float) -> Array:
-    """(3, 3) active rotation about axis 1 by angle [rad]: the report's T1(angle) transposed."""
+    """Return the (3, 3) active rotation about axis 1 by angle [rad]: the report's T1(angle) transposed."""
     c, s = math.cos(angle), math.sin(angle)
     return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
 
 
 def rotation_y(angle: float) -> Array:
-    """(3, 3) active rotation about axis 2 by angle [rad]: the report's T2(angle) transposed."""
+    """Return the (3, 3) active rotation about axis 2 by angle [rad]: the report's T2(angle) transposed."""
     c, s = math.cos(angle), math.sin(angle)
     return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
 
 
 def rotation_z(angle: float) -> Array:
-    """(3, 3) active rotation about axis 3 by angle [rad]: the report's T3(angle) transposed."""
+    """Return the (3, 3) active rotation about axis 3 by angle [rad]: the report's T3(angle) transposed."""
     c, s = math.cos(angle), math.sin(angle)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
 def endori(roll: float, elevation: float, azimuth: float) -> Array:
-    """Orientation from ENDORI's Euler angles [rad]; JSC-12628, subroutine ENDORI.
+    """Return the orientation for ENDORI's Euler angles [rad]; JSC-12628, subroutine ENDORI.
 
     Returns:
-        (3, 3) the turned frame's axes as columns: azimuth about 3, then elevation about the new 2, then
+        (3, 3) the rotated frame's axes as columns: azimuth about 3, then elevation about the new 2, then
         roll about the new 1.
     """
     return rotation_z(azimuth) @ rotation_y(elevation) @ rotation_x(roll)
 
 
 def oriend(rotation: Array) -> tuple[float, float, float]:
-    """Roll, elevation, azimuth [rad] of an orientation; JSC-12628, subroutine ORIEND.
+    """Return roll, elevation and azimuth [rad] of an orientation; JSC-12628, subroutine ORIEND.
 
-    Elevation lies in [-pi/2, pi/2]. At +-pi/2, where only azimuth -+ roll is determined, roll is 0.
+    Elevation lies in [-pi/2, pi/2]. At +-pi/2 only azimuth -+ roll is determined; roll is then set to 0.
     """
     sine = -rotation[2, 0]
     cosine = math.hypot(rotation[0, 0], rotation[1, 0])
@@ -113,14 +113,14 @@ def oriend(rotation: Array) -> tuple[float, float, float]:
 
 
 def panel_rotation(pitch: float, yaw: float, roll: float) -> Array:
-    """Orientation from the panel's attitude [rad]: pitch about 2, yaw about the new 3, roll about the new 1."""
+    """Return the orientation for a panel attitude [rad]: pitch about 2, yaw about the new 3, roll about the new 1."""
     return rotation_y(pitch) @ rotation_z(yaw) @ rotation_x(roll)
 
 
 def panel_attitude(rotation: Array) -> tuple[float, float, float]:
-    """Pitch, yaw, roll [rad] of an orientation as the panel shows them, each in [0, 2 pi).
+    """Return pitch, yaw and roll [rad] of an orientation as the panel displays them, each in [0, 2 pi).
 
-    At yaw +-90 deg, where only pitch +- roll is determined, roll is 0 (the display's known singularity).
+    At yaw +-90 deg only pitch +- roll is determined; roll is then set to 0 (the display's known singularity).
     """
     sine = rotation[1, 0]
     cosine = math.hypot(rotation[0, 0], rotation[2, 0])
@@ -134,7 +134,7 @@ def panel_attitude(rotation: Array) -> tuple[float, float, float]:
 
 
 def angle_between(rows: Rows, other: Rows) -> float:
-    """The angle [rad] of the turn between two orientations, given as rows; accurate from 0 to pi."""
+    """Return the angle [rad] of the rotation between two orientations, given as rows; accurate from 0 to pi."""
     (a, b, c), (d, e, f), (g, h, i) = rows
     (p, q, r), (s, t, u), (v, w, o) = other
     x = g * s + h * t + i * u - d * v - e * w - f * o  # twice the sine, along the axis
@@ -145,7 +145,7 @@ def angle_between(rows: Rows, other: Rows) -> float:
 
 
 def quaternion(rotation: Array) -> tuple[float, float, float, float]:
-    """Unit quaternion (w, x, y, z), w >= 0, of a rotation matrix; the largest component is taken first."""
+    """Return the unit quaternion (w, x, y, z), w >= 0, of a rotation matrix; compute the largest component first."""
     (a, b, c), (d, e, f), (g, h, i) = rotation.tolist()
     squares = (1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i)
     k = squares.index(max(squares))
@@ -160,7 +160,7 @@ def quaternion(rotation: Array) -> tuple[float, float, float, float]:
 
 
 def rotation_of(quaternion: tuple[float, float, float, float]) -> Rows:
-    """Rows of the rotation matrix of a quaternion (w, x, y, z), made a unit one."""
+    """Return the rows of the rotation matrix of a quaternion (w, x, y, z), which is normalised first."""
     size = math.sqrt(sum(part * part for part in quaternion))
     w, x, y, z = (part / size for part in quaternion)
     return (
@@ -171,10 +171,10 @@ def rotation_of(quaternion: tuple[float, float, float, float]) -> Rows:
 
 
 _GIMBAL = 1e-9
-"""Cosine of the middle angle below which the outer two are not told apart."""
+"""Cosine of the middle angle below which the outer two angles are not distinguished."""
 
 
 def _turn(angle: float) -> float:
-    """An angle in [0, 2 pi)."""
+    """Return an angle reduced to [0, 2 pi)."""
     turned = angle % math.tau
     return 0.0 if turned >= math.tau else turned

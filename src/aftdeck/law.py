@@ -1,12 +1,12 @@
-"""The decorator of the compiled laws, and the sine and cosine that they share.
+"""Decorator of the compiled laws, and the sine and cosine that the laws share.
 
 A *law* is straight-line scalar code: floats in, floats out, few branches. The same text runs compiled (Numba,
 cached on disk), as plain Python under ``NUMBA_DISABLE_JIT=1``, and inside loops over many arms.
 Division by zero gives infinity, as in hardware; the laws guard the places where it could happen.
 
-Numba's own cache looks only at the file in which a function stands, not at those that it calls: a law mended in
-one file would live on, unmended, inside its callers. The laws' cache is therefore kept in a folder named by a
-digest of all of them, below `NUMBA_CACHE_DIR` where that is set, else in the user's cache folder.
+Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. After a
+law is corrected in one file, its callers would still contain the old version. The laws' cache is therefore kept in a
+folder named by a digest of all laws, below `NUMBA_CACHE_DIR` if that is set, else in the user's cache folder.
 """
 
 from __future__ import annotations
@@ -29,31 +29,31 @@ _R = TypeVar("_R")
 _config: Any = numba.config
 
 _KEPT = 30 * 86_400.0
-"""How long the machine code of another state of the laws is kept unused [s]."""
+"""Time for which unused machine code of another version of the laws is kept [s]."""
 
 _TWO_BY_PI = 0.6366197723675814
 _ROUNDER = 6755399441055744.0
-"""1.5 * 2**52, whose neighbours are the whole numbers; those of its double are the even ones."""
+"""1.5 * 2**52: floats near this value are the whole numbers; floats near its double are the even numbers."""
 _HALF_PI_1 = 1.5707963267923333
 """First 36 bits of pi/2: whole multiples up to 2**17 are exact."""
 _HALF_PI_2 = 2.563344151594519e-12
-"""What is left of pi/2."""
+"""Remainder of pi/2 after `_HALF_PI_1`."""
 
 
 def law(function: Callable[_P, _R]) -> Callable[_P, _R]:
     """Compile a law at its first call and keep the machine code on disk.
 
-    A law that another one calls becomes part of it (`forceinline`), without which loops do not vectorise. It lets
-    go of Python's lock (`nogil`), and is never called from C (`no_cfunc_wrapper`).
+    A law that another law calls is inlined (`forceinline`); otherwise loops do not vectorise. A law releases Python's
+    global lock (`nogil`), and is never called from C (`no_cfunc_wrapper`).
     """
     return _compiled(function, fused=False)
 
 
 def _fused_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
-    """A law in which a product and the sum that takes it are rounded once, where the processor can.
+    """Compile a law in which a product and the sum that uses it are rounded once, if the processor can do so.
 
-    Only for sums of which one term is a product, or which are exact: elsewhere the compiler chooses which product
-    to fuse, not always the same, and one arm would differ from the same arm among many in its last digits.
+    Use only for sums that have a product as one term, or that are exact. Elsewhere the compiler chooses which product
+    to fuse, and not always the same one. One arm would then differ in its last digits from the same arm in a batch.
     """
     return _compiled(function, fused=True)
 
@@ -71,7 +71,7 @@ def _compiled(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
     compiled: Callable[_P, _R]
     try:
         compiled = numba.njit(cache=True, **options)(function)
-    except RuntimeError:  # no folder can be written: compile for this process alone
+    except RuntimeError:  # no folder is writable: compile for this process only
         compiled = numba.njit(**options)(function)
     finally:
         _config.CACHE_DIR = before
@@ -79,13 +79,13 @@ def _compiled(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
 
 
 def compiled_before() -> bool:
-    """Whether machine code of these laws is on disk."""
+    """Return whether machine code of these laws is on disk."""
     return any(Path(_cache()).rglob("*.nbi"))
 
 
 @functools.cache
 def state_of_the_laws() -> str:
-    """A digest of the sources of every room that holds a law: 16 digits."""
+    """Return a 16-digit digest of this file and of the sources of every subpackage that contains a law."""
     digest = hashlib.sha256()
     sources = {path: path.read_bytes() for path in sorted(Path(__file__).parent.rglob("*.py"))}
     rooms = {path.parent for path, text in sources.items() if b"@law" in text}
@@ -97,11 +97,11 @@ def state_of_the_laws() -> str:
 
 @functools.cache
 def _cache() -> str:
-    """The folder for this state of the laws; those of others that have not been used for long are removed."""
+    """Return the cache folder for this version of the laws; remove other versions' folders that are long unused."""
     own = _config.CACHE_DIR
     home = Path(own) if own else platformdirs.user_cache_path("aftdeck")
     folder = home / f"laws-{state_of_the_laws()}"
-    with contextlib.suppress(OSError):  # where nothing can be written, nothing is kept
+    with contextlib.suppress(OSError):  # without write access nothing is cached
         folder.mkdir(parents=True, exist_ok=True)
         folder.touch()
         for other in home.glob("laws-*"):
@@ -112,32 +112,31 @@ def _cache() -> str:
 
 @_fused_law
 def nearest(value: float) -> float:
-    """The whole number nearest to what is smaller than 2**51, the even one of two; no library call, no branch."""
+    """Return the nearest whole number, the even one of two, for |value| < 2**51; no library call, no branch."""
     return (value + _ROUNDER) - _ROUNDER
 
 
 @_fused_law
 def _oddness(value: float) -> float:
-    """The sine of a whole number of quarters of a turn: 0, 1 or -1, without a branch.
+    """Return the sine of a whole number of quarter turns: 0, 1 or -1, without a branch.
 
-    It is what the nearest even number leaves over, of two equally near the one that four divides.
+    The result is the value minus the nearest even number; of two equally near numbers, the multiple of 4 is used.
     """
     return value - ((value + 2.0 * _ROUNDER) - 2.0 * _ROUNDER)
 
 
 @_fused_law
 def reduced(angle: float) -> tuple[float, float]:
-    """An angle [rad] less the nearest whole quarters of a turn, by Cody and Waite in two parts; and how many."""
+    """Return an angle [rad] less the nearest number of quarter turns (Cody and Waite, two parts), and that number."""
     quarters = nearest(angle * _TWO_BY_PI)
     return (angle - quarters * _HALF_PI_1) - quarters * _HALF_PI_2, quarters
 
 
 @_fused_law
 def sincos_near_zero(x: float) -> tuple[float, float]:
-    """Sine and cosine within an eighth of a turn [rad].
+    """Return sine and cosine of an angle [rad] within an eighth of a turn.
 
-    The minimax polynomials of the standard C library, their terms taken in pairs so that they need not wait for
-    each other.
+    Evaluates the minimax polynomials of the standard C library, with terms in pairs that do not wait for each other.
     """
     z = x * x
     w = z * z
@@ -162,14 +161,14 @@ def sincos_near_zero(x: float) -> tuple[float, float]:
 
 @_fused_law
 def turned_on(s: float, c: float, quarters: float) -> tuple[float, float]:
-    """A sine and cosine turned on by whole quarters of a turn: both sums are exact."""
+    """Return a sine and cosine after adding whole quarter turns to their angle; both sums are exact."""
     sq, cq = _oddness(quarters), _oddness(quarters + 1.0)
     return s * cq + c * sq, c * cq - s * sq
 
 
 @_fused_law
 def sincos(angle: float) -> tuple[float, float]:
-    """Sine and cosine of an angle [rad] without a branch or a library call, so that loops vectorise.
+    """Return sine and cosine of an angle [rad] without a branch or a library call, so that loops vectorise.
 
     Error below 2e-16 for |angle| < 1e5.
     """

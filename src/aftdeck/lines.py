@@ -1,4 +1,4 @@
-"""Words that a person gives on one line: a code, a condition, a name."""
+"""Check of text that a person enters on one line: a code, a condition, a name."""
 
 from __future__ import annotations
 
@@ -6,15 +6,16 @@ from aftdeck.errors import InputError
 
 
 def one_line(what: str, text: str, most: int) -> str:
-    """The text as it was given, if it can stand on one line and be read there.
+    """Return the text unchanged if it is one line of visible characters.
 
     Args:
-        what: what it is, for the error: ``a name``.
-        text: as given.
-        most: characters that it may have.
+        what: what the text is, for the error, such as ``a name``.
+        text: text as given.
+        most: maximum number of characters.
 
     Raises:
-        InputError: nothing, too much, spaces at an end, or signs that cannot be seen, line breaks among them.
+        InputError: the text is empty or too long, begins or ends with a space, or has unprintable characters such as
+            line breaks.
     """
     if not text.strip():
         raise InputError(f"{what} needs at least one letter or digit, got {text!r}")

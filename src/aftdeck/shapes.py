@@ -1,8 +1,8 @@
-"""Drawable shapes, as arm and worksite files list them: the alphabet of every picture.
+"""Drawable shapes, as listed in arm and worksite files; every picture consists of them.
 
-Lengths are metres, angles radians, in the frame of the body that carries the shape. A shape stands at its
-`position`, first turned by its `rotation`. Files name materials; how a material looks is the page's business.
-A shape that cannot be drawn raises ValueError when it is made, so a decoder can report it with its place.
+Lengths are metres, angles radians, in the frame of the body that carries the shape. A shape is first turned by its
+`rotation`, then moved to its `position`. Files name materials; the page defines how each material looks.
+Creating a shape that cannot be drawn raises ValueError, so that a decoder can report its place in the file.
 """
 
 from __future__ import annotations
@@ -36,70 +36,70 @@ Material = Literal[
 ]
 
 FEWEST_CORNERS = 3
-"""Of a plate's outline."""
+"""Minimum number of corners of a plate's outline."""
 FEWEST_SECTIONS = 2
-"""Of a loft."""
+"""Minimum number of sections of a loft."""
 HEXAHEDRON_VERTICES = 8
 
 
 def _positive(shape: str, **sizes: float) -> None:
-    """Refuse a size that is not above zero, by name."""
+    """Raise ValueError for a size that is not above zero or not finite; the message names the size."""
     for name, value in sizes.items():
         if not 0.0 < value < inf:
             raise ValueError(f"the {shape}'s {name} is {value:g}; it has to be above 0")
 
 
 def _within_turn(shape: str, sweep: float) -> None:
-    """Refuse a sweep outside (0, 2 pi]; a thousandth of slack lets files write 6.2832."""
+    """Raise ValueError for a sweep outside (0, 2 pi] [rad]; 0.1 % of tolerance lets files write 6.2832."""
     if not 0.0 < sweep <= tau * 1.001:
         raise ValueError(f"the {shape}'s sweep is {sweep:g}; it has to be above 0 and at most 2 pi")
 
 
 class _Placed(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", kw_only=True):
-    """What every shape has: its place and turn in the frame that it is listed in."""
+    """Base of every shape: position and rotation in the frame in which the shape is listed."""
 
     position: Vec3 = (0.0, 0.0, 0.0)
-    """[m]"""
+    """Position [m]."""
     rotation: Vec3 = (0.0, 0.0, 0.0)
     """Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]."""
 
 
 class _Solid(_Placed, frozen=True, kw_only=True):
-    """A placed shape that is made of something."""
+    """A placed shape with a material."""
 
     material: Material
 
 
 class Box(_Solid, frozen=True, kw_only=True, tag="box"):
-    """A box about its centre."""
+    """A box with its centre at its position."""
 
     size: Vec3
     """Edges along x, y, z [m]."""
 
     def __post_init__(self) -> None:
-        """Refuse an edge that is not above zero."""
+        """Reject an edge that is not above zero."""
         for axis, edge in zip("xyz", self.size, strict=True):
             _positive("box", **{f"size along {axis}": edge})
 
 
 class Cylinder(_Solid, frozen=True, kw_only=True, tag="cylinder"):
-    """A solid cylinder or truncated cone about its centre."""
+    """A solid cylinder or truncated cone with its centre at its position."""
 
     axis: Axis = "x"
     length: float
     radius: float
-    """At the end of smaller axis coordinate [m]."""
+    """Radius at the end with the smaller axis coordinate [m]."""
     radius_end: float | None = None
-    """At the other end [m]; as `radius` where not given."""
+    """Radius at the other end [m]; None if it equals `radius`."""
 
     def __post_init__(self) -> None:
-        """Refuse sizes that are not above zero."""
+        """Reject sizes that are not above zero."""
         end = self.radius if self.radius_end is None else self.radius_end
         _positive("cylinder", length=self.length, radius=self.radius, radius_end=end)
 
 
 class Shell(_Solid, frozen=True, kw_only=True, tag="shell"):
-    """A wall bent round an axis: tube, nozzle, door, or, where it is as thick as its radius, a piece of disc.
+    """A wall bent round an axis: tube, nozzle, door, or a piece of a disc if the wall is as thick as its radius.
 
     Angles run from y to z about axis x, from z to x about y, from x to y about z.
     """
@@ -107,15 +107,15 @@ class Shell(_Solid, frozen=True, kw_only=True, tag="shell"):
     axis: Axis = "x"
     length: float
     radius: float
-    """Outer, at the end of smaller axis coordinate [m]."""
+    """Outer radius at the end with the smaller axis coordinate [m]."""
     radius_end: float | None = None
-    """Outer, at the other end [m]; as `radius` where not given."""
+    """Outer radius at the other end [m]; None if it equals `radius`."""
     thickness: float
     start: float = 0.0
     sweep: float = tau
 
     def __post_init__(self) -> None:
-        """Refuse sizes that are not above zero and walls thicker than their radius."""
+        """Reject sizes that are not above zero, a sweep beyond a full turn, and walls thicker than their radius."""
         end = self.radius if self.radius_end is None else self.radius_end
         _positive("shell", length=self.length, radius=self.radius, radius_end=end, thickness=self.thickness)
         _within_turn("shell", self.sweep)
@@ -128,14 +128,14 @@ class Ring(_Solid, frozen=True, kw_only=True, tag="ring"):
 
     axis: Axis = "x"
     radius: float
-    """Of the bar's middle line [m]."""
+    """Radius of the bar's centre line [m]."""
     bar: float
     """Radius of the bar [m]."""
     start: float = 0.0
     sweep: float = tau
 
     def __post_init__(self) -> None:
-        """Refuse sizes that are not above zero."""
+        """Reject sizes that are not above zero, and a sweep beyond a full turn."""
         _positive("ring", radius=self.radius, bar=self.bar)
         _within_turn("ring", self.sweep)
 
@@ -146,22 +146,22 @@ class Sphere(_Solid, frozen=True, kw_only=True, tag="sphere"):
     radius: float
 
     def __post_init__(self) -> None:
-        """Refuse a radius that is not above zero."""
+        """Reject a radius that is not above zero."""
         _positive("sphere", radius=self.radius)
 
 
 class Plate(_Solid, frozen=True, kw_only=True, tag="plate"):
-    """A flat outline given thickness, half to each side of the plane through its position."""
+    """A flat outline with a thickness, half on each side of the plane through its position."""
 
     normal: Axis
     outline: tuple[Vec2, ...]
     """Corners in order, not closed, as (y, z), (x, z) or (x, y) for normal x, y or z [m]."""
     thickness: float
     bevel: float = 0.0
-    """How far the rims are cut back, at most half the thickness [m]."""
+    """Distance by which the rims are cut back, at most half the thickness [m]."""
 
     def __post_init__(self) -> None:
-        """Refuse fewer than three corners, no thickness, or a bevel deeper than half of it."""
+        """Reject fewer than three corners, a thickness that is not above zero, or a bevel deeper than half of it."""
         _positive("plate", thickness=self.thickness)
         if len(self.outline) < FEWEST_CORNERS:
             raise ValueError(f"the plate's outline has {len(self.outline)} corners; it needs at least {FEWEST_CORNERS}")
@@ -172,8 +172,8 @@ class Plate(_Solid, frozen=True, kw_only=True, tag="plate"):
 class Section(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """A rounded cross-section of a loft: an upper and a lower half of a superellipse.
 
-    Its points satisfy |y/half_width|^n + |z/height|^n = 1 about `middle`, n being the exponent of its half:
-    2 is an ellipse, 5 nearly a rectangle.
+    Its points satisfy |y/half_width|^n + |z/height|^n = 1 about `middle`, where n is the exponent of the half:
+    2 gives an ellipse, 5 nearly a rectangle.
     """
 
     x: float
@@ -182,10 +182,10 @@ class Section(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=T
     middle: float
     bottom: float
     exponents: Vec2 = (2.0, 2.0)
-    """Of the upper and of the lower half."""
+    """Exponents of the upper and of the lower half."""
 
     def __post_init__(self) -> None:
-        """Refuse an empty section."""
+        """Reject sizes and exponents that are not above zero, and a middle that is not from bottom to top."""
         _positive("section", half_width=self.half_width, height=self.top - self.bottom)
         _positive("section", upper_exponent=self.exponents[0], lower_exponent=self.exponents[1])
         if not self.bottom <= self.middle <= self.top:
@@ -196,10 +196,10 @@ class Loft(_Solid, frozen=True, kw_only=True, tag="loft"):
     """A skin over cross-sections along x, closed at both ends."""
 
     sections: tuple[Section, ...]
-    """In order of growing x."""
+    """Sections in order of increasing x."""
 
     def __post_init__(self) -> None:
-        """Refuse fewer than two sections, or sections out of order."""
+        """Reject fewer than two sections, or sections out of order."""
         if len(self.sections) < FEWEST_SECTIONS:
             raise ValueError(f"the loft has {len(self.sections)} sections; it needs at least {FEWEST_SECTIONS}")
         stations = [section.x for section in self.sections]
@@ -211,47 +211,47 @@ class Hexahedron(_Solid, frozen=True, kw_only=True, tag="hexahedron"):
     """A body of eight vertices and six flat faces, numbered as in `aftdeck.bodies.hexahedron`."""
 
     vertices: tuple[Vec3, ...]
-    """Numbered v - 1 = 4 (on the +y side) + 2 (+x) + 1 (+z), in axes of the body's own [m]."""
+    """Vertices, numbered v - 1 = 4 (on the +y side) + 2 (+x) + 1 (+z), in the body's own axes [m]."""
 
     def __post_init__(self) -> None:
-        """Refuse another number of vertices than eight."""
+        """Reject any number of vertices other than eight."""
         if len(self.vertices) != HEXAHEDRON_VERTICES:
             raise ValueError(f"the hexahedron has {len(self.vertices)} vertices; it needs {HEXAHEDRON_VERTICES}")
 
 
 class Light(_Placed, frozen=True, kw_only=True, tag="light"):
-    """A lamp: a round face that looks along its own x and lights what lies before it."""
+    """A lamp: a round face that points along its own x axis and lights the space in front."""
 
     radius: float
     cone: float
-    """Half angle of its beam [rad]; above pi/2 it shines all round."""
+    """Half angle of the beam [rad]; above pi/2 the lamp shines all round."""
     reach: float
-    """How far it lights [m]."""
+    """Range of the light [m]."""
     intensity: float
-    """On its axis [cd], in the scale in which the sun gives 4.1 lx."""
+    """Intensity on the lamp's axis [cd], on the scale in which the sun gives 4.1 lx."""
     switch: str = "lamps"
-    """Which switch of the panel lights it, with others of that name."""
+    """Name of the panel's switch that lights this lamp and all others with that switch."""
 
     def __post_init__(self) -> None:
-        """Refuse sizes that are not above zero."""
+        """Reject sizes that are not above zero."""
         _positive("light", radius=self.radius, cone=self.cone, reach=self.reach, intensity=self.intensity)
 
 
 class Group(_Placed, frozen=True, kw_only=True, tag="group"):
-    """Shapes that share a place; drawn once, or several times in even steps, or also mirrored."""
+    """Shapes that share a position; drawn once or several times in even steps, and optionally mirrored."""
 
     shapes: tuple[Shape, ...]
     count: int = 1
-    """How many copies."""
+    """Number of copies."""
     step: Vec3 = (0.0, 0.0, 0.0)
-    """From a copy to the next, along the group's own axes [m]."""
+    """Translation from one copy to the next, along the group's own axes [m]."""
     turn: Vec3 = (0.0, 0.0, 0.0)
-    """From a copy to the next, about the group's own axes, as a `rotation` [rad]."""
+    """Rotation from one copy to the next, about the group's own axes, given as a `rotation` [rad]."""
     mirror: bool = False
-    """Draw all once more, reflected in the plane y = 0 of the frame that the group is listed in."""
+    """Whether all copies are drawn once more, reflected in the plane y = 0 of the frame that lists the group."""
 
     def __post_init__(self) -> None:
-        """Refuse an empty group."""
+        """Reject an empty group, or a count below 1."""
         if not self.shapes:
             raise ValueError("the group has no shapes; it needs at least 1")
         if self.count < 1:
@@ -262,7 +262,7 @@ Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Lig
 
 
 def switches(shapes: Iterable[Shape]) -> tuple[str, ...]:
-    """The switches of the lamps among some shapes, each once, in the order in which they come."""
+    """Return the switches of the lamps among some shapes, each once, in order of appearance."""
     found: dict[str, None] = {}
     for shape in shapes:
         if isinstance(shape, Light):

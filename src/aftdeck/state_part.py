@@ -1,7 +1,7 @@
-"""What a simulation's state is made of: parts, each declared once; copies, saved states and digests follow from that.
+"""Parts of a simulation's state; copies, saved states and digests are derived from each part's declaration.
 
-A part is a struct of plain values, arrays and other parts. A flight's constants are in none: methods are given them.
-What only makes a step quicker is a cache: no result depends on it, so it is neither saved nor in the digest.
+A part is a struct of plain values, arrays and other parts. No part holds a run's constants: methods take them as
+arguments. A cache only makes a step faster: no result depends on it, so it is neither saved nor in the digest.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from aftdeck.errors import InputError
 
 
 class StatePart(msgspec.Struct, array_like=True):
-    """A part of the state: everything that the next step depends on is a field of one."""
+    """A part of the state; everything that the next step depends on is a field of some part."""
 
 
 class Cache:
-    """What a part remembers so that a step is quicker; a state that has lost it flies on just the same."""
+    """Data that a part keeps to make a step faster; a state without its caches gives the same results."""
 
     def copied(self) -> Self:
-        """The cache of a copy of the state; itself, where nothing changes it."""
+        """Return the cache for a copy of the state: this object itself if nothing changes it."""
         return self
 
 
@@ -34,9 +34,9 @@ P = TypeVar("P", bound=StatePart)
 
 @lru_cache
 def declaration(kind: type[StatePart]) -> str:
-    """Return 16 digits that name what a digest of such a part is made of: every field, with its type and place.
+    """Return a 16-digit digest of a part's declaration: every field, with its type and place.
 
-    Digests of parts that were declared otherwise, as by another version, say nothing to each other.
+    Digests of parts with different declarations, such as those of another version, cannot be compared.
     """
     lines: list[str] = []
     _declare(kind, lines, set())
@@ -44,7 +44,7 @@ def declaration(kind: type[StatePart]) -> str:
 
 
 def _declare(hint: Any, lines: list[str], known: set[object]) -> None:
-    """Add the fields of every struct that a type names."""
+    """Append the fields of every struct that a type names to `lines`."""
     if isinstance(hint, type) and issubclass(hint, msgspec.Struct) and hint not in known:
         known.add(hint)
         hints = get_type_hints(hint)
@@ -56,34 +56,34 @@ def _declare(hint: Any, lines: list[str], known: set[object]) -> None:
 
 
 def encoded(part: StatePart) -> bytes:
-    """Return a part as bytes: all of its fields, caches as nothing."""
+    """Return a part as bytes: all of its fields, with None for each cache."""
     return _encode(part)
 
 
 def digest(part: StatePart) -> bytes:
-    """Return the SHA-256 of a part, to the last digit of every field that is not a cache."""
+    """Return the SHA-256 of a part, over the exact values of all fields that are not caches."""
     return sha256(_encode(part)).digest()
 
 
 def copied(part: P) -> P:
-    """Return a copy of a part that shares nothing with it that a step changes."""
+    """Return a copy of a part; the two share no object that a step changes."""
     return type(part)(*[_copied(getattr(part, name)) for name in part.__struct_fields__])
 
 
 def decoded(like: P, data: bytes, empty: Callable[[type], Cache]) -> P:
-    """Return the part that `encoded` made bytes of.
+    """Return the part whose bytes `encoded` returned.
 
     Args:
-        like: a part of the same flight, whose arrays are as long.
+        like: a part of the same run, with arrays of the same lengths.
         data: the bytes.
-        empty: makes a cache of a class, with nothing in it.
+        empty: returns an empty cache of a given class.
 
     Raises:
-        InputError: the bytes are none that `encoded` makes of such a part.
+        InputError: the bytes are not an encoding of such a part.
     """
 
     def hook(kind: type, given: Any) -> object:
-        # an array's annotation is no class
+        # an array's annotation is not a class
         return _array(kind, given) if get_args(kind) else empty(kind)
 
     try:
@@ -96,7 +96,7 @@ def decoded(like: P, data: bytes, empty: Callable[[type], Cache]) -> P:
 
 
 def _plain(value: object) -> object:
-    """An array as its bytes, of more than one axis with its shape before them; a cache as nothing."""
+    """Return an array as its bytes, after its shape if it has more than one axis, and a cache as None."""
     if isinstance(value, np.ndarray):
         return value.data if value.ndim == 1 else (value.shape, value.data)
     if isinstance(value, Cache):
@@ -114,7 +114,7 @@ def _array(kind: type, given: Any) -> object:
 
 @lru_cache
 def _dtype(kind: type) -> np.dtype[Any]:
-    """The numbers that an array's annotation names."""
+    """Return the number type that an array's annotation names."""
     numbers: np.dtype[Any] = np.dtype(get_args(get_args(kind)[1])[0])
     return numbers
 
@@ -135,7 +135,7 @@ def _copied(value: Any) -> Any:
 
 
 def _unlike(part: StatePart, like: StatePart) -> str | None:
-    """The first field whose arrays have another shape, or of which there are more or fewer; None: there is none."""
+    """Return the path of the first field whose array shape or list length differs, or None if all are equal."""
     for name in part.__struct_fields__:
         one, other = getattr(part, name), getattr(like, name)
         if isinstance(one, list) and isinstance(other, list) and any(isinstance(x, StatePart) for x in (*one, *other)):

@@ -1,4 +1,4 @@
-"""What a field of a frame or a message is, told once, beside its type: for schemas, documents, files and the page."""
+"""Metadata of fields of frames and messages, stated once beside the type; for schemas, documents, files, the page."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from typing import cast
 import msgspec
 
 DECIMALS = 9
-"""To which a number is recorded, where nothing else is told: nanometres and nanoradians."""
+"""Default number of decimals to which a number is recorded: nanometres and nanoradians."""
 
 
 def told(what: str, unit: str = "", frame: str = "", decimals: int = DECIMALS) -> msgspec.Meta:
-    """What a field is, its unit, the axes that it is expressed in, and the decimals to which it is recorded."""
+    """Return a field's metadata: description, unit, the axes of its components, and the decimals recorded."""
     return msgspec.Meta(description=what, extra={"unit": unit, "frame": frame, "decimals": decimals})
 
 
@@ -29,7 +29,7 @@ def comments(struct: type) -> dict[str, str]:
             continue
         try:
             source = inspect.getsource(cls)
-        except OSError:  # made while the program runs
+        except OSError:  # a class created at run time has no source
             continue
         body = cast(ast.ClassDef, ast.parse(textwrap.dedent(source)).body[0]).body
         for field, after in itertools.pairwise(body):

@@ -1,7 +1,7 @@
 """Line numbers in a TOML text: the line on which each table, key and list item begins.
 
-`tomllib` returns values without their places. This scanner reads the same grammar (TOML 1.0) for places alone; it is
-for texts that `tomllib` has already accepted, and finds no errors of its own.
+`tomllib` returns values without their places. This scanner reads the same grammar (TOML 1.0) only to find places. It
+expects a text that `tomllib` has already accepted, and reports no errors itself.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from functools import lru_cache
 
 _SPACE = re.compile(r"[ \t]*")
 _GAP = re.compile(r"(?:[ \t\r\n]+|#[^\n]*)*")
-"""Everything that separates expressions, and the items of a list."""
+"""White space and comments, which separate expressions and the items of a list."""
 _STRING = re.compile(
-    r'"""(?:[^\\]|\\.)*?"{3,5}'  # three quotes end it; one or two more may be its last characters
+    r'"""(?:[^\\]|\\.)*?"{3,5}'  # three quotes end the string; up to two quotes before them belong to it
     r"|'''.*?'{3,5}"
     r'|"[^"\\]*(?:\\.[^"\\]*)*"'
     r"|'[^']*'",
@@ -32,8 +32,8 @@ class Located:
     """A table, list or value of a file.
 
     Attributes:
-        line: on which it begins, from 1; 0 for the file itself.
-        parts: what is in it, by key, or by index from 0 in a list.
+        line: line on which it begins, from 1; 0 for the file itself.
+        parts: its contents, by key, or by index from 0 in a list.
     """
 
     line: int
@@ -47,7 +47,7 @@ def located(text: str) -> Located:
 
 
 class _Scanner:
-    """A position in a text. Each method reads on from there."""
+    """Scanner with a position in a text; each method reads on from that position."""
 
     def __init__(self, text: str) -> None:
         self._text, self._at = text, 0
@@ -68,13 +68,13 @@ class _Scanner:
         return root
 
     def _table(self, root: Located, key: list[str], another: bool) -> Located:
-        """Return the table that a header opens; `another`: one more of a list of tables."""
+        """Return the table that a header opens; `another` means a new item of a list of tables."""
         table, line = root, self._line()
         for depth, part in enumerate(key, 1):
             table = table.parts.setdefault(part, Located(line))
             if another and depth == len(key):
                 table = table.parts.setdefault(len(table.parts), Located(line))
-            elif table.parts and 0 in table.parts:  # a header speaks of the last table listed so far
+            elif table.parts and 0 in table.parts:  # a header refers to the last table listed so far
                 table = table.parts[len(table.parts) - 1]
         return table
 
@@ -87,7 +87,7 @@ class _Scanner:
         self._value(table)
 
     def _value(self, value: Located) -> None:
-        """Read a value; what a list or an inline table holds becomes its parts."""
+        """Read a value; the contents of a list or an inline table become its parts."""
         self._skip(_SPACE)
         if self._take("["):
             self._skip(_GAP)
@@ -124,18 +124,18 @@ class _Scanner:
                 return parts
 
     def _take(self, sign: str) -> bool:
-        """Step over a sign that comes next; False where another does."""
+        """Skip `sign` if the text continues with it; return whether it does."""
         if not self._text.startswith(sign, self._at):
             return False
         self._at += len(sign)
         return True
 
     def _skip(self, pattern: re.Pattern[str]) -> int:
-        """Step over what a pattern matches; return the new position."""
+        """Skip the text that a pattern matches; return the new position."""
         if match := pattern.match(self._text, self._at):
             self._at = match.end()
         return self._at
 
     def _line(self) -> int:
-        """Return the line of the position, from 1."""
+        """Return the line of the current position, from 1."""
         return bisect_right(self._starts, self._at)

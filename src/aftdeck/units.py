@@ -1,6 +1,6 @@
 """Quantities in files: a bare number is SI, a string carries its unit (``"2 ft/s"``, ``"19.48 deg"``).
 
-Each quantity is a float in SI once it is read; its class only says which dimension a file may give.
+Each quantity is a float in SI once it is read; its class only fixes the dimension that a file may give.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _NUMBER_AND_UNIT = re.compile(
 
 
 def short(given: object) -> str:
-    """What was given, for a message: its repr, cut where it is long or deep."""
+    """Return the repr of a given value for a message, shortened if it is long or deep."""
     return _REPR.repr(given)
 
 
@@ -43,10 +43,10 @@ class Quantity(float):
 
     @classmethod
     def read(cls, given: object) -> Quantity:
-        """The quantity that a file gives as a number (SI) or as a string with a unit.
+        """Return the quantity that a file gives as a number (SI) or as a string with a unit.
 
         Raises:
-            ValueError: in a sentence, for anything else, for NaN and for infinities.
+            ValueError: `given` is anything else, NaN or infinite; the message is a sentence.
         """
         if isinstance(given, bool) or not isinstance(given, int | float | str):
             raise ValueError(f"expected a number in {cls.unit} or a string such as {cls.example!r}, got {short(given)}")
@@ -71,61 +71,61 @@ class Quantity(float):
 
 
 class Length(Quantity):
-    """In files any unit of its kind; in the program [m]."""
+    """Length: any unit of length in files, [m] in the program."""
 
     noun, unit, example = "length", "m", "12 in"
 
 
 class Angle(Quantity):
-    """In files any unit of its kind; in the program [rad]."""
+    """Angle: any unit of angle in files, [rad] in the program."""
 
     noun, unit, example = "angle", "rad", "19.48 deg"
 
 
 class Speed(Quantity):
-    """In files any unit of its kind; in the program [m/s]."""
+    """Speed: any unit of speed in files, [m/s] in the program."""
 
     noun, unit, example = "speed", "m/s", "2 ft/s"
 
 
 class AngularRate(Quantity):
-    """In files any unit of its kind; in the program [rad/s]."""
+    """Angular rate: any unit of angular rate in files, [rad/s] in the program."""
 
     noun, unit, example = "angular rate", "rad/s", "4.76 deg/s"
 
 
 class Acceleration(Quantity):
-    """In files any unit of its kind; in the program [m/s2]."""
+    """Acceleration: any unit of acceleration in files, [m/s2] in the program."""
 
     noun, unit, example = "acceleration", "m/s/s", "0.5 ft/s/s"
 
 
 class AngularAcceleration(Quantity):
-    """In files any unit of its kind; in the program [rad/s2]."""
+    """Angular acceleration: any unit of angular acceleration in files, [rad/s2] in the program."""
 
     noun, unit, example = "angular acceleration", "rad/s/s", "1.2 deg/s/s"
 
 
 class Mass(Quantity):
-    """In files any unit of its kind; in the program [kg]."""
+    """Mass: any unit of mass in files, [kg] in the program."""
 
     noun, unit, example = "mass", "kg", "32000 lb"
 
 
 class Time(Quantity):
-    """In files any unit of its kind; in the program [s]."""
+    """Time: any unit of time in files, [s] in the program."""
 
     noun, unit, example = "time", "s", "20 ms"
 
 
 @functools.cache
 def _size(unit: str, wanted: str) -> float | None:
-    """How many of the unit wanted a unit has; None where it is no unit of that kind."""
-    import pint  # noqa: PLC0415  (0.3 s; only files with units pay for it)
+    """Return the size of a unit in wanted units, or None if the two units are not of the same kind."""
+    import pint  # noqa: PLC0415  (takes 0.3 s; only files with units need it)
 
     try:
         quantity = _registry().Quantity(1.0, unit)
-        # pint lets 5 Hz pass for 5 rad/s: radians have no dimension, but they are a unit
+        # compare units, not dimensions: pint gives radians no dimension and would accept 5 Hz as 5 rad/s
         if quantity.to_root_units().units == _registry().Quantity(1.0, wanted).to_root_units().units:
             return float(quantity.m_as(wanted))
     except pint.PintError:
@@ -141,7 +141,7 @@ def _registry() -> pint.UnitRegistry[Any]:
 
 
 def decode_hook(kind: type, given: object) -> object:
-    """The hook of msgspec for the types that it does not know: quantities."""
+    """Decode a quantity, a type that msgspec does not know."""
     if issubclass(kind, Quantity):
         return kind.read(given)
     raise NotImplementedError(f"no decoder for {kind.__name__}")

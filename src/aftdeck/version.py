@@ -1,4 +1,4 @@
-"""The version of Aftdeck, as installed."""
+"""Installed version of Aftdeck."""
 
 from importlib.metadata import PackageNotFoundError, version
 

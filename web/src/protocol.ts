@@ -23,10 +23,10 @@ export type FromServer = Welcome | Scenarios | Role | Frame | Events | Recent | 
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
 
-/** A box about its centre. */
+/** A box with its centre at its position. */
 export interface Box {
   readonly kind: 'box';
-  /** [m] */
+  /** Position [m]. */
   readonly position: Vec3;
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
@@ -35,39 +35,39 @@ export interface Box {
   readonly size: Vec3;
 }
 
-/** A solid cylinder or truncated cone about its centre. */
+/** A solid cylinder or truncated cone with its centre at its position. */
 export interface Cylinder {
   readonly kind: 'cylinder';
-  /** [m] */
+  /** Position [m]. */
   readonly position: Vec3;
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
   readonly material: Material;
   readonly axis: Axis;
   readonly length: number;
-  /** At the end of smaller axis coordinate [m]. */
+  /** Radius at the end with the smaller axis coordinate [m]. */
   readonly radius: number;
-  /** At the other end [m]; as `radius` where not given. */
+  /** Radius at the other end [m]; None if it equals `radius`. */
   readonly radius_end: number | null;
 }
 
 /**
- * A wall bent round an axis: tube, nozzle, door, or, where it is as thick as its radius, a piece of disc.
+ * A wall bent round an axis: tube, nozzle, door, or a piece of a disc if the wall is as thick as its radius.
  *
  * Angles run from y to z about axis x, from z to x about y, from x to y about z.
  */
 export interface Shell {
   readonly kind: 'shell';
-  /** [m] */
+  /** Position [m]. */
   readonly position: Vec3;
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
   readonly material: Material;
   readonly axis: Axis;
   readonly length: number;
-  /** Outer, at the end of smaller axis coordinate [m]. */
+  /** Outer radius at the end with the smaller axis coordinate [m]. */
   readonly radius: number;
-  /** Outer, at the other end [m]; as `radius` where not given. */
+  /** Outer radius at the other end [m]; None if it equals `radius`. */
   readonly radius_end: number | null;
   readonly thickness: number;
   readonly start: number;
@@ -77,13 +77,13 @@ export interface Shell {
 /** A round bar bent about an axis, a full turn or part of one; angles as in `Shell`. */
 export interface Ring {
   readonly kind: 'ring';
-  /** [m] */
+  /** Position [m]. */
   readonly position: Vec3;
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
   readonly material: Material;
   readonly axis: Axis;
-  /** Of the bar's middle line [m]. */
+  /** Radius of the bar's centre line [m]. */
   readonly radius: number;
   /** Radius of the bar [m]. */
   readonly bar: number;
@@ -94,7 +94,7 @@ export interface Ring {
 /** A sphere. */
 export interface Sphere {
   readonly kind: 'sphere';
-  /** [m] */
+  /** Position [m]. */
   readonly position: Vec3;
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
@@ -102,10 +102,10 @@ export interface Sphere {
   readonly radius: number;
 }
 
-/** A flat outline given thickness, half to each side of the plane through its position. */
+/** A flat outline with a thickness, half on each side of the plane through its position. */
 export interface Plate {
   readonly kind: 'plate';
-  /** [m] */
+  /** Position [m]. */
   readonly position: Vec3;
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
@@ -114,27 +114,27 @@ export interface Plate {
   /** Corners in order, not closed, as (y, z), (x, z) or (x, y) for normal x, y or z [m]. */
   readonly outline: readonly Vec2[];
   readonly thickness: number;
-  /** How far the rims are cut back, at most half the thickness [m]. */
+  /** Distance by which the rims are cut back, at most half the thickness [m]. */
   readonly bevel: number;
 }
 
 /** A skin over cross-sections along x, closed at both ends. */
 export interface Loft {
   readonly kind: 'loft';
-  /** [m] */
+  /** Position [m]. */
   readonly position: Vec3;
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
   readonly material: Material;
-  /** In order of growing x. */
+  /** Sections in order of increasing x. */
   readonly sections: readonly Section[];
 }
 
 /**
  * A rounded cross-section of a loft: an upper and a lower half of a superellipse.
  *
- * Its points satisfy |y/half_width|^n + |z/height|^n = 1 about `middle`, n being the exponent of its half:
- * 2 is an ellipse, 5 nearly a rectangle.
+ * Its points satisfy |y/half_width|^n + |z/height|^n = 1 about `middle`, where n is the exponent of the half:
+ * 2 gives an ellipse, 5 nearly a rectangle.
  */
 export interface Section {
   readonly x: number;
@@ -142,67 +142,68 @@ export interface Section {
   readonly top: number;
   readonly middle: number;
   readonly bottom: number;
-  /** Of the upper and of the lower half. */
+  /** Exponents of the upper and of the lower half. */
   readonly exponents: Vec2;
 }
 
 /** A body of eight vertices and six flat faces, numbered as in `aftdeck.bodies.hexahedron`. */
 export interface Hexahedron {
   readonly kind: 'hexahedron';
-  /** [m] */
+  /** Position [m]. */
   readonly position: Vec3;
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
   readonly material: Material;
-  /** Numbered v - 1 = 4 (on the +y side) + 2 (+x) + 1 (+z), in axes of the body's own [m]. */
+  /** Vertices, numbered v - 1 = 4 (on the +y side) + 2 (+x) + 1 (+z), in the body's own axes [m]. */
   readonly vertices: readonly Vec3[];
 }
 
-/** A lamp: a round face that looks along its own x and lights what lies before it. */
+/** A lamp: a round face that points along its own x axis and lights the space in front. */
 export interface Light {
   readonly kind: 'light';
-  /** [m] */
+  /** Position [m]. */
   readonly position: Vec3;
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
   readonly radius: number;
-  /** Half angle of its beam [rad]; above pi/2 it shines all round. */
+  /** Half angle of the beam [rad]; above pi/2 the lamp shines all round. */
   readonly cone: number;
-  /** How far it lights [m]. */
+  /** Range of the light [m]. */
   readonly reach: number;
-  /** On its axis [cd], in the scale in which the sun gives 4.1 lx. */
+  /** Intensity on the lamp's axis [cd], on the scale in which the sun gives 4.1 lx. */
   readonly intensity: number;
-  /** Which switch of the panel lights it, with others of that name. */
+  /** Name of the panel's switch that lights this lamp and all others with that switch. */
   readonly switch: string;
 }
 
-/** Shapes that share a place; drawn once, or several times in even steps, or also mirrored. */
+/** Shapes that share a position; drawn once or several times in even steps, and optionally mirrored. */
 export interface Group {
   readonly kind: 'group';
-  /** [m] */
+  /** Position [m]. */
   readonly position: Vec3;
   /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
   readonly rotation: Vec3;
   readonly shapes: readonly Shape[];
-  /** How many copies. */
+  /** Number of copies. */
   readonly count: number;
-  /** From a copy to the next, along the group's own axes [m]. */
+  /** Translation from one copy to the next, along the group's own axes [m]. */
   readonly step: Vec3;
-  /** From a copy to the next, about the group's own axes, as a `rotation` [rad]. */
+  /** Rotation from one copy to the next, about the group's own axes, given as a `rotation` [rad]. */
   readonly turn: Vec3;
-  /** Draw all once more, reflected in the plane y = 0 of the frame that the group is listed in. */
+  /** Whether all copies are drawn once more, reflected in the plane y = 0 of the frame that lists the group. */
   readonly mirror: boolean;
 }
 
 /**
- * Where the hand controllers stand, after deadband and expo, each axis in [-1, 1].
+ * Deflections of the hand controllers, after deadband and expo, each axis in [-1, 1].
  *
- * Sent whenever they change and at least every 0.2 s while they are deflected or RATE HOLD keeps a rate: sticks
- * that have been silent for 0.5 s return to zero, and nobody is held to be at the controls (`HandsOff`).
+ * The page sends them whenever they change. While a stick is deflected or RATE HOLD keeps a rate, it sends them at
+ * least every 0.2 s: after 0.5 s of silence the server sets the sticks to zero and treats the controls as unattended
+ * (`HandsOff`).
  */
 export interface Sticks {
   readonly type: 'sticks';
-  /** Grows with every message of a page; an older one is refused. */
+  /** Increases with every message of a page; the server rejects a number that is not greater than the last. */
   readonly seq: number;
   /** THC: +X, +Y, +Z of the present control frame. */
   readonly translation: Vec3;
@@ -210,79 +211,83 @@ export interface Sticks {
   readonly rotation: Vec3;
   /** SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT). */
   readonly drive: number;
-  /** The stand: + longer, - shorter, in [-1, 1]. */
+  /** Telescope under the arm: + longer, - shorter, in [-1, 1]. */
   readonly telescope: number;
   /** Translation of the orbiter: forward, starboard, down, each in [-1, 1]. */
   readonly orbiter: Vec3;
 }
 
-/** What the page measures of itself and shows, told once a second and when it changes; for recording and strips. */
+/**
+ * Report the latency that the page measures and the cameras that it shows, for the recording and the strips.
+ *
+ * The page sends it once a second and when a monitor shows another camera.
+ */
 export interface Shown {
   readonly type: 'shown';
   readonly seq: number;
-  /** Stick to picture, 95th percentile of the last 10 s [ms]. */
+  /** Time from stick to picture, 95th percentile of the last 10 s [ms]; null if there is no measurement. */
   readonly latency_ms: number | null;
-  /** What MON 1 and MON 2 show. */
+  /** Cameras that MON 1 and MON 2 show. */
   readonly monitors: readonly (readonly string[])[];
 }
 
-/** The hand controllers in use, told when the page begins to fly and whenever they change; for the recording. */
+/** Report the hand controllers in use, for the recording: when the page takes control and whenever they change. */
 export interface Controllers {
   readonly type: 'controllers';
   readonly seq: number;
   readonly controllers: readonly ControllerInUse[];
 }
 
-/** A device that moves the hand controllers, and what each part of it is put to. */
+/** Device that moves the hand controllers, with its settings and the use of its keys, buttons and axes. */
 export interface ControllerInUse {
   readonly kind: ControllerKind;
-  /** As the browser calls it. */
+  /** Name that the browser gives the device. */
   readonly name: string;
   /** Part of an axis' travel about its centre that counts as zero. */
   readonly deadband: number;
-  /** 0 straight, 1 the cube: (1 - expo) x + expo x**3 of what is left beyond the deadband. */
+  /** 0 linear, 1 cubic: (1 - expo) x + expo x**3, where x is the deflection beyond the deadband. */
   readonly expo: number;
-  /** What is pressed or moved, and what it does: `KeyW +X`, `a1 -X`, `b9+b12 +telescope`. */
+  /** Key, button or axis, and its use: `KeyW +X`, `a1 -X`, `b9+b12 +telescope`. */
   readonly bindings: readonly string[];
-  /** Where each axis rests, as the operator has confirmed; beyond the last: 0. */
+  /** Rest position of each axis, as the operator has confirmed it; 0 for the axes beyond the last. */
   readonly centres: readonly number[];
 }
 
-/** The switches that turn a camera, each in [-1, 1]; sent and forgotten as `Sticks` are. */
+/** Set the switches that drive a camera, each in [-1, 1]; they expire after 0.5 s of silence, as `Sticks` do. */
 export interface DriveCamera {
   readonly type: 'drive_camera';
   readonly seq: number;
   readonly camera: string;
-  /** To the right in the picture. */
+  /** + to the right in the picture. */
   readonly pan: number;
-  /** Upwards. */
+  /** + upwards. */
   readonly tilt: number;
-  /** In, to a narrower field of view. */
+  /** + zooms in, to a narrower field of view. */
   readonly zoom: number;
-  /** At the low speed, where the drive has two. */
+  /** True for the low speed, if the drive has two. */
   readonly slow: boolean;
 }
 
-/** How the light shall stand from now on, as a whole; it is no input of the flight, and is recorded. */
+/** Set the whole lighting from now on. It is recorded, but it is not an input of the simulation. */
 export interface SetLight {
   readonly type: 'set_light';
   readonly seq: number;
   readonly lighting: Lighting;
 }
 
-/** How the light stands. */
+/** Present light: the condition, the lamps that are on, and the locked exposures. */
 export interface Lighting {
-  /** As `LightCondition.name`. */
+  /** Name of the condition, as in `LightCondition.name`. */
   readonly condition: string;
-  /** The switches that are on. */
+  /** Switches that are on. */
   readonly lamps: readonly string[];
   readonly locked: readonly LockedExposure[];
 }
 
-/** A camera that does not follow its picture's brightness. */
+/** A camera whose exposure does not follow the brightness of its picture. */
 export interface LockedExposure {
   readonly camera: string;
-  /** Its exposure [stops over that of full sunlight]. */
+  /** Exposure of the camera [stops above that of full sunlight]. */
   readonly stops: number;
 }
 
@@ -309,7 +314,7 @@ export interface SelectRate {
   readonly rate: Rate;
 }
 
-/** Set the switch beside OPR CMD and AUTO 1-4: which of the report's modes 1 to 3 they fly. */
+/** Set the switch beside OPR CMD and AUTO 1-4, which selects the report's mode (1 to 3) that they fly. */
 export interface SelectLaw {
   readonly type: 'select_law';
   readonly seq: number;
@@ -323,65 +328,69 @@ export interface PayloadAxes {
   readonly on: boolean;
 }
 
-/** Press RATE HOLD: keep the present stick command; pressed again, let it go. */
+/** Press RATE HOLD: keep the present stick command, or cancel RATE HOLD if it is on. */
 export interface RateHold {
   readonly type: 'rate_hold';
   readonly seq: number;
 }
 
-/** Set POSITION HOLD: with sticks at rest, keep position and attitude. */
+/** Set POSITION HOLD: keep position and attitude while the sticks are centred. */
 export interface PositionHold {
   readonly type: 'position_hold';
   readonly seq: number;
   readonly on: boolean;
 }
 
-/** A page that watches wants to fly; the one that flies gives or keeps within 10 s. */
+/** Ask for control of the arm; the page in control gives or keeps the sticks within 10 s, or the request expires. */
 export interface AskSticks {
   readonly type: 'ask_sticks';
   readonly seq: number;
 }
 
-/** Give the sticks, which are at rest, to the page that asks. */
+/** Give the sticks, which must be centred, to the page that asks for control. */
 export interface GiveSticks {
   readonly type: 'give_sticks';
   readonly seq: number;
 }
 
-/** Keep the sticks; the page that asks is told. */
+/** Keep the sticks; the server informs the page that asks for control. */
 export interface KeepSticks {
   readonly type: 'keep_sticks';
   readonly seq: number;
 }
 
-/** What the person at this page is called from now on, to the other pages and in the log. */
+/** Set the name of the person at this page, for the other pages and for the log. */
 export interface SetName {
   readonly type: 'set_name';
   readonly seq: number;
-  /** One line of 24 characters at most; empty: the page goes by its number again. */
+  /** One line of at most 24 characters; empty to call the page by its number again. */
   readonly name: string;
 }
 
-/** The page has become too narrow to fly from: it shows the flight from now on, and the next page flies. */
+/**
+ * Leave the seat: the page has become too narrow to control the arm, and from now on only shows the run.
+ *
+ * If this page was in control, the next page takes control.
+ */
 export interface LeaveSeat {
   readonly type: 'leave_seat';
   readonly seq: number;
 }
 
-/** The page is wide enough to fly from again: it flies if nobody else does, and else watches. */
+/** Take a seat again: the page is wide enough now. It takes control if no page has it, and otherwise observes. */
 export interface TakeSeat {
   readonly type: 'take_seat';
   readonly seq: number;
 }
 
-/** Nobody is at the controls: sticks at rest, RATE HOLD let go, POSITION HOLD on; a sequence goes on. */
+/** Leave the controls unattended: sticks centred, RATE HOLD off, POSITION HOLD on. A sequence continues. */
 export interface HandsOff {
   readonly type: 'hands_off';
   readonly seq: number;
   readonly cause: 'page hidden' | 'device lost';
 }
 
-/** How far to look ahead. */
+/** Set the time span of the look-ahead. */
 export interface LookAhead {
   readonly type: 'look_ahead';
   readonly seq: number;
@@ -389,14 +398,14 @@ export interface LookAhead {
   readonly seconds: number;
 }
 
-/** Set BRAKES: on, every joint stands at once. */
+/** Set BRAKES: on stops every joint at once. */
 export interface SetBrakes {
   readonly type: 'brakes';
   readonly seq: number;
   readonly on: boolean;
 }
 
-/** Set SAFING: on, zero joint rates are commanded; off is its CANCEL. */
+/** Set SAFING: on commands zero joint rates; off is its CANCEL. */
 export interface SetSafing {
   readonly type: 'safing';
   readonly seq: number;
@@ -413,13 +422,13 @@ export interface SetTarget {
   readonly attitude: Vec3;
 }
 
-/** AUTO SEQ switch to PROCEED. */
+/** Set the AUTO SEQ switch to PROCEED. */
 export interface Proceed {
   readonly type: 'proceed';
   readonly seq: number;
 }
 
-/** AUTO SEQ switch to STOP; sticks go to zero too. */
+/** Set the AUTO SEQ switch to STOP. This also sets the sticks to zero and stops the end effector. */
 export interface Stop {
   readonly type: 'stop';
   readonly seq: number;
@@ -431,43 +440,43 @@ export interface Restart {
   readonly seq: number;
 }
 
-/** Leave this flight and fly another scenario; what is recorded of this one is finished and kept. */
+/** Leave this run and run another scenario; the recording of this run is finished and kept. */
 export interface FlyScenario {
   readonly type: 'fly_scenario';
   readonly seq: number;
-  /** Its place in `Scenarios.scenarios`. */
+  /** Index in `Scenarios.scenarios`. */
   readonly number: number;
 }
 
-/** Put the end effector's switch: the prong closes or opens; the snares capture or release. */
+/** Set the end effector switch: the prong closes or opens; the snares capture or release. */
 export interface SetEffector {
   readonly type: 'effector';
   readonly seq: number;
   readonly switch: EffectorSwitch;
 }
 
-/** END EFFECTOR MODE of the snares: the whole sequence, or the snares alone. */
+/** Set END EFFECTOR MODE of the snares: the whole sequence (auto), or the snares alone (manual). */
 export interface SetEffectorMode {
   readonly type: 'effector_mode';
   readonly seq: number;
   readonly mode: 'auto' | 'manual';
 }
 
-/** END EFFECTOR MAN CONTR: the carriage alone, in manual. */
+/** Set END EFFECTOR MAN CONTR of the snares: in manual mode, it moves the carriage alone. */
 export interface SetRigid {
   readonly type: 'rigid';
   readonly seq: number;
   readonly rigid: 'off' | 'rigid' | 'derigid';
 }
 
-/** Hold the payload in its seat (retention latches, docking port), or let it go. */
+/** Latch the payload in its seat (retention latches, docking port), or unlatch it. */
 export interface PressLatch {
   readonly type: 'latch';
   readonly seq: number;
   readonly latch: 'latch' | 'unlatch';
 }
 
-/** Put the master arm, which MASTER follows. */
+/** Set the joint angles of the master arm, which the arm follows in MASTER. */
 export interface SetMaster {
   readonly type: 'master';
   readonly seq: number;
@@ -482,52 +491,56 @@ export interface Initialise {
   readonly part: ProblemPart;
 }
 
-/** Answer to `Hello`: all that a page needs to know once. */
+/** Answer to `Hello`, sent again when the scenario changes: data that stays the same in a session. */
 export interface Welcome {
   readonly type: 'welcome';
   readonly protocol: number;
   readonly version: string;
   readonly scenario: string;
   readonly title: string;
-  /** What the scenario asks of the operator, a sentence or two. */
+  /** Task of the operator in this scenario, in a sentence or two. */
   readonly text: string;
   readonly arm: string;
   readonly control_period_s: number;
-  /** How long a command is under way before the arm has it [s]. */
+  /** Time from a command to its arrival at the arm [s]. */
   readonly command_delay_s: number;
-  /** So late the page shows figures, lamps and log [s]. */
+  /** Delay with which the page shows figures, lamps and log [s]. */
   readonly telemetry_delay_s: number;
-  /** So late it shows pictures [s]. */
+  /** Delay with which the page shows pictures [s]. */
   readonly camera_delay_s: number;
-  /** The arm file's preference for the panel's read-outs. */
+  /** Units of the panel's read-outs, as the arm file prefers them. */
   readonly units: 'ft-in' | 'SI';
   readonly joints: readonly JointInfo[];
   readonly modes: readonly ModeInfo[];
   readonly bodies: readonly BodyInfo[];
-  /** Indices of the bodies that `Frame.ahead` tells of. */
+  /** Indices of the bodies whose poses are in `Ahead.poses`. */
   readonly ghost: readonly number[];
   readonly cameras: readonly Camera[];
   readonly work: WorkInfo;
-  /** Where sun and Earth can stand. */
+  /** Light conditions that can be selected: directions of sun and Earth. */
   readonly conditions: readonly LightCondition[];
-  /** Switches of the lamps that are there. */
+  /** Switches of the lamps that this scenario has. */
   readonly lamps: readonly string[];
-  /** By PL ID, from 0. */
+  /** Payload table by PL ID, from 0. */
   readonly payloads: readonly PayloadInfo[];
   readonly sequences: readonly StoredSequence[];
-  /** Normalised distance under which a singularity is cautioned of. */
+  /** Normalised distance from a singularity below which the page shows a caution. */
   readonly singular: number;
-  /** Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none. */
+  /**
+   * Names of the script's phases in order, as in `Frame.phase`.
+   *
+   * Empty if the scenario has none, or if the session does not begin with the script.
+   */
   readonly phases: readonly string[];
 }
 
-/** One joint of the arm flown: names, limits [rad] and rate limits [rad/s]. */
+/** One joint of the arm: names, limits [rad] and rate limits [rad/s]. */
 export interface JointInfo {
-  /** As in the arm file: `shoulder_yaw`. */
+  /** Name in the arm file: `shoulder_yaw`. */
   readonly name: string;
-  /** As on the page: `Sho yaw`. */
+  /** Name on the page: `Sho yaw`. */
   readonly label: string;
-  /** The axis of the hand controllers that turns the master arm's: `THC Y`. */
+  /** Axis of the hand controllers that turns this joint of the master arm: `THC Y`. */
   readonly stick: string;
   readonly hard: Vec2;
   readonly soft: Vec2;
@@ -539,68 +552,69 @@ export interface JointInfo {
 
 /** One position of the MODE rotary. */
 export interface ModeInfo {
-  /** As printed on the panel: `ORB UNL`. */
+  /** Name as printed on the panel: `ORB UNL`. */
   readonly position: string;
-  /** The report's mode numbers that it can fly, the default first; 0 TEST, 9 DIRECT, 10 MASTER. */
+  /** The report's mode numbers that the position can fly, the default first; 0 TEST, 9 DIRECT, 10 MASTER. */
   readonly laws: readonly number[];
-  /** What it flies, in a few words. */
+  /** Motion that it flies, in a few words: `tip along its own axes`. */
   readonly title: string;
   readonly kind: 'automatic' | 'manual' | 'single' | 'test' | 'master';
-  /** The point that it moves: `tip`, `payload`. */
+  /** Point that it moves: `tip`, `payload`. */
   readonly point: string;
   /**
-   * Whether this scenario has what it needs, as AUTO 1-4 their points. Those that move a payload need one in the
-   * grasp as well.
+   * True if this scenario has what the position needs, such as the stored points of AUTO 1-4.
+   *
+   * A position that moves a payload also needs a captured payload.
    */
   readonly enabled: boolean;
-  /** The axes that the sticks act along: `orbiter axes`. */
+  /** Axes that the sticks act along: `orbiter axes`. */
   readonly axes: string;
-  /** What + means for the THC: `+X fwd`, `+Y stbd`, `+Z down`. */
+  /** Meaning of + for the three axes of the THC: `+X fwd`, `+Y stbd`, `+Z down`. */
   readonly axis_names: readonly [string, string, string];
 }
 
-/** A rigid body to draw; its pose is found in `Frame.poses` at its index in `Welcome.bodies`. */
+/** Rigid body to draw; its pose is in `Frame.poses`, at the body's index in `Welcome.bodies`. */
 export interface BodyInfo {
   readonly name: string;
   readonly shapes: readonly Shape[];
 }
 
-/** A television camera on a body, as it is set at the start; or an eye that looks from there. */
+/** Television camera, window eye or engineering view on a body, with its initial setting. */
 export interface Camera {
-  /** Short name on the selector: `B`. */
+  /** Short name on the selector, such as `B`. */
   readonly name: string;
-  /** `Aft bulkhead port`. */
+  /** Full name, such as `Aft bulkhead port`. */
   readonly title: string;
-  /** Name of the body that carries it. */
+  /** Name of the body that carries the camera. */
   readonly body: string;
-  /** Lens, in the body's frame [m]. */
+  /** Position of the lens in the body's frame [m]. */
   readonly position: Vec3;
   /** Direction of view in the body's frame (any length above zero). */
   readonly boresight: Vec3;
-  /** Direction in the body's frame that is up in the picture, not along the boresight; the axis of pan. */
+  /** Direction in the body's frame that is up in the picture, not parallel to the boresight; the pan axis. */
   readonly up: Vec3;
   /** Horizontal field of view [rad]. */
   readonly field_of_view: number;
-  /** How it can be turned; None: it is fixed. */
+  /** Pan and tilt unit; None if the camera is fixed. */
   readonly drive: Drive | null;
   readonly kind: 'camera' | 'window' | 'engineering';
-  /** What a window leaves open; of windows alone. */
+  /** Opening of a window; None for any other kind. */
   readonly pane: Pane | null;
 }
 
-/** A pan and tilt unit with its lens; what it has no drive for stays as the camera has it. */
+/** Pan and tilt unit with its lens; an axis that is None keeps the camera's initial setting. */
 export interface Drive {
-  /** Direction in the body's frame in which pan and tilt are zero, square to the camera's `up`. */
+  /** Direction of zero pan and tilt in the body's frame, perpendicular to the camera's `up`. */
   readonly zero: Vec3;
-  /** How far the lens stands ahead of where the axes of pan and tilt meet [m]. */
+  /** Distance of the lens ahead of the point where the pan and tilt axes meet [m]. */
   readonly lens: number;
   readonly pan: Travel | null;
   readonly tilt: Travel | null;
-  /** Of the horizontal field of view. */
+  /** Travel of the horizontal field of view. */
   readonly zoom: Travel | null;
 }
 
-/** How far and how fast one of a camera's drives goes. */
+/** Range and rates of one of a camera's drives. */
 export interface Travel {
   /** [rad] */
   readonly least: number;
@@ -608,13 +622,17 @@ export interface Travel {
   readonly greatest: number;
   /** [rad/s] */
   readonly rate: number;
-  /** Its low speed, where it has two [rad/s]. */
+  /** Low rate of a drive with two rates [rad/s]; None if the drive has one rate. */
   readonly slow: number | null;
 }
 
-/** A window's opening, square to the line of sight through its middle: nothing is seen beside it or before it. */
+/**
+ * Opening of a window, perpendicular to the line of sight and centred on it.
+ *
+ * Anything beside the opening, or between the eye and the opening, is invisible.
+ */
 export interface Pane {
-  /** From the eye [m]. */
+  /** Distance from the eye [m]. */
   readonly distance: number;
   /** [m] */
   readonly width: number;
@@ -622,25 +640,25 @@ export interface Pane {
   readonly height: number;
 }
 
-/** What can be done at this worksite. */
+/** Equipment of the worksite, and thresholds of its clearances. */
 export interface WorkInfo {
-  /** Which kind of end effector the arm has. */
+  /** Kind of the arm's end effector. */
   readonly hand: 'prong' | 'snares';
-  /** None: the arm stands on no telescope. */
+  /** Telescope of the arm; null if the arm stands on none. */
   readonly stand: StandInfo | null;
-  /** Names of the payloads; each has a body of that name. */
+  /** Names of the payloads; each payload has a body of the same name. */
   readonly cargo: readonly string[];
-  /** Where payloads can be fixed, for people. */
+  /** Titles, for display, of the seats where payloads can be fixed. */
   readonly seats: readonly string[];
-  /** The parts of the problem that can be begun anew. */
+  /** Parts of the problem at which the operator can re-initialise. */
   readonly parts: readonly ProblemPart[];
-  /** Clearance under which the page cautions [m]. */
+  /** Clearance below which the page shows a caution [m]. */
   readonly caution: number;
-  /** Clearance under which the page warns [m]. */
+  /** Clearance below which the page shows a warning [m]. */
   readonly warning: number;
 }
 
-/** The telescope that an arm stands on. */
+/** Telescope that an arm stands on: its length and its rate. */
 export interface StandInfo {
   /** [m] */
   readonly least: number;
@@ -649,17 +667,17 @@ export interface StandInfo {
   readonly rate: number;
 }
 
-/** Where sun and Earth stand, and what comes from them. */
+/** Directions to the sun and the Earth, and the light from them. */
 export interface LightCondition {
   readonly name: string;
-  /** Direction in the scene, of any length. */
+  /** Direction to the sun in the scene, of any length. */
   readonly to_sun: Vec3;
   /** Direction to the Earth's centre in the scene, of any length. */
   readonly nadir: Vec3;
   readonly sun: Glow;
   readonly earthshine: Glow;
   readonly sky: SkyGlow;
-  /** Where the cameras' exposure begins [stops over that of full sunlight]. */
+  /** Initial exposure of the cameras [stops above that of full sunlight]. */
   readonly exposure: number;
   readonly source: string;
 }
@@ -667,108 +685,112 @@ export interface LightCondition {
 /** Light from one side. */
 export interface Glow {
   readonly colour: string;
-  /** [lx], in the scale in which full sunlight is 4.1 lx. */
+  /** Illuminance [lx], on the scale in which full sunlight is 4.1 lx. */
   readonly strength: number;
 }
 
 /** Light from all sides. */
 export interface SkyGlow {
   readonly above: string;
-  /** Of the half spheres above and below the orbiter. */
+  /** Colour of the half sphere below the orbiter; `above` is the colour of the one above it. */
   readonly below: string;
   readonly strength: number;
 }
 
-/** A row of the payload table (SPEC 94 item 3): what the steering keeps to with this payload in the grasp. */
+/** Row of the payload table (SPEC 94 item 3): limits that the steering obeys with this payload captured. */
 export interface PayloadInfo {
-  /** PL ID; 0: nothing is held. */
+  /** PL ID; 0 if no payload is held. */
   readonly id: number;
   readonly name: string;
   /** [kg] */
   readonly mass: number;
-  /** Greatest speed of the point of resolution, coarse and vernier [m/s]. */
+  /** Speed limit of the point of resolution, coarse and vernier [m/s]. */
   readonly translation: Vec2;
-  /** The same of its rotation [rad/s]. */
+  /** Angular rate limit of the point of resolution, coarse and vernier [rad/s]. */
   readonly rotation: Vec2;
-  /** Joint rates of SINGLE, DIRECT and MASTER [rad/s]. */
+  /** Joint rate limits in SINGLE, DIRECT and MASTER, coarse; `vernier` has those of vernier [rad/s]. */
   readonly coarse: Six;
   readonly vernier: Six;
 }
 
-/** What one of AUTO 1-4 flies through (SPEC 94 items 13-16). */
+/** Points that one of AUTO 1-4 flies through (SPEC 94 items 13-16). */
 export interface StoredSequence {
   /** As `ModeInfo.position`. */
   readonly position: string;
   readonly points: readonly StoredPoint[];
 }
 
-/** A prestored point of AUTO 1-4, panel components. */
+/** Prestored point of AUTO 1-4, in panel components. */
 export interface StoredPoint {
   /** X, Y, Z [m]. */
   readonly position: Vec3;
   /** Pitch, yaw, roll [rad], each in [0, 2 pi). */
   readonly attitude: Vec3;
-  /** It is waited at for PROCEED; else only come near. */
+  /** True if the sequence waits for PROCEED at this point; false for a fly-by point. */
   readonly pause: boolean;
 }
 
-/** What this station can fly: sent on connection and whenever something of it changes. */
+/** Scenarios that this station can run: sent on connection and whenever something in the message changes. */
 export interface Scenarios {
   readonly type: 'scenarios';
   readonly scenarios: readonly ScenarioInfo[];
-  /** Number of the one that is flown. */
+  /** Number of the scenario that is running. */
   readonly flown: number;
-  /** Number of the one that is made ready; the sticks rest meanwhile. Then every page is welcomed anew. */
+  /**
+   * Number of the scenario that is being prepared; null if there is none.
+   *
+   * The sticks are at zero meanwhile. When the scenario runs, every page gets a new `Welcome`.
+   */
   readonly coming: number | null;
 }
 
-/** A scenario that this station can fly. */
+/** Scenario that this station can run. */
 export interface ScenarioInfo {
   readonly name: string;
   readonly title: string;
-  /** What it asks of the operator, a sentence or two. */
+  /** Task of the operator, in a sentence or two. */
   readonly text: string;
-  /** The user's own file; the others are built in. */
+  /** True for the user's own file; the others are built in. */
   readonly given: boolean;
 }
 
-/** Who flies: sent on connection and whenever it changes. */
+/** Role of this page, and which page is in control: sent on connection and whenever it changes. */
 export interface Role {
   readonly type: 'role';
   readonly flying: boolean;
-  /** Pages that watch, besides the one that flies. */
+  /** Number of observers: pages with a seat, without the one in control. */
   readonly watchers: number;
-  /** What this page is called, from 1. */
+  /** Number of this page, from 1; 0 if it only shows the run. */
   readonly number: number;
-  /** The page that flies. */
+  /** Number of the page in control; 0 if there is none. */
   readonly flier: number;
-  /** The page that asks for the sticks; 0: none. */
+  /** Number of the page that asks for the sticks; 0 if there is none. */
   readonly asking: number;
-  /** As it was given at this page; empty: none was. */
+  /** Name as it was given at this page; empty if none was given. */
   readonly name: string;
-  /** Of all pages that have one, this one too. */
+  /** Names of all pages that have one, this page included. */
   readonly names: readonly NamedPage[];
 }
 
-/** A page at which somebody has given a name. */
+/** Page at which a person has given a name. */
 export interface NamedPage {
   readonly number: number;
-  /** As the others are told it: with the page's number behind it where two have given the same. */
+  /** Name as the other pages get it: the page's number is appended if two pages have the same name. */
   readonly name: string;
 }
 
-/** All that the page shows of one instant; newest wins, frames may be skipped. */
+/** All data that the page shows of one instant; the newest frame counts, and older ones may be skipped. */
 export interface Frame {
   readonly type: 'frame';
   readonly tick: number;
   readonly time_s: number;
-  /** `seq` of the last `Sticks` that this step has taken; the page times stick-to-picture by it. */
+  /** `seq` of the last `Sticks` that this step has taken; the page uses it to time stick-to-picture. */
   readonly stick_seq: number;
-  /** `seq` of the last `Sticks` that this step has flown, after the command delay; -1: none, or the script flew. */
+  /** `seq` of the last `Sticks` that this step has flown, after the command delay; -1 if none, or the script flew. */
   readonly flown_seq: number;
-  /** How long the recording goes on already [s]; null: nothing is recorded. */
+  /** Simulated time in the recording so far [s]; null if the run is not recorded. */
   readonly recording_s: number | null;
-  /** Name of the script's phase; empty when flown by hand. */
+  /** Name of the script's phase; empty in manual flight. */
   readonly phase: string;
   readonly by: 'hand' | 'script';
   readonly mode: string;
@@ -784,48 +806,48 @@ export interface Frame {
   readonly rate: Rate;
   /** READY and IN PROG of the automatic modes. */
   readonly sequence: 'idle' | 'checking' | 'ready' | 'in progress';
-  /** AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes. */
+  /** AUTO 1-4: number of the present or the next point, from 1; 0 in other modes. */
   readonly point: number;
   readonly points: number;
   /** CMD CK of the present target. */
   readonly check: Check | null;
   readonly translation: Vec3;
   readonly rotation: Vec3;
-  /** Sticks as this step has flown them. */
+  /** `translation`, `rotation` and `drive`: the sticks as this step has flown them. */
   readonly drive: number;
-  /** Actual [rad]. */
+  /** Joint angles, measured [rad]. */
   readonly joints: Six;
-  /** Where the commanded rates would have brought them [rad]. */
+  /** Joint angles to which the commanded rates would have brought the joints [rad]. */
   readonly joints_commanded: Six;
-  /** Actual [rad/s]. */
+  /** Joint rates, measured [rad/s]. */
   readonly rates: Six;
   readonly rates_commanded: Six;
-  /** In force in this mode [rad/s]. */
+  /** Joint rate limits in force in this mode [rad/s]. */
   readonly rate_limits: Six;
   /** Per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop. */
   readonly zones: readonly [number, number, number, number, number, number];
   readonly actual: Resolution;
   readonly commanded: Resolution;
-  /** POR translation [m/s] and rotation [rad/s] limits in force. */
+  /** Limits in force of POR translation [m/s] and POR rotation [rad/s]. */
   readonly por_limits: Vec2;
-  /** PL ID of what is in the grasp, as in `Welcome.payloads`. */
+  /** PL ID of the captured payload, as in `Welcome.payloads`; 0 if there is none. */
   readonly payload: number;
-  /** From the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]. */
+  /** Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]. */
   readonly por_offset: Vec3;
-  /** Limits acting in this step. */
+  /** Limits that act in this step. */
   readonly limits: readonly Limit[];
-  /** Shoulder, elbow, wrist: signed normalised distances, 0 at the singularity. */
+  /** Signed normalised distances of shoulder, elbow and wrist, 0 at the singularity. */
   readonly singularity: Vec3;
-  /** For each singularity that is near and each joint past a limit: what leads away from it. */
+  /** Escape directions, for each singularity that is near and each joint past a limit. */
   readonly ways_out: readonly WayOut[];
   readonly lamps: readonly Lamp[];
   readonly aim: Aim | null;
   readonly work: WorkFrame;
-  /** The newest look ahead; null: none was made yet. */
+  /** Newest look-ahead; null if none was made yet. */
   readonly ahead: Ahead | null;
-  /** The control frame's axes in the scene, for the frame axes in the pictures. */
+  /** Axes of the control frame in the scene, for the frame axes in the pictures. */
   readonly axes: Quat;
-  /** Seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene. */
+  /** Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene. */
   readonly poses: readonly number[];
   /**
    * Pan, tilt and horizontal field of view [rad] of the cameras that have a drive, in the order of
@@ -835,13 +857,13 @@ export interface Frame {
   readonly lighting: Lighting;
 }
 
-/** CMD CK: what a rehearsal of the way to a target found. */
+/** Result of CMD CK: a rehearsal of the motion to a target. */
 export interface Check {
   readonly good: boolean;
   readonly text: string;
 }
 
-/** The point of resolution, panel components. */
+/** Point of resolution, in panel components. */
 export interface Resolution {
   /** X, Y, Z [m]. */
   readonly position: Vec3;
@@ -856,17 +878,17 @@ export interface Resolution {
 /** A limit that acted in this step. */
 export interface Limit {
   readonly kind: LimitKind;
-  /** 0 to 5, or -1 where no single joint is concerned. */
+  /** 0 to 5, or -1 if the limit does not concern a single joint. */
   readonly joint: number;
-  /** For people: `elbow pitch at its rate limit`. */
+  /** Text for display: `elbow pitch at its rate limit`. */
   readonly text: string;
 }
 
-/** How to leave a singularity or a joint's stop. */
+/** Escape direction: command that leads away from a singularity or from a joint's limit. */
 export interface WayOut {
   /** `shoulder`, `elbow`, `wrist` (a singularity) or a joint's name. */
   readonly cause: string;
-  /** For people: `THC −X`, `RHC +pitch`, `SINGLE elbow pitch −`. */
+  /** Text for display: `THC −X`, `RHC +pitch`, `SINGLE elbow pitch −`. */
   readonly text: string;
   readonly stick: 'translation' | 'rotation' | 'joint';
   readonly axis: number;
@@ -877,95 +899,99 @@ export interface WayOut {
 export interface Lamp {
   readonly name: FlightLamp;
   readonly level: Level;
-  /** The cause: `elbow 0.12 from straight`. */
+  /** Cause: `elbow 0.12` for SINGULAR. */
   readonly text: string;
 }
 
-/** The keyed-in target of an automatic mode and what is left to it. */
+/** Target of an automatic mode, in panel components, and what remains of the motion to it. */
 export interface Aim {
   readonly position: Vec3;
   readonly attitude: Vec3;
-  /** [m] */
+  /** Distance from the tip to the target [m]. */
   readonly distance: number;
-  /** [rad] */
+  /** Angle between the present attitude and the target's [rad]. */
   readonly angle: number;
-  /** Estimated time to go [s]; 0 when not under way. */
+  /** Estimated time to go [s]; 0 if the motion is not in progress. */
   readonly remaining_s: number;
 }
 
-/** Contacts, captures and the worksite's things. */
+/** State of the worksite: clearances, contacts, captures, the end effector and the payloads. */
 export interface WorkFrame {
   /** The report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked. */
   readonly task: number;
   readonly nearest: Near | null;
-  /** What the clearance of `nearest` calls for, by the scenario's thresholds. */
+  /** Alarm level of the clearance of `nearest`, by the scenario's thresholds. */
   readonly clearance_level: Level;
   readonly contacts: readonly Near[];
   readonly arm_inhibit: boolean;
   readonly finger_inhibit: boolean;
-  /** Why the arm or the finger is inhibited, and what frees it. */
+  /** Reasons why the arm or the finger is inhibited, and what frees it. */
   readonly inhibits: readonly string[];
-  /** What the conditions are for: `acquire payload`; empty: nothing is near. */
+  /** Purpose of the conditions: `acquire payload`; empty if nothing is near enough. */
   readonly pursuit: string;
   readonly conditions: readonly Condition[];
   readonly hand: HandFrame;
-  /** Length of the telescope [m]. */
+  /** Length of the telescope [m]; null if the arm stands on none. */
   readonly stand: number | null;
-  /** How far the orbiter has moved: forward, starboard, down [m]. */
+  /** Displacement of the orbiter: forward, starboard, down [m]. */
   readonly orbiter: Vec3;
-  /** [m/s] */
+  /** Velocity of the orbiter along the same axes [m/s]. */
   readonly orbiter_velocity: Vec3;
   readonly cargo: readonly CargoFrame[];
-  /** Where the master arm stands [rad]; null in other modes than MASTER. */
+  /** Joint angles of the master arm [rad]; null in modes other than MASTER. */
   readonly master: Six | null;
-  /** From the empty snares to where they would be at the nearest grapple fixture [m]; null: there is none for them. */
+  /**
+   * Distance from the empty snares to their position at the nearest grapple fixture [m].
+   *
+   * Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
+   */
   readonly fixture: number | null;
-  /** The same way, along the axes that the sticks move the end effector along [m]; null in modes without sticks. */
+  /** Vector of this distance, along the axes that the sticks act along [m]; null also in modes without sticks. */
   readonly to_fixture: Vec3 | null;
 }
 
-/** Two watched parts; points and directions in the scene. */
+/** Two monitored parts; points and directions are in the scene. */
 export interface Near {
   readonly a: string;
   readonly b: string;
-  /** [m], negative where they overlap. */
+  /** Distance of the two parts [m]; negative if they overlap. */
   readonly clearance: number;
   /** Speed at which the closest points approach [m/s]. */
   readonly closing: number;
   readonly point_a: Vec3;
   readonly point_b: Vec3;
-  /** A point of the plane between them, halfway. */
+  /** Point of the plane between the two parts, halfway between the closest points. */
   readonly plane: Vec3;
-  /** The plane's unit normal, from a to b; zero where they collide. */
+  /** Unit normal of this plane, from a to b; zero if the parts collide. */
   readonly normal: Vec3;
-  /** Made to touch: inhibits nothing. */
+  /** True if the task requires the two parts to touch; the contact then inhibits nothing. */
   readonly essential: boolean;
 }
 
-/** A condition of a capture, a docking or a latching. */
+/** Condition of a capture, a docking or a latching. */
 export interface Condition {
   readonly name: string;
   readonly holds: boolean;
-  /** In `unit`: m, rad, m/s, or a number. */
+  /** Measured value, in `unit`: m, rad, m/s, or a plain number. */
   readonly value: number;
   readonly limit: number;
   readonly unit: string;
-  /** By how much it holds, or fails where negative, in `unit`. */
+  /** Margin by which the condition holds, in `unit`; negative if it fails. */
   readonly margin: number;
-  /** For people: `palm 2.5 in above the bar: 0 to 0.75 in`. */
+  /** Text for display: `palm 2.5 in above the bar, 0 to 0.75 in allowed`. */
   readonly text: string;
 }
 
-/** The end effector. */
+/** State of the end effector. */
 export interface HandFrame {
   readonly switch: EffectorSwitch;
-  /** 0 closed to 1 open: of the prong, or of the snares. */
+  /** Opening of the prong or of the snares, from 0 closed to 1 open. */
   readonly opening: number;
-  /** Prong to fixed finger [m]. */
+  /** Distance from the prong to the fixed finger [m]; null if the arm has none. */
   readonly spacing: number | null;
-  /** 0 extended to 1 rigid. */
+  /** Position of the carriage, from 0 extended to 1 rigid; null if the arm has none. */
   readonly carriage: number | null;
-  /** Lit: `CAPTURE`, `CLOSE`, `RIGID`, `EXTEND`, `OPEN`, `DERIGID`. */
+  /** Flags that are lit: `CAPTURE`, `CLOSE`, `RIGID`, `EXTEND`, `OPEN`, `DERIGID`. */
   readonly flags: readonly string[];
   /** END EFFECTOR MODE of the snares. */
   readonly mode: 'auto' | 'manual';
@@ -973,36 +999,40 @@ export interface HandFrame {
   readonly rigid: 'off' | 'rigid' | 'derigid';
 }
 
-/** A payload of the worksite; its pose is its body's. */
+/** Payload of the worksite; its pose is the pose of its body. */
 export interface CargoFrame {
   readonly name: string;
   readonly held: boolean;
-  /** Title of the seat that it is fixed to, as in `WorkInfo.seats`; empty: none. */
+  /** Title of the seat that the payload is fixed to, as in `WorkInfo.seats`; empty if there is none. */
   readonly seat: string;
-  /** Of its centre against the arm's base [m/s]. */
+  /** Speed of its centre relative to the arm's base [m/s]. */
   readonly speed: number;
 }
 
-/** Look ahead: what the sticks as they stand would do in some seconds; told five times a second. */
+/**
+ * Look-ahead: state of the arm in some seconds with the present stick command.
+ *
+ * It is computed every 10 control steps: five times a second with the default control period.
+ */
 export interface Ahead {
-  /** How far is looked [s]. */
+  /** Time span of the look-ahead [s]. */
   readonly seconds: number;
-  /** The sticks as they stand; false: they rest, and this is the last axis used at full deflection. */
+  /** True for the present stick command; false if the sticks are centred: the last axis used, at full deflection. */
   readonly held: boolean;
-  /** Whether the arm is then elsewhere than now. */
+  /** True if the arm is then at another place than now. */
   readonly moves: boolean;
-  /** Least clearance then [m]; null: nothing is watched. */
+  /** Smallest clearance then [m]; null if no pair is monitored. */
   readonly clearance: number | null;
-  /** The two parts that have it. */
+  /** `a` and `b`: the two parts with this clearance; empty if no pair is monitored. */
   readonly a: string;
   readonly b: string;
-  /** When the first contact is found on the way [s]; null: none is. */
+  /** Time to the first contact found on the way [s]; null if none is found. */
   readonly contact_s: number | null;
-  /** How far the tip goes on if the sticks are let go now [m]. */
+  /** Distance that the tip still moves if the sticks are released now [m]. */
   readonly stopping: number;
-  /** The joint nearest to a reach limit then, 0 to 5. */
+  /** Joint nearest to a reach limit then, 0 to 5. */
   readonly joint: number;
-  /** How far it is from that limit then; negative past it [rad]. */
+  /** Angle from this joint to that limit then [rad]; negative past the limit. */
   readonly room: number;
   /** Seven numbers for each body of `Welcome.ghost`, as in `Frame.poses`. */
   readonly poses: readonly number[];
@@ -1022,159 +1052,163 @@ export interface Event {
   readonly text: string;
 }
 
-/** To a window that draws strips: at first the flight's last minutes, then what is new. */
+/** Data for a window that draws strips: first the last minutes of the run, then only new data. */
 export interface Recent {
   readonly type: 'recent';
-  /** Every strip, its curves without a point: a flight begins, and what was told is over. Empty: it goes on. */
+  /**
+   * All strips, with curves that have no points: a run begins, and the data sent before is no longer valid.
+   *
+   * Empty while the run continues.
+   */
   readonly strips: readonly Strip[];
   readonly samples: readonly Sample[];
-  /** Of the last minutes, when something in them has begun, else none; the last stretch of each goes on. */
+  /** Lanes of the last minutes if a stretch has begun, otherwise empty; the last stretch of each lane continues. */
   readonly lanes: readonly Lane[];
 }
 
-/** A quantity over the run. */
+/** Strip chart of one quantity over the run. */
 export interface Strip {
   readonly name: string;
   readonly quantity: Quantity;
   readonly curves: readonly Curve[];
   readonly low: number;
-  /** Range of all values, with zero in it where zero means rest. */
+  /** `low` and `high`: range of all values, including zero if zero means rest. */
   readonly high: number;
-  /** A bound to draw across it. */
+  /** Limit to draw as a line across the strip; None if there is none. */
   readonly limit: number | null;
-  /** Values below this are cautioned of; of a clearance, as the scenario has it. */
+  /** Values below this one cause a caution; for a clearance, the scenario's threshold. None if there is none. */
   readonly caution: number | null;
-  /** Values below this are warned of. */
+  /** Values below this one cause a warning; None if there is none. */
   readonly warning: number | null;
-  /** Drawn until the reader chooses others. */
+  /** True if the strip is drawn until the reader chooses other strips. */
   readonly shown: boolean;
-  /** Zero means rest, and belongs into the picture. */
+  /** True if zero means rest; the drawn range then includes zero. */
   readonly rests: boolean;
 }
 
-/** A line of a strip, thinned so that no peak is lost. */
+/** Line of a strip, thinned so that no peak is lost. */
 export interface Curve {
   readonly role: 'actual' | 'commanded';
   readonly times_s: readonly number[];
-  /** None: there was no such thing. */
+  /** None where the quantity had no value. */
   readonly values: readonly (number | null)[];
 }
 
-/** What every strip shows of one instant. */
+/** Values of all strips at one instant. */
 export interface Sample {
   readonly time_s: number;
-  /** Of every curve, strip after strip. */
+  /** Values of all curves, strip after strip; null where a curve has no value. */
   readonly values: readonly (number | null)[];
-  /** The joint that is nearest to its rate limit; empty at rest. */
+  /** Joint nearest to its rate limit; empty at rest. */
   readonly worst: string;
 }
 
-/** A row of stretches that follow one another from the run's beginning to its end. */
+/** Row of consecutive stretches, up to the last frame. */
 export interface Lane {
   readonly name: string;
   readonly stretches: readonly Stretch[];
 }
 
-/** A part of a lane through which one thing was so. */
+/** Stretch of a lane: an interval in which the label and the level do not change. */
 export interface Stretch {
   readonly start_s: number;
   readonly end_s: number;
-  /** What was so; empty: nothing that this lane tells of. */
+  /** State during the stretch; empty if the lane has nothing to show. */
   readonly label: string;
   readonly level: Level;
 }
 
-/** A message or command that was not taken, and why, in a sentence for the operator. */
+/** Rejection of a message or command, with the reason in a sentence for the operator. */
 export interface Refused {
   readonly type: 'refused';
-  /** `seq` of the message, or -1 where it could not be read. */
+  /** `seq` of the message; -1 if the message could not be read, or if the rejection concerns no single message. */
   readonly seq: number;
   readonly text: string;
 }
 
-/** One recorded frame, with each curve's exact value in it. */
+/** One recorded frame, with the exact value of each curve in it. */
 export interface Moment {
   readonly frame: Frame;
-  /** Of every curve, strip after strip. */
+  /** Values of all curves, strip after strip; null where a curve has no value. */
   readonly values: readonly (number | null)[];
-  /** The joint that is nearest to its rate limit; empty at rest. */
+  /** Joint nearest to its rate limit; empty at rest. */
   readonly worst: string;
 }
 
-/** First message of a page: the protocol that it speaks. */
+/** First message of a page, with the version of the protocol that the page uses. */
 export interface Hello {
   readonly type: 'hello';
   readonly protocol: number;
-  /** A second window, or a page too narrow to fly from: it shows the flight and is nobody's hands (`TakeSeat`). */
+  /** True for a secondary window or a too narrow page: it only shows the run and cannot take control (`TakeSeat`). */
   readonly shows: boolean;
-  /** It draws strips: it is sent the flight's last minutes, too. */
+  /** True if the page draws strips: the server then also sends it the last minutes of the run (`Recent`). */
   readonly strips: boolean;
 }
 
-/** What the monitors of the page that flew showed from a time on. */
+/** Cameras that the monitors of the page in control showed from a time on. */
 export interface Pictured {
   readonly time_s: number;
-  /** Of MON 1 and MON 2: the camera's name, two where it was split; none: no page flew. */
+  /** Camera names of MON 1 and MON 2: two if the monitor was split, none if no page was in control. */
   readonly monitors: readonly (readonly string[])[];
 }
 
-/** A figure of the whole run. */
+/** Figure of the whole run. */
 export interface Measure {
   readonly name: string;
   readonly quantity: Quantity;
   readonly value: number | null;
-  /** In words, where the quantity is such. */
+  /** Value in words if `quantity` is `words`; otherwise empty. */
   readonly text: string;
-  /** How it is reckoned, in a sentence. */
+  /** Explanation of the figure, in a sentence. */
   readonly about: string;
-  /** What belongs to a distance: how far the two are turned against each other [rad]. */
+  /** Angle that belongs to a distance: rotation of the two objects relative to each other [rad]; null if none. */
   readonly angle: number | null;
-  /** The worst alarm that it stands for. */
+  /** Worst alarm level that belongs to the figure. */
   readonly level: Level;
 }
 
-/** Whether the recomputed frames are equal to the recorded ones. */
+/** Result of comparing the re-simulated frames with the recorded ones. */
 export interface Verdict {
   readonly state: 'checking' | 'equal' | 'different' | 'impossible';
-  /** For people: `all 2002 frames equal`. */
+  /** Text for display: `all 2002 frames equal`. */
   readonly text: string;
 }
 
-/** A recording in the folder of a station that records. */
+/** Recording in the folder of a station that records. */
 export interface Recorded {
-  /** The file's name, without its folder. */
+  /** Name of the file, without its folder. */
   readonly file: string;
-  /** Wall time at which it was written to last, ISO 8601, UTC. */
+  /** Wall time of the last write to the file, ISO 8601, UTC. */
   readonly changed: string;
-  /** The present flight goes on in it. */
+  /** True if the present run is being recorded into this file. */
   readonly now: boolean;
 }
 
-/** All that is known of a recording before its first frame is drawn. */
+/** Data of a recording that the page needs before it draws the first frame. */
 export interface PlaybackIndex {
   readonly welcome: Welcome;
-  /** The file's name, without its folder. */
+  /** Name of the file, without its folder. */
   readonly file: string;
   /** Wall time at which the run began, ISO 8601, UTC. */
   readonly began: string;
-  /** Of the Aftdeck that recorded it. */
+  /** Version of Aftdeck that made the recording. */
   readonly version: string;
   readonly seed: number;
-  /** KEY=VALUE, where a replay changed the scenario. */
+  /** KEY=VALUE for each change that a re-run made to the scenario. */
   readonly changes: readonly string[];
-  /** Code of who took part; empty: none was given. */
+  /** Participant's code; empty if none was given. */
   readonly participant: string;
-  /** Of the trial; empty: none was given. */
+  /** Condition of the trial; empty if none was given. */
   readonly condition: string;
-  /** A control step. */
+  /** Duration of a control step [s]. */
   readonly period_s: number;
-  /** Steps that the recording holds. */
+  /** Number of steps in the recording. */
   readonly ticks: number;
-  /** Steps from one drawn frame to the next; 1: every frame is drawn. */
+  /** Steps from one drawn frame to the next; 1 if every frame is drawn. */
   readonly stride: number;
-  /** Moments in each block but the last. */
+  /** Number of moments in each block but the last. */
   readonly block: number;
-  /** How the run ended; empty where the recording was cut short. */
+  /** Reason for the end of the run; empty if the recording was cut short. */
   readonly ended: string;
   readonly verdict: Verdict;
   readonly events: readonly Event[];

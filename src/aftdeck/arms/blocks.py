@@ -1,7 +1,7 @@
-"""The concept arm's body: boxes made of the numbers in its file; what collides and what is drawn are the same.
+"""Boxes of the concept arm, made from the dimensions in its file; the same boxes collide and are drawn.
 
-Sources: the Remote Manipulator Simulation's three hexahedra of the end effector, its ARM 0 to ARM 2 and STAND; the
-joints' housings, and the tube that slides in the stand's sleeve, are ours.
+Sources: the Remote Manipulator Simulation's three hexahedra of the end effector, its ARM 0 to ARM 2 and STAND. The
+joint housings, and the tube that slides in the stand's sleeve, are our additions.
 """
 
 from __future__ import annotations
@@ -17,20 +17,20 @@ Axes = tuple[int, int, int]
 
 OWN: Axes = (1, 2, 3)
 EFFECTOR: Axes = (-3, 2, 1)
-"""(x, y, z) = (-Z2, Y2, X2), so that face c looks to the wrist and d to the bar (restored from the report's MO2SET)."""
+"""(x, y, z) = (-Z2, Y2, X2), so that face c faces the wrist and d the bar (restored from the report's MO2SET)."""
 
 
 class Block(NamedTuple):
-    """A box along the axes of its frame.
+    """Box along the axes of its frame.
 
     Attributes:
-        part: what people call it.
-        frame: that carries it.
+        part: name that the operator reads.
+        frame: name of the frame that carries the box.
         low: least x, y, z in that frame [m].
         high: greatest x, y, z [m].
-        material: what it looks like.
-        axes: the axes of its frame, 1 to 3, that are its own x, y, z, by which its vertices are numbered; negative
-            where they point the other way.
+        material: material with which the box is drawn.
+        axes: axes of the frame, 1 to 3, that are the box's own x, y, z, by which its vertices are numbered; negative
+            for an axis in the opposite direction.
     """
 
     part: str
@@ -42,20 +42,20 @@ class Block(NamedTuple):
 
 
 def blocks_of(file: HeadingArmFile, frames: tuple[str, ...]) -> tuple[Block, ...]:
-    """The arm's blocks, from the foot to the prong.
+    """Return the arm's blocks, from the foot to the prong.
 
     Args:
-        file: its dimensions.
-        frames: its linkage's frames, from the foot to the last joint.
+        file: the arm's dimensions.
+        frames: the frames of the arm's linkage, from the foot to the last joint.
     """
     return (*_stand(file, frames), *_booms(file, frames), *_effector(file, frames))
 
 
 def _stand(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
-    """A sleeve up to where the stand ends at its least length, and the tube that slides in it.
+    """Yield the sleeve, up to the stand's end at its least length, and the tube that slides in the sleeve.
 
-    The tube is as long as the telescope travels; drawn in, it reaches below the foot where that is more than the
-    sleeve's length.
+    The tube is as long as the telescope's travel. When retracted, the tube reaches below the foot if the travel is
+    more than the sleeve's length.
     """
     s = file.stand
     below = s.top_below_shoulder.value
@@ -65,7 +65,7 @@ def _stand(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
 
 
 def _booms(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
-    """Upper and lower arm between their pins, the stub, and the cubes round the pins."""
+    """Yield upper and lower arm between their pins, the stub, and the cubes round the pins."""
     b, upper, lower = file.booms, file.geometry.upper_arm.value, file.geometry.lower_arm.value
     back, side = b.set_back.value, b.side.value
     yield Block("shoulder", frames[2], *_cube(b.shoulder_housing.value), "housing")
@@ -77,7 +77,7 @@ def _booms(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
 
 
 def _effector(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
-    """HEX 1 to HEX 3. The prong's frame stands at its inner face."""
+    """Yield HEX 1 to HEX 3; the origin of the prong's frame is at the prong's inner face."""
     e = file.effector
     (begin, end), wide, high = e.palm.value, e.palm_half_width.value, e.palm_half_height.value
     yield Block("palm", frames[6], (begin, -wide, -high), (end, wide, high), "structure", EFFECTOR)
@@ -88,7 +88,7 @@ def _effector(file: HeadingArmFile, frames: tuple[str, ...]) -> Iterator[Block]:
 
 
 def _along(axis: int, begin: float, end: float, side: float) -> tuple[Vec3, Vec3]:
-    """Corners of a box of square section along an axis of its frame, 0 to 2."""
+    """Return the corners of a box of square section along an axis of its frame, 0 to 2."""
     half = 0.5 * side
     low, high = [-half] * 3, [half] * 3
     low[axis], high[axis] = begin, end
@@ -96,5 +96,5 @@ def _along(axis: int, begin: float, end: float, side: float) -> tuple[Vec3, Vec3
 
 
 def _cube(edge: float) -> tuple[Vec3, Vec3]:
-    """Corners of a cube about its frame's origin."""
+    """Return the corners of a cube about its frame's origin."""
     return _along(0, -0.5 * edge, 0.5 * edge, edge)

@@ -1,10 +1,10 @@
-"""Whether a concept arm's telescope, booms and end effector fit together.
+"""Checks that a concept arm's telescope, booms and end effector fit together.
 
-Between two booms that meet at a pin, the plane through the pin that bisects their bend separates them only if
-they begin far enough from it: with half width w and a bend of theta about a face's axis, set back by at least
-w tan(theta/2); about any axis, by sqrt(2) times that. A joint's housing is separated from both by their end
-planes if it lies inside the sphere round the pin that touches them. Both are needed wherever bodies are
-ordered or told apart by planes (Remote Manipulator Simulation, separating planes SP 11 and SP 12).
+Two booms meet at a pin. The plane through the pin that bisects their bend separates the booms only if both begin far
+enough from the pin. With half width w and a bend of theta about a face's axis, a boom has to be set back by at least
+w tan(theta/2); for a bend about any axis, by sqrt(2) times that. The end planes of both booms separate them from a
+joint's housing if the housing lies inside the sphere round the pin that touches these planes. Both conditions are
+needed wherever planes order or separate bodies (Remote Manipulator Simulation, separating planes SP 11 and SP 12).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from aftdeck.files import Problem
 
 
 def body_problems(file: HeadingArmFile) -> list[Problem]:
-    """Everything that does not fit, each with its place."""
+    """Return all dimensions that do not fit, each with its place in the file."""
     return [
         *_stand_problems(file.stand),
         *_effector_problems(file.effector),
@@ -26,11 +26,11 @@ def body_problems(file: HeadingArmFile) -> list[Problem]:
 
 
 def _bends(file: HeadingArmFile) -> tuple[float, float]:
-    """Greatest bend at elbow and wrist inside the hard limits, which DIRECT can reach [rad]."""
+    """Return the greatest bend at elbow and wrist inside the hard limits, which DIRECT can reach [rad]."""
     hard = file.limits.hard.value
     elbow = max(abs(angle) for angle in hard[2])
     heading, pitch = (min(max(abs(angle) for angle in hard[joint]), math.pi) for joint in (3, 4))
-    # the hand's direction has the cosine of heading times that of pitch along the lower arm
+    # the hand's direction has the component cos(heading) cos(pitch) along the lower arm
     cosines = [math.cos(h) * math.cos(p) for h in (0.0, heading) for p in (0.0, pitch)]
     return elbow, math.acos(min(cosines))
 

@@ -1,6 +1,6 @@
-"""What the types of an arm file cannot say: lengths above zero, limits inside each other, masses that add up.
+"""Checks of an arm file that its types cannot make: lengths above zero, nested limits, masses that add up.
 
-What only a concept arm has, stand, booms and effector, is checked in `arms.bodies`.
+`arms.bodies` checks the tables that only a concept arm has: stand, booms and effector.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from aftdeck.arms.model import ArmFile, HeadingArmFile, HeadingGeometry, PorRow,
 from aftdeck.files import Problem
 
 MASS_TOLERANCE = 1e-3
-"""How far the parts' masses may be from the total [1]."""
+"""Largest allowed difference between the sum of the parts' masses and the total, as a fraction of the sum [1]."""
 
 
 def arm_problems(file: ArmFile) -> list[Problem]:
-    """Everything wrong in a decoded arm file, each with its place."""
+    """Return every problem in a decoded arm file, each with its place in the file."""
     if isinstance(file, HeadingArmFile):
         found = _boom_problems(file.geometry) + body_problems(file)
     else:

@@ -1,4 +1,4 @@
-"""The hexahedra that a file's covers stand for, in the frames of what they cover."""
+"""Hexahedra of the covers in a file, in the frames of the bodies that they cover."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from aftdeck.frames import endori
 
 
 def hexahedra(cover: Cover, part: str) -> Array:
-    """(n, 8, 3) vertices [m] of what covers a part, turned and put in its place.
+    """Return the vertices (n, 8, 3) [m] of a part's cover, with its rotation and position applied.
 
     Raises:
-        InputError: sizes that make no solid.
+        InputError: the sizes do not make a solid.
     """
     if isinstance(cover, BoxCover):
         found = corners((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5))[None] * cover.size
@@ -28,7 +28,7 @@ def hexahedra(cover: Cover, part: str) -> Array:
 
 
 def cover_problem(cover: Cover, part: str) -> str:
-    """What is wrong with a cover's sizes; empty where nothing is."""
+    """Return the error in a cover's sizes; empty if there is none."""
     try:
         hexahedra(cover, part)
     except InputError as error:
@@ -39,13 +39,13 @@ def cover_problem(cover: Cover, part: str) -> str:
 def corners(
     low: tuple[float, float, float], high: tuple[float, float, float], axes: tuple[int, int, int] = (1, 2, 3)
 ) -> Array:
-    """(8, 3) vertices of a box from its least and greatest coordinates.
+    """Return the vertices (8, 3) [m] of a box from its least and greatest coordinates.
 
     Args:
         low: least x, y, z [m].
         high: greatest x, y, z [m].
-        axes: which of these, 1 to 3, are the box's own x, y, z, by which its vertices are numbered; negative where
-            they point the other way.
+        axes: coordinate axes, 1 to 3, that are the box's own x, y, z, by which its vertices are numbered; negative
+            for an axis in the opposite direction.
     """
     ends = (low, high)
     vertices = np.empty((8, 3))

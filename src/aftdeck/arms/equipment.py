@@ -1,6 +1,6 @@
-"""What an arm has besides its six joints: a telescope under it, what its hand takes hold with, a master arm's axes.
+"""Equipment of an arm besides its six joints: telescope, prong of the hand, and axes of the master arm.
 
-What is flown, drawn and checked asks for these, not for the family of the arm.
+Simulation, drawing and checks ask for this equipment, not for the family of the arm.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ Axis = Literal["RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z"]
 
 
 class Telescope(NamedTuple):
-    """The telescope that an arm stands on; its length is the height of the shoulder above L's origin.
+    """Telescope under an arm; its length is the height of the shoulder above L's origin.
 
     Attributes:
-        least: length [m].
-        greatest: length [m].
-        rate: of full drive [m/s].
+        least: least length [m].
+        greatest: greatest length [m].
+        rate: rate at full drive [m/s].
     """
 
     least: float
@@ -27,13 +27,13 @@ class Telescope(NamedTuple):
 
 
 class Prong(NamedTuple):
-    """A prong that closes towards a fixed finger; y2 of their inner faces, 0 at the palm's centre line.
+    """Prong that closes towards a fixed finger; positions are y2 of inner faces, 0 at the palm's centre line.
 
     Attributes:
-        opened: of the prong, open [m].
-        closed: of the prong, closed [m].
-        fixed_finger: of the fixed finger [m].
-        rate: of the prong [m/s].
+        opened: position of the open prong [m].
+        closed: position of the closed prong [m].
+        fixed_finger: position of the fixed finger [m].
+        rate: speed of the prong [m/s].
     """
 
     opened: float
@@ -43,14 +43,14 @@ class Prong(NamedTuple):
 
 
 class Equipment(NamedTuple):
-    """What an arm has besides its joints.
+    """Equipment of an arm besides its joints.
 
     Attributes:
-        telescope: None: it stands on none.
-        prong: of its hand; None: the hand has snares.
-        master: the axis of the hand controllers that turns each joint of the master arm, where no device gives its
-            angles. The RHC's turn the wrist's joints that move as they do.
-        covered: whether its solids cover round parts from outside, so that they overlap where a joint holds them.
+        telescope: telescope under the arm; None if it has none.
+        prong: prong of the arm's hand; None if the hand has snares.
+        master: axis of the hand controllers that turns each joint of the master arm, if no device gives its angles.
+            Each RHC axis turns the wrist joint that moves in the same way.
+        covered: whether the arm's solids cover round parts from outside, so that neighbours overlap at the joints.
     """
 
     telescope: Telescope | None
@@ -60,7 +60,7 @@ class Equipment(NamedTuple):
 
 
 def equipment_of(file: ArmFile) -> Equipment:
-    """Return what the arm of a file has."""
+    """Return the equipment of a file's arm."""
     shoulder_and_elbow: tuple[Axis, ...] = ("THC Y", "THC X", "THC Z")
     if not isinstance(file, HeadingArmFile):
         return Equipment(None, None, (*shoulder_and_elbow, "RHC pitch", "RHC yaw", "RHC roll"), covered=True)

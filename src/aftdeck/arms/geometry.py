@@ -1,4 +1,4 @@
-"""From the lengths in an arm file to the numbers that laws and pictures take, one function a family."""
+"""Linkage of an arm: the numbers that laws and pictures take, from the lengths in its file; one function per family."""
 
 from __future__ import annotations
 
@@ -14,21 +14,22 @@ Axes = tuple[int, int, int, int, int, int]
 Names = tuple[str, str, str, str, str, str, str]
 
 STAND, PRONG = "arm.stand", "arm.prong"
-"""Two frames more of an arm on a telescope with an end effector of three hexahedra: the telescope's moving tube, with
-L's axes at the shoulder's height; and the prong, with the last frame's axes, moved along Y2 to its inner face."""
+"""Names of two additional frames of an arm on a telescope with an end effector of three hexahedra. The telescope's
+moving tube has L's axes, at the shoulder's height. The prong has the last frame's axes, moved along Y2 to the prong's
+inner face."""
 
 
 class Linkage(NamedTuple):
     """An arm's joints, from the foot to the tip. Arrays are read-only.
 
     Attributes:
-        links: (8,) as `kinematics.linkage` numbers them: L1 to L5 [m], the angles of upper and lower arm above
+        links: (8,) in the order of `kinematics.linkage`: L1 to L5 [m], the angles of upper and lower arm above
             their boom lines at zero angles [rad], and the kind of wrist.
         steps: (6, 3) from each joint's centre to the next at zero angles, in L [m]; the first from L's origin.
         axes: the axis of L, 1 to 3, about which each joint turns at zero angles.
-        frames: names of the bodies that an arm of this family draws: its foot (fixed in L), and what each joint
-            carries. Each has L's axes, turned by the joints up to and with its own, and stands at its own joint's
-            centre, the last one at that of the joint before it.
+        frames: names of the frames that carry the arm's bodies: the foot (fixed in L), then one frame per joint. Each
+            has L's axes, turned by the joints up to and including its own. Its origin is its own joint's centre; the
+            last frame's origin is the centre of the joint before.
         end_effector_roll: R_E = R_7 Rx(this) [rad].
     """
 
@@ -40,26 +41,26 @@ class Linkage(NamedTuple):
 
 
 def linkage_of(file: ArmFile) -> Linkage:
-    """The joints that a file describes."""
+    """Return the linkage that a file describes."""
     return _of_yaw_arm(file) if isinstance(file, YawArmFile) else _of_heading_arm(file)
 
 
 def raised(linkage: Linkage, height: float) -> Linkage:
-    """The same joints with the shoulder pitch joint at another height above L's origin [m]."""
+    """Return the linkage with the shoulder pitch joint at another height above L's origin [m]."""
     links, steps = linkage.links.copy(), linkage.steps.copy()
     links[0], steps[1, 2] = height, -height
     return linkage._replace(links=frozen(links), steps=frozen(steps))
 
 
 def frozen(values: object) -> Array:
-    """A read-only array of floats."""
+    """Return a read-only array of floats."""
     array = np.array(values, dtype=np.float64)
     array.setflags(write=False)
     return array
 
 
 def _of_yaw_arm(file: YawArmFile) -> Linkage:
-    """Yaw, pitch, pitch, pitch, yaw, roll; the elbow may lie off the line of the booms."""
+    """Return the linkage yaw, pitch, pitch, pitch, yaw, roll; the elbow may lie off the line of the booms."""
     g = file.geometry
     height, wrist = g.shoulder_yaw_to_pitch.value, g.wrist_pitch_to_yaw.value
     (along2, drop2), (along3, drop3) = g.upper_arm.value, g.lower_arm.value
@@ -75,7 +76,10 @@ def _of_yaw_arm(file: YawArmFile) -> Linkage:
 
 
 def _of_heading_arm(file: HeadingArmFile) -> Linkage:
-    """Heading, pitch, pitch, heading, pitch, roll; the wrist's axes meet, the tip is the palm's outer face."""
+    """Return the linkage heading, pitch, pitch, heading, pitch, roll.
+
+    The wrist's axes meet in a point; the tip is the palm's outer face.
+    """
     height, palm = file.stand.start.value, file.effector.palm.value[1]
     upper, lower = file.geometry.upper_arm.value, file.geometry.lower_arm.value
     return Linkage(
@@ -92,6 +96,6 @@ def _frames(a: str, b: str, c: str, d: str, e: str, f: str) -> Names:
 
 
 def _steps(height: float, upper: tuple[float, float], lower: tuple[float, float], wrist: float) -> Array:
-    """(6, 3) from joint to joint in the arm's plane: along and down."""
+    """Return the steps (6, 3) from joint to joint in the arm's plane [m]: along, 0, down."""
     places = [(0.0, 0.0), (0.0, -height), upper, lower, (wrist, 0.0), (0.0, 0.0)]
     return frozen([[along, 0.0, down] for along, down in places])

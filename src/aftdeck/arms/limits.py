@@ -1,4 +1,4 @@
-"""An arm's joint limits and rate limits as arrays, and whether they fit together."""
+"""Joint limits and rate limits of an arm as arrays, and checks that they fit together."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ class Limits(NamedTuple):
 
     Attributes:
         hard: mechanical stops.
-        soft: where computed modes stop driving outwards.
-        reach: where the REACH LIM lamp lights, no more.
+        soft: limits at which computed modes stop driving outwards.
+        reach: limits at which the REACH LIM lamp lights; they stop no joint.
     """
 
     hard: Array
@@ -30,10 +30,10 @@ class JointRates(NamedTuple):
     """Joint rate limits, each (6,) [rad/s], and the joints' greatest accelerations.
 
     Attributes:
-        servo: what the servos can do; RATLMT uses them in modes 2 to 7.
-        coarse: modes 1 and 8, DIRECT and MASTER, COARSE.
-        vernier: the same, VERNIER.
-        acceleration: (6,) greatest joint accelerations, watched in modes 1 to 7 [rad/s2].
+        servo: maxima of the servos; RATLMT uses them in modes 2 to 7.
+        coarse: limits in modes 1 and 8, DIRECT and MASTER, with COARSE.
+        vernier: limits in the same modes, with VERNIER.
+        acceleration: (6,) greatest joint accelerations, applied in modes 1 to 7 [rad/s2].
     """
 
     servo: Array
@@ -43,7 +43,7 @@ class JointRates(NamedTuple):
 
 
 def limit_problems(joints: Sequence[str], limits: Limits, rates: JointRates) -> list[Problem]:
-    """Each joint whose limits do not lie inside each other, with its place in an arm's file."""
+    """Return each joint whose limits, rates or acceleration are inconsistent, with its place in an arm's file."""
     found = []
     for i, joint in enumerate(joints):
         chain = [*(s[i, 0] for s in limits), *(s[i, 1] for s in reversed(limits))]

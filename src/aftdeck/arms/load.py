@@ -1,4 +1,4 @@
-"""Loading an arm file into arrays, with the checks that types cannot make."""
+"""Loader of an arm file into arrays, with the checks that types cannot make."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from aftdeck.frames import Mount, rotation_x
 HERE = Path(__file__).parent
 
 _HAIR = 1e-9
-"""How far past its limits a telescope's length may be for the rounding of units [m]."""
+"""Tolerance of a telescope's length beyond its limits, for the rounding of units [m]."""
 
 
 class PorLimits(NamedTuple):
@@ -43,24 +43,24 @@ class PorLimits(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ArmModel:
-    """An arm's constants, checked. Arrays are read-only.
+    """Checked constants of an arm. Arrays are read-only.
 
     Attributes:
-        name: as in the file.
-        title: for people.
-        units: what the panel shows unless told otherwise.
+        name: name in the file.
+        title: full name for display.
+        units: units that the panel shows by default.
         joints: names, base to tip.
-        labels: short names for the page.
-        linkage: its joints: what the laws and the pictures take.
-        equipment: what it has besides them.
+        labels: short joint names for the page.
+        linkage: the joints, as the laws and the pictures take them.
+        equipment: equipment besides the joints.
         mount: the arm's base frame L in the orbiter.
         limits: joint limits.
-        singular: normalised distance under which a singularity is announced.
+        singular: normalised distance below which a singularity is announced [1].
         rates: joint rate limits.
         por: rows of limits by payload mass, lightest first.
-        source: the file, decoded, with the source and confidence of each constant.
-        text: the file, as it was read.
-        shapes: file of the arm's drawn shapes, or None.
+        source: the decoded file, with the source and confidence of each constant.
+        text: text of the file as it was read.
+        shapes: file of the arm's drawn shapes; None if the arm file names none.
     """
 
     name: str
@@ -81,31 +81,31 @@ class ArmModel:
 
     @property
     def links(self) -> Array:
-        """(8,) the array that the laws take (`kinematics.linkage`)."""
+        """Array (8,) that the laws take (`kinematics.linkage`)."""
         return self.linkage.links
 
     @property
     def frames(self) -> tuple[str, ...]:
-        """Names of all frames that carry a body: the linkage's, then what moves besides the joints."""
+        """Names of all frames that carry a body: the linkage's, then those of telescope and prong, if present."""
         has = self.equipment
         besides = ((STAND, has.telescope), (PRONG, has.prong))
         return (*self.linkage.frames, *(name for name, there in besides if there is not None))
 
     @property
     def end_effector_roll(self) -> float:
-        """R_E = R_7 Rx(this) [rad]."""
+        """Roll from frame 7 to the end effector's own axes E [rad]: R_E = R_7 Rx(this)."""
         return self.linkage.end_effector_roll
 
     @property
     def stand(self) -> float | None:
-        """Length of the telescope that the arm stands on [m]: the shoulder's height; None where it has none."""
+        """Length of the telescope [m], the height of the shoulder; None if the arm has no telescope."""
         return None if self.equipment.telescope is None else float(self.links[0])
 
     def at(self, stand: float) -> ArmModel:
-        """The same arm with its telescope at another length [m].
+        """Return the same arm with its telescope at another length [m].
 
         Raises:
-            InputError: an arm without a telescope, or a length outside the telescope's limits.
+            InputError: the arm has no telescope, or the length is outside the telescope's limits.
         """
         if self.equipment.telescope is None:
             raise InputError(f"the arm {self.name} stands on no telescope: `stand` cannot be given")
@@ -115,13 +115,13 @@ class ArmModel:
         return replace(self, linkage=raised(self.linkage, stand))
 
     def por_limits(self, payload_mass: float) -> PorLimits:
-        """Limits of the point of resolution with a payload [kg], interpolated in the mass's logarithm.
+        """Return the limits of the point of resolution with a payload [kg], interpolated in the mass's logarithm.
 
-        Between no payload and the lightest row they are interpolated in the mass itself; beyond the heaviest
-        row that row's limits hold (assumed).
+        Between no payload and the lightest payload's row, they are interpolated in the mass itself. Beyond the
+        heaviest row, the limits of that row hold (assumed).
 
         Raises:
-            InputError: a negative mass.
+            InputError: the mass is negative.
         """
         if not payload_mass >= 0.0:
             raise InputError(f"a payload's mass is not negative, got {payload_mass:g} kg")
@@ -149,16 +149,16 @@ class ArmModel:
 
 
 def built_in() -> tuple[str, ...]:
-    """Names of the arms that come with Aftdeck."""
+    """Return the names of the arms that come with Aftdeck."""
     return tuple(sorted(p.stem for p in HERE.glob("*.toml") if "." not in p.stem))
 
 
 def load_model(name_or_path: str | Path) -> ArmModel:
-    """The arm of a built-in name or of a file.
+    """Return the arm of a built-in name or of a file.
 
     Raises:
-        ArmError: no such arm.
-        ScenarioError: everything that is wrong in the file, or a file of shapes that cannot be read.
+        ArmError: no built-in arm has that name.
+        ScenarioError: the file has problems, all listed in the message, or its file of shapes cannot be read.
     """
     path = Path(name_or_path)
     if path.suffix != ".toml":
@@ -169,7 +169,7 @@ def load_model(name_or_path: str | Path) -> ArmModel:
             )
         path = HERE / f"{name_or_path}.toml"
     source = read(path)
-    file = parse(cast("type[ArmFile]", ArmFile), source)  # a union is no `type` to the type checker
+    file = parse(cast("type[ArmFile]", ArmFile), source)  # to the type checker, a union is not a `type`
     if problems := arm_problems(file):
         raise ScenarioError(sentences(problems, *source))
     return _model(file, source.text, read(path.parent / file.shapes) if file.shapes else None)
@@ -201,5 +201,5 @@ def _model(file: ArmFile, text: str, shapes: Text | None) -> ArmModel:
 
 
 def _panel(structural: tuple[float, float, float]) -> Array:
-    """Structural Xo, Yo, Zo in panel components X = -Xo, Y = Yo, Z = -Zo."""
+    """Convert structural Xo, Yo, Zo into panel components X = -Xo, Y = Yo, Z = -Zo."""
     return frozen([-structural[0], structural[1], -structural[2]])

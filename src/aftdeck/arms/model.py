@@ -1,8 +1,8 @@
-"""An arm as its file describes it: geometry, limits, rates, masses, every constant with its source.
+"""Contents of an arm file: geometry, limits, rates and masses, each constant with its source.
 
-Two families are known, told apart by the field `family`: that of JSC-12628 (yaw, pitch, pitch, pitch, yaw, roll)
-and that of the *Remote Manipulator Simulation* (heading, pitch, pitch, heading, pitch, roll). What only one of them
-has is in a struct of its own.
+The field `family` selects one of two families: that of JSC-12628 (yaw, pitch, pitch, pitch, yaw, roll) or that of
+the *Remote Manipulator Simulation* (heading, pitch, pitch, heading, pitch, roll). Tables that only one family has are
+structs of their own.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ Text = Annotated[str, msgspec.Meta(min_length=1)]
 
 
 class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A table of an arm file; unknown fields are refused."""
+    """Table of an arm file; unknown fields are rejected."""
 
 
 class Constant(_Part, Generic[_T], frozen=True):
-    """A value with where it comes from and how far to trust it."""
+    """Value with its source and its confidence."""
 
     value: _T
     source: Text
@@ -33,9 +33,9 @@ class Constant(_Part, Generic[_T], frozen=True):
 
 
 Offset = tuple[Length, Length]
-"""Along the arm at zero angles, and down from the boom line [m]."""
+"""Offset along the arm at zero angles, and down from the boom line [m]."""
 Span = tuple[Length, Length]
-"""From and to, along a line [m]."""
+"""Begin and end along a line [m]."""
 SixRanges = tuple[
     tuple[Angle, Angle],
     tuple[Angle, Angle],
@@ -75,7 +75,7 @@ class HeadingGeometry(_Part, frozen=True):
 
 
 class MountFile(_Part, frozen=True):
-    """Where the arm stands on the orbiter, in structural Xo, Yo, Zo."""
+    """Position and lean of the arm's base on the orbiter, in structural Xo, Yo, Zo."""
 
     origin: Constant[tuple[Length, Length, Length]]
     lean: Constant[Angle]
@@ -114,7 +114,7 @@ class PorRow(_Part, frozen=True):
 
 
 class YawParts(_Part, frozen=True):
-    """Masses of the parts of the Shuttle's kind of arm [kg]."""
+    """Masses of the parts of an arm of the Shuttle's family [kg]."""
 
     yaw_housing: Mass
     shoulder: Mass
@@ -128,7 +128,7 @@ class YawParts(_Part, frozen=True):
 
 
 class HeadingParts(_Part, frozen=True):
-    """Masses of the parts of the concept's kind of arm [kg]; its stand is none of them."""
+    """Masses of the parts of an arm of the concept's family [kg], without its stand."""
 
     upper_arm: Mass
     lower_arm: Mass
@@ -136,33 +136,33 @@ class HeadingParts(_Part, frozen=True):
 
 
 class MassesFile(_Part, Generic[_T], frozen=True):
-    """Mass of the arm as published, and of its parts."""
+    """Published mass of the arm, and masses of its parts."""
 
     total: Constant[Mass]
     parts: Constant[_T]
 
 
 class StandFile(_Part, frozen=True):
-    """The telescope that the arm stands on; its length is the height of the shoulder above its foot."""
+    """Telescope under the arm; its length is the height of the shoulder above the telescope's foot."""
 
     least: Constant[Length]
     greatest: Constant[Length]
     start: Constant[Length]
     rate: Constant[Speed]
     side: Constant[Length]
-    """Of its square section."""
+    """Side of its square section."""
     tube_side: Constant[Length]
-    """Of the tube that slides in it."""
+    """Side of the square tube that slides in it."""
     top_below_shoulder: Constant[Length]
 
 
 class BoomsFile(_Part, frozen=True):
-    """Bodies of upper arm, lower arm and stub, square in section, and the cubes that house the joints."""
+    """Dimensions of upper arm, lower arm and stub, square in section, and of the cubes that house the joints."""
 
     side: Constant[Length]
-    """Of upper and lower arm."""
+    """Side of upper and lower arm."""
     set_back: Constant[Length]
-    """From the pins at their ends to where they begin."""
+    """Distance from the pins at both ends of a boom to the boom's body."""
     stub_side: Constant[Length]
     stub: Constant[Span]
     shoulder_housing: Constant[Length]
@@ -174,15 +174,15 @@ class EffectorFile(_Part, frozen=True):
     """Palm (HEX 1), fixed finger (HEX 2) and prong (HEX 3), in system 2: X2 out of the hand, Y2 to the fixed finger."""
 
     palm: Constant[Span]
-    """Along X2; its outer face is what meets the payload's bar."""
+    """Along X2; the outer face meets the payload's bar."""
     palm_half_width: Constant[Length]
     palm_half_height: Constant[Length]
     fingers: Constant[Span]
-    """Along X2, of both."""
+    """Along X2, for fixed finger and prong."""
     finger_thickness: Constant[Length]
     finger_half_height: Constant[Length]
     fixed_finger: Constant[Length]
-    """y2 of its inner face."""
+    """y2 of the fixed finger's inner face."""
     prong_open: Constant[Length]
     """y2 of the prong's inner face."""
     prong_closed: Constant[Length]
@@ -190,10 +190,10 @@ class EffectorFile(_Part, frozen=True):
 
 
 class _Cover(_Part, frozen=True, tag_field="kind", kw_only=True):
-    """A convex body round something, so that no clearance from it is overstated."""
+    """Convex body that encloses another, so that no clearance from the enclosed body is overstated."""
 
     position: tuple[Length, Length, Length] = (Length(0.0), Length(0.0), Length(0.0))
-    """Of its centre in the frame of what it covers."""
+    """Position of its centre in the frame of the covered body."""
     rotation: tuple[Angle, Angle, Angle] = (Angle(0.0), Angle(0.0), Angle(0.0))
     """Roll, pitch, yaw about fixed x, y, z, applied in that order."""
 
@@ -209,7 +209,7 @@ class PrismCover(_Cover, frozen=True, kw_only=True, tag="prism"):
 
     axis: Axis = "x"
     radius: Length
-    """Of the cylinder; the prism's edges stand farther out."""
+    """Radius of the cylinder; the prism's edges lie farther out."""
     length: Length
     sides: int
 
@@ -221,15 +221,15 @@ class BoxBody(BoxCover, frozen=True, kw_only=True, tag="box"):
     """A box that covers a part of the arm."""
 
     part: Text
-    """What people call it; several bodies may share a part."""
+    """Name that the operator reads; several bodies may share a part."""
     frame: Text
-    """The moving frame that carries it."""
+    """Moving frame that carries the body."""
     source: Text
     confidence: Confidence
 
 
 class PrismBody(PrismCover, frozen=True, kw_only=True, tag="prism"):
-    """A prism that covers a part of the arm; as `BoxBody`."""
+    """A prism that covers a part of the arm; fields as in `BoxBody`."""
 
     part: Text
     frame: Text
@@ -238,7 +238,7 @@ class PrismBody(PrismCover, frozen=True, kw_only=True, tag="prism"):
 
 
 class _AnyArm(_Part, frozen=True, tag_field="family", kw_only=True):
-    """What every arm file has; `arms.check` says what types cannot."""
+    """Fields of every arm file; `arms.check` makes the checks that types cannot."""
 
     name: Text
     title: Text
@@ -253,16 +253,16 @@ class _AnyArm(_Part, frozen=True, tag_field="family", kw_only=True):
 
 
 class YawArmFile(_AnyArm, frozen=True, kw_only=True, tag="yaw-pitch-pitch-pitch-yaw-roll"):
-    """An arm of the Shuttle's kind."""
+    """Arm of the Shuttle's family."""
 
     geometry: YawGeometry
     masses: MassesFile[YawParts]
     bodies: tuple[BoxBody | PrismBody, ...] = ()
-    """What of it collides."""
+    """Collision bodies of the arm."""
 
 
 class HeadingArmFile(_AnyArm, frozen=True, kw_only=True, tag="heading-pitch-pitch-heading-pitch-roll"):
-    """An arm of the concept's kind."""
+    """Arm of the concept's family."""
 
     geometry: HeadingGeometry
     masses: MassesFile[HeadingParts]
@@ -272,4 +272,4 @@ class HeadingArmFile(_AnyArm, frozen=True, kw_only=True, tag="heading-pitch-pitc
 
 
 ArmFile = YawArmFile | HeadingArmFile
-"""An arm file, decoded."""
+"""Decoded arm file."""

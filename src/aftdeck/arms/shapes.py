@@ -1,4 +1,4 @@
-"""How an arm looks: the shapes that each of its moving frames carries, and its cameras."""
+"""Appearance of an arm: the shapes that each of its moving frames carries, and its cameras."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ from aftdeck.shapes import Box, Shape
 
 
 class ArmShapes(NamedTuple):
-    """How an arm looks."""
+    """Drawn shapes and cameras of an arm."""
 
     bodies: dict[str, tuple[Shape, ...]]
-    """By frame, from the foot on."""
+    """Shapes by frame, from the foot on."""
     cameras: tuple[Camera, ...]
 
 
 class _Frame(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One moving frame as the file lists it."""
+    """Moving frame as listed in the file."""
 
     name: str
     shapes: tuple[Shape, ...]
 
 
 class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """An arm's shape file as it is written."""
+    """Contents of an arm's shape file."""
 
     body: tuple[_Frame, ...]
     camera: tuple[CameraFile, ...]
@@ -41,12 +41,12 @@ class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def shapes_of(model: ArmModel) -> ArmShapes:
-    """Shapes and cameras of an arm: from its file of shapes; of a concept arm without one, from its dimensions.
+    """Return an arm's shapes and cameras from its shape file or, for a concept arm without one, its dimensions.
 
-    An arm of the Shuttle's kind without a file of shapes has nothing to draw.
+    An arm of the Shuttle's family without a shape file has nothing to draw.
 
     Raises:
-        ScenarioError: shapes that cannot be drawn, or other frames; says where.
+        ScenarioError: a shape or camera is invalid, or the frames are not the arm's; names the place in the file.
     """
     if model.shapes is not None:
         file = parse(_File, model.shapes)
@@ -62,7 +62,7 @@ def shapes_of(model: ArmModel) -> ArmShapes:
 
 
 def _box(block: Block) -> Box:
-    """A block as it is drawn."""
+    """Return a block as a box to draw."""
     (x, y, z), (to_x, to_y, to_z) = block.low, block.high
     return Box(
         material=block.material,
@@ -72,7 +72,7 @@ def _box(block: Block) -> Box:
 
 
 def _problems(file: _File, frames: tuple[str, ...]) -> Iterator[Problem]:
-    """Frames that are not the arm's, and cameras on none of them."""
+    """Yield a problem if the frames are not the arm's, and one for each camera on an unknown frame."""
     allowed = ", ".join(frames)
     names = tuple(body.name for body in file.body)
     if names != frames:

@@ -1,4 +1,4 @@
-"""An arm's solids: what of it can collide, in the frames that carry it."""
+"""Solids of an arm: its collision bodies, in the frames that carry them."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ from aftdeck.bodies.solid import Solid
 
 
 def solids_of(model: ArmModel) -> tuple[Solid, ...]:
-    """An arm's solids, from the foot to the tip; their vertices are read-only.
+    """Return an arm's solids, from the foot to the tip; their vertices are read-only.
 
-    The concept arm's are its own boxes. The Shuttle's arm is covered from outside, by the bodies that its file lists
-    (round ones stand out as `bodies.cover` says); of an arm whose file lists none, nothing collides.
+    The concept arm's solids are its own boxes. The Shuttle's arm is covered from outside by the bodies that its file
+    lists; round ones extend beyond the arm as `bodies.cover` describes. If the file lists no bodies, the arm collides
+    with nothing.
     """
     file = model.source
     if isinstance(file, HeadingArmFile):

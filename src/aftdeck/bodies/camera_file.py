@@ -1,4 +1,4 @@
-"""Cameras and their drives as a worksite's or an arm's file lists them, in quantities."""
+"""Cameras and their drives as listed in a worksite file or an arm file, as quantities with units."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from aftdeck.units import Angle, AngularRate, Length
 
 
 class TravelFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """The range and the rates of one drive."""
+    """Range and rates of one drive."""
 
     least: Angle
     greatest: Angle
@@ -20,23 +20,23 @@ class TravelFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     slow: AngularRate | None = None
 
     def __post_init__(self) -> None:
-        """Refuse what `Travel` refuses (ValueError)."""
+        """Raise ValueError if `Travel` rejects the values."""
         self.travel()
 
     def travel(self) -> Travel:
-        """The same, as the scene has it."""
+        """Return the same values as the scene's `Travel`, in SI units."""
         slow = None if self.slow is None else float(self.slow)
         return Travel(float(self.least), float(self.greatest), float(self.rate), slow)
 
 
 class DriveFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A kind of pan and tilt unit with its lens, which several cameras may have."""
+    """Type of pan and tilt unit with its lens; several cameras may have the same type."""
 
     name: str
     source: str
-    """Where its numbers come from, or ``assumed``."""
+    """Source of the values, or ``assumed``."""
     lens: Length = Length(0.0)
-    """How far the lens stands ahead of where the axes of pan and tilt meet."""
+    """Distance of the lens ahead of the point where the pan and tilt axes meet."""
     pan: TravelFile | None = None
     tilt: TravelFile | None = None
     zoom: TravelFile | None = None
@@ -46,21 +46,21 @@ class PaneFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A window's opening."""
 
     distance: Length
-    """From the eye to it."""
+    """Distance from the eye to the opening."""
     width: Length
     height: Length
 
     def __post_init__(self) -> None:
-        """Refuse what `Pane` refuses (ValueError)."""
+        """Raise ValueError if `Pane` rejects the values."""
         self.pane()
 
     def pane(self) -> Pane:
-        """The same, as the scene has it."""
+        """Return the same values as the scene's `Pane`, in SI units."""
         return Pane(float(self.distance), float(self.width), float(self.height))
 
 
 class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A camera, as it is set at the start; the fields are those of `Camera`."""
+    """Camera with its initial setting; fields without a description are as in `Camera`."""
 
     name: str
     title: str
@@ -70,17 +70,17 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     up: Vec3
     field_of_view: Angle
     source: str
-    """Where its numbers come from, or ``assumed``."""
+    """Source of the values, or ``assumed``."""
     drive: str | None = None
-    """Name of the drive that turns it; None: it is fixed."""
+    """Name of the drive that turns the camera; None if the camera is fixed."""
     zero: Vec3 | None = None
-    """Direction in which pan and tilt are zero; None: the boresight. It is made square to `up`."""
+    """Direction of zero pan and tilt, made perpendicular to `up`; None for the boresight."""
     kind: Kind = "camera"
     pane: PaneFile | None = None
-    """Of a window: its opening."""
+    """Opening of a window; None for any other kind."""
 
     def __post_init__(self) -> None:
-        """Refuse what `Camera` refuses, and a zero direction that is none (ValueError)."""
+        """Raise ValueError if `Camera` rejects the values, or `zero` has no length or is parallel to `up`."""
         self._camera(None)
         if along(self.zero or self.boresight, self.up):
             raise ValueError(f"camera {self.name}'s zero and up have to be two different directions")
@@ -94,11 +94,11 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         )
 
     def camera(self, drives: Sequence[DriveFile]) -> Camera:
-        """The camera with its drive.
+        """Return the camera with its drive.
 
         Raises:
-            ValueError: none of the drives has that name, the camera starts outside of its ranges, or it is no
-                camera that could have a drive.
+            ValueError: no drive has that name, the initial setting is outside the drive's ranges, or this kind of
+                camera cannot have a drive.
         """
         if self.drive is None:
             return self._camera(None)
@@ -119,7 +119,7 @@ class CameraFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def cameras_of(files: Sequence[CameraFile], drives: Sequence[DriveFile]) -> tuple[tuple[Camera, ...], list[Problem]]:
-    """The cameras of a file, and why, with its place in the file, for each one that cannot be had."""
+    """Return the valid cameras of a file, and a problem, with its place in the file, for each invalid camera."""
     cameras, problems = [], []
     for i, file in enumerate(files):
         try:

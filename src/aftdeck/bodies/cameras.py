@@ -1,7 +1,8 @@
-"""Cameras: where a camera stands, where it looks, how wide, and how far it can be turned.
+"""Cameras: position, boresight, field of view, and the ranges of the drives.
 
-Pan turns a camera about its `up` direction, positive to the right in its picture; tilt then raises its view, positive
-upwards. That is the report's heading and pitch: heading about Z, which points down, and pitch that lifts.
+Pan turns a camera about its `up` direction, positive to the right in its picture. Tilt then raises the boresight,
+positive upwards. Pan and tilt are the report's heading and pitch: heading turns about Z, which points down, and
+positive pitch raises the boresight.
 """
 
 from __future__ import annotations
@@ -14,11 +15,11 @@ import msgspec
 Vec3 = tuple[float, float, float]
 Kind = Literal["camera", "window", "engineering"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
-"""What a picture can come from: a television camera; an eye behind a window; nothing that flies along."""
+"""Kinds of picture source: a television camera, an eye behind a window, or a view that no flight hardware provides."""
 
 
 class Travel(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """How far and how fast one of a camera's drives goes."""
+    """Range and rates of one of a camera's drives."""
 
     least: float
     """[rad]"""
@@ -27,10 +28,10 @@ class Travel(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     rate: float
     """[rad/s]"""
     slow: float | None = None
-    """Its low speed, where it has two [rad/s]."""
+    """Low rate of a drive with two rates [rad/s]; None if the drive has one rate."""
 
     def __post_init__(self) -> None:
-        """Refuse a range without an inside, and rates that are not above zero (ValueError)."""
+        """Raise ValueError if `least` is not less than `greatest`, or a rate is not above zero."""
         if not self.least < self.greatest:
             raise ValueError(f"least is {self.least:g} and greatest {self.greatest:g}; least has to be less")
         for name, rate in (("rate", self.rate), ("slow", self.slow)):
@@ -39,60 +40,63 @@ class Travel(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Drive(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A pan and tilt unit with its lens; what it has no drive for stays as the camera has it."""
+    """Pan and tilt unit with its lens; an axis that is None keeps the camera's initial setting."""
 
     zero: Vec3
-    """Direction in the body's frame in which pan and tilt are zero, square to the camera's `up`."""
+    """Direction of zero pan and tilt in the body's frame, perpendicular to the camera's `up`."""
     lens: float
-    """How far the lens stands ahead of where the axes of pan and tilt meet [m]."""
+    """Distance of the lens ahead of the point where the pan and tilt axes meet [m]."""
     pan: Travel | None
     tilt: Travel | None
     zoom: Travel | None
-    """Of the horizontal field of view."""
+    """Travel of the horizontal field of view."""
 
 
 class Pane(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A window's opening, square to the line of sight through its middle: nothing is seen beside it or before it."""
+    """Opening of a window, perpendicular to the line of sight and centred on it.
+
+    Anything beside the opening, or between the eye and the opening, is invisible.
+    """
 
     distance: float
-    """From the eye [m]."""
+    """Distance from the eye [m]."""
     width: float
     """[m]"""
     height: float
     """[m]"""
 
     def __post_init__(self) -> None:
-        """Refuse an opening that is none (ValueError)."""
+        """Raise ValueError if a dimension is not above zero."""
         for name, size in (("distance", self.distance), ("width", self.width), ("height", self.height)):
             if not size > 0.0:
                 raise ValueError(f"the pane's {name} is {size:g}; it has to be above 0")
 
 
 class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A television camera on a body, as it is set at the start; or an eye that looks from there."""
+    """Television camera, window eye or engineering view on a body, with its initial setting."""
 
     name: str
-    """Short name on the selector: ``B``."""
+    """Short name on the selector, such as ``B``."""
     title: str
-    """``Aft bulkhead port``."""
+    """Full name, such as ``Aft bulkhead port``."""
     body: str
-    """Name of the body that carries it."""
+    """Name of the body that carries the camera."""
     position: Vec3
-    """Lens, in the body's frame [m]."""
+    """Position of the lens in the body's frame [m]."""
     boresight: Vec3
     """Direction of view in the body's frame (any length above zero)."""
     up: Vec3
-    """Direction in the body's frame that is up in the picture, not along the boresight; the axis of pan."""
+    """Direction in the body's frame that is up in the picture, not parallel to the boresight; the pan axis."""
     field_of_view: float
     """Horizontal field of view [rad]."""
     drive: Drive | None = None
-    """How it can be turned; None: it is fixed."""
+    """Pan and tilt unit; None if the camera is fixed."""
     kind: Kind = "camera"
     pane: Pane | None = None
-    """What a window leaves open; of windows alone."""
+    """Opening of a window; None for any other kind."""
 
     def __post_init__(self) -> None:
-        """Refuse a camera that can make no picture, and a window without its pane (ValueError)."""
+        """Raise ValueError if the fields give no picture, or if `pane` or `drive` does not fit the kind."""
         if (self.kind == "window") != (self.pane is not None):
             raise ValueError(f"{self.name} is a {self.kind}; a window has a pane, and nothing else has one")
         if self.kind != "camera" and self.drive is not None:
@@ -106,7 +110,7 @@ class Camera(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Setting(NamedTuple):
-    """Where a camera's drives stand.
+    """Setting of a camera's drives.
 
     Attributes:
         pan: [rad], positive to the right in the picture.
@@ -120,7 +124,7 @@ class Setting(NamedTuple):
 
 
 class View(NamedTuple):
-    """What a camera shows: the parts of a `Camera` that its drives change.
+    """View of a camera: the fields of `Camera` that its drives change.
 
     Attributes:
         position: lens, in the body's frame [m].
@@ -136,13 +140,13 @@ class View(NamedTuple):
 
 
 def setting(camera: Camera) -> Setting:
-    """Where the drives stand at the start; pan in (-pi, pi], tilt in [-pi/2, pi/2]."""
+    """Return the initial setting of the drives; pan in (-pi, pi], tilt in [-pi/2, pi/2]."""
     x, y, z = (_dot(camera.boresight, axis) for axis in _axes(camera))
     return Setting(atan2(y, x), atan2(z, hypot(x, y)), camera.field_of_view)
 
 
 def view(camera: Camera, at: Setting) -> View:
-    """What the camera shows with its drives at a setting; beyond a quarter turn of tilt it looks over its back."""
+    """Return the view with the drives at a setting; beyond 90 deg of tilt the camera looks over its back."""
     ahead, right, up = _axes(camera)
     (cp, sp), (ct, st) = ((cos(angle), sin(angle)) for angle in (at.pan, at.tilt))
     level = _sum((cp, ahead), (sp, right))
@@ -153,18 +157,18 @@ def view(camera: Camera, at: Setting) -> View:
 
 
 def along(a: Vec3, b: Vec3) -> bool:
-    """Whether two directions are the same, opposite, or none."""
+    """Return whether two directions are parallel or opposite, or one of them has no length."""
     return not hypot(*_cross(a, b)) > 1e-9 * hypot(*a) * hypot(*b)
 
 
 def square(direction: Vec3, up: Vec3) -> Vec3:
-    """The unit direction square to `up` that comes nearest to a direction which is not along it."""
+    """Return the unit direction perpendicular to `up` that is nearest to `direction`, which is not parallel to `up`."""
     upward = _unit(up)
     return _unit(_cross(upward, _cross(direction, upward)))
 
 
 def _axes(camera: Camera) -> tuple[Vec3, Vec3, Vec3]:
-    """Unit directions ahead at zero pan and tilt, to the right, and up."""
+    """Return the unit directions ahead (zero pan and tilt), right and up, in the body's frame."""
     up = _unit(camera.up)
     ahead = square(camera.boresight if camera.drive is None else camera.drive.zero, up)
     return ahead, _cross(ahead, up), up

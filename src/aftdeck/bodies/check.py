@@ -1,4 +1,4 @@
-"""Which eight points are a hexahedron: what is asked of them, and which vertex is at fault where they are none."""
+"""Validation of eight vertices as a hexahedron, with errors that name the vertex at fault."""
 
 from __future__ import annotations
 
@@ -10,34 +10,35 @@ from aftdeck.bodies.hexahedron import CORNERS, ENDS, FACES, VERTICES, pack
 from aftdeck.errors import InputError
 
 FLAT = 1e-9
-"""How far a face's vertices may stand off its plane [m]: as much as counts as contact."""
+"""Largest allowed distance of a face's vertices from its plane [m]: the clearance that counts as contact."""
 FARTHEST = 1e4
-"""Greatest coordinate [m]: beyond it rounding is no longer small beside contact (assumed)."""
+"""Largest allowed coordinate [m]; beyond it, rounding is no longer small compared with FLAT (assumed)."""
 SHORTEST = 1e-6
-"""Least length of an edge [m] (assumed)."""
+"""Smallest allowed distance between two vertices [m] (assumed)."""
 THINNEST = 1e-6
-"""Least height of a vertex over a face it is not on, over the longest edge [1] (assumed)."""
+"""Smallest allowed depth of a vertex inside a face it is not on, as a fraction of the longest edge [1] (assumed)."""
 
 _RIMS = CORNERS[:, [0, 1, 3, 2]]
-"""(6, 4) vertices of each face in the order of its rim, from zero."""
+"""(6, 4) vertices of each face in order round its rim, numbered from zero."""
 _BESIDE = np.arange(VERTICES)[:, None] ^ np.array([1, 2, 4])
-"""(8, 3) the vertices beside each, along z, x and y of the body's own axes, from zero."""
+"""(8, 3) neighbours of each vertex along the body's own z, x and y, numbered from zero."""
 _UPWARD = np.sign(_BESIDE - np.arange(VERTICES)[:, None])[..., None]
-"""(8, 3, 1) whether the ways to these go up or down their axes."""
+"""(8, 3, 1) direction to each neighbour: +1 if it is up its axis, -1 if it is down."""
 
 
 def hexahedron(vertices: ArrayLike, name: str = "the hexahedron") -> Array:
-    """Checks eight vertices and packs them for the laws.
+    """Check eight vertices and pack them for the laws.
 
     Args:
         vertices: (8, 3), numbered as in `aftdeck.bodies.hexahedron`, in any frame [m].
-        name: what to call it in an error.
+        name: name of the body in an error message.
 
     Returns:
         (48,) packed body.
 
     Raises:
-        InputError: no convex hexahedron with flat faces, so numbered; the message names the vertex at fault.
+        InputError: the vertices are not a convex hexahedron with flat faces in this numbering; the message names
+            the vertex at fault.
     """
     try:
         points = np.array(vertices, dtype=np.float64)
@@ -62,7 +63,7 @@ def _at(point: Array) -> str:
 
 
 def _distinct(points: Array, name: str) -> None:
-    """Refuses vertices in the same place."""
+    """Reject vertices closer together than SHORTEST."""
     distances = np.linalg.norm(points[:, None] - points, axis=2)
     distances[np.triu_indices(VERTICES)] = np.inf
     v, u = np.unravel_index(int(distances.argmin()), distances.shape)
@@ -74,7 +75,7 @@ def _distinct(points: Array, name: str) -> None:
 
 
 def _right_handed(points: Array, name: str) -> None:
-    """Refuses a body that is turned inside out, flat, or dented at a vertex."""
+    """Reject a body that is inside out, or that is flat or dented at a vertex."""
     arms = (points[_BESIDE] - points[:, None]) * _UPWARD
     turns = np.linalg.det(arms) / np.linalg.norm(arms, axis=2).prod(axis=1)
     if (turns < -(THINNEST**2)).all():
@@ -93,7 +94,7 @@ def _right_handed(points: Array, name: str) -> None:
 
 
 def _flat(points: Array, name: str) -> None:
-    """Refuses bent faces: at fault is the vertex that most of them share, the farthest off among equals."""
+    """Reject bent faces; the error names the vertex on most of them or, among equals, the farthest off its plane."""
     rims = points[_RIMS]
     before, after, across = (np.roll(rims, k, axis=1) for k in (1, -1, 2))
     normals = np.cross(after - across, before - across)
@@ -111,7 +112,7 @@ def _flat(points: Array, name: str) -> None:
 
 
 def _round(points: Array, name: str) -> None:
-    """Refuses a face whose rim crosses itself or is dented."""
+    """Reject a face whose rim crosses itself or is dented."""
     rims = points[_RIMS]
     turns = np.cross(np.roll(rims, -1, axis=1) - rims, np.roll(rims, 1, axis=1) - rims)
     agree = np.einsum("fvk,fk->fv", turns, turns.sum(axis=1))
@@ -125,7 +126,7 @@ def _round(points: Array, name: str) -> None:
 
 
 def _convex(points: Array, body: Array, name: str) -> None:
-    """Refuses a vertex that does not lie inside the faces it is not on."""
+    """Reject a vertex that is not inside the plane of every face that it is not on."""
     longest = np.linalg.norm(points[ENDS[:, 1]] - points[ENDS[:, 0]], axis=1).max()
     normals, distances = body[24:42].reshape(3, 6).T, body[42:]
     inside = distances[:, None] - normals @ points.T

@@ -1,8 +1,8 @@
-"""Closest points of two hexahedra: the point nearest to the origin of their Minkowski difference, by GJK.
+"""Closest points of two hexahedra: the point of their Minkowski difference nearest to the origin, by GJK.
 
-Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
-three-dimensional space", 1988. The sub-simplices are enumerated exactly; the search ends when the distance reached
-and the gap of the plane square to it agree, so that each answer proves itself.
+Source: Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
+three-dimensional space", 1988. The sub-simplices are enumerated exactly. The search ends when the distance reached
+agrees with the gap of the plane perpendicular to it, so each answer carries its own proof.
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ from aftdeck.law import law
 AGREED = 1e-13
 """Largest difference of distance and gap at which the search ends [m]."""
 NOTHING = 1e-14
-"""Below this distance no direction can be told from rounding [m]."""
+"""Distance at or below which a direction is lost in rounding [m]."""
 ENCLOSED = 4
-"""Size of a simplex that holds the origin."""
+"""Size of a simplex that contains the origin."""
 MOST_STEPS = 64
-"""More than any pair has been seen to take: the distance falls with every step."""
+"""Largest number of search steps, more than any observed pair needs: the distance falls with every step."""
 
 
 class Corner(NamedTuple):
-    """A corner of the Minkowski difference: a vertex of a less a vertex of b [m], and which ones, from zero."""
+    """Corner of the Minkowski difference: a vertex of a minus a vertex of b [m], and both numbers, from zero."""
 
     x: float
     y: float
@@ -38,9 +38,9 @@ class Corner(NamedTuple):
 
 
 class Simplex(NamedTuple):
-    """The corners (the first `size`) that span the point nearest to the origin, and that point [m].
+    """Corners (the first `size`) that span the point nearest to the origin, and that point [m].
 
-    A size of ENCLOSED is a tetrahedron that holds the origin.
+    A size of ENCLOSED means a tetrahedron that contains the origin.
     """
 
     size: int
@@ -53,7 +53,7 @@ class Simplex(NamedTuple):
 
 
 class Nearest(NamedTuple):
-    """The simplex reached, its point's distance from the origin and the gap along its direction [m]."""
+    """Final simplex of a search, its point's distance from the origin, and the gap along that direction [m]."""
 
     simplex: Simplex
     distance: float
@@ -62,13 +62,13 @@ class Nearest(NamedTuple):
 
 @law
 def corner(a: Array, b: Array, i: int, j: int, x: float, y: float, z: float) -> Corner:
-    """Vertex i of a, moved by (x, y, z), less vertex j of b."""
+    """Return vertex i of a, moved by (x, y, z) [m], minus vertex j of b."""
     return Corner(a[X + i] - b[X + j] + x, a[Y + i] - b[Y + j] + y, a[Z + i] - b[Z + j] + z, i, j)
 
 
 @law
 def on_segment(p: Corner, q: Corner) -> Simplex:
-    """The point of a segment nearest to the origin."""
+    """Return the simplex of the point of a segment that is nearest to the origin."""
     ex, ey, ez = q.x - p.x, q.y - p.y, q.z - p.z
     along = -(p.x * ex + p.y * ey + p.z * ez)
     square = ex * ex + ey * ey + ez * ez
@@ -78,14 +78,14 @@ def on_segment(p: Corner, q: Corner) -> Simplex:
         return Simplex(1, q, q, q, q.x, q.y, q.z)
     t = along / square
     x, y, z = p.x + t * ex, p.y + t * ey, p.z + t * ez
-    # What rounding left along the segment is taken out: near contact it is the larger part.
+    # Remove the component that rounding left along the segment: near contact it is the larger component.
     t = (x * ex + y * ey + z * ez) / square
     return Simplex(2, p, q, q, x - t * ex, y - t * ey, z - t * ez)
 
 
 @law
 def nearer(s: Simplex, t: Simplex) -> Simplex:
-    """The one whose point is nearer to the origin."""
+    """Return the simplex whose point is nearer to the origin; s if both are equally near."""
     if s.x * s.x + s.y * s.y + s.z * s.z <= t.x * t.x + t.y * t.y + t.z * t.z:
         return s
     return t
@@ -93,7 +93,7 @@ def nearer(s: Simplex, t: Simplex) -> Simplex:
 
 @law
 def on_triangle(p: Corner, q: Corner, r: Corner) -> Simplex:
-    """The point of a triangle nearest to the origin."""
+    """Return the simplex of the point of a triangle that is nearest to the origin."""
     ex, ey, ez = q.x - p.x, q.y - p.y, q.z - p.z
     fx, fy, fz = r.x - p.x, r.y - p.y, r.z - p.z
     nx, ny, nz = ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx
@@ -108,7 +108,7 @@ def on_triangle(p: Corner, q: Corner, r: Corner) -> Simplex:
 
 @law
 def outside(p: Corner, q: Corner, r: Corner, s: Corner) -> bool:
-    """Whether the plane of p, q, r does not have the origin strictly on the side of s."""
+    """Return whether the origin is not strictly on the same side of the plane of p, q, r as s."""
     ex, ey, ez = q.x - p.x, q.y - p.y, q.z - p.z
     fx, fy, fz = r.x - p.x, r.y - p.y, r.z - p.z
     nx, ny, nz = ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx
@@ -119,7 +119,10 @@ def outside(p: Corner, q: Corner, r: Corner, s: Corner) -> bool:
 
 @law
 def on_tetrahedron(p: Corner, q: Corner, r: Corner, s: Corner) -> Simplex:
-    """The point of a tetrahedron nearest to the origin, which lies before or in a face of s."""
+    """Return the simplex of the point of a tetrahedron that is nearest to the origin.
+
+    The face p, q, r is not tested: the nearest point is on a face with corner s, unless the origin is inside.
+    """
     best, found = Simplex(ENCLOSED, p, q, r, 0.0, 0.0, 0.0), False
     for _ in range(3):
         if outside(s, p, q, r):
@@ -131,7 +134,7 @@ def on_tetrahedron(p: Corner, q: Corner, r: Corner, s: Corner) -> Simplex:
 
 @law
 def shortest(s: Simplex, w: Corner) -> Simplex:
-    """The point nearest to the origin, of a simplex and one more corner."""
+    """Return the simplex of the point nearest to the origin, for a simplex and one more corner."""
     if s.size == 1:
         return on_segment(s.p, w)
     if s.size == 2:
@@ -141,7 +144,7 @@ def shortest(s: Simplex, w: Corner) -> Simplex:
 
 @law
 def spanned(size: int, p: Corner, q: Corner, r: Corner) -> Simplex:
-    """The point nearest to the origin, of one to three corners."""
+    """Return the simplex of the point nearest to the origin, for one to three corners."""
     if size == 1:
         return Simplex(1, p, p, p, p.x, p.y, p.z)
     if size == 2:
@@ -151,7 +154,7 @@ def spanned(size: int, p: Corner, q: Corner, r: Corner) -> Simplex:
 
 @law
 def nearest(a: Array, b: Array, x: float, y: float, z: float, start: Simplex, enough: float) -> Nearest:
-    """Search from a simplex for the point nearest to the origin, of a moved by (x, y, z), less b.
+    """Search the Minkowski difference of a, moved by (x, y, z), and b for its point nearest to the origin.
 
     Args:
         a: packed body.
@@ -159,8 +162,8 @@ def nearest(a: Array, b: Array, x: float, y: float, z: float, start: Simplex, en
         x: a's displacement, with y and z [m].
         y: see x.
         z: see x.
-        start: where to start.
-        enough: gap beyond which the search may end at once [m].
+        start: simplex from which the search starts.
+        enough: gap above which the search ends at once [m].
     """
     s, gap = start, -np.inf
     square = s.x * s.x + s.y * s.y + s.z * s.z
@@ -183,7 +186,7 @@ def nearest(a: Array, b: Array, x: float, y: float, z: float, start: Simplex, en
 
 @law
 def weights(s: Simplex) -> tuple[float, float, float]:
-    """The shares of a simplex's corners in its point; they add up to 1."""
+    """Return the weights of a simplex's corners in its point; they add up to 1."""
     p, q, r = s.p, s.q, s.r
     if s.size == 1:
         return 1.0, 0.0, 0.0

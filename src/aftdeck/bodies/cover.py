@@ -1,8 +1,8 @@
 """Curved bodies covered from outside by hexahedra, so that no clearance is ever overstated.
 
-Each function says how far its hexahedra stand out beyond the body at most: by that much, and no more, a clearance from
-the body may come out too small. The clearance of several hexahedra is the least of them. Where it is negative, it is
-the shortest way out of one of them, which can be less than the way out of all.
+Each function states how far its hexahedra extend beyond the body at most. A clearance from the body is understated by
+at most that distance. The clearance of several hexahedra is the least of their clearances. A negative clearance is
+minus the shortest move out of one hexahedron, which can be less than the shortest move out of all of them.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from aftdeck.errors import InputError
 Axis = Literal["x", "y", "z"]
 
 FEWEST_WALLS = 8
-"""Hexahedra of a tube's wall: of the bay's half tube, with 2.31 m inside, they stand 0.044 m into the bay."""
+"""Least number of hexahedra of a tube's wall; in the bay's half tube, inner radius 2.31 m, they intrude by 0.044 m."""
 SIDES = 12
-"""Of a prism round a circle: it stands out by 3.5 % of the radius."""
+"""Default number of sides of a prism round a circle; its edges extend beyond the circle by 3.5 % of the radius."""
 FEWEST_SIDES = 4
 
 
@@ -35,26 +35,27 @@ def tube_wall(
     sweep: float = tau,
     count: int = FEWEST_WALLS,
 ) -> Array:
-    """Hexahedra round the wall of a tube or a truncated cone about its centre, placed as a `shapes.Shell`.
+    """Return hexahedra that cover the wall of a tube or truncated cone about its centre, placed as a `shapes.Shell`.
 
-    With h = sweep / (2 count), they stand into the tube by (radius - thickness) (1 - cos h) at most, and out of it by
-    radius (1 / cos h - 1). Their axes are the tube's axis, against the turn, and outwards: face c looks inside.
+    With h = sweep / (2 count), they extend into the tube by at most (radius - thickness) (1 - cos h), and out of it by
+    at most radius (1 / cos h - 1). The own axes of each hexahedron are x along the tube's axis, y against the sweep
+    and z outwards, so that face c faces inwards.
 
     Args:
         radius: outer radius at the end of smaller axis coordinate [m].
-        thickness: of the wall, less than the radius [m].
-        length: along the axis [m].
-        radius_end: outer radius at the other end [m]; as `radius` where not given.
-        axis: which axis it lies along.
-        start: where the wall begins [rad]; from y to z about x, from z to x about y, from x to y about z.
-        sweep: how far it goes round [rad].
-        count: how many hexahedra, at least 8.
+        thickness: thickness of the wall, less than both radii [m].
+        length: length along the axis [m].
+        radius_end: outer radius at the other end [m]; None if it equals `radius`.
+        axis: axis of the tube.
+        start: angle at which the wall begins [rad]; from y to z about x, from z to x about y, from x to y about z.
+        sweep: angle that the wall spans [rad].
+        count: number of hexahedra, at least 8.
 
     Returns:
         (count, 8, 3) vertices [m].
 
     Raises:
-        InputError: sizes that make no tube, or too few hexahedra.
+        InputError: the sizes do not make a tube, or there are too few hexahedra.
     """
     end = radius if radius_end is None else radius_end
     _above_zero(radius=radius, radius_end=end, thickness=thickness, length=length, sweep=sweep)
@@ -86,23 +87,23 @@ def prism(
     sides: int = SIDES,
     turn: float = 0.0,
 ) -> Array:
-    """A regular prism round a circle, or round a truncated cone, about its centre, cut into sides/2 - 1 hexahedra.
+    """Return a regular prism round a cylinder or truncated cone about its centre, cut into sides/2 - 1 hexahedra.
 
-    It stands out of the circle by radius (1 / cos(pi / sides) - 1), at its edges. The cuts are parallel.
+    Its edges extend beyond the circle by radius (1 / cos(pi / sides) - 1). The cuts are parallel.
 
     Args:
-        radius: of the circle, the distance of a side from the axis, at the end of smaller axis coordinate [m].
-        length: along the axis [m].
-        radius_end: of the circle at the other end [m]; as `radius` where not given.
-        axis: which axis it lies along.
-        sides: how many, an even number of at least 4.
-        turn: where the middle of a side stands [rad]; angles as in `tube_wall`.
+        radius: radius of the circle, the distance of a side from the axis, at the end of smaller axis coordinate [m].
+        length: length along the axis [m].
+        radius_end: radius of the circle at the other end [m]; None if it equals `radius`.
+        axis: axis of the prism.
+        sides: number of sides, even and at least 4.
+        turn: angle of the middle of a side [rad], counted as in `tube_wall`.
 
     Returns:
         (sides/2 - 1, 8, 3) vertices [m].
 
     Raises:
-        InputError: sizes that make no prism, or an odd number of sides.
+        InputError: the sizes do not make a prism, or the number of sides is odd or too small.
     """
     end = radius if radius_end is None else radius_end
     _above_zero(radius=radius, radius_end=end, length=length)
@@ -121,7 +122,7 @@ def prism(
 
 
 def _along(bodies: Array, axis: Axis) -> Array:
-    """Bodies made along x, along another axis."""
+    """Return bodies made along x, turned to lie along another axis."""
     if axis not in ("x", "y", "z"):
         raise InputError(f"the axis is {axis!r}; it has to be x, y or z")
     return np.roll(bodies, "xyz".index(axis), axis=-1)

@@ -1,7 +1,8 @@
-"""How deep two hexahedra are in each other: the shortest way that takes one out of the other.
+"""Penetration depth of two hexahedra: the length of the shortest move that takes one out of the other.
 
-The greatest separation over all planes that can be the last to touch: the faces of both, and the planes square to an
-edge of each where the two edges' arcs of normals cross (Gauss map; S. Gottschalk's theorem of separating axes).
+Minus the depth is the greatest separation over all planes that can touch last. These are the faces of both bodies,
+and the planes parallel to one edge of each body, if the two edges' arcs of normals cross (Gauss map; S. Gottschalk's
+theorem of separating axes).
 """
 
 from __future__ import annotations
@@ -15,11 +16,11 @@ from aftdeck.bodies.planes import sides
 from aftdeck.law import law
 
 PARALLEL = 1e-24
-"""Squared sine of the angle below which two edges span no plane; the faces then hold the answer [1]."""
+"""Squared sine of the angle up to which two edges count as parallel [1]; the faces then give the answer."""
 
 
 class Separation(NamedTuple):
-    """A unit normal from a to b and how far the two are apart along it, negative where they overlap [m]."""
+    """Unit normal from a to b, and the separation of the bodies along it, negative if they overlap [m]."""
 
     apart: float
     x: float
@@ -29,14 +30,14 @@ class Separation(NamedTuple):
 
 @law
 def along(a: Array, b: Array, x: float, y: float, z: float) -> Separation:
-    """The separation along a unit normal, with every vertex looked at."""
+    """Return the separation along a unit normal, from all vertices of both bodies."""
     found = sides(a, b, x, y, z)
     return Separation(found.b - found.a, x, y, z)
 
 
 @law
 def by_faces(a: Array, b: Array) -> Separation:
-    """The greatest separation along the faces' normals."""
+    """Return the greatest separation along the face normals of both bodies."""
     best = along(a, b, a[NX], a[NY], a[NZ])
     for f in range(1, SIDES):
         found = along(a, b, a[NX + f], a[NY + f], a[NZ + f])
@@ -49,7 +50,7 @@ def by_faces(a: Array, b: Array) -> Separation:
 
 @law
 def greatest(a: Array, b: Array, above_b: Array, above_a: Array) -> Separation:
-    """The greatest separation of packed bodies a and b.
+    """Return the greatest separation of packed bodies a and b.
 
     Args:
         a: packed body.
@@ -65,7 +66,7 @@ def greatest(a: Array, b: Array, above_b: Array, above_a: Array) -> Separation:
         for g in range(len(ENDS)):
             k, m = ENDS[g, 0], ENDS[g, 1]
             b1, b2 = BESIDE[g, 0], BESIDE[g, 1]
-            # How a's two normals turn along b's edge, and b's along a's.
+            # Products of a's two normals with b's edge, and of b's two normals with a's edge.
             p1, p2 = above_a[a1, m] - above_a[a1, k], above_a[a2, m] - above_a[a2, k]
             q1, q2 = above_b[b1, j] - above_b[b1, i], above_b[b2, j] - above_b[b2, i]
             if p1 * p2 >= 0.0 or q1 * q2 >= 0.0 or p1 * q1 <= 0.0:

@@ -1,8 +1,8 @@
-"""The edge test: which edge of one hexahedron pierces a face of another.
+"""Edge test: finds an edge of one hexahedron that pierces a face of another.
 
-Subroutine ETECOL of the final report of the Remote Manipulator Simulation (IV.B.1), corrected: both ways, the edge as
-a segment instead of a ray, and clipped by the faces that its words name instead of scalar triple products with a table
-of bounding edges, which tapered bodies outgrow.
+Source: subroutine ETECOL, final report of the Remote Manipulator Simulation (IV.B.1), with three corrections. The test
+runs both ways. The edge is a segment instead of a ray. The faces that the edge's location words name clip the edge;
+the source uses scalar triple products with a table of bounding edges, which fails for tapered bodies.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from aftdeck.law import law
 
 
 class Pierced(NamedTuple):
-    """The edge and the face through which it enters, from zero; an edge of -1 where none does."""
+    """Piercing edge, and the face through which it enters, numbered from zero; edge is -1 if no edge pierces."""
 
     edge: int
     face: int
@@ -24,16 +24,16 @@ class Pierced(NamedTuple):
 
 @law
 def piercing_edge(above: Array, words: Words) -> Pierced:
-    """The first edge that passes through the other body, both ends outside.
+    """Return the first edge that passes through the other body with both ends outside.
 
     Args:
         above: (6, 8) heights of this body's vertices over the other's faces [m].
-        words: (8,) their location words.
+        words: (8,) location words of these vertices.
     """
     for e in range(len(ENDS)):
         i, j = ENDS[e, 0], ENDS[e, 1]
-        # It enters through one plane and leaves through another, so two bits change; ends that share a face's
-        # TRUE side have the whole edge there.
+        # A piercing edge enters through one plane and leaves through another, so at least two bits change. If both
+        # ends are on the TRUE side of the same face, the whole edge is outside.
         changed = words[i] ^ words[j]
         if words[i] & words[j] != 0 or changed & (changed - 1) == 0:
             continue

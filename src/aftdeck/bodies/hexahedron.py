@@ -1,11 +1,11 @@
-"""The hexahedron: eight vertices, six flat faces, convex; the body of every collision test.
+"""Convex hexahedron with eight vertices and six flat faces: the body of every collision test.
 
-Vertices are numbered 1 to 8: v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in axes of the
-body's own. Face c is its top (-z), d its bottom, b and e its sides (-y, +y), a and f its ends (-x, +x). A face's
-TRUE side is outside. Source: the final report of the Remote Manipulator Simulation, Figure 2 (restored).
+Vertices are numbered 1 to 8: v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in the body's own
+axes. Face c is its top (-z), d its bottom, b and e its sides (-y, +y), a and f its ends (-x, +x). A face's TRUE side
+is outside. Source: the final report of the Remote Manipulator Simulation, Figure 2 (restored).
 
-The laws take a *packed* body: (48,) floats, all x, all y, all z of the vertices, then the same for the outward unit
-normals of faces a to f, then the distances of the faces' planes from the origin.
+The laws take a *packed* body of (48,) floats: all x, all y, then all z of the vertices; the same for the outward unit
+normals of faces a to f; then the distances of the faces' planes from the origin.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from aftdeck.law import law
 
 VERTICES, SIDES = 8, 6
 X, Y, Z = 0, 8, 16
-"""Where the vertices' coordinates stand in a packed body [m]."""
+"""Places of the vertices' coordinates in a packed body [m]."""
 NX, NY, NZ, D = 24, 30, 36, 42
-"""Where the faces' outward unit normals [1] and distances [m] stand."""
+"""Places of the faces' outward unit normals [1] and distances [m]."""
 BODY = 48
 """Length of a packed body."""
 
@@ -39,40 +39,40 @@ EDGES = tuple(
 )
 """The twelve edges, each by its two vertices."""
 
-# The same as tables from zero, for the laws.
+# The same tables numbered from zero, for the laws.
 CORNERS = np.array([[v - 1 for v in face] for face in FACES.values()])
-"""(6, 4) vertices of a face."""
+"""(6, 4) vertices of each face."""
 ENDS = np.array([[p - 1, q - 1] for p, q in EDGES])
-"""(12, 2) ends of an edge."""
+"""(12, 2) ends of each edge."""
 _CUBE = np.array([(v >> 1 & 1, v >> 2 & 1, v & 1) for v in range(VERTICES)]) - 0.5
 _OUTWARD = _CUBE[CORNERS].sum(axis=1)
 
 
 def _beside(p: int, q: int) -> tuple[int, int]:
-    """The faces that meet in an edge, as listed in BESIDE."""
+    """Return the two faces that meet in an edge, in the order of BESIDE."""
     f, g = (k for k, face in enumerate(FACES.values()) if {p, q} <= set(face))
     return (f, g) if np.cross(_OUTWARD[f], _OUTWARD[g]) @ (_CUBE[q - 1] - _CUBE[p - 1]) > 0.0 else (g, f)
 
 
 BESIDE = np.array([_beside(p, q) for p, q in EDGES])
-"""(12, 2) faces that meet in an edge: the cross product of their normals points along the edge."""
+"""(12, 2) faces that meet in each edge, ordered so that the cross product of their normals points along the edge."""
 
 
 def pack(vertices: Array) -> Array:
-    """Packs vertices (8, 3) [m], in their order, with the planes of their faces; checks nothing.
+    """Pack vertices (8, 3) [m], in their order, with the planes of their faces; no check is made.
 
-    A face's normal is square to its diagonals; its plane goes through the outermost of its vertices.
+    A face's normal is perpendicular to its diagonals. Its plane goes through its outermost vertex.
     """
     p, q, r, s = vertices[CORNERS].transpose(1, 0, 2)
     normals = np.cross(s - p, r - q)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    normals *= np.array([1.0, -1.0, -1.0, 1.0, 1.0, -1.0])[:, None]  # as listed, the diagonals of b, c, f turn inwards
+    normals *= np.array([1.0, -1.0, -1.0, 1.0, 1.0, -1.0])[:, None]  # as listed, b, c and f would point inwards
     distances = np.einsum("fvk,fk->fv", vertices[CORNERS], normals).max(axis=1)
     return np.concatenate([vertices.T.ravel(), normals.T.ravel(), distances])
 
 
 def unpack(body: Array) -> Array:
-    """The vertices (8, 3) [m] of a packed body."""
+    """Return the vertices (8, 3) [m] of a packed body."""
     return body[:NX].reshape(3, VERTICES).T.copy()
 
 

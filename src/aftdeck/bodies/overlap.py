@@ -1,6 +1,6 @@
-"""How deep convex hexahedra are in each other, in plain NumPy: for checks at load, which must not wait for a compiler.
+"""Penetration depth of convex hexahedra in plain NumPy, for checks at load, which must not wait for a compiler.
 
-The theorem of separating axes over all face normals and all pairs of edges. Laws in flight use `bodies.watch`.
+Method: the theorem of separating axes over all face normals and all pairs of edges. Compiled code uses `bodies.watch`.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import CORNERS, ENDS
 
 _SHORT = 1e-12
-"""Squared length below which a product of two unit edges names no direction [1]: they are parallel."""
+"""Squared length up to which the cross product of two unit edges gives no direction [1]: they are parallel."""
 
 
 def overlap(a: Array, b: Array) -> float:
@@ -28,12 +28,12 @@ def overlap(a: Array, b: Array) -> float:
 
 
 def deepest(some: Sequence[Array], others: Sequence[Array]) -> float:
-    """Return how deep any of some hexahedra is in any of the others [m]; 0 where none overlap."""
+    """Return the greatest penetration depth of a hexahedron of `some` in one of `others` [m]; 0 if none overlap."""
     return max((overlap(a, b) for a, b in _near(some, others)), default=0.0)
 
 
 def _near(some: Sequence[Array], others: Sequence[Array]) -> Iterator[tuple[Array, Array]]:
-    """Yield the pairs whose boxes along the axes overlap."""
+    """Yield the pairs whose axis-aligned bounding boxes overlap."""
     if not len(some) or not len(others):
         return
     a, b = np.array(some), np.array(others)
@@ -43,7 +43,10 @@ def _near(some: Sequence[Array], others: Sequence[Array]) -> Iterator[tuple[Arra
 
 
 def _least(directions: Array, a: Array, b: Array) -> float:
-    """Return by how much two bodies overlap along that of some unit directions (n, 3) along which it is least [m]."""
+    """Return the least overlap of two bodies along any of the unit directions (n, 3) [m].
+
+    The overlap is negative along a direction that separates the bodies, and infinite if there are no directions.
+    """
     if not len(directions):
         return np.inf
     one, other = directions @ a.T, directions @ b.T
@@ -52,14 +55,14 @@ def _least(directions: Array, a: Array, b: Array) -> float:
 
 
 def _normals(body: Array) -> Array:
-    """(6, 3) unit normals of the faces."""
+    """Return the (6, 3) unit normals of the faces; those of b, c and f point inwards."""
     corners = body[CORNERS]
     normals = np.cross(corners[:, 3] - corners[:, 0], corners[:, 2] - corners[:, 1])
     return np.asarray(normals / np.linalg.norm(normals, axis=1)[:, None])
 
 
 def _edges(body: Array) -> Array:
-    """(12, 3) unit edges."""
+    """Return (12, 3) unit vectors along the edges."""
     ends = body[ENDS]
     edges = ends[:, 1] - ends[:, 0]
     return np.asarray(edges / np.linalg.norm(edges, axis=1)[:, None])

@@ -1,7 +1,7 @@
-"""Dynamic separating planes: a plane holds only when every vertex of both bodies has been looked at.
+"""Dynamic separating planes: a plane is valid only after a test of every vertex of both bodies.
 
-Coordinates of a packed body are taken by their number, 0 to 7 x, 8 to 15 y, 16 to 23 z, in pairs whose products do not
-wait for each other.
+The laws index the coordinates of a packed body directly: 0 to 7 are x, 8 to 15 y, 16 to 23 z. They take vertices in
+pairs, whose products do not wait for each other.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from aftdeck.law import law
 
 
 class Sides(NamedTuple):
-    """How far a reaches along a normal, and where b begins [m]; they are apart where the first is less."""
+    """Greatest coordinate of a and least of b along a normal [m]; the bodies are apart if the first is less."""
 
     a: float
     b: float
@@ -21,13 +21,13 @@ class Sides(NamedTuple):
 
 @law
 def lesser(p: float, q: float) -> float:
-    """The lesser of two."""
+    """Return the lesser of two numbers."""
     return q if q < p else p
 
 
 @law
 def least(body: Array, x: float, y: float, z: float) -> float:
-    """Least product of a vertex of a packed body with (x, y, z)."""
+    """Return the least dot product of a packed body's vertices with (x, y, z)."""
     p = lesser(x * body[0] + y * body[8] + z * body[16], x * body[4] + y * body[12] + z * body[20])
     q = lesser(x * body[1] + y * body[9] + z * body[17], x * body[5] + y * body[13] + z * body[21])
     r = lesser(x * body[2] + y * body[10] + z * body[18], x * body[6] + y * body[14] + z * body[22])
@@ -37,7 +37,7 @@ def least(body: Array, x: float, y: float, z: float) -> float:
 
 @law
 def lowest(body: Array, x: float, y: float, z: float) -> int:
-    """Which vertex of a packed body, from zero, lies lowest along (x, y, z)."""
+    """Return the vertex of a packed body, numbered from zero, that lies lowest along (x, y, z)."""
     p0 = x * body[0] + y * body[8] + z * body[16]
     p1 = x * body[1] + y * body[9] + z * body[17]
     p2 = x * body[2] + y * body[10] + z * body[18]
@@ -57,5 +57,5 @@ def lowest(body: Array, x: float, y: float, z: float) -> int:
 
 @law
 def sides(a: Array, b: Array, x: float, y: float, z: float) -> Sides:
-    """How far packed body a reaches along (x, y, z), and where b begins."""
+    """Return the greatest coordinate of packed body a and the least of packed body b along (x, y, z)."""
     return Sides(-least(a, -x, -y, -z), least(b, x, y, z))

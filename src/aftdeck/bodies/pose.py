@@ -1,4 +1,4 @@
-"""Poses as rows of twelve numbers, for laws: the origin [m], then the rotation row by row."""
+"""Poses as rows of twelve numbers, for the laws: the origin [m], then the rotation row by row."""
 
 from __future__ import annotations
 
@@ -11,29 +11,32 @@ from aftdeck.law import law
 POSE = 12
 """Length of a row."""
 HERE = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
-"""The row of a frame in itself."""
+"""Row of the identity pose: a frame in itself."""
 
 
 def row_of(pose: Pose) -> Array:
-    """A pose as a row."""
+    """Return a pose as a row."""
     return np.concatenate([pose.position, np.ravel(pose.rotation)])
 
 
 def inverse(row: Array) -> Array:
-    """(12,) the pose of a frame in a body whose pose (12,) in that frame is given."""
+    """Return the inverse (12,) of a body's pose in a frame: the pose of the frame in the body."""
     found = np.empty(POSE)
     relative(row, np.array(HERE), found)
     return found
 
 
 def pose_of(row: Array) -> Pose:
-    """A row as a pose."""
+    """Return a row as a pose."""
     return Pose(row[:3].copy(), row[3:].reshape(3, 3).copy())
 
 
 @law
 def compose(outer: Array, inner: Array, out: Array) -> None:
-    """A pose given in a frame, where that frame has the pose `outer`; rows (12,), `out` is neither of the two."""
+    """Write into `out` the composed pose: `inner` is given in a frame, and that frame has the pose `outer`.
+
+    All three are rows (12,). `out` must not be `outer` or `inner`.
+    """
     for i in range(3):
         a, b, c = outer[3 + 3 * i], outer[4 + 3 * i], outer[5 + 3 * i]
         out[i] = outer[i] + a * inner[0] + b * inner[1] + c * inner[2]
@@ -43,7 +46,10 @@ def compose(outer: Array, inner: Array, out: Array) -> None:
 
 @law
 def relative(frame: Array, body: Array, out: Array) -> None:
-    """The pose of a body in a frame, both given in a third; rows (12,), `out` is neither of the two."""
+    """Write into `out` the pose of a body in a frame, with both given in a third frame.
+
+    All three are rows (12,). `out` must not be `frame` or `body`.
+    """
     x, y, z = body[0] - frame[0], body[1] - frame[1], body[2] - frame[2]
     for i in range(3):
         a, b, c = frame[3 + i], frame[6 + i], frame[9 + i]

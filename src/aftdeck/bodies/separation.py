@@ -1,4 +1,4 @@
-"""How far two hexahedra are apart, and what proves it."""
+"""Clearance of two hexahedra, with the plane or feature that proves it."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ from aftdeck.bodies.watch import measure
 
 
 class Feature(NamedTuple):
-    """What of each body meets or is closest: ``vertex 3``, ``edge 34``, ``face b``, or ``body``.
+    """Features that collide or are closest, one of each body: ``vertex 3``, ``edge 34``, ``face b``, or ``body``.
 
-    A vertex and ``body``: the vertex lies inside the other body. An edge and a face: the edge pierces the face.
+    In a collision, a vertex and ``body`` mean that the vertex lies inside the other body; an edge and a face mean that
+    the edge pierces the face.
 
     Attributes:
-        a: of the first body.
-        b: of the second body.
+        a: feature of the first body.
+        b: feature of the second body.
     """
 
     a: str
@@ -29,11 +30,11 @@ class Feature(NamedTuple):
 
 
 class Plane(NamedTuple):
-    """A plane with all of the first body before it and all of the second behind: n·a < distance < n·b.
+    """Plane between two bodies: n·a < distance < n·b for every point a of the first and b of the second.
 
     Attributes:
         normal: (3,) unit normal, from the first body to the second [1].
-        distance: from the origin along the normal [m].
+        distance: distance from the origin along the normal [m].
     """
 
     normal: Array
@@ -41,7 +42,7 @@ class Plane(NamedTuple):
 
 
 class Closest(NamedTuple):
-    """The two points whose distance is the clearance, or that would touch last on the shortest way apart.
+    """Closest points, whose distance is the clearance; or the points that touch last on the shortest move apart.
 
     Attributes:
         a: (3,) point of the first body [m].
@@ -53,14 +54,16 @@ class Closest(NamedTuple):
 
 
 class Separation(NamedTuple):
-    """How two hexahedra stand to each other, in the frame that they were given in.
+    """Clearance of two hexahedra and its proof, in the frame in which their vertices were given.
 
     Attributes:
         collides: whether the clearance is at most 1e-9 m.
-        clearance: distance of the two; negative, minus the length of the shortest move that takes them apart [m].
-        closest: the closest points; they are as far from each other as the clearance says.
-        plane: a plane between them, checked with all sixteen vertices; None where they collide.
-        feature: what penetrates or touches where they collide, else what the closest points lie on.
+        clearance: distance of the two [m]; if they overlap, minus the length of the shortest move that takes them
+            apart.
+        closest: the closest points; their distance is the absolute clearance.
+        plane: a plane between the bodies, checked with all sixteen vertices; None if the bodies collide.
+        feature: the features that penetrate or touch if the bodies collide, else those on which the closest points
+            lie.
     """
 
     collides: bool
@@ -71,18 +74,18 @@ class Separation(NamedTuple):
 
 
 def separation(a: ArrayLike, b: ArrayLike) -> Separation:
-    """Clearance, closest points and separating plane or penetrating feature of two convex hexahedra.
+    """Return clearance, closest points and separating plane or penetrating feature of two convex hexahedra.
 
-    Vertices are numbered v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in axes of each body's
-    own. Clearances are right to 1e-12 m for bodies some tens of metres from the origin. Two bodies watched frame by
-    frame inside compiled code are cheaper with `aftdeck.bodies.watch`.
+    Vertices are numbered v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in each body's own
+    axes. Clearances are accurate to 1e-12 m for bodies some tens of metres from the origin. For two bodies watched
+    step by step inside compiled code, `aftdeck.bodies.watch` is cheaper.
 
     Args:
         a: (8, 3) vertices of the first body [m].
         b: (8, 3) vertices of the second, in the same frame [m].
 
     Raises:
-        InputError: not convex, not flat in its faces, without volume, or not so numbered; names the vertex.
+        InputError: a body is not convex, has a bent face, has no volume, or is numbered otherwise; names the vertex.
 
     Examples:
         >>> import numpy as np
@@ -99,7 +102,7 @@ def separation(a: ArrayLike, b: ArrayLike) -> Separation:
 
 
 def read(pair: Array) -> Separation:
-    """What a pair that `measure` has filled says."""
+    """Return the contents of a pair that `measure` has filled."""
     collides = bool(pair[CLEARANCE] <= CONTACT)
     return Separation(
         collides,
@@ -111,7 +114,7 @@ def read(pair: Array) -> Separation:
 
 
 def named(bits: int) -> str:
-    """The name of the smallest feature that has all vertices v whose bits 2**(v - 1) are set."""
+    """Return the name of the smallest feature that contains all vertices v whose bits 2**(v - 1) are set."""
     vertices = {v for v in range(1, 9) if bits >> (v - 1) & 1}
     if len(vertices) == 1:
         return f"vertex {min(vertices)}"

@@ -1,4 +1,4 @@
-"""A solid: a convex hexahedron for collision, with the frame that carries it and the name that people give it."""
+"""Solid: a convex hexahedron for collision, with the frame that carries it and the name of its part."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from aftdeck.arrays import Array
 
 
 class Solid(NamedTuple):
-    """A convex hexahedron for collision.
+    """Convex hexahedron for collision.
 
     Attributes:
-        part: what people call it: "upper boom", "palm", "bay wall port"; several solids may share a part.
-        frame: name of the frame that carries it.
+        part: name that the operator reads: "upper boom", "palm", "bay wall port"; several solids may share a part.
+        frame: name of the frame that carries the solid.
         vertices: (8, 3) in that frame [m], numbered as in `bodies.hexahedron`.
     """
 

@@ -1,7 +1,7 @@
-"""A watched pair of hexahedra, frame after frame: is its last plane still good, do the two collide, how far apart?
+"""Repeated test of a watched pair of hexahedra: validity of the last plane, collision, and clearance.
 
-For use inside compiled code. The answer stands in the packed pair (`pair.py`); a plane is stored only after all sixteen
-vertices were looked at, and a collision only with what proves it.
+For use inside compiled code. The answer is written into the packed pair (`pair.py`). A plane is stored only after a
+test of all sixteen vertices, and a collision only with the features that prove it.
 """
 
 from __future__ import annotations
@@ -34,15 +34,15 @@ from aftdeck.law import law
 
 EDGE_BITS = (1 << ENDS).sum(axis=1)
 FACE_BITS = (1 << CORNERS).sum(axis=1)
-"""The features that are an edge, (12,), and a face, (6,), written as in a packed pair."""
+"""Features of the edges (12,) and of the faces (6,), as written in a packed pair."""
 ASIDE = 1e-9
-"""How far apart bodies in contact are taken to find the points that touch last [m]: little, for a point beside the
-nearest one is then visibly farther."""
+"""Distance left between bodies in contact, after a move apart, to find the points that touch last [m]. It is small, so
+that a point beside the nearest one is measurably farther."""
 
 
 @law
 def verified(a: Array, b: Array, pair: Array) -> bool:
-    """Whether the pair's last normal still separates packed bodies a and b; if so its plane is moved between them."""
+    """Return whether the pair's last normal still separates packed bodies a and b; if so, centre its plane."""
     found = sides(a, b, pair[NORMAL], pair[NORMAL + 1], pair[NORMAL + 2])
     if found.b - found.a <= CONTACT:
         return False
@@ -52,9 +52,10 @@ def verified(a: Array, b: Array, pair: Array) -> bool:
 
 @law
 def verdict(a: Array, b: Array, pair: Array) -> bool:
-    """Whether packed bodies a and b collide, with a witness but mostly without the closest pair.
+    """Return whether packed bodies a and b collide, with a witness but mostly without the closest points.
 
-    Fills NORMAL and DISTANCE or, where they collide, the features; the rest of the answer is NaN unless it was needed.
+    Fills NORMAL and DISTANCE or, if the bodies collide, the features. CLEARANCE and the closest points are NaN unless
+    the verdict needed them.
     """
     pair[CLEARANCE : POINT_B + 3] = np.nan
     if verified(a, b, pair):
@@ -71,7 +72,7 @@ def verdict(a: Array, b: Array, pair: Array) -> bool:
 
 @law
 def measure(a: Array, b: Array, pair: Array) -> float:
-    """The clearance of packed bodies a and b [m]; fills the whole of the pair."""
+    """Return the clearance of packed bodies a and b [m], and fill the whole pair."""
     near = nearest(a, b, 0.0, 0.0, 0.0, _start(a, b, pair), np.inf)
     _remember(pair, near.simplex)
     if near.gap <= CONTACT:
@@ -84,17 +85,17 @@ def measure(a: Array, b: Array, pair: Array) -> float:
 
 @law
 def measure_all(bodies: Array, watched: Indices, pairs: Array) -> None:
-    """Measure many pairs: packed bodies (n, 48), which two are watched (m, 2), packed pairs (m, 17)."""
+    """Measure many pairs: packed bodies (n, 48), indices of the watched two (m, 2), packed pairs (m, 17)."""
     for k in range(len(watched)):
         measure(bodies[watched[k, 0]], bodies[watched[k, 1]], pairs[k])
 
 
 @law
 def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
-    """The clearance of bodies that overlap or are within rounding and CONTACT of it; fills the pair.
+    """Return the clearance of bodies that overlap or are within rounding and CONTACT of overlap, and fill the pair.
 
-    A closest pair of overlapping bodies are the points that would touch last on the shortest way out: those that are
-    closest once a has gone that way and a little further.
+    The closest points of overlapping bodies are the points that touch last on the shortest move apart: the points that
+    are closest once a has made that move and gone a little further.
     """
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)
@@ -120,9 +121,9 @@ def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
 
 @law
 def _penetrates(a: Array, b: Array, pair: Array) -> bool:
-    """Whether a vertex of one body lies inside the other, or an edge pierces a face; if so these are the features.
+    """Return whether a vertex lies inside the other body or an edge pierces a face; if so, store these features.
 
-    It leaves the pair without a plane (subroutine COLLIDE).
+    Clears the pair's plane (subroutine COLLIDE).
     """
     pair[NORMAL : NORMAL + 4] = 0.0
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
@@ -151,7 +152,10 @@ def _penetrates(a: Array, b: Array, pair: Array) -> bool:
 
 @law
 def _start(a: Array, b: Array, pair: Array) -> Simplex:
-    """The last simplex, where the bodies are now; of a pair never seen, the corner towards the other's middle."""
+    """Return the last simplex at the bodies' present poses.
+
+    For a pair that was never measured, return the corner of the two vertices that face the other body's middle.
+    """
     size = int(pair[SIZE])
     if size == 0:
         # Vertices 1 and 8 are opposite.
@@ -173,7 +177,7 @@ def _start(a: Array, b: Array, pair: Array) -> Simplex:
 
 @law
 def _remember(pair: Array, s: Simplex) -> None:
-    """Keep the simplex to start from next time; of a tetrahedron, a face."""
+    """Store the simplex as the start of the next search; of a tetrahedron, store a face."""
     pair[SIZE] = min(s.size, 3)
     pair[SIMPLEX] = 8 * s.p.a + s.p.b
     pair[SIMPLEX + 1] = 8 * s.q.a + s.q.b
@@ -182,7 +186,7 @@ def _remember(pair: Array, s: Simplex) -> None:
 
 @law
 def _put_plane(a: Array, b: Array, pair: Array, s: Simplex) -> None:
-    """The plane square to the shortest way from a to b, halfway (subroutine SPTSG)."""
+    """Store the plane perpendicular to the shortest line from a to b, halfway along it (subroutine SPTSG)."""
     per = -1.0 / sqrt(s.x * s.x + s.y * s.y + s.z * s.z)
     pair[NORMAL], pair[NORMAL + 1], pair[NORMAL + 2] = s.x * per, s.y * per, s.z * per
     verified(a, b, pair)
@@ -190,7 +194,7 @@ def _put_plane(a: Array, b: Array, pair: Array, s: Simplex) -> None:
 
 @law
 def _put_points(a: Array, b: Array, pair: Array, s: Simplex) -> None:
-    """The points of a and b that the simplex's point is made of, and the features that they lie on."""
+    """Store the points of a and b that make up the simplex's point, and the features on which they lie."""
     p, q, r = weights(s)
     i, j, k = s.p.a, s.q.a, s.r.a
     pair[POINT_A] = p * a[X + i] + q * a[X + j] + r * a[X + k]

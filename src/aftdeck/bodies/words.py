@@ -1,8 +1,8 @@
-"""Location words: on which faces' TRUE sides the vertices of one hexahedron lie, seen from another.
+"""Location words: for each vertex of one hexahedron, the faces of another on whose TRUE side the vertex lies.
 
-The vertex-face test of the final report of the Remote Manipulator Simulation (IV.B.1; its subroutines EFFTST, a's
-vertices against b's faces, and NORMS, changed over). A word of zeros is a vertex inside: a collision. A bit that is
-set in all eight words names a face whose plane separates the two.
+Source: vertex-face test of the final report of the Remote Manipulator Simulation (IV.B.1): subroutine EFFTST for a's
+vertices against b's faces, NORMS for the reverse. A word of zeros means that the vertex is inside: a collision. A bit
+that is set in all eight words names a face whose plane separates the two bodies.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Words = NDArray[np.int64]
 
 
 class Deepest(NamedTuple):
-    """The vertex, from zero, that lies deepest inside, and how far its nearest face is, negative inside [m]."""
+    """Vertex that lies deepest inside, numbered from zero, and its greatest height over a face, negative inside [m]."""
 
     vertex: int
     height: float
@@ -28,7 +28,7 @@ class Deepest(NamedTuple):
 
 @law
 def heights(a: Array, b: Array, above: Array) -> None:
-    """Write into `above` (6, 8) how far packed body a's vertices stand outside the faces of b, negative inside [m]."""
+    """Write into `above` (6, 8) the heights of packed body a's vertices over the faces of b, negative inside [m]."""
     for f in range(SIDES):
         nx, ny, nz, d = b[NX + f], b[NY + f], b[NZ + f], b[D + f]
         for v in range(VERTICES):
@@ -37,7 +37,7 @@ def heights(a: Array, b: Array, above: Array) -> None:
 
 @law
 def location_words(above: Array, words: Words) -> None:
-    """Write the location words: bit 0 for face a, to bit 5 for face f, set where the vertex is on its TRUE side."""
+    """Write the location words: bit 0 for face a, to bit 5 for face f, set if the vertex is on the face's TRUE side."""
     for v in range(VERTICES):
         word = 0
         for f in range(SIDES):
@@ -47,7 +47,7 @@ def location_words(above: Array, words: Words) -> None:
 
 @law
 def deepest(above: Array) -> Deepest:
-    """The vertex that lies deepest inside all faces, or least far outside one."""
+    """Return the vertex that lies deepest inside all faces; if none is inside, the one least far outside a face."""
     vertex, best = 0, np.inf
     for v in range(VERTICES):
         height = above[0, v]

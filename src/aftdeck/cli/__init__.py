@@ -15,17 +15,17 @@ from aftdeck.errors import AftdeckError
 __all__ = ["app", "main"]
 
 COMMANDS = (_flights, _arm, _recordings)
-"""Modules whose commands `app` has once they are imported, in the order of its help."""
+"""Modules that add their commands to `app` when they are imported, in the order of its help."""
 
 READER_GONE = 141
-"""Exit code where the reader of a pipe has gone: a shell's for SIGPIPE."""
+"""Exit code if the reader of a pipe has closed it: a shell's exit code for SIGPIPE."""
 
 
 def main() -> None:
-    """Run the command line; bad input ends with a sentence and exit code 2.
+    """Run the command line; after bad input, print a sentence and exit with code 2.
 
-    A terminal that cannot show a sign gets a question mark for it. A reader that goes before the end (``| head``)
-    ends the program quietly.
+    A character that the terminal cannot show is printed as a question mark. If the reader of a pipe closes it early
+    (``| head``), the program ends without a message.
     """
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
@@ -41,7 +41,7 @@ def main() -> None:
     except (BrokenPipeError, SystemExit) as error:
         if not isinstance(error, BrokenPipeError) and not isinstance(error.__context__, BrokenPipeError):
             raise
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # for the interpreter's own last flush
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the interpreter flushes stdout once more at exit
         raise SystemExit(READER_GONE) from None
     except KeyboardInterrupt:
         raise SystemExit(130) from None

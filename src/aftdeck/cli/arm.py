@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Question(StrEnum):
-    """What `aftdeck arm` can be asked."""
+    """Questions that `aftdeck arm` answers."""
 
     forward = "forward"
     inverse = "inverse"
@@ -29,7 +29,7 @@ class Question(StrEnum):
 
 
 class FrameChoice(StrEnum):
-    """Frames that poses can be given and shown in."""
+    """Coordinate frames in which poses can be given and shown."""
 
     L = "L"
     orbiter = "orbiter"
@@ -106,7 +106,7 @@ def _forward(loaded: Arm, values: list[float], deg: bool, frame: str, as_json: b
 
 
 def _shown(loaded: Arm, pose: Pose, frame: str) -> tuple[list[float], tuple[float, ...], str]:
-    """Position, angles [rad] and the position's unit, as `frame` shows them."""
+    """Return a pose's position in `frame`, its angles there [rad], and the position's unit."""
     from aftdeck.frames import oriend
 
     if frame == "panel":
@@ -158,12 +158,12 @@ def _limits(loaded: Arm, deg: bool, as_json: bool) -> None:
 
 
 def _shown_limits(rows: Sequence[Mapping[str, object]], names: tuple[str, ...], ending: str) -> list[dict[str, object]]:
-    """The rows' limits of these names, as text."""
+    """Return the rows' limits with these names, as text."""
     return [{"joint": row["joint"]} | {name: _range(row[name + ending]) for name in names} for row in rows]
 
 
 def _range(limit: object) -> str:
-    """``-2 .. 145`` for a pair of limits, ``2.29`` for a rate."""
+    """Return ``-2 .. 145`` for a pair of limits, ``2.29`` for a rate."""
     return " .. ".join(f"{v:.4g}" for v in limit) if isinstance(limit, list) else f"{limit:.4g}"
 
 

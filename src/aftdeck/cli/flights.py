@@ -1,4 +1,4 @@
-"""Commands that fly: ``fly``, ``run``; and those that look at scenarios and arms."""
+"""Commands that run scenarios (``fly``, ``run``), check them, and list scenarios and arms."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def run(
 def _flown(
     scenario: Scenario, out: Path | None, channels: Path | None, words: Path | None, seed: int | None
 ) -> tuple[Summary, AftdeckError | None]:
-    """Fly a scenario with the arguments of `run`; return its summary, and why its recording was lost, if it was."""
+    """Run a scenario with the arguments of `run`; return its summary, and the error if its recording failed."""
     from aftdeck.recording.index import Index
     from aftdeck.recording.run import UnrecordedRunError, record
     from aftdeck.simulation.run import run as fly
@@ -153,7 +153,7 @@ def _flown(
 
 
 def _cautions(scenario: Scenario, surveyed: Sequence[Problem] = ()) -> tuple[str, ...]:
-    """Return a sentence for each caution: those that loading found, and those of a survey."""
+    """Return a sentence for each caution that loading or a survey found."""
     from aftdeck.files import sentences
 
     return tuple(sentences([*scenario.cautions, *surveyed], f"{scenario.name}.toml", scenario.text))

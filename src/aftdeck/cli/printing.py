@@ -1,4 +1,4 @@
-"""What commands print: JSON, tables, summaries, a progress bar."""
+"""Output of the commands: JSON, tables, summaries, a progress bar."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def print_summary(s: Summary) -> None:
-    """Print a run's summary for people."""
+    """Print a run's summary as readable text."""
     ended = {"completed": "completed", "time": "ended by its duration", "fault": "ENDED IN A FAULT"}[s.ended]
     print(f"{s.scenario}: {ended} after {s.time_s:.2f} s" + (f", in phase {s.phase!r}" if s.phase else ""))
     print("  joints     " + "  ".join(f"{math.degrees(q):.3f}" for q in s.joints_rad) + "  deg")
@@ -33,18 +33,18 @@ def print_summary(s: Summary) -> None:
 
 
 def print_complaint(text: str) -> None:
-    """Say what went wrong beside a command that was done all the same."""
+    """Print on standard error a problem that does not stop the command."""
     print(f"aftdeck: {text}", file=sys.stderr, flush=True)
 
 
 def print_cautions(cautions: Iterable[str]) -> None:
-    """Say on standard error what does not fit in a scenario that can be flown all the same."""
+    """Print on standard error the cautions of a scenario; the scenario can still be run."""
     for caution in cautions:
         print(f"caution: {caution}", file=sys.stderr, flush=True)
 
 
 def print_json(value: object, indent: int | None = None) -> None:
-    """Print JSON in plain ASCII, which every terminal and pipe carries whole."""
+    """Print JSON in plain ASCII, which every terminal and pipe transmits unchanged."""
     import json
 
     import msgspec
@@ -53,15 +53,15 @@ def print_json(value: object, indent: int | None = None) -> None:
 
 
 _LEAST_ROOM = 24
-"""Characters that a table's last column has at least."""
+"""Minimum width of a table's last column [characters]."""
 _INDENT = 4
-"""Of a last column that stands below its row."""
+"""Indentation of a last column that is printed below its row [characters]."""
 
 
 def print_table(rows: Sequence[Mapping[str, object]], columns: tuple[str, ...], as_json: bool) -> None:
-    """Print rows as JSON or as a table, whose last column is wrapped between words to the terminal's width.
+    """Print rows as JSON, or as a table whose last column is wrapped between words to the terminal's width.
 
-    Where the other columns leave too little room for that, it stands below each row.
+    If the other columns leave too little room, the last column is printed below each row.
     """
     if as_json:
         print_json(rows)
@@ -88,7 +88,7 @@ def print_table(rows: Sequence[Mapping[str, object]], columns: tuple[str, ...], 
 
 
 class Progress:
-    """A progress bar on a terminal; nothing where standard error is none."""
+    """Progress bar on a terminal; nothing is shown if standard error is not a terminal."""
 
     def __init__(self, title: str) -> None:
         self._title = title

@@ -1,4 +1,4 @@
-"""Commands on session files: ``replay`` and ``recordings``."""
+"""Commands on recordings: ``replay`` and ``recordings``."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     from aftdeck.recording.replay import Verdict
 
 MOST_FIELDS = 6
-"""Fields of a first difference that are printed."""
+"""Maximum number of fields of a first difference that are printed."""
 MOST_EVENTS = 20
-"""Changed lines of the log that are printed."""
+"""Maximum number of changed lines of the log that are printed."""
 ENDS = ("completed", "time", "fault", "stopped", "restarted", "cut", "recording")
-"""How a recording may have ended, or that it has not."""
+"""Ways in which a recording can have ended, and ``recording`` for one that has not."""
 _SINCE = re.compile(r"|\d{4}(-\d\d(-\d\d(T\d\d(:\d\d(:\d\d)?)?)?)?)?")
 
 

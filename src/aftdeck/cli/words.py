@@ -1,4 +1,4 @@
-"""Files of the 1972 report's channels and words, for the commands that write them or fly by them."""
+"""Files of the 1972 report's channels and words, for the commands that write them or take inputs from them."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ Operator = Callable[[Simulation], Inputs | None]
 
 @contextmanager
 def writing(scenario: Scenario, path: Path) -> Iterator[Stepped]:
-    """Write a flight's channels and words; what they could not say is told at the end.
+    """Write a run's channels and words into a new file; at the end, print what they could not express.
 
     Raises:
-        InputError: another arm, or a file that is there already or cannot be written.
+        InputError: the arm is not the report's, or the file exists already or cannot be written.
     """
     with new_words_file(scenario, path) as file:
         writer = WordsWriter(file, scenario)
@@ -33,12 +33,12 @@ def writing(scenario: Scenario, path: Path) -> Iterator[Stepped]:
 
 
 def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator, tuple[str, ...]]:
-    """Return the scenario, an operator who gives the samples of a file, and the scenario's changes as KEY=VALUE.
+    """Return the scenario, an operator that gives the samples of a file, and the scenario's changes as KEY=VALUE.
 
-    The channels are what the report's program read: no command delay holds them back, and the scenario loses its own.
+    The channels are what the report's program read, so no command delay applies: the scenario's own is set to 0.
 
     Raises:
-        InputError: another arm, or a file that is none of channels.
+        InputError: the arm is not the report's, or the file is not a file of channels.
     """
     check_arm(scenario)
     channels = read_channels(path, scenario.control_period)
@@ -49,5 +49,5 @@ def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator, tup
 
 
 def _listed(unsaid: Counter[str]) -> str:
-    """``latch in 1 step, rate in 300 steps``."""
+    """Return a text such as ``latch in 1 step, rate in 300 steps``."""
     return ", ".join(f"{name} in {steps} step{'s' if steps != 1 else ''}" for name, steps in sorted(unsaid.items()))

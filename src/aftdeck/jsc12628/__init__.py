@@ -1,12 +1,12 @@
-"""The subroutines of JSC-12628, one call each, in the report's symbols.
+"""Subroutines of JSC-12628, one function each, in the report's symbols.
 
-A thin layer over the compiled laws that the simulation flies, without a formula of its own. Where the simulation
-differs from the source, these calls are the source's (a scenario's ``strict``): VCLOSE and AVCLMT as restored, RMANGS's
-own branch, no stops of joints.
+The package is a thin layer over the simulation's compiled laws, without a formula of its own. Where the simulation
+differs from the source, these functions follow the source (a scenario's ``strict``): VCLOSE and AVCLMT as published,
+RMANGS's own branch, no joint stops.
 
 Lengths are metres, or feet with ``units="ft"``; angles are radians, times seconds. Vectors and rotations are in the
-report's orbiter frame B unless said otherwise. A rotation T_BN has the axes of frame N as its columns, in B. Joint
-angles are the operator's: those of the report, but for the offsets of an elbow that lies beneath the boom line.
+report's orbiter frame B unless stated otherwise. A rotation T_BN has the axes of frame N as its columns, in B. Joint
+angles are the operator's: those of the report, except for the offsets of an elbow that lies beneath the boom line.
 
 Example:
     >>> import numpy as np

@@ -1,4 +1,4 @@
-"""VOTRAN, AVCLMT and RATLMT: a mode's command in B, and what the limits leave of it."""
+"""VOTRAN, AVCLMT and RATLMT: a mode's command in B, and the same command within the limits."""
 
 from __future__ import annotations
 
@@ -33,16 +33,16 @@ class Wanted(NamedTuple):
 
 
 class Vtopen(NamedTuple):
-    """The open-loop profile of mode 3.
+    """Open-loop profile of mode 3.
 
     Attributes:
         R_V: greatest speed.
         R_omega: greatest angular rate [rad/s].
-        ETA: the phase's end [s].
-        t_v1: end of the speeding up [s].
-        t_v2: beginning of the slowing down [s].
-        t_w1: the same of the rotation [s].
-        t_w2: the same of the rotation [s].
+        ETA: end of the phase [s].
+        t_v1: end of the translation's acceleration [s].
+        t_v2: beginning of the translation's deceleration [s].
+        t_w1: end of the rotation's acceleration [s].
+        t_w2: beginning of the rotation's deceleration [s].
     """
 
     R_V: float
@@ -58,8 +58,8 @@ class Ratlmt(NamedTuple):
     """Joint rates within their limits.
 
     Attributes:
-        RATIO: of all of them to those commanded, at most 1.
-        theta_dot_C: (6,) [rad/s].
+        RATIO: ratio of each rate to the commanded rate, at most 1.
+        theta_dot_C: (6,) joint rates [rad/s].
     """
 
     RATIO: float
@@ -73,17 +73,18 @@ def votran(
     """Return a mode's commanded velocities in B (JSC-12628, subroutine VOTRAN, p. 33).
 
     Args:
-        mode: 2 and 4: they are given in B. 5: in the end effector's frame 7. 6: in the payload's frame 8. 7: rotation
-            in frame 8, translation in B. 3: R_omega U_omega and R_V U_V, which are scaled by the profile's ramps.
+        mode: meaning of the commands. 2 and 4: given in B. 5: given in the end effector's frame 7. 6: given in the
+            payload's frame 8. 7: rotation in frame 8, translation in B. 3: R_omega U_omega and R_V U_V, which the
+            profile's ramps scale.
         omega_C: (3,) omega_C', commanded angular velocity [rad/s].
         V_C: (3,) V_C', commanded velocity, in any unit of length.
         T_B7: (3, 3) the end effector's frame, for modes 5 to 7.
         T_78: (3, 3) the payload's axes in frame 7, for modes 6 and 7.
-        profile: for mode 3.
+        profile: result of VTOPEN, for mode 3.
         TP: phase time so far [s], for mode 3.
 
     Raises:
-        InputError: another mode, or mode 3 without its profile.
+        InputError: the mode is not 2 to 7, or mode 3 has no profile.
     """
     omega, v = array(omega_C, (3,), "omega_C"), array(V_C, (3,), "V_C")
     tip, rules = tip_of(_NONE, array(T_B7, (3, 3), "T_B7")), strict_rules()
@@ -111,7 +112,7 @@ def avclmt(
     omega_C: ArrayLike, V_C: ArrayLike, omega: ArrayLike, V: ArrayLike, *, V_L: float, omega_L: float,
     V_L_dot: float, omega_L_dot: float, DT: float, units: Units = "m",
 ) -> Wanted:  # fmt: skip
-    """Return commanded velocities held to the tip's limits, acceleration first (JSC-12628, subroutine AVCLMT, p. 6).
+    """Return commanded velocities within the tip's limits, acceleration first (JSC-12628, subroutine AVCLMT, p. 6).
 
     Args:
         omega_C: (3,) commanded angular velocity [rad/s].
@@ -135,9 +136,9 @@ def avclmt(
 
 
 def ratlmt(theta_dot_C: ArrayLike, theta_dot_L: ArrayLike) -> Ratlmt:
-    """Return joint rates cut in one ratio, so that each is within its limit (JSC-12628, subroutine RATLMT, p. 24).
+    """Return joint rates scaled by one ratio, so that each is within its limit (JSC-12628, subroutine RATLMT, p. 24).
 
-    Stops and singularities, which the simulation's RATLMT sees to as well, are not looked at.
+    The simulation's RATLMT also handles stops and singularities; this function ignores them.
 
     Args:
         theta_dot_C: (6,) commanded joint rates [rad/s].

@@ -18,12 +18,13 @@ from aftdeck.kinematics.observe import observe_link
 
 
 class Lnkage(NamedTuple):
-    """Where the arm is.
+    """Tip position, and frames of the arm.
 
     Attributes:
-        r_6B: (3,) the tip.
+        r_6B: (3,) tip position.
         T_B7: (3, 3) the end effector's frame.
-        T_B5: (3, 3) the wrist-pitch frame, in which JACOBI's matrix stands; for the concept arm the lower arm's.
+        T_B5: (3, 3) the wrist-pitch frame, in which JACOBI's matrix is given; for the concept arm the lower arm's
+            frame.
     """
 
     r_6B: Array
@@ -32,7 +33,7 @@ class Lnkage(NamedTuple):
 
 
 class Erates(NamedTuple):
-    """How the tip moves.
+    """Velocities of the tip.
 
     Attributes:
         omega: (3,) angular velocity [rad/s].
@@ -44,12 +45,12 @@ class Erates(NamedTuple):
 
 
 class Rmsist(NamedTuple):
-    """The arm at the start of a case.
+    """State of the arm at the start of a case.
 
     Attributes:
         theta: (6,) joint angles [rad].
         theta_dot: (6,) joint rates [rad/s].
-        r_6B: (3,) the tip.
+        r_6B: (3,) tip position.
         T_B7: (3, 3) the end effector's frame.
         omega: (3,) the tip's angular velocity [rad/s].
         V: (3,) the tip's velocity.
@@ -67,7 +68,7 @@ def lnkage(arm: Arm, theta: ArrayLike, units: Units = "m") -> Lnkage:
     """Return tip position and orientation (JSC-12628, subroutine LNKAGE, p. 14).
 
     Args:
-        arm: with its telescope's length, if it has one.
+        arm: the arm; one with a telescope is set to the telescope's length.
         theta: (6,) joint angles [rad].
         units: of `r_6B`.
     """
@@ -135,7 +136,7 @@ def rmsrat(arm: Arm, theta: ArrayLike, omega_C: ArrayLike, V_C: ArrayLike, units
         (6,) joint rates theta_dot_C [rad/s].
 
     Raises:
-        SingularityError: the arm is at a singularity; which one.
+        SingularityError: the arm is at a singularity; names it.
     """
     to_l = arm.model.mount.rotation.T
     omega, v = to_l @ array(omega_C, (3,), "omega_C"), to_l @ array(V_C, (3,), "V_C") * metres(units)
@@ -145,21 +146,21 @@ def rmsrat(arm: Arm, theta: ArrayLike, omega_C: ArrayLike, V_C: ArrayLike, units
 def rmangs(arm: Arm, r_6B: ArrayLike, T_B7: ArrayLike, units: Units = "m") -> Array:
     """Return the joint angles of a pose, on the source's own branch (JSC-12628, subroutine RMANGS, p. 25).
 
-    `Arm.inverse` gives all branches. On the source's, theta_1 is the arc tangent of the wrist's direction, theta_5 lies
-    within 90 deg, and the elbow is above the line from shoulder to wrist. Joint limits are not looked at.
+    `Arm.inverse` returns all branches. On the source's branch, theta_1 is the arc tangent of the wrist's direction,
+    theta_5 lies within +-90 deg, and the elbow is above the line from shoulder to wrist. Joint limits are ignored.
 
     Args:
         arm: as for `lnkage`.
-        r_6B: (3,) the tip.
+        r_6B: (3,) tip position.
         T_B7: (3, 3) the end effector's frame.
         units: of `r_6B`.
 
     Returns:
-        (6,) joint angles [rad], within 180 deg.
+        (6,) joint angles [rad], within +-180 deg.
 
     Raises:
-        SingularityError: the pose fixes no single set of angles.
-        UnreachableError: this branch does not reach it.
+        SingularityError: the pose does not determine the angles.
+        UnreachableError: this branch does not reach the pose.
     """
     given = Pose(array(r_6B, (3,), "r_6B") * metres(units), array(T_B7, (3, 3), "T_B7"))
     pose = arm.model.mount.from_("orbiter", given)
@@ -187,15 +188,15 @@ def rmsist(
 
     Args:
         arm: as for `lnkage`.
-        theta: (6,) joint angles [rad]; None: those of RMANGS for `r_6B` and `T_B7`.
+        theta: (6,) joint angles [rad]; None for those of RMANGS for `r_6B` and `T_B7`.
         theta_dot: (6,) joint rates [rad/s].
-        r_6B: (3,) the tip, where `theta` is None.
-        T_B7: (3, 3) the end effector's frame, where `theta` is None.
+        r_6B: (3,) tip position, if `theta` is None.
+        T_B7: (3, 3) the end effector's frame, if `theta` is None.
         units: of lengths given and returned.
 
     Raises:
-        InputError: neither angles nor a pose, or both.
-        LimitError: a joint outside its hard limits.
+        InputError: neither angles nor a pose are given, or both are.
+        LimitError: a joint is outside its hard limits.
         SingularityError: as `rmangs`.
         UnreachableError: as `rmangs`.
     """

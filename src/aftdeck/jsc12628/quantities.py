@@ -1,4 +1,4 @@
-"""Arguments of the report's subroutines: units of length, and arrays of a shape."""
+"""Arguments of the report's subroutines: units of length, and arrays of a given shape."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from aftdeck.steering.layout import RULES, SPEED, SPEED_UP, STRICT, TURN, TURN_U
 from aftdeck.units import FOOT
 
 Units = Literal["m", "ft"]
-"""Of every length in a call: metres or feet."""
+"""Unit of every length in a call: metres or feet."""
 
 UNTURNED = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-"""The rotation that turns nothing."""
+"""Identity rotation."""
 _METRES: dict[Units, float] = {"m": 1.0, "ft": FOOT}
 
 
 def metres(units: Units) -> float:
-    """Return how many metres the unit of length has.
+    """Return the number of metres in the unit of length.
 
     Raises:
-        InputError: another unit.
+        InputError: the unit is neither 'm' nor 'ft'.
     """
     if units not in _METRES:
         raise InputError(f"units: got {units!r}, expected 'm' or 'ft'")
@@ -33,10 +33,10 @@ def metres(units: Units) -> float:
 
 
 def array(values: ArrayLike, shape: tuple[int, ...], name: str) -> Array:
-    """Return finite numbers of a shape, as float64.
+    """Return finite numbers of the given shape, as float64.
 
     Raises:
-        InputError: what is given is something else; names the argument.
+        InputError: the values are not finite numbers of that shape; names the argument.
     """
     try:
         given = np.asarray(values, dtype=np.float64)
@@ -53,7 +53,7 @@ def positive(value: float, name: str) -> float:
     """Return a finite number above zero.
 
     Raises:
-        InputError: it is not; names the argument.
+        InputError: the value is not a finite number above zero; names the argument.
     """
     number = float(array(value, (), name))
     if number <= 0.0:
@@ -62,14 +62,14 @@ def positive(value: float, name: str) -> float:
 
 
 def strict_rules() -> Array:
-    """Return a `rules` array of the steering laws that holds nothing but that the source is flown as published."""
+    """Return a `rules` array of the steering laws with nothing set but STRICT: the source runs as published."""
     rules = np.zeros(RULES)
     rules[STRICT] = 1.0
     return rules
 
 
 def limited_rules(V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float, length: float) -> Array:
-    """Return `strict_rules` with the limits of the tip's motion; `length` as of `metres`."""
+    """Return `strict_rules` with the limits of the tip's motion; `length` is the result of `metres`."""
     rules = strict_rules()
     rules[SPEED], rules[TURN] = positive(V_L, "V_L") * length, positive(omega_L, "omega_L")
     rules[SPEED_UP], rules[TURN_UP] = positive(V_L_dot, "V_L_dot") * length, positive(omega_L_dot, "omega_L_dot")

@@ -1,4 +1,4 @@
-"""OPERIN and MSTEER: a phase begun in one of the eight modes, and its steering step by step."""
+"""OPERIN and MSTEER: start of a phase in one of the eight modes, and its steering step by step."""
 
 from __future__ import annotations
 
@@ -49,16 +49,16 @@ from aftdeck.steering.layout import (
 from aftdeck.steering.layout import DT as PERIOD
 
 _NO_STOP = 1e6
-"""Joint angle [rad] that no joint comes to: the source's joints have no stops."""
+"""Joint angle [rad] that no joint reaches: the source's joints have no stops."""
 _ZERO = (0.0, 0.0, 0.0)
 
 
 class Phase:
-    """A phase under way: its limits and command, and what the last step left.
+    """Phase in progress: its limits and command, and the state after the last step.
 
     Attributes:
-        arm: that flies it.
-        mode: the report's, 1 to 8.
+        arm: the arm that the phase moves.
+        mode: the report's mode, 1 to 8.
         units: of lengths given and returned.
         TP: phase time so far [s].
     """
@@ -68,7 +68,7 @@ class Phase:
         self._rules, self._command, self._state = rules, command, state
 
     def _step(self, theta: Array, theta_dot: Array | None) -> Array:
-        """Fly one step of the laws; return their report."""
+        """Run one step of the steering laws, and return their report."""
         state, report = self._state, np.zeros(REPORT)
         state[ANGLES : ANGLES + 6] = theta
         state[MEASURED : MEASURED + 6] = state[RATES : RATES + 6] if theta_dot is None else theta_dot
@@ -78,15 +78,15 @@ class Phase:
 
 
 class Msteer(NamedTuple):
-    """A steering step.
+    """Result of one steering step.
 
     Attributes:
         theta_dot_C: (6,) commanded joint rates [rad/s].
         omega_C: (3,) the tip's commanded angular velocity [rad/s].
         V_C: (3,) its commanded velocity.
-        RATIO: what RATLMT left of the joint rates.
+        RATIO: ratio of the joint rates after RATLMT to those before.
         ETA: the phase's estimated end [s]; infinite in modes 4 to 8, which an operator ends.
-        done: whether an automatic phase has come to its end.
+        done: whether an automatic phase has ended.
     """
 
     theta_dot_C: Array
@@ -119,15 +119,15 @@ def operin(
         theta_F: (6,) final joint angles [rad], for mode 1.
         r_6BF: (3,) the tip's final position, for modes 2 and 3.
         T_B7F: (3, 3) its final orientation, for modes 2 and 3.
-        omega_C: (3,) omega_C' [rad/s], for modes 4 to 7, in the frame that the mode names.
+        omega_C: (3,) omega_C' [rad/s], for modes 4 to 7, in the mode's frame.
         V_C: (3,) V_C', likewise.
         T_78: (3, 3) the payload's axes in frame 7, for modes 6 and 7.
-        joint: 0 to 5, for mode 8.
+        joint: index of the joint, 0 to 5, for mode 8.
         theta_dot_C: theta_dot_C', that joint's rate [rad/s], for mode 8.
         units: of lengths given, and of those that `msteer` returns.
 
     Raises:
-        InputError: another mode, or what the mode needs is missing; names the argument.
+        InputError: the mode is not 1 to 8, or an argument that the mode needs is missing; names the argument.
     """
     if mode not in range(1, 9):
         raise InputError(f"mode: got {mode!r}, expected 1 to 8")
@@ -162,12 +162,12 @@ def operin(
 
 
 def msteer(phase: Phase, theta: ArrayLike, theta_dot: ArrayLike | None = None) -> Msteer:
-    """Fly one steering step of a phase (JSC-12628, subroutine MSTEER, p. 16); its phase time goes on by DT.
+    """Run one steering step of a phase (JSC-12628, subroutine MSTEER, p. 16), and advance its phase time by DT.
 
     Args:
-        phase: as `operin` began it, changed in place.
+        phase: result of `operin`, changed in place.
         theta: (6,) actual joint angles [rad].
-        theta_dot: (6,) actual joint rates [rad/s]; None: those commanded by the last step.
+        theta_dot: (6,) actual joint rates [rad/s]; None for those commanded by the last step.
     """
     rates = None if theta_dot is None else array(theta_dot, (6,), "theta_dot")
     report = phase._step(array(theta, (6,), "theta"), rates)
@@ -185,10 +185,10 @@ def msteer(phase: Phase, theta: ArrayLike, theta_dot: ArrayLike | None = None) -
 
 
 def _needed(value: ArrayLike | None, name: str, mode: int) -> ArrayLike:
-    """Return an argument that a mode cannot do without.
+    """Return an argument that a mode needs.
 
     Raises:
-        InputError: it is None.
+        InputError: the argument is None.
     """
     if value is None:
         raise InputError(f"{name}: mode {mode} needs it")

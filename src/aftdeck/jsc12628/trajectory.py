@@ -1,4 +1,4 @@
-"""LATRAJ, VCLOSE and VTOPEN: which way to a target, and how fast."""
+"""LATRAJ, VCLOSE and VTOPEN: direction and speed of the motion to a target."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from aftdeck.steering.layout import DT as PERIOD
 
 
 class Latraj(NamedTuple):
-    """The way to a target.
+    """Distance, angle and directions to a target.
 
     Attributes:
-        delta_V: distance.
+        delta_V: distance to the target.
         U_V: (3,) line of sight, a unit vector; zero at the target.
-        delta_omega: angle [rad], 0 to pi.
-        U_omega: (3,) angle of sight: the axis of the turn, a unit vector; zero where there is nothing to turn.
+        delta_omega: angle of the rotation to the target [rad], 0 to pi.
+        U_omega: (3,) angle of sight: the axis of that rotation, a unit vector; zero if no rotation is left.
     """
 
     delta_V: float
@@ -31,7 +31,7 @@ class Latraj(NamedTuple):
 
 
 class Vclose(NamedTuple):
-    """What mode 2 commands in a step.
+    """Command of mode 2 in one step.
 
     Attributes:
         V_C: speed along U_V.
@@ -47,10 +47,10 @@ class Vclose(NamedTuple):
 def latraj(r_6B: ArrayLike, T_B7: ArrayLike, r_6BF: ArrayLike, T_B7F: ArrayLike, units: Units = "m") -> Latraj:
     """Return line of sight and angle of sight to a target (JSC-12628, subroutine LATRAJ, p. 11).
 
-    The angle comes from an arc tangent where the source has an arc cosine: the same angle, with its digits.
+    The angle comes from an arc tangent, where the source has an arc cosine: the same angle, without loss of digits.
 
     Args:
-        r_6B: (3,) the tip.
+        r_6B: (3,) tip position.
         T_B7: (3, 3) the end effector's frame.
         r_6BF: (3,) the tip's final position.
         T_B7F: (3, 3) its final orientation.
@@ -71,16 +71,16 @@ def vclose(
 ) -> Vclose:  # fmt: skip
     """Return the closed-loop rates towards a target, as published (JSC-12628, subroutine VCLOSE, p. 30).
 
-    A difference of times by which the source would divide is taken as `DT` at least.
+    The source's small time epsilon is taken as `DT`.
 
     Args:
-        delta_V: distance left.
-        delta_omega: angle left [rad].
+        delta_V: remaining distance.
+        delta_omega: remaining angle [rad].
         V_L: greatest speed.
         omega_L: greatest angular rate [rad/s].
         V_L_dot: greatest acceleration.
         omega_L_dot: greatest angular acceleration [rad/s2].
-        DT: control period [s]; within it of the end both rates are zero.
+        DT: control period [s]; both rates are zero within one control period of the end.
         TP: phase time so far [s].
         units: of lengths given and returned.
     """
@@ -96,7 +96,7 @@ def vtopen(
     delta_V: float, delta_omega: float, *, V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float,
     units: Units = "m",
 ) -> Vtopen:  # fmt: skip
-    """Return the open-loop profile to a target (JSC-12628, subroutine VTOPEN, p. 36); arguments as of `vclose`."""
+    """Return the open-loop profile to a target (JSC-12628, subroutine VTOPEN, p. 36); arguments as for `vclose`."""
     length = metres(units)
     way, turn = _way(delta_V, delta_omega)
     found = profiles.vtopen(limited_rules(V_L, omega_L, V_L_dot, omega_L_dot, length), way * length, turn)

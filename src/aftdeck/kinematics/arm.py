@@ -1,4 +1,4 @@
-"""The arm as callers see it: forward, Jacobian, rates, inverse, singularities, in Python and in batches."""
+"""Python interface of the arm: forward kinematics, Jacobian, joint rates, inverse and singularities, in batches."""
 
 from __future__ import annotations
 
@@ -28,21 +28,21 @@ _FLOAT = np.dtype(np.float64)
 
 
 class Arm:
-    """An arm of one of the two families: the Shuttle's, or the concept's of 1972.
+    """Arm of one of the two families: the Shuttle's, or the concept's of 1972.
 
-    Joint angles are the operator's: the Shuttle's arm has all zero at the cradle, the concept's where it is
-    stretched out aft. Poses and twists are in L, the arm's base frame (for the concept arm the report's R), unless a
-    frame is named. What is said of frame 7 is said of system 2 of the concept arm. Every method takes any number of
-    leading dimensions unless it says otherwise.
+    Joint angles are the operator's: all are zero at the cradle for the Shuttle's arm, and with the arm stretched out
+    aft for the concept arm. Poses and twists are in L, the arm's base frame (for the concept arm the report's R),
+    unless a frame is named. For the concept arm, frame 7 means system 2. Every method takes any number of leading
+    dimensions unless its description says otherwise.
 
     Attributes:
         model: every constant, with its source.
-        name: as in the arm file.
+        name: name in the arm file.
         joints: names, base to tip.
         limits: `hard`, `soft` and `reach`, each (6, 2) [rad].
         rates: `servo`, `coarse` and `vernier`, each (6,) [rad/s].
         rate_limits: (6,) servo maxima [rad/s].
-        stand: length of the telescope that the arm stands on [m], a constant of this arm; None where it has none.
+        stand: length of the telescope under the arm [m], a constant of this arm; None if it has no telescope.
     """
 
     def __init__(self, model: ArmModel) -> None:
@@ -55,17 +55,17 @@ class Arm:
         self.stand = model.stand
 
     def __repr__(self) -> str:
-        """``Arm('srms')``."""
+        """Return text such as ``Arm('srms')``."""
         return f"Arm({self.name!r})"
 
     def at(self, *, stand: float) -> Arm:
-        """The same arm with its telescope at another length.
+        """Return the same arm with its telescope at another length.
 
         Args:
             stand: length, the shoulder's height above the telescope's foot [m].
 
         Raises:
-            InputError: an arm without a telescope, or a length outside the telescope's limits.
+            InputError: the arm has no telescope, or the length is outside the telescope's limits.
         """
         length = _floats(stand, "stand")
         if length.ndim:
@@ -73,7 +73,7 @@ class Arm:
         return Arm(self.model.at(float(length)))
 
     def forward(self, angles: ArrayLike) -> Pose:
-        """The tip's pose: frame 7 of JSC-12628, subroutine LNKAGE.
+        """Return the tip's pose: frame 7 of JSC-12628, subroutine LNKAGE.
 
         Args:
             angles: (..., 6) joint angles [rad].
@@ -88,7 +88,7 @@ class Arm:
         return Pose(position.reshape(*shape, 3), rotation.reshape(*shape, 3, 3))
 
     def jacobian(self, angles: ArrayLike) -> Array:
-        """The Jacobian in L, JSC-12628, subroutine JACOBI.
+        """Return the Jacobian in L (JSC-12628, subroutine JACOBI).
 
         Args:
             angles: (..., 6) joint angles [rad].
@@ -105,18 +105,18 @@ class Arm:
     def joint_rates(
         self, angles: ArrayLike, twist: ArrayLike, *, singular: Literal["raise", "mask"] = "raise"
     ) -> Array | tuple[Array, NDArray[np.bool_]]:
-        """Joint rates for a tip twist by the closed resolved-rate law, JSC-12628, subroutine RMSRAT.
+        """Return joint rates for a tip twist by the closed resolved-rate law (JSC-12628, subroutine RMSRAT).
 
         Args:
             angles: (..., 6) joint angles [rad].
             twist: (..., 6) angular [rad/s], then translational velocity [m/s] of the tip, in L.
-            singular: ``raise`` at a singular pose, or give finite rates there and a ``mask``.
+            singular: ``raise`` raises an error at a singular pose; ``mask`` returns finite rates there, and a mask.
 
         Returns:
-            (..., 6) rates [rad/s]; with ``mask`` also (...) true where the pose is singular.
+            (..., 6) rates [rad/s]; with ``mask`` also a mask (...), true where the pose is singular.
 
         Raises:
-            SingularityError: which one; only with ``raise``.
+            SingularityError: a pose is singular; names the singularity. Only with ``raise``.
         """
         if singular not in ("raise", "mask"):
             raise InputError(f"singular is 'raise' or 'mask', got {singular!r}")
@@ -137,7 +137,7 @@ class Arm:
         return rates.reshape(*shape, 6)
 
     def singularities(self, angles: ArrayLike) -> Singularities:
-        """Signed, normalised distances from the three singularities.
+        """Return the signed, normalised distances from the three singularities.
 
         Args:
             angles: (..., 6) joint angles [rad].
@@ -153,26 +153,27 @@ class Arm:
         return Singularities(found[0, ...], found[1, ...], found[2, ...])
 
     def inverse(self, pose: Pose, near: ArrayLike | None = None, limits: bool = True) -> Array:
-        """All joint angles that put the tip at a pose, JSC-12628, subroutine RMANGS.
+        """Return all sets of joint angles that put the tip at a pose (JSC-12628, subroutine RMANGS).
 
         Args:
             pose: position (3,) [m] and rotation (3, 3) of frame 7, in L.
-            near: (6,) angles; solutions come nearest first (root of the sum of squared differences), wrist
-                roll in the revolution nearest to it. Without it: nearest to all angles zero, wrist roll
-                within +-180 deg.
-            limits: leave out solutions outside the hard limits.
+            near: (6,) angles [rad]; solutions are sorted by their distance from `near` (root of the sum of squared
+                differences), nearest first, each angle in the revolution nearest to `near`. None: sorted by their
+                distance from all angles zero, each angle within +-180 deg.
+            limits: move angles by whole revolutions to inside the hard limits where possible, and leave out solutions
+                outside the limits.
 
         Returns:
             (n, 6) joint angles [rad], 1 <= n <= 8.
 
         Raises:
-            SingularityError: the pose fixes no single set of angles (shoulder or wrist), or does not on one of the
-                solutions.
-            UnreachableError: the pose is out of reach, or every solution is outside the hard limits; by
-                how much on the branch that comes nearest.
+            SingularityError: the pose does not determine the angles (shoulder or wrist singularity), or one of the
+                solutions is singular.
+            UnreachableError: the pose is out of reach, or every solution is outside the hard limits; `excess` is that
+                of the branch that comes nearest.
         """
         packed = _packed(pose)
-        reference = np.zeros(6) if near is None else np.array(_converted(near, "near"))  # one kind of array for the law
+        reference = np.zeros(6) if near is None else np.array(_converted(near, "near"))  # one array type for the law
         if reference.shape != (6,):
             raise InputError(f"near has shape (6,), got {reference.shape}")
         rows = np.empty((BRANCHES, 6))
@@ -182,18 +183,20 @@ class Arm:
         return rows[: found.number]
 
     def rmangs(self, pose: Pose) -> Array:
-        """The one set of joint angles that JSC-12628's RMANGS gives: the elbow bent below the line, the wrist unturned.
+        """Return the one set of joint angles that JSC-12628's RMANGS gives.
+
+        The elbow is above the line from shoulder to wrist, and the fifth angle lies within 90 deg of zero.
 
         Args:
             pose: position (3,) [m] and rotation (3, 3) of frame 7, in L.
 
         Returns:
-            (6,) joint angles in [-pi, pi], whatever their limits [rad].
+            (6,) joint angles in [-pi, pi] [rad]; joint limits are ignored.
 
         Raises:
             SingularityError, UnreachableError: as `inverse`.
         """
-        self.inverse(pose, limits=False)  # says what is wrong with a pose
+        self.inverse(pose, limits=False)  # raises the error of an invalid pose
         branches, excess = np.empty((BRANCHES, 6)), np.empty(BRANCHES)
         rmangs(self.model.links, _packed(pose), branches, excess)
         if excess[0] != 0.0:
@@ -202,23 +205,23 @@ class Arm:
         return first
 
     def end_effector(self, rotation: Array) -> Array:
-        """The end effector's own axes E from frame 7's: R_E = R_7 Rx(end_effector_roll); (..., 3, 3)."""
+        """Return the end effector's own axes E (..., 3, 3) from those of frame 7: R_E = R_7 Rx(end_effector_roll)."""
         return rotation @ rotation_x(self.model.end_effector_roll)
 
     def panel(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """What the panel shows of a pose in L: X, Y, Z [in] and the end effector's pitch, yaw, roll [deg]."""
+        """Return the panel's read-out of a pose in L: X, Y, Z [in] and the end effector's pitch, yaw, roll [deg]."""
         shown = self.model.mount.to("panel", Pose(pose.position, self.end_effector(pose.rotation)))
         attitude = panel_attitude(shown.rotation)
         return tuple(float(x) / INCH for x in shown.position), tuple(math.degrees(a) for a in attitude)
 
     def from_panel(self, position: ArrayLike, attitude: ArrayLike) -> Pose:
-        """A tip pose in L from panel components: X, Y, Z [m] and the end effector's pitch, yaw, roll [rad]."""
+        """Return the tip pose in L from panel components: X, Y, Z [m] and the end effector's pitch, yaw, roll [rad]."""
         pitch, yaw, roll = _floats(attitude, "an attitude")
         rotation = panel_rotation(pitch, yaw, roll) @ rotation_x(-self.model.end_effector_roll)
         return self.model.mount.from_("panel", Pose(_floats(position, "a position"), rotation))
 
     def orbiter(self, pose: Pose) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """A pose in L in the orbiter frame: x, y, z [m] and ENDORI's roll, elevation, azimuth [rad]."""
+        """Convert a pose from L to the orbiter frame: x, y, z [m] and ENDORI's roll, elevation, azimuth [rad]."""
         shown = self.model.mount.to("orbiter", pose)
         return tuple(float(x) for x in shown.position), oriend(shown.rotation)
 
@@ -233,7 +236,7 @@ class Arm:
         )
 
     def _unsolved(self, found: Solved, pose: Pose, near: Array) -> InputError | SingularityError | UnreachableError:
-        """Why `inverse` finds no joint angles."""
+        """Return the error for a pose for which `inverse` finds no joint angles."""
         first, fifth = (self.joints[k].replace("_", " ") for k in (0, 4))
         match found.outcome:
             case solutions.SKEW:
@@ -269,7 +272,7 @@ class Arm:
 
 
 def _out_of_reach(excess: float) -> UnreachableError:
-    """By how much a wrist is out of reach [m], negative where the arm cannot fold so far, as an error."""
+    """Return the error for a wrist out of reach by `excess` [m], negative if the arm cannot fold so far."""
     if excess > 0.0:
         return UnreachableError(f"the arm cannot reach this pose: its wrist is {excess:.4g} m too far out", excess)
     return UnreachableError(
@@ -278,11 +281,11 @@ def _out_of_reach(excess: float) -> UnreachableError:
 
 
 def load_arm(name_or_path: str | Path) -> Arm:
-    """The arm of a built-in name (``srms``) or of an arm file.
+    """Return the arm of a built-in name (``srms``) or of an arm file.
 
     Raises:
-        ArmError: no such arm.
-        ScenarioError: everything that is wrong in the file.
+        ArmError: no built-in arm has that name.
+        ScenarioError: the file has problems, all listed in the message.
     """
     return Arm(load_model(name_or_path))
 
@@ -292,7 +295,7 @@ def _not_finite(what: str, values: Array) -> InputError:
 
 
 def _converted(values: ArrayLike, what: str) -> Array:
-    """Numbers as an array of float64, finite or not."""
+    """Return numbers as an array of float64, finite or not."""
     if type(values) is np.ndarray and values.dtype is _FLOAT:
         return values
     try:
@@ -304,7 +307,7 @@ def _converted(values: ArrayLike, what: str) -> Array:
 
 
 def _floats(values: ArrayLike, what: str) -> Array:
-    """Finite numbers as an array of float64."""
+    """Return finite numbers as an array of float64."""
     array = _converted(values, what)
     if not finite(array.ravel()):
         raise _not_finite(what, array)
@@ -312,7 +315,7 @@ def _floats(values: ArrayLike, what: str) -> Array:
 
 
 def _sixes(values: ArrayLike, what: str) -> Array:
-    """Numbers (..., 6), finite or not."""
+    """Return numbers (..., 6) as an array of float64, finite or not."""
     array = _converted(values, what)
     if array.ndim == 0 or array.shape[-1] != 6:
         raise InputError(f"{what}: expected shape (..., 6), got {array.shape}")
@@ -320,18 +323,18 @@ def _sixes(values: ArrayLike, what: str) -> Array:
 
 
 def _rows(values: ArrayLike, what: str) -> tuple[Array, tuple[int, ...]]:
-    """(n, 6) contiguous rows and the leading shape."""
+    """Return contiguous rows (n, 6) and the leading shape."""
     array = _sixes(values, what)
     return _flat(array), array.shape[:-1]
 
 
 def _flat(array: Array) -> Array:
-    """(n, 6) contiguous rows of an array (..., 6)."""
+    """Return the contiguous rows (n, 6) of an array (..., 6)."""
     return np.ascontiguousarray(array.reshape(-1, 6))
 
 
 def _packed(pose: Pose) -> Array:
-    """(12,) position [m], then the rotation row by row, finite or not."""
+    """Return the position [m], then the rotation row by row (12,), finite or not."""
     position, rotation = _converted(pose.position, "a position"), _converted(pose.rotation, "a rotation")
     if position.shape != (3,) or rotation.shape != (3, 3):
         raise InputError(f"a pose has a position (3,) and a rotation (3, 3), got {position.shape} and {rotation.shape}")

@@ -1,4 +1,4 @@
-"""Whether numbers are finite, in a law: NumPy's own check costs as much from Python as a law of the kinematics does."""
+"""Compiled check for finite numbers: NumPy's own check costs as much from Python as a law of the kinematics."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from aftdeck.law import law
 
 @law
 def finite(values: Array) -> bool:
-    """Whether all of (n,) numbers are finite."""
+    """Return whether all of (n,) numbers are finite."""
     total = 0.0
     for i in range(values.shape[0]):
         total += 0.0 * values[i]

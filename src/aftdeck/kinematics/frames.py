@@ -1,4 +1,4 @@
-"""Where every frame of an arm is, in L: what collides, what is drawn and what is looked from stands in one of them."""
+"""Poses of all frames of an arm, in L; each solid, drawn shape and camera of the arm belongs to one of them."""
 
 from __future__ import annotations
 
@@ -15,40 +15,41 @@ from aftdeck.law import law, sincos
 POSE = 12
 """Length of a frame's row: position [m], then the rotation row by row, whose columns are the frame's axes in L."""
 _CHAINED = 7
-"""Frames that the joints carry, the foot's included."""
+"""Number of frames in the chain of joints, including the foot's."""
 
 
 class Frames(NamedTuple):
-    """An arm's frames, as `place_frames` takes them.
+    """Frames of an arm, as `place_frames` takes them.
 
     Attributes:
-        names: from the foot on: `ArmModel.frames`.
-        joints: (6, 4) step from the joint before at zero angles [m], and the axis, 1 to 3, about which it turns.
+        names: names from the foot on: `ArmModel.frames`.
+        joints: (6, 4) for each joint, the step from the joint before at zero angles [m], and the axis of rotation, 1
+            to 3.
     """
 
     names: tuple[str, ...]
     joints: Array
 
     def rows(self) -> Array:
-        """A row for each frame, to be filled by `place_frames`."""
+        """Return a row for each frame, to be filled by `place_frames`."""
         return np.zeros((len(self.names), POSE))
 
 
 def frames_of(model: ArmModel) -> Frames:
-    """The frames of an arm."""
+    """Return the frames of an arm."""
     axes = np.array(model.linkage.axes, dtype=np.float64)
     return Frames(model.frames, frozen(np.column_stack([model.linkage.steps, axes])))
 
 
 @law
 def place_frames(joints: Array, angles: Array, stand: float, prong: float, rows: Array) -> None:
-    """LNKAGE joint by joint, and what moves besides.
+    """Write the poses of all frames: LNKAGE joint by joint, then telescope and prong.
 
     Args:
         joints: (6, 4) as `Frames.joints`.
         angles: (6,) joint angles [rad].
-        stand: height of the shoulder above L's origin [m]: on a telescope its length, else the arm's L1.
-        prong: y2 of the prong's inner face [m]; without use where `rows` are seven.
+        stand: height of the shoulder above L's origin [m]: the telescope's length, or L1 for an arm without one.
+        prong: y2 of the prong's inner face [m]; unused if there are seven rows.
         rows: (7 or 9, 12) out, in L.
     """
     at: Three = (0.0, 0.0, 0.0)
@@ -76,13 +77,13 @@ def place_frames(joints: Array, angles: Array, stand: float, prong: float, rows:
 
 @law
 def _moved(at: Three, axis: Three, by: float) -> Three:
-    """A point moved along an axis [m]."""
+    """Return a point moved along an axis [m]."""
     return at[0] + by * axis[0], at[1] + by * axis[1], at[2] + by * axis[2]
 
 
 @law
 def _turned(p: Three, q: Three, s: float, c: float) -> tuple[Three, Three]:
-    """Two axes turned about the third, from the first of them to the second, by the angle of this sine and cosine."""
+    """Return two axes turned about the third, from p towards q, by the angle with sine s and cosine c."""
     return (
         (c * p[0] + s * q[0], c * p[1] + s * q[1], c * p[2] + s * q[2]),
         (c * q[0] - s * p[0], c * q[1] - s * p[1], c * q[2] - s * p[2]),
@@ -91,7 +92,7 @@ def _turned(p: Three, q: Three, s: float, c: float) -> tuple[Three, Three]:
 
 @law
 def _write(row: Array, at: Three, a: Three, b: Three, c: Three) -> None:
-    """A frame's row, from its origin and its axes."""
+    """Write a frame's row from its origin and its axes."""
     row[0], row[1], row[2] = at
     row[3], row[4], row[5] = a[0], b[0], c[0]
     row[6], row[7], row[8] = a[1], b[1], c[1]

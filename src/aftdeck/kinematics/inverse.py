@@ -1,9 +1,9 @@
-"""RMANGS: the closed inverse, all branches.
+"""RMANGS: closed-form inverse kinematics, with all branches.
 
-JSC-12628, subroutine RMANGS, which gives one branch and takes the shoulder pitch as an arc cosine, losing its
-sign; here all eight come out, from arc tangents: shoulder (theta1 or turned by pi), wrist (theta5 or pi -
-theta5), elbow (up or down). A pitch-yaw-roll wrist is solved before the elbow, as in the source; a
-heading-pitch-roll wrist, whose axes meet in a point, after it.
+Source: JSC-12628, subroutine RMANGS. The source gives one branch and takes the shoulder pitch from an arc cosine,
+which loses its sign. Here arc tangents give all eight branches: shoulder (theta1, or turned by pi), wrist (theta5 or
+pi - theta5), elbow (up or down). A pitch-yaw-roll wrist is solved before the elbow, as in the source. A
+heading-pitch-roll wrist, whose axes meet in a point, is solved after the elbow.
 """
 
 from __future__ import annotations
@@ -19,17 +19,18 @@ BRANCHES = 8
 
 @law
 def _within_pi(angle: float) -> float:
-    """The same direction in [-pi, pi]."""
+    """Return the equivalent angle in [-pi, pi]."""
     return angle - math.tau * nearest(angle / math.tau)
 
 
 @law
 def _triangle(upper: float, lower: float, out: float, up: float) -> tuple[float, float, float, float]:
-    """The triangle of the two booms whose end is to stand `out` and `up` from the shoulder pitch joint [m].
+    """Solve the triangle of the two booms with their end at `out` and `up` from the shoulder pitch joint [m].
 
     Returns:
-        Slope of the line to that end, angles between it and the upper arm and between the booms' lines [rad], and
-        by how much the end is out of reach [m]: positive beyond the stretched arm, negative inside the folded one.
+        Slope of the line to that end, angle between that line and the upper arm, and angle between the booms' lines
+        [rad]; and the distance by which the end is out of reach [m]: positive beyond the stretched arm, negative
+        inside the folded one, 0 within reach.
     """
     square = out * out + up * up
     ck = (square - upper * upper - lower * lower) / (2.0 * upper * lower)
@@ -45,20 +46,20 @@ def _triangle(upper: float, lower: float, out: float, up: float) -> tuple[float,
 
 @law
 def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float, float]:
-    """RMANGS: every joint angle set that puts the tip at a pose.
+    """Write every set of joint angles that puts the tip at a pose (RMANGS).
 
     Args:
         arm: the arm's array.
         pose: (12,) tip position in L [m], then the rotation row by row.
-        angles: (8, 6) out, panel angles in [-pi, pi] [rad]; the rows of a shoulder and wrist branch follow
-            each other with the elbow as usual (bent below the line), then the other way.
-        excess: (8,) out, by how much that row's wrist is out of reach [m]: beyond the stretched arm
-            (positive) or inside the folded one (negative); 0 where the row is a solution.
+        angles: (8, 6) out, panel angles in [-pi, pi] [rad]; each shoulder and wrist branch has two rows, first the
+            one with the usual elbow (lower arm bent below the upper arm's line), then the one with the other.
+        excess: (8,) out, distance by which the row's wrist is out of reach [m]: positive beyond the stretched arm,
+            negative inside the folded one, 0 if the row is a solution.
 
     Returns:
-        The distance of the fifth joint from the first one's axis [m], and the greatest cosine of the fifth angle
-        on any row; where either is about zero, the pose is singular on every row and `angles` are one choice
-        among many. A row of a heading-pitch-roll wrist may be singular, and such a choice, while others are not.
+        Distance of the fifth joint from the first joint's axis [m], and the greatest cosine of the fifth angle on
+        any row. If either is about zero, the pose is singular on every row, and `angles` are one choice among many.
+        With a heading-pitch-roll wrist, one row may be singular, and one choice among many, while others are not.
     """
     r1 = pose[0] - pose[3] * arm[L5]
     r2 = pose[1] - pose[6] * arm[L5]
@@ -83,7 +84,7 @@ def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float
         b31 = pose[9]
         cosine = math.sqrt(b22 * b22 + b23 * b23)
         for sign in (1.0, -1.0):
-            # theta5, or pi - theta5; beta is the sum of the pitch angles, the slope of the hand
+            # theta5, or pi - theta5; beta is the sum of the pitch angles, the slope of the link after wrist pitch
             q5 = math.atan2(b21, sign * cosine)
             q6 = math.atan2(-sign * b23, sign * b22)
             beta = math.atan2(-sign * b31, sign * b11)
@@ -92,7 +93,7 @@ def rmangs(arm: Array, pose: Array, angles: Array, excess: Array) -> tuple[float
             sb = -sign * b31 / flat if flat > 0.0 else 0.0
             slope, lift, bend, beyond = _triangle(arm[L2], arm[L3], out - arm[L4] * cb, up - arm[L4] * sb)
             for elbow in (-1.0, 1.0):
-                # bent below the line, or the other way
+                # lower arm bent below the upper arm's line, then above it
                 q2 = slope - elbow * lift - arm[UPPER]
                 q3 = elbow * bend + arm[UPPER] - arm[LOWER]
                 excess[row] = beyond
@@ -115,17 +116,17 @@ def _heading_rows(
     excess: Array,
     first: int,
 ) -> float:
-    """The four rows of one shoulder heading, for a wrist `out` and `up` from the shoulder pitch joint [m].
+    """Write the four rows of one shoulder heading, for a wrist at `out` and `up` from the shoulder pitch joint [m].
 
     Returns:
-        The greatest cosine of the wrist pitch on any of them.
+        Greatest cosine of the wrist pitch on any of these rows.
     """
     b11, b12, b13 = c1 * pose[3] + s1 * pose[6], c1 * pose[4] + s1 * pose[7], c1 * pose[5] + s1 * pose[8]
     b21, b22, b23 = c1 * pose[6] - s1 * pose[3], c1 * pose[7] - s1 * pose[4], c1 * pose[8] - s1 * pose[5]
     slope, lift, bend, beyond = _triangle(arm[L2], arm[L3], out, up)
     greatest = 0.0
     for other in (0, 1):
-        # bent below the line, or the other way
+        # lower arm bent below the upper arm's line, then above it
         elbow = 2.0 * other - 1.0
         q2 = slope - elbow * lift - arm[UPPER]
         q3 = elbow * bend + arm[UPPER] - arm[LOWER]
@@ -135,7 +136,8 @@ def _heading_rows(
         cosine = math.sqrt(d11 * d11 + b21 * b21)
         greatest = max(greatest, cosine)
         for turned in (0, 1):
-            # theta5, or pi - theta5; the roll from the pitch's axis, so that it fits the heading where that is unsure
+            # theta5, or pi - theta5; the roll is taken from the pitch axis, so that it fits the heading even where
+            # the heading is ill-defined
             sign = 1.0 - 2.0 * turned
             q4 = math.atan2(sign * b21, sign * d11)
             sh, ch = math.sin(q4), math.cos(q4)

@@ -1,8 +1,9 @@
-"""JACOBI and ERATES: how joint rates move the tip.
+"""JACOBI and ERATES: the Jacobian, and the tip's twist from joint rates.
 
-JSC-12628, subroutines JACOBI and ERATES. The Jacobian stands in the frame of a link of the arm's plane, where
-most of its elements are zero: for a pitch-yaw-roll wrist in frame 5, the wrist-pitch frame, as in the source; for
-a heading-pitch-roll wrist in system 1, the lower arm's. `spin` turns vectors from there into L.
+Source: JSC-12628, subroutines JACOBI and ERATES. The Jacobian is given in the frame of a link of the arm's plane,
+where most of its elements are zero. For a pitch-yaw-roll wrist this is frame 5, the wrist-pitch frame, as in the
+source. For a heading-pitch-roll wrist it is system 1, the lower arm's frame. `spin` turns vectors from these frames
+into L.
 """
 
 from __future__ import annotations
@@ -16,9 +17,10 @@ from aftdeck.law import law
 
 
 class Jacobian(NamedTuple):
-    """The elements of b = a * rates that are not constant for both families; a22 = a23 = 1, the rest is zero.
+    """Elements of the matrix a in b = a * rates that are not constant for both families.
 
-    s and c are the sine and cosine of the slope of the link in whose frame it stands.
+    a22 = a23 = 1; all others are zero. s and c are the sine and cosine of the slope of the link in whose frame the
+    matrix is given.
     """
 
     s: float
@@ -72,7 +74,7 @@ class Rates(NamedTuple):
 
 @law
 def jacobi(arm: Floats, a: Sines) -> Jacobian:
-    """JACOBI: the Jacobian in a link's frame; rows angular, then translational."""
+    """Return the Jacobian in a link's frame (JACOBI); rows angular, then translational."""
     if arm[WRIST] == HEADING_PITCH_ROLL:
         return _jacobi_heading_pitch_roll(arm, a)
     s34, c34 = a.sw * a.c2 - a.cw * a.s2, a.cw * a.c2 + a.sw * a.s2
@@ -110,7 +112,7 @@ def jacobi(arm: Floats, a: Sines) -> Jacobian:
 
 @law
 def _jacobi_heading_pitch_roll(arm: Floats, a: Sines) -> Jacobian:
-    """In system 1, from the joints' axes and their moments about the tip."""
+    """Return the Jacobian in system 1, from the joints' axes and their moments about the tip."""
     s3, c3 = a.s23 * a.c2 - a.c23 * a.s2, a.c23 * a.c2 + a.s23 * a.s2
     x, y, z = a.cw * a.c5, a.sw * a.c5, -a.s5  # the hand's direction
     hx, hy, hz = arm[L5] * x, arm[L5] * y, arm[L5] * z
@@ -145,7 +147,7 @@ def _jacobi_heading_pitch_roll(arm: Floats, a: Sines) -> Jacobian:
 
 @law
 def erates(a: Sines, j: Jacobian, r: Rates) -> Twist:
-    """ERATES: the tip's twist in L from joint rates."""
+    """Return the tip's twist in L from joint rates (ERATES)."""
     wx, wy, wz = spin(
         a,
         j.s,
@@ -167,7 +169,7 @@ def erates(a: Sines, j: Jacobian, r: Rates) -> Twist:
 
 @law
 def jacobian_many(arm: Array, angles: Array, matrix: Array) -> bool:
-    """JACOBI over rows, turned into L: angles (n, 6) [rad] -> matrix (n, 6, 6).
+    """Compute JACOBI over rows, turned into L: angles (n, 6) [rad] -> matrix (n, 6, 6).
 
     Returns:
         Whether the angles are finite.

@@ -1,10 +1,10 @@
-"""LNKAGE: where the tip is, for arms of two families, which differ in their wrists.
+"""LNKAGE: pose of the tip, for arms of two families, which differ in their wrists.
 
-Both begin with a turn about the vertical (yaw or heading) and two pitches, whose booms lie in the *arm's plane*.
-The wrist of JSC-12628 goes on with pitch, yaw, roll; that of the *Remote Manipulator Simulation* with heading,
-pitch, roll about one point. All vectors are in L. An arm is a packed array; where the numbers stand in it is
-said below. The joint angles are the operator's: for the Shuttle's arm zero at the cradle, and the constant
-offsets of shoulder and elbow pitch that an elbow beneath the boom line makes are added here.
+Both families begin with a rotation about the vertical (yaw or heading) and two pitches, whose booms lie in the *arm's
+plane*. The wrist of JSC-12628 continues with pitch, yaw, roll; that of the *Remote Manipulator Simulation* with
+heading, pitch, roll about one point. All vectors are in L. An arm is a packed array; the constants below are the
+places of its numbers. Joint angles are the operator's: for the Shuttle's arm they are zero at the cradle. An elbow
+beneath the boom line causes constant offsets of shoulder and elbow pitch, which are added here.
 Source: JSC-12628, subroutine LNKAGE; Remote Manipulator Simulation, final report, "R(-HO) R(-PO) R(-P1) R(-H2)
 R(-P2) R(-R2)", with its heading about Z (restored) and pitch + up.
 """
@@ -18,17 +18,17 @@ from aftdeck.kinematics.finite import finite
 from aftdeck.law import law, sincos
 
 Floats: TypeAlias = Array | tuple[float, ...]
-"""What a law takes for constants: an array, or a tuple inside loops over many arms."""
+"""Constants as a law takes them: an array, or a tuple inside loops over many arms."""
 Three: TypeAlias = tuple[float, float, float]
 Nine: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
 
 L1, L2, L3, L4, L5 = 0, 1, 2, 3, 4
-"""Places in an arm's array [m]: height of the shoulder pitch joint above L's origin, upper arm, lower arm, wrist
-pitch to yaw (0 where the wrist's joints meet in one point), and from there to the tip."""
+"""Places of the lengths in an arm's array [m]: height of the shoulder pitch joint above L's origin, upper arm, lower
+arm, wrist pitch to yaw (0 if the wrist's joints meet in one point), and from there to the tip."""
 UPPER, LOWER = 5, 6
-"""Places of the angles by which upper and lower arm stand above their boom lines at zero joint angles [rad]."""
+"""Places of the angles of upper and lower arm above their boom lines at zero joint angles [rad]."""
 WRIST = 7
-"""Place of the wrist's kind, which tells the families apart."""
+"""Place of the kind of wrist, which identifies the family."""
 LINKS = 8
 """Length of an arm's array."""
 
@@ -37,10 +37,10 @@ HEADING_PITCH_ROLL, PITCH_YAW_ROLL = 0.0, 1.0
 
 
 class Sines(NamedTuple):
-    """Sines and cosines of the angles that `link_angles` gives.
+    """Sines and cosines of the angles that `link_angles` returns.
 
-    2 and 23 are the slopes of upper and lower arm, w the wrist's first angle: the slope of the hand (234) in a
-    pitch-yaw-roll wrist, the wrist heading in the other.
+    2 and 23 are the slopes of upper and lower arm. w is the wrist's first angle: the slope of the hand (234) in a
+    pitch-yaw-roll wrist, the wrist heading in a heading-pitch-roll wrist.
     """
 
     s1: float
@@ -78,14 +78,14 @@ class Tip(NamedTuple):
 def link_angles(
     arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6: float
 ) -> tuple[float, float, float, float, float, float]:
-    """The angles whose sines LNKAGE takes [rad]: yaw, slopes of upper and lower arm, the wrist's three."""
+    """Return the angles whose sines LNKAGE takes [rad]: yaw, slopes of upper and lower arm, the wrist's three."""
     slope = q2 + q3 if arm[WRIST] == PITCH_YAW_ROLL else 0.0
     return q1, q2 + arm[UPPER], q2 + q3 + arm[LOWER], slope + q4, q5, q6
 
 
 @law
 def sines(arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6: float) -> Sines:
-    """Sines and cosines of joint angles [rad]."""
+    """Return the sines and cosines for joint angles [rad]."""
     t1, t2, t23, tw, t5, t6 = link_angles(arm, q1, q2, q3, q4, q5, q6)
     s1, c1 = sincos(t1)
     s2, c2 = sincos(t2)
@@ -98,7 +98,7 @@ def sines(arm: Floats, q1: float, q2: float, q3: float, q4: float, q5: float, q6
 
 @law
 def spin(a: Sines, s: float, c: float, x: float, y: float, z: float) -> Three:
-    """A vector given along a link of the arm's plane, the plane's normal and across the link, in L.
+    """Return in L a vector given along a link of the arm's plane, along the plane's normal, and across the link.
 
     The link's slope has sine s and cosine c.
     """
@@ -108,7 +108,7 @@ def spin(a: Sines, s: float, c: float, x: float, y: float, z: float) -> Three:
 
 @law
 def place(arm: Floats, a: Sines) -> Three:
-    """LNKAGE's r: where the tip is, in L [m]."""
+    """Return LNKAGE's r: the tip's position in L [m]."""
     if arm[WRIST] == HEADING_PITCH_ROLL:
         out = arm[L2] * a.c2 + arm[L3] * a.c23
         hx, hy, hz = spin(a, a.s23, a.c23, a.cw * a.c5, a.sw * a.c5, -a.s5)
@@ -123,7 +123,7 @@ def place(arm: Floats, a: Sines) -> Three:
 
 @law
 def axes(arm: Floats, a: Sines) -> Nine:
-    """LNKAGE's T_B7, row by row: columns are the axes of frame 7, or system 2, in L."""
+    """Return LNKAGE's T_B7, row by row: columns are the axes of frame 7, or system 2, in L."""
     if arm[WRIST] == HEADING_PITCH_ROLL:
         return _axes_heading_pitch_roll(a)
     b11, b12 = a.c1 * a.cw, a.c1 * a.sw
@@ -146,7 +146,7 @@ def axes(arm: Floats, a: Sines) -> Nine:
 
 @law
 def _axes_heading_pitch_roll(a: Sines) -> Nine:
-    """Remote Manipulator Simulation: heading, pitch and roll after the lower arm's slope."""
+    """Return the axes for heading, pitch and roll after the lower arm's slope (Remote Manipulator Simulation)."""
     r11, r21, r31 = spin(a, a.s23, a.c23, a.cw * a.c5, a.sw * a.c5, -a.s5)
     y1, y2, y3 = spin(a, a.s23, a.c23, -a.sw, a.cw, 0.0)
     z1, z2, z3 = spin(a, a.s23, a.c23, a.cw * a.s5, a.sw * a.s5, a.c5)
@@ -165,7 +165,7 @@ def _axes_heading_pitch_roll(a: Sines) -> Nine:
 
 @law
 def tip(arm: Floats, a: Sines) -> Tip:
-    """LNKAGE: the tip's place and axes from the joints' sines and cosines."""
+    """Return the tip's position and axes from the joints' sines and cosines (LNKAGE)."""
     x, y, z = place(arm, a)
     r11, r12, r13, r21, r22, r23, r31, r32, r33 = axes(arm, a)
     return Tip(x, y, z, r11, r12, r13, r21, r22, r23, r31, r32, r33)
@@ -173,13 +173,13 @@ def tip(arm: Floats, a: Sines) -> Tip:
 
 @law
 def lifted(t: Tip, by: float) -> Tip:
-    """The tip where the arm stands higher by some length [m]."""
+    """Return the tip with the whole arm raised by a length [m]."""
     return Tip(t.x, t.y, t.z - by, t.r11, t.r12, t.r13, t.r21, t.r22, t.r23, t.r31, t.r32, t.r33)
 
 
 @law
 def forward_many(arm: Array, angles: Array, position: Array, rotation: Array) -> bool:
-    """LNKAGE over rows: angles (n, 6) [rad] -> position (n, 3) [m], rotation (n, 3, 3), in L.
+    """Compute LNKAGE over rows: angles (n, 6) [rad] -> position (n, 3) [m], rotation (n, 3, 3), in L.
 
     Returns:
         Whether the angles are finite.

@@ -1,4 +1,4 @@
-"""What an observer sees of the arm at an instant, in one compiled call: tip, twist, singularities."""
+"""Observed values of the arm at an instant, in one compiled call: tip, twist, singularities."""
 
 from __future__ import annotations
 
@@ -9,12 +9,15 @@ from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 
 OBSERVED = 21
-"""Tip position (3) and rotation (9, row by row), twist (6), distances from the singularities (3)."""
+"""Number of values: tip position (3) and rotation (9, row by row), twist (6), distances from the singularities (3)."""
 
 
 @law
 def observe(arm: Array, angles: Array, rates: Array, seen: Array) -> None:
-    """LNKAGE and ERATES at joint angles (6,) [rad] and rates (6,) [rad/s], in L, into `seen` (21,)."""
+    """Write tip, twist and singularities at angles (6,) [rad] and rates (6,) [rad/s], in L, into `seen` (21,).
+
+    Source: JSC-12628, subroutines LNKAGE and ERATES.
+    """
     a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
     t = tip(arm, a)
     for i in range(12):
@@ -27,13 +30,13 @@ def observe(arm: Array, angles: Array, rates: Array, seen: Array) -> None:
 
 @law
 def observe_link(arm: Array, angles: Array, mount: Array, axes: Array) -> None:
-    """LNKAGE's T_B5: the frame in which JACOBI's matrix stands, its axes as columns in the orbiter's body axes.
+    """Write LNKAGE's T_B5: the axes of the frame of JACOBI's matrix, as columns in the orbiter's body axes.
 
-    For the Shuttle's arm that is the wrist-pitch frame, for the concept's the lower arm's.
+    For the Shuttle's arm this is the wrist-pitch frame; for the concept arm it is the lower arm's frame.
 
     Args:
         arm: packed links.
-        angles: (6,) [rad].
+        angles: (6,) joint angles [rad].
         mount: (3, 3) from L to the orbiter's body axes.
         axes: (3, 3) out.
     """
@@ -50,19 +53,19 @@ def observe_link(arm: Array, angles: Array, mount: Array, axes: Array) -> None:
 def observe_near(
     arm: Array, angles: Array, rates: Array, rising: float, reach: Array, threshold: float, seen: Array
 ) -> bool:
-    """`observe` an arm on its stand; whether a joint is past its reach limits or a singularity is near.
+    """Observe an arm on its stand, and return whether a joint is past its reach limits or a singularity is near.
 
     Args:
         arm: packed links.
-        angles: (6,) [rad].
-        rates: (6,) [rad/s].
-        rising: how fast the stand lengthens, against axis 3 [m/s].
+        angles: (6,) joint angles [rad].
+        rates: (6,) joint rates [rad/s].
+        rising: rate at which the stand lengthens, against axis 3 [m/s].
         reach: (6, 2) reach limits [rad].
-        threshold: distance from a singularity that is near.
+        threshold: distance below which a singularity is near [1].
         seen: (21,) out.
     """
     observe(arm, angles, rates, seen)
-    seen[17] -= rising  # the whole arm rides on its stand
+    seen[17] -= rising  # the stand carries the whole arm
     near = False
     for i in range(6):
         near = near or not reach[i, 0] <= angles[i] <= reach[i, 1]
@@ -72,16 +75,16 @@ def observe_near(
 
 
 CARRIED = 18
-"""A payload's centre (3) and axes (9, row by row), its point of resolution (3) and that point's velocity (3)."""
+"""Number of values: payload's centre (3) and axes (9, row by row), point of resolution (3) and its velocity (3)."""
 
 
 @law
 def observe_payload(seen: Array, payload: Array, carried: Array) -> None:
-    """LNKAGE for PA = 1: the payload of a tip that was just seen, in L, into `carried` (18,).
+    """Write the payload's values for an observed tip, in L, into `carried` (18,) (LNKAGE for PA = 1).
 
     Args:
-        seen: (21,) of `observe`.
-        payload: (15,) as `Payload.packed` has it.
+        seen: (21,) from `observe`.
+        payload: (15,) from `Payload.packed`.
         carried: (18,) out.
     """
     for i in range(3):

@@ -1,6 +1,6 @@
-"""LNKAGE with a payload attached: its centre and axes from the tip's.
+"""LNKAGE with a payload attached: the payload's centre and axes from the tip's pose.
 
-JSC-12628, subroutine LNKAGE, the part for PA = 1.
+Source: JSC-12628, subroutine LNKAGE, the part for PA = 1.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from aftdeck.shapes import Shape
 
 @dataclass(frozen=True, eq=False)
 class Payload:
-    """A payload in the end effector's grasp.
+    """Payload that the end effector holds.
 
     Attributes:
-        mass: [kg]; chooses the limits of the point of resolution.
+        mass: mass [kg]; selects the limits of the point of resolution.
         rotation: (3, 3) T_78: payload axes as columns, in frame 7.
         centre: (3,) r_87: from the tip to the payload's centre, in payload axes [m].
         por: (3,) from the payload's centre to its point of resolution, in payload axes [m].
-        shapes: how it looks, about its centre in its axes.
-        solids: each (8, 3) vertices of what of it collides, likewise [m].
+        shapes: drawn shapes, about the payload's centre in payload axes.
+        solids: collision solids, each (8, 3) vertices about the payload's centre in payload axes [m].
     """
 
     mass: float
@@ -37,14 +37,14 @@ class Payload:
 
     @cached_property
     def packed(self) -> Array:
-        """(15,) rotation, row by row, centre and point of resolution, for the laws."""
+        """Array (15,) for the laws: rotation, row by row, centre and point of resolution."""
         return np.concatenate((self.rotation.ravel(), self.centre, self.por))
 
     def pose(self, tip: Pose) -> Pose:
-        """The payload's centre and axes (T_B8 = T_B7 T_78, r_7B = r_6B + T_B8 r_87) for tip poses (...)."""
+        """Return the payload's centre and axes (T_B8 = T_B7 T_78, r_7B = r_6B + T_B8 r_87) for tip poses (...)."""
         rotation = tip.rotation @ self.rotation
         return Pose(tip.position + rotation @ self.centre, rotation)
 
     def resolution(self, tip: Pose) -> Array:
-        """(..., 3) the payload's point of resolution for tip poses (...)."""
+        """Return the payload's point of resolution (..., 3) [m] for tip poses (...)."""
         return np.asarray(tip.position + tip.rotation @ (self.rotation @ (self.centre + self.por)))

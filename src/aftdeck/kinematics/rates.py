@@ -1,11 +1,13 @@
 """RMSRAT: the closed resolved-rate law, from a tip twist to joint rates.
 
-JSC-12628, subroutine RMSRAT. Its equations stand in frame 5; here the two of the pitches are turned into the arm's
-plane, where the slopes of the links are their coefficients and most terms fall away. A heading-pitch-roll wrist, whose
-three axes meet in a point, lets the first three joints carry that point and the last three do what turning is left.
-The three denominators are the arm's singularities. Where one is nearer than `floor`, the law divides by the floor
-instead, so that rates stay finite; their direction there is that of the arm's free motion out of the singularity.
-`kinematics.arm` refuses such poses, steering slows before them.
+Source: JSC-12628, subroutine RMSRAT. Its equations are written in frame 5. Here the two equations of the pitches are
+turned into the arm's plane, where their coefficients are the slopes of the links and most terms vanish. With a
+heading-pitch-roll wrist, whose three axes meet in a point, the first three joints carry that point and the last three
+make the remaining rotation.
+
+The three denominators are zero at the arm's singularities. Where a singularity is nearer than `floor`, the law divides
+by the floor instead, so that rates stay finite. The rates then have the direction of the arm's free motion out of the
+singularity. `kinematics.arm` rejects such poses; steering slows down before them.
 """
 
 from __future__ import annotations
@@ -23,18 +25,18 @@ from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
 
 FLOOR = 1e-7
-"""Normalised distance [1] under which a pose counts as singular: rates would exceed 1e7 times the usual."""
+"""Normalised distance [1] below which a pose counts as singular: rates would exceed 1e7 times the usual."""
 
 
 @law
 def _away_from_zero(value: float, floor: float) -> float:
-    """The value, or the floor with the value's sign where it is nearer to zero than that."""
+    """Return the value, or the floor with the value's sign if the value is nearer to zero than the floor."""
     return math.copysign(max(abs(value), floor), value)
 
 
 @law
 def per_distance(arm: Floats, a: Sines, floor: float) -> tuple[float, float, float]:
-    """One over RMSRAT's denominators: shoulder [1/m], elbow and wrist [1], none taken as less than its floor."""
+    """Return one over RMSRAT's denominators, none taken as less than its floor: shoulder [1/m], elbow and wrist [1]."""
     shoulder, elbow, wrist = distances(arm, a)
     return (
         1.0 / (_away_from_zero(shoulder, floor) * (arm[L2] + arm[L3] + abs(arm[L4]))),
@@ -45,13 +47,13 @@ def per_distance(arm: Floats, a: Sines, floor: float) -> tuple[float, float, flo
 
 @law
 def rmsrat(arm: Floats, a: Sines, t: Twist, floor: float) -> Rates:
-    """RMSRAT: joint rates [rad/s] for a tip twist in L."""
+    """Return joint rates [rad/s] for a tip twist in L (RMSRAT)."""
     return resolved(arm, a, t, per_distance(arm, a, floor))
 
 
 @law
 def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -> Rates:
-    """RMSRAT after its divisions: joint rates [rad/s] for a tip twist in L, `per` from `per_distance`."""
+    """Return joint rates [rad/s] for a tip twist in L, with `per` from `per_distance` (RMSRAT after its divisions)."""
     if arm[WRIST] == HEADING_PITCH_ROLL:
         return _resolved_heading_pitch_roll(arm, a, t, per)
     per_shoulder, per_elbow, per_wrist = per
@@ -65,7 +67,7 @@ def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -
     r5 = b3 - a.cw * r1
     roll = a.sw * r1
     r6 = (b1 + roll) * per_wrist
-    # the three pitches: their sum, and what the upper and the lower arm have to do about the wrist
+    # the three pitches: their sum, and the wrist's velocity that upper and lower arm have to give
     c1 = b2 - a.s5 * r6
     c2, c3 = side * b3, side * roll + (arm[L4] + ahead) * c1
     out, down = v1 + (a.cw * c2 + a.sw * c3), t.vz + (a.cw * c3 - a.sw * c2)
@@ -75,7 +77,7 @@ def resolved(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -
 
 @law
 def _booms(arm: Floats, a: Sines, out: float, down: float, per_elbow: float) -> tuple[float, float]:
-    """Turning of the upper and of the lower arm [rad/s] that carry their end so, outwards and down [m/s]."""
+    """Return the angular rates of upper and lower arm [rad/s] that move their end at `out` and `down` [m/s]."""
     return (
         (down * a.s23 - out * a.c23) * (per_elbow * (1.0 / arm[L2])),
         (out * a.c2 - down * a.s2) * (per_elbow * (1.0 / arm[L3])),
@@ -84,17 +86,20 @@ def _booms(arm: Floats, a: Sines, out: float, down: float, per_elbow: float) -> 
 
 @law
 def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[float, float, float]) -> Rates:
-    """The point where the wrist's axes meet, carried by heading and two pitches; then the turning that is left."""
+    """Return joint rates [rad/s] of an arm with a heading-pitch-roll wrist (RMSRAT after its divisions).
+
+    Heading and two pitches carry the point where the wrist's axes meet; the wrist makes the remaining rotation.
+    """
     per_shoulder, per_elbow, per_wrist = per
     # in the arm's plane: outwards, to the side, and down as in L
     w1, w2 = a.c1 * t.wx + a.s1 * t.wy, a.c1 * t.wy - a.s1 * t.wx
     v1, v2 = a.c1 * t.vx + a.s1 * t.vy, a.c1 * t.vy - a.s1 * t.vx
-    # the hand from that point to the tip, first along and across the lower arm
+    # the vector from that point to the tip, first along and across the lower arm
     ahead, across, side = arm[L5] * (a.cw * a.c5), -arm[L5] * a.s5, arm[L5] * (a.sw * a.c5)
     out, down = a.c23 * ahead + a.s23 * across, a.c23 * across - a.s23 * ahead
     r1 = (v2 - t.wz * out + w1 * down) * per_shoulder
     r2, r23 = _booms(arm, a, v1 - w2 * down + t.wz * side, t.vz - w1 * side + w2 * out, per_elbow)
-    # what the wrist has to turn: along the lower arm, about the pitches' axis, across the lower arm
+    # the wrist's remaining angular velocity: along the lower arm, about the pitches' axis, across the lower arm
     d1, d2, d3 = a.c23 * w1 - a.s23 * (t.wz - r1), w2 - r23, a.s23 * w1 + a.c23 * (t.wz - r1)
     r6 = (a.cw * d1 + a.sw * d2) * per_wrist
     return Rates(r1, r2, r23 - r2, d3 + a.s5 * r6, a.cw * d2 - a.sw * d1, r6)
@@ -102,7 +107,7 @@ def _resolved_heading_pitch_roll(arm: Floats, a: Sines, t: Twist, per: tuple[flo
 
 @law
 def rates_many(arm: Array, angles: Array, twists: Array, rates: Array, singular: NDArray[np.bool_]) -> bool:
-    """RMSRAT over rows: angles (n, 6) [rad], twists (n, 6) in L -> rates (n, 6) [rad/s], singular (n,).
+    """Compute RMSRAT over rows: angles (n, 6) [rad], twists (n, 6) in L -> rates (n, 6) [rad/s], singular (n,).
 
     Returns:
         Whether angles and twists are finite.

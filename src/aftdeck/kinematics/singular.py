@@ -1,6 +1,6 @@
-"""The three singularities: the denominators of the closed rate law, normalised.
+"""Distances from the three singularities: the normalised denominators of the closed rate law.
 
-Each is zero at its singularity and signed; magnitudes lie in [0, 1]. JSC-12628 names two of them in RMANGS;
+Each distance is signed and is zero at its singularity; magnitudes lie in [0, 1]. JSC-12628 names two of them in RMANGS;
 the third is the denominator D of RMSRAT. The same formulas hold for both families of arms.
 """
 
@@ -33,7 +33,7 @@ class Singularities(NamedTuple):
 
 @law
 def distances(arm: Floats, a: Sines) -> tuple[float, float, float]:
-    """Normalised distances from the shoulder, elbow and wrist singularities."""
+    """Return the normalised distances from the shoulder, elbow and wrist singularities [1]."""
     per_reach = 1.0 / (arm[L2] + arm[L3] + abs(arm[L4]))
     shoulder = (arm[L2] * a.c2 + arm[L3] * a.c23 + arm[L4] * a.cw) * per_reach
     return shoulder, a.s2 * a.c23 - a.c2 * a.s23, a.c5
@@ -41,7 +41,7 @@ def distances(arm: Floats, a: Sines) -> tuple[float, float, float]:
 
 @law
 def nearest_singularity(arm: Array, angles: Array) -> tuple[float, int]:
-    """Return the least distance from a singularity [1], and which: 0 shoulder, 1 elbow, 2 wrist."""
+    """Return the least distance from a singularity [1], and that singularity: 0 shoulder, 1 elbow, 2 wrist."""
     d = distances(arm, sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5]))
     which = 0
     for k in range(1, 3):
@@ -52,7 +52,7 @@ def nearest_singularity(arm: Array, angles: Array) -> tuple[float, int]:
 
 @law
 def distances_many(arm: Array, angles: Array, result: Array) -> bool:
-    """Over rows: angles (n, 6) [rad] -> result (3, n).
+    """Compute the distances over rows: angles (n, 6) [rad] -> result (3, n).
 
     Returns:
         Whether the angles are finite.

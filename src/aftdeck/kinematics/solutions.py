@@ -1,4 +1,4 @@
-"""All solutions of RMANGS for a pose: checked, in the revolutions that are wanted, inside the limits, nearest first."""
+"""All solutions of RMANGS for a pose: checked, in the requested revolutions, inside the limits, nearest first."""
 
 from __future__ import annotations
 
@@ -13,25 +13,27 @@ from aftdeck.kinematics.inverse import BRANCHES, rmangs
 from aftdeck.law import law, nearest
 
 ROTATION_TOLERANCE = 1e-6
-"""How far from orthonormal a given rotation may be [1]."""
+"""Largest allowed deviation of a given rotation from orthonormal [1]."""
 SAME = 1e-9
-"""Two solutions whose angles differ by less are one [rad]."""
+"""Largest difference of angles of two solutions that count as one; also the tolerance at the limits [rad]."""
 EPSILON = 1e-9
-"""Distance [m] or cosine [1] under which RMANGS calls a pose singular."""
+"""Distance [m] or cosine [1] below which a pose counts as singular."""
 FOUND, NOT_FINITE, SKEW, MIRRORED, SHOULDER, WRIST, OUT_OF_REACH, OUTSIDE = range(8)
-"""What comes of looking for solutions; all but the first are why there are none."""
+"""Outcomes of `solve`; each one but the first is a reason why there is no solution."""
 
 
 class Solved(NamedTuple):
     """Result of `solve`.
 
     Attributes:
-        outcome: `FOUND`, or why there is no solution.
-        number: how many solutions there are.
-        value: by how much: R R^T from the unit matrix [1]; the fifth joint from the first one's axis [m]; its cosine
-            [1]; the wrist out of reach [m], negative where the arm cannot fold so far; a joint beyond its limit [rad].
-        joint: which joint that is; else -1.
-        angle: its angle [rad].
+        outcome: `FOUND`, or the reason why there is no solution.
+        number: number of solutions.
+        value: amount, by outcome. SKEW: deviation of R R^T from the unit matrix [1]. SHOULDER: distance of the fifth
+            joint from the first joint's axis [m]. WRIST: cosine of the fifth angle [1]. OUT_OF_REACH: distance of the
+            wrist beyond reach [m], negative if the arm cannot fold so far. OUTSIDE: angle of the joint beyond its
+            limit [rad]. Else 0.
+        joint: OUTSIDE: that joint, 0 to 5. Else -1.
+        angle: OUTSIDE: that joint's angle [rad]. Else 0.
     """
 
     outcome: int
@@ -49,10 +51,11 @@ def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limit
         arm: the arm's array.
         hard: (6, 2) hard stops [rad].
         pose: (12,) tip position in L [m], then the rotation row by row.
-        near: (6,) angles to which the solutions are sorted, nearest first [rad].
+        near: (6,) angles; the solutions are sorted by distance from these, nearest first [rad].
         turned: bring each angle to the revolution nearest to `near`; else it lies within +-pi.
-        limited: bring the angles inside the hard stops where a revolution more or less does, and leave out others.
-        solutions: (8, 6) out [rad]; the first `number` rows.
+        limited: bring the angles inside the hard stops by whole revolutions where possible, and leave out solutions
+            outside the stops.
+        solutions: (8, 6) out [rad]; the first `number` rows are filled.
     """
     if not finite(pose) or not finite(near):
         return Solved(NOT_FINITE, 0, 0.0, -1, 0.0)
@@ -86,7 +89,7 @@ def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limit
         way = 0.0
         for k in range(6):
             way += (branches[row, k] - near[k]) ** 2
-        # sorted as they come; equal ones keep their order
+        # insertion sort: rows at equal distances keep their order
         at = count
         while at > 0 and ways[at - 1] > way:
             ways[at] = ways[at - 1]
@@ -107,7 +110,7 @@ def solve(arm: Array, hard: Array, pose: Array, near: Array, turned: bool, limit
 
 @law
 def _skew(pose: Array) -> float:
-    """How far R R^T is from the unit matrix [1]."""
+    """Return the greatest deviation of R R^T from the unit matrix [1]."""
     worst = 0.0
     for i in range(3):
         for j in range(i + 1):
@@ -120,7 +123,7 @@ def _skew(pose: Array) -> float:
 
 @law
 def _determinant(p: Array) -> float:
-    """Of the rotation."""
+    """Return the determinant of the rotation."""
     found: float = p[3] * (p[7] * p[11] - p[8] * p[10])
     found -= p[4] * (p[6] * p[11] - p[8] * p[9])
     found += p[5] * (p[6] * p[10] - p[7] * p[9])
@@ -129,7 +132,10 @@ def _determinant(p: Array) -> float:
 
 @law
 def _bring(angles: Array, hard: Array, near: Array, turned: bool, limited: bool) -> None:
-    """Bring six angles to the revolution nearest to `near`, and inside the limits where that can be."""
+    """Bring six angles to the revolution nearest to `near` if `turned`, and inside the limits if `limited`.
+
+    An angle that has no revolution inside the limits goes to the revolution nearest to them.
+    """
     for k in range(6):
         angle = angles[k]
         if turned:
@@ -138,7 +144,7 @@ def _bring(angles: Array, hard: Array, near: Array, turned: bool, limited: bool)
             low, high = hard[k, 0], hard[k, 1]
             angle = angle - math.tau * max(math.ceil((angle - high - SAME) / math.tau), 0.0)
             angle = angle + math.tau * max(math.ceil((low - SAME - angle) / math.tau), 0.0)
-            below = angle - math.tau  # nearer to a range that the angle is outside of either way
+            below = angle - math.tau  # if the angle is outside in every revolution, take the nearer one
             if angle > high + SAME and low - below < angle - high:
                 angle = below
         angles[k] = angle
@@ -146,7 +152,7 @@ def _bring(angles: Array, hard: Array, near: Array, turned: bool, limited: bool)
 
 @law
 def _beyond(angles: Array, hard: Array) -> tuple[float, int]:
-    """By how much the joint farthest beyond its limits is so [rad], negative inside; and which it is."""
+    """Return the excess of the joint farthest beyond its limits [rad], negative inside, and that joint, 0 to 5."""
     worst, joint = -np.inf, -1
     for k in range(6):
         beyond = max(hard[k, 0] - angles[k], angles[k] - hard[k, 1])
@@ -157,7 +163,7 @@ def _beyond(angles: Array, hard: Array) -> tuple[float, int]:
 
 @law
 def _distinct(rows: Array, count: int, solutions: Array) -> int:
-    """Copy rows without repetitions (the two elbow branches meet where the arm is stretched); return how many."""
+    """Copy rows without repetitions (the two elbow branches meet where the arm is stretched); return their number."""
     kept = 0
     for row in range(count):
         new = True

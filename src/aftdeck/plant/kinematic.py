@@ -10,15 +10,15 @@ from aftdeck.state_part import StatePart
 
 @law
 def follow(asked: Array, period: float, stops: Array, angles: Array, rates: Array, commanded: Array) -> None:
-    """Take up the rates that are asked for, as far as the hard stops let the joints go.
+    """Move the joints at the commanded rates for one control period, as far as the hard stops allow.
 
     Args:
         asked: (6,) commanded rates [rad/s].
-        period: [s].
+        period: control period [s].
         stops: (6, 2) hard stops [rad].
         angles: (6,) joint angles, changed [rad].
         rates: (6,) actual rates, changed [rad/s].
-        commanded: (6,) where the commanded rates would have brought the joints, changed [rad].
+        commanded: (6,) angles to which the commanded rates would have brought the joints without stops, changed [rad].
     """
     for i in range(6):
         before, after = angles[i], angles[i] + asked[i] * period
@@ -28,14 +28,14 @@ def follow(asked: Array, period: float, stops: Array, angles: Array, rates: Arra
 
 
 class KinematicPlant(StatePart):
-    """An arm without mass: rates take effect at once and are held for the control period; a hard stop ends them.
+    """Arm without mass: rates take effect at once and last for the control period; a hard stop ends them.
 
     Not modelled: servos, flexibility, the orbiter's motion, contact.
 
     Attributes:
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
-        commanded: (6,) where the rates commanded so far would have brought the joints [rad].
+        commanded: (6,) angles to which all commanded rates so far would have brought the joints without stops [rad].
         stand: height of the shoulder above L's origin.
     """
 
@@ -45,14 +45,14 @@ class KinematicPlant(StatePart):
     stand: Slide
 
     def move(self, stops: Array, travel: Travel, asked: Array, period: float, drive: float = 0.0) -> None:
-        """Fly commanded rates for one control period.
+        """Move joints and stand at the commanded rates for one control period.
 
         Args:
             stops: (6, 2) hard stops [rad].
-            travel: of the stand.
+            travel: travel of the stand.
             asked: (6,) the commanded rates [rad/s].
-            period: [s].
-            drive: of the stand, -1 to +1.
+            period: control period [s].
+            drive: drive of the stand, -1 to +1.
         """
         follow(asked, period, stops, self.angles, self.rates, self.commanded)
         self.stand.move(travel, drive, period)

@@ -1,4 +1,4 @@
-"""What a run started from, whole, in the file's first message; and the scenario made of it again."""
+"""Everything that a run starts from, stored in a recording's first message, and the scenario rebuilt from it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from aftdeck.state_part import declaration
 from aftdeck.version import __version__
 
 _ARM = "f/f/f/f/f/f/f/f/arm.toml"
-"""So deep that an arm file which names its shapes by a way up stays within the folder."""
+"""Path of the arm file in a temporary folder, so deep that a shapes file named through ``..`` stays in the folder."""
 _WORKSITE = "worksite.toml"
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 
@@ -31,14 +31,14 @@ _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[
 def opening(
     scenario: Scenario, seed: int, began_ns: int, changes: tuple[str, ...] = (), trial: Trial = NO_TRIAL
 ) -> Opening:
-    """The first message of a recording.
+    """Return the first message of a recording.
 
     Args:
-        scenario: what is flown.
-        seed: with which seed.
-        began_ns: wall time at which it begins, since 1970 [ns].
-        changes: KEY=VALUE, where a replay changed the scenario.
-        trial: who takes part, and under which condition.
+        scenario: the scenario of the run.
+        seed: the seed of the run.
+        began_ns: wall time at which the run begins, since 1970 [ns].
+        changes: KEY=VALUE for each value in which the scenario differs from its text.
+        trial: participant and condition.
     """
     model = scenario.arm.model
     return Opening(
@@ -65,7 +65,7 @@ def opening(
 
 
 def machine() -> str:
-    """What the digits of a frame may depend on: processor, system, and what compiles the laws."""
+    """Return what a frame's digits may depend on: processor, operating system, and versions of Python, NumPy, Numba."""
     return (
         f"{platform.machine()} {platform.processor()}".strip()
         + f", {platform.system()}, Python {platform.python_version()}, NumPy {version('numpy')}, "
@@ -74,17 +74,17 @@ def machine() -> str:
 
 
 def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -> Scenario:
-    """The scenario that a recording was made of, from the file alone.
+    """Return the scenario of a recording, rebuilt from the recording alone.
 
     Args:
         start: the recording's first message.
-        changes: values in place of the scenario's own, by their place in its file. A path to an arm or a
-            worksite is sought from the working folder.
+        changes: values that replace the scenario's own, by their location in its file. A relative path to an arm or
+            a worksite starts at the working folder.
 
     Raises:
-        RecordingError: files that this version cannot read.
-        InputError: a place that the scenario's file does not have.
-        ScenarioError: what is wrong in a changed scenario.
+        RecordingError: the path of the arm's shapes file leads out of the recording.
+        InputError: a location that the scenario's file does not have, or an arm or worksite that is not a text.
+        ScenarioError: the scenario is not valid in this version or with these changes.
     """
     before = dict(parse_change(change) for change in start.changes)
     in_file: dict[Where, object] = {("arm",): _ARM, ("worksite",): _WORKSITE}
@@ -105,12 +105,12 @@ def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -
 
 
 def parse_change(text: str) -> tuple[Where, object]:
-    """The place in a scenario's file and the value of ``KEY=VALUE``.
+    """Return the location in a scenario's file, and the value, that ``KEY=VALUE`` gives.
 
-    The value is read as TOML where it is TOML (``0.5``, ``true``, ``[1, 2]``), else as text (``0.5 ft/s``).
+    The value is read as TOML if it is valid TOML (``0.5``, ``true``, ``[1, 2]``), otherwise as text (``0.5 ft/s``).
 
     Raises:
-        InputError: no ``KEY=VALUE``.
+        InputError: the text is not ``KEY=VALUE``.
     """
     key, equals, value = text.partition("=")
     key = key.strip()

@@ -1,4 +1,4 @@
-"""A recorded run flown again with something changed, and what came of it."""
+"""Re-run of a recording with changes in its scenario, and the differences between the two runs."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from aftdeck.simulation.run import Simulation
 
 
 class Outcome(msgspec.Struct, frozen=True):
-    """What differed between a recorded run and the same inputs with something changed."""
+    """Differences between a recorded run and a re-run of its inputs with changes."""
 
     changes: tuple[str, ...]
     ended_before: str
@@ -33,13 +33,13 @@ class Outcome(msgspec.Struct, frozen=True):
     time_before_s: float
     time_after_s: float
     compared: int
-    """Frames at equal times."""
+    """Number of pairs of frames compared; the frames of a pair have equal times."""
     first: Difference | None
-    """None: nothing differs."""
+    """First difference between frames; None if all compared frames agree. `events` are compared separately."""
     greatest_tip_m: Greatest
     greatest_joint_rad: Greatest
     joint: str
-    """Whose angle differs most."""
+    """Name of the joint whose angle differs most; empty if no angle differs."""
     tip_at_end_m: float
     events: tuple[EventChange, ...]
     frames_sha256: str
@@ -52,22 +52,22 @@ def rerun(
     progress: Progress | None = None,
     index: Index | None = None,
 ) -> Outcome:
-    """Fly a recording's inputs again with changes in its scenario.
+    """Re-run a recording's inputs with changes in its scenario.
 
-    A scripted run goes on to its own new end; inputs of a person end where they ended. With another control period
-    each step flies the inputs given since the last one.
+    A script continues to its own new end; a person's inputs end where the recording ends. With another control
+    period, each step takes the inputs recorded since the previous step.
 
     Args:
         path: the recording.
         changes: ``KEY=VALUE`` each; ``seed=N`` changes the seed.
-        out: a file to record the new run into.
-        progress: told now and then how much of the recording has been flown, 0 to 1.
-        index: list to keep the new file in.
+        out: file to record the new run into; None records nothing.
+        progress: called from time to time with the share of the recording that has been re-run, 0 to 1.
+        index: list of recordings to which `out` is added.
 
     Raises:
-        InputError: a change that is none, or of a place that the scenario does not have.
-        ScenarioError: what is wrong in the changed scenario.
-        RecordingError: no recording, a damaged one, or an `out` that cannot be written.
+        InputError: a change is not ``KEY=VALUE``, or names a location that the scenario does not have.
+        ScenarioError: the changed scenario is not valid.
+        RecordingError: `path` is not a recording or is damaged, or `out` cannot be written.
     """
     recording = Recording(path)
     opening = recording.opening
@@ -116,7 +116,7 @@ def rerun(
 
 
 def _flown_again(recording: Recording, sim: Simulation) -> Iterator[tuple[Inputs | None, Frame]]:
-    """The recorded inputs in another simulation; a script goes on to its own end, and no further."""
+    """Yield each step's inputs and frame in another simulation; a script continues to its own end, not beyond it."""
     inputs: Inputs | None = Inputs()
     old, new = recording.opening.control_period_s, sim.scenario.control_period
     for given in resampled((flown for flown, _ in recording.steps()), old, new):

@@ -1,4 +1,4 @@
-"""The channels of a recording in a context of foxglove-sdk: our own, and those of Foxglove's known schemas."""
+"""Channels of a recording in a context of foxglove-sdk: Aftdeck's own, and those with Foxglove's known schemas."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from aftdeck.recording.records import CHANNELS
 from aftdeck.recording.schema import schema
 
 FIXED, SCENE = "/tf_static", "/scene"
-"""What tells all at once and then is silent."""
+"""Topics that are sent in full at the start of a run, and again only to a viewer that subscribes later."""
 
 
 class Channels:
-    """All channels of a context; they outlive a run where viewers are attached to them.
+    """All channels of a context; if a server for viewers owns them, they outlive a run.
 
     Attributes:
-        context: what they belong to.
-        tf: transforms between what moves.
-        tf_static: those that stay.
-        scene: how the bodies look.
-        measured: joint angles and rates.
-        commanded: the same as commanded.
+        context: the context that the channels belong to.
+        tf: transforms of moving coordinate frames.
+        tf_static: transforms that do not change.
+        scene: shapes and colours of the bodies.
+        measured: measured joint angles and rates.
+        commanded: commanded joint angles and rates.
         tip: the tip's pose.
-        lines: the log.
+        lines: lines of the log.
     """
 
     def __init__(self) -> None:
@@ -43,5 +43,5 @@ class Channels:
         self.lines = channels.LogChannel("/log", context=self.context)
 
     def log(self, topic: str, message: Message, time_ns: int) -> None:
-        """Write one of our own messages at a time since 1970 [ns]."""
+        """Write one of Aftdeck's own messages at a time since 1970 [ns]."""
         self._own[topic].log(encode(message), log_time=time_ns)

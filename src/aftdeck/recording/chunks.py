@@ -1,7 +1,7 @@
-"""The records of an MCAP file from its beginning, each checked, so that damage is told apart from a cut-off end.
+"""Records of an MCAP file in order, each checked, so that damage can be distinguished from a cut-off end.
 
-Every chunk carries the sum of what is in it, the end of the data the sum of all before it, and every length is
-given twice; a file whose writer was killed ends within a record, or in a chunk that was under way.
+Every chunk carries the CRC of its content, and the end of the data carries the CRC of all bytes before it. Every length
+is given twice. A file whose writer was killed ends within a record or in an unfinished chunk.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from mcap.stream_reader import breakup_chunk
 
 MAGIC = b"\x89MCAP0\r\n"
 MOST_UNPACKED = 2**28
-"""Longest chunk that is unpacked [bytes]; the writer closes one at less than a hundredth of it."""
+"""Longest chunk that is unpacked [bytes]; the writer closes a chunk at less than a hundredth of it."""
 UNDER_WAY = 2**64 - 1
-"""Stands in place of a length while its chunk is being written."""
+"""Value of a length field while its chunk is being written."""
 _START = struct.Struct("<BQ")
 _INT, _LONG = struct.Struct("<I"), struct.Struct("<Q")
 _PARTS: dict[int, tuple[tuple[int, struct.Struct], ...]] = {
@@ -32,25 +32,25 @@ _PARTS: dict[int, tuple[tuple[int, struct.Struct], ...]] = {
     Opcode.CHUNK: ((28, _INT), (0, _LONG)),
     Opcode.MESSAGE_INDEX: ((2, _INT),),
 }
-"""A record's parts that say how long they are: the bytes before each, and the number that it begins with."""
+"""A record's parts of variable length: the bytes before each part, and the format of the length that it begins with."""
 _SKIPPED: set[int] = {Opcode.MESSAGE_INDEX, Opcode.ATTACHMENT, Opcode.METADATA}
 _KNOWN: set[int] = _SKIPPED | {Opcode.HEADER, Opcode.CHUNK, Opcode.DATA_END}
 _BROKEN = (McapError, zstandard.ZstdError, struct.error, ValueError, OverflowError, MemoryError)
-"""What a damaged chunk makes the libraries raise."""
+"""Exceptions that the libraries raise for a damaged chunk."""
 
 
 class DamageError(Exception):
-    """What is wrong in the file."""
+    """Damage in the file; the message says what is wrong."""
 
 
 def records(file: BinaryIO) -> Iterator[McapRecord]:
-    """The header, then channels, schemas and messages in order; last the end of the data, if the file has come to it.
+    """Yield the header, then channels, schemas and messages in order, then the end of the data if the file has it.
 
     Args:
-        file: an MCAP file in chunks, at its beginning. What is behind the end of its data is not looked at.
+        file: an MCAP file in chunks, at its beginning. What follows the end of its data is not checked.
 
     Raises:
-        DamageError: at the record in which the damage lies.
+        DamageError: the file is damaged; raised at the damaged record.
     """
     size = os.fstat(file.fileno()).st_size
     total = zlib.crc32(file.read(len(MAGIC)))
@@ -82,7 +82,11 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
 
 
 def _told_length(opcode: int, body: bytes) -> int | None:
-    """A record's length by what it says of its parts; None: it does not say, or not in what there is of it."""
+    """Return a record's length, computed from the lengths of its parts.
+
+    Returns:
+        `UNDER_WAY` if a part is still being written; None if the record gives no lengths or `body` ends before them.
+    """
     if opcode == Opcode.DATA_END:
         return _INT.size
     at = 0

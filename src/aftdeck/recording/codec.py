@@ -1,8 +1,8 @@
-"""Between values and the JSON of the session file, derived from the types of the values.
+"""Conversion between values and the JSON of a recording, derived from the types of the values.
 
-A field that tells its decimals (`aftdeck.told`) is rounded to them, and a rotation there is a quaternion, w x y z; any
-other is kept to the last digit, a rotation as its matrix row by row. Viewers take no list of lists: named tuples are
-objects.
+A field that declares its decimals (`aftdeck.told`) is rounded to them, and a rotation in it is a quaternion, w x y z.
+Any other field is kept to the last digit, and a rotation in it is a matrix, row by row. Named tuples are written as
+objects, because viewers do not accept lists of lists.
 """
 
 from __future__ import annotations
@@ -18,37 +18,37 @@ import numpy as np
 from aftdeck.frames import Rows, quaternion, rotation_of
 
 Change = Callable[[Any], Any]
-"""Makes the plain form of a value, or a value of its plain form."""
+"""Function that converts a value to its plain form, or back."""
 S = TypeVar("S", bound=msgspec.Struct)
 
 _encode = msgspec.json.Encoder().encode
 
 
 def encode(message: msgspec.Struct) -> bytes:
-    """A message as JSON."""
+    """Return a message as JSON."""
     return _encode(plain(message))
 
 
 def decode(kind: type[S], data: bytes) -> S:
-    """The message of a type that `encode` made JSON of.
+    """Return the message of a type from the JSON that `encode` made.
 
     Raises:
-        msgspec.MsgspecError: it is none.
+        msgspec.MsgspecError: `data` is not a message of this type.
     """
     return restored(kind, msgspec.json.decode(data))
 
 
 def plain(message: msgspec.Struct) -> Any:
-    """A message as it is written: objects, lists of numbers, texts."""
+    """Return a message in its plain form, as it is written: objects, lists of numbers, texts."""
     change = _of_struct(type(message), back=False)
     return message if change is None else change(message)
 
 
 def restored(kind: type[S], given: Any) -> S:
-    """The message whose plain form is given.
+    """Return the message of a type from its plain form.
 
     Raises:
-        msgspec.ValidationError: it is none of this type.
+        msgspec.ValidationError: `given` is not a message of this type.
     """
     change = _of_struct(kind, back=True)
     try:
@@ -60,13 +60,16 @@ def restored(kind: type[S], given: Any) -> S:
 
 
 def as_read(message: S) -> S:
-    """A message as it is read again from the file that it is written into."""
+    """Return a message as it would be read back from a file: rounded to its declared decimals."""
     return restored(type(message), plain(message))
 
 
 @cache
 def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change | None:
-    """How a struct or named tuple changes, whose own fields may tell their decimals; None: not at all."""
+    """Return the conversion of a struct or named tuple; None if it needs none.
+
+    `decimals` holds for fields that do not declare their own.
+    """
     hints = get_type_hints(kind, include_extras=True)
     names = kind.__struct_fields__ if issubclass(kind, msgspec.Struct) else kind._fields  # type: ignore[attr-defined]
     changes = {name: change for name in names if (change := _of(hints[name], back=back, decimals=decimals))}
@@ -86,12 +89,12 @@ def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change
 
 
 def _written(kind: type, names: tuple[str, ...], changes: dict[str, Change]) -> Change:
-    """The object that a struct or named tuple is written as."""
+    """Return the conversion of a struct or named tuple to the object that is written."""
     omitted: dict[str, object] = {}
     written: dict[str, bytes] = {}
     if issubclass(kind, msgspec.Struct) and kind.__struct_config__.omit_defaults:
         omitted = {field.name: field.default for field in msgspec.structs.fields(kind)}
-        # 0.0 and -0.0 are equal, and not the same
+        # compare encoded defaults too: 0.0 == -0.0, but the file must distinguish them
         written = {name: _encode(default) for name, default in omitted.items() if default is not msgspec.NODEFAULT}
 
     def write(value: Any) -> dict[str, Any]:
@@ -108,7 +111,7 @@ def _written(kind: type, names: tuple[str, ...], changes: dict[str, Change]) -> 
 
 
 def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
-    """How a value of a type changes; None: not at all."""
+    """Return the conversion of values of a type; None if they need none."""
     if get_origin(hint) is Annotated:
         inner, *more = get_args(hint)
         extra = next((one.extra for one in more if isinstance(one, msgspec.Meta) and one.extra), {})
@@ -131,7 +134,7 @@ def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
 
 
 def _of_tuple(kinds: tuple[Any, ...], *, back: bool, decimals: int | None) -> Change | None:
-    """How a tuple changes whose items are of one type."""
+    """Return the conversion of a tuple whose items have one type; None if they need none."""
     change = _of(kinds[0], back=back, decimals=decimals)
     if change is None:
         return None

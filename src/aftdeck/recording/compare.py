@@ -1,4 +1,4 @@
-"""What differs between two frames, and between two runs of the same inputs."""
+"""Differences between two frames, and between two runs of the same inputs."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.resample import SAME_TIME
 
 _NOT_FLOWN = {"wall_s", "latency_ms", "sha256", "tick", "events"}
-"""Fields that say nothing of the flight's state; events are compared apart."""
+"""Fields that are not compared because they do not describe the run's state; events are compared separately."""
 
 
 class FieldChange(msgspec.Struct, frozen=True):
-    """A field that differs."""
+    """A field that differs, with both values as JSON."""
 
     field: str
     before: str
@@ -24,23 +24,23 @@ class FieldChange(msgspec.Struct, frozen=True):
 
 
 class Difference(msgspec.Struct, frozen=True):
-    """How one frame differs from another."""
+    """Difference between two frames."""
 
     time_s: float
     tick: int
     fields: tuple[FieldChange, ...]
-    """Empty: they differ beyond the recorded decimals only."""
+    """Fields that differ; empty if the frames differ only beyond the recorded decimals."""
 
 
 class Greatest(msgspec.Struct, frozen=True):
-    """The greatest difference of a quantity, and when it was."""
+    """The greatest difference of a quantity, and the simulated time at which it occurred."""
 
     value: float
     time_s: float
 
 
 class EventChange(msgspec.Struct, frozen=True):
-    """A line of the log that only one run has, or has at another time."""
+    """Line of the log whose time differs between two runs; a time is None if that run does not have the line."""
 
     text: str
     before_s: float | None
@@ -48,12 +48,12 @@ class EventChange(msgspec.Struct, frozen=True):
 
 
 def first_difference(before: FrameRecord, after: FrameRecord) -> Difference:
-    """The fields in which two frames differ, as far as they are recorded."""
+    """Return the recorded fields in which two frames differ."""
     return Difference(before.time_s, before.tick, tuple(_changes(before, after)))
 
 
 def alike(before: FrameRecord, after: FrameRecord) -> bool:
-    """Whether two frames say the same of the flight, as far as they are recorded."""
+    """Return whether two frames agree in all recorded fields that describe the run's state."""
     return next(_changes(before, after), None) is None
 
 
@@ -69,15 +69,15 @@ def _shown(value: object) -> str:
 
 
 class Comparison:
-    """Gathers how a run departs from another, frame by frame at equal times.
+    """Comparison of a run with another, frame by frame at equal times.
 
     Attributes:
-        first: the first difference.
+        first: the first difference; None if there is none.
         tip: greatest distance between the tips [m].
-        joint: greatest difference of a joint's angle [rad].
-        joint_name: of that joint.
-        tip_at_end: distance between the tips at the last time that both have [m].
-        compared: frames compared.
+        joint: greatest difference of a joint angle [rad].
+        joint_name: name of that joint; empty if no angle differs.
+        tip_at_end: distance between the tips at the last time that both runs have [m].
+        compared: number of pairs of frames compared.
     """
 
     def __init__(self, joints: tuple[str, ...]) -> None:
@@ -119,7 +119,7 @@ class Comparison:
             self.joint_name = self._joints[apart.index(max(apart))]
 
     def _note(self, before: FrameRecord | None, after: FrameRecord | None) -> None:
-        """Remember the log's lines of a frame of each run."""
+        """Store the log lines of each run's frame; None for a run without a frame at this time."""
         if before is not None:
             self._before += [(event.text, event.time_s) for event in before.events]
         if after is not None:
@@ -127,7 +127,10 @@ class Comparison:
 
     @property
     def events(self) -> tuple[EventChange, ...]:
-        """Lines that only one of the runs has, or that came at another time; the n-th of a text meets the n-th."""
+        """Lines of the log that only one run has, or that have different times.
+
+        The n-th line with a text in one run is compared with the n-th line with that text in the other.
+        """
         before, after = _numbered(self._before), _numbered(self._after)
         changes = [
             EventChange(text, before.get((text, n)), after.get((text, n)))

@@ -1,4 +1,4 @@
-"""Between the simulation's values and the session file's messages, both ways."""
+"""Conversion between the simulation's values and the messages of a recording, both ways."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.plain import plain_inputs
 
 DIGITS = 16
-"""Of the digest kept beside a frame."""
+"""Hexadecimal digits of the digest that is stored with a frame."""
 
 
 def input_record(tick: int, inputs: Inputs | None) -> Input:
-    """The inputs of a step; None: the script flew it."""
+    """Return the record of a step's inputs; `inputs` is None if the script made the step."""
     return Input(tick=tick, script=True) if inputs is None else Input(tick=tick, **asdict(plain_inputs(inputs)))
 
 
 def inputs_of(record: Input) -> Inputs | None:
-    """What was flown, exactly."""
+    """Return the exact inputs of a recorded step; None if the script made it."""
     return None if record.script else Inputs(*[getattr(record, name) for name in Inputs.__struct_fields__])
 
 
 def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> FrameRecord:
-    """What the file is to keep of a frame; it rounds it."""
+    """Return the record of a frame with exact values; `codec.encode` rounds them."""
     told = {name: getattr(frame, name) for name in Frame.__struct_fields__}
     return FrameRecord(**{**told, "sha256": frame.sha256[:DIGITS]}, wall_s=wall_s, latency_ms=latency_ms)
 
 
 def light_record(time_s: float, lighting: Lighting) -> LightRecord:
-    """How the light stands from a time on."""
+    """Return the record of the light from `time_s` [s] on."""
     locked = tuple([LockRecord(lock.camera, lock.stops) for lock in lighting.locked])
     return LightRecord(time_s, lighting.condition, lighting.lamps, locked)
 
 
 def lighting_of(record: LightRecord) -> Lighting:
-    """The light of a recorded message."""
+    """Return the light that a record describes."""
     locked = tuple([LockedExposure(lock.camera, lock.stops) for lock in record.locked])
     return Lighting(record.condition, record.lamps, locked)

@@ -1,6 +1,6 @@
-"""The tables of docs/recording.md, made from the message types: ``python -m aftdeck.recording.document FILE``.
+"""The tables of docs/recording.md, generated from the message types: ``python -m aftdeck.recording.document FILE``.
 
-The text between the two marks of the file is written anew; everything around it is left as it is.
+The text between the two marks of the file is replaced; everything around it stays.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _NAMES = {float: "number", int: "whole number", str: "text", bool: "true or fals
 
 
 def tables() -> str:
-    """A heading and a table of fields for each channel, and for each type within."""
+    """Return a heading and a table of fields for each channel, and for each type that its fields contain."""
     return "\n".join(_channels())
 
 
@@ -64,10 +64,10 @@ def _first(kind: type) -> str:
 
 
 def renewed(text: str) -> str:
-    """The document with its tables made anew.
+    """Return the document with regenerated tables.
 
     Raises:
-        InputError: a document without the two marks.
+        InputError: the document does not have both marks in their order.
     """
     before, begin, rest = text.partition(BEGIN)
     _, end, after = rest.partition(END)
@@ -77,7 +77,7 @@ def renewed(text: str) -> str:
 
 
 def main() -> None:
-    """Write the named file's tables anew; with ``--check``, end with 1 where that would change it."""
+    """Regenerate the tables of the named file; with ``--check``, exit with code 1 if they would change."""
     *flags, name = sys.argv[1:]
     file = Path(name)
     text = file.read_text(encoding="utf-8")

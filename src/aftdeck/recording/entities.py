@@ -1,4 +1,4 @@
-"""The bodies as Foxglove's scene entities: its own cubes, cylinders and spheres where those say all, else triangles."""
+"""Bodies as Foxglove's scene entities: cubes, cylinders and spheres where these suffice, otherwise triangles."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ from aftdeck.shapes import Axis, Box, Cylinder, Material, Sphere
 from aftdeck.worksite.model import Body
 
 GRAIN = 2.0**-10
-"""Triangles' corners are rounded to this [m], under a millimetre: short numbers pack well."""
+"""Step to which corners of triangles are rounded [m], under a millimetre: short numbers compress well."""
 _ALONG: dict[Axis, Array] = {
     "x": np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
     "y": np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]),
     "z": np.eye(3),
 }
-"""Turns Foxglove's cylinder, which stands along z, along another axis."""
+"""Rotations that align Foxglove's cylinder, whose axis is z, with another axis."""
 
 
 def scene_update(bodies: Iterable[Body], time: fox.Timestamp) -> fox.SceneUpdate:
-    """All bodies, each in the frame of its name, in place of all that was there."""
+    """Return an update that replaces all entities by these bodies, each in the coordinate frame of its name."""
     gone = fox.SceneEntityDeletion(timestamp=time, type=fox.SceneEntityDeletionType.All)
     return fox.SceneUpdate(deletions=[gone], entities=[entity(body, time) for body in bodies])
 
 
 def entity(body: Body, time: fox.Timestamp) -> fox.SceneEntity:
-    """A body that moves with its frame."""
+    """Return the entity of a body, which moves with the coordinate frame of its name."""
     cubes, cylinders, spheres = [], [], []
     surfaces: dict[Material, list[Mesh]] = defaultdict(list)
     for shape, pose in placed(body.shapes):
@@ -85,7 +85,10 @@ def _triangles(surface: Mesh, colour: fox.Color) -> fox.TriangleListPrimitive:
 
 
 def _pose(pose: Pose) -> fox.Pose:
-    """A pose; of a reflected one that which shows the same: all that is placed by it is its own image in y."""
+    """Return a Foxglove pose; the rotation of a reflected pose has its y axis reversed.
+
+    The picture stays the same, because every shape that is placed by such a pose is symmetric in y.
+    """
     rotation = pose.rotation if np.linalg.det(pose.rotation) > 0.0 else pose.rotation * [1.0, -1.0, 1.0]
     w, x, y, z = quaternion(rotation)
     return fox.Pose(position=_vector(*pose.position.tolist()), orientation=fox.Quaternion(x=x, y=y, z=z, w=w))

@@ -1,6 +1,6 @@
-"""Recordings of layout 1, of Aftdeck 0.1: their messages in the plain form of layout 2.
+"""Conversion of messages of layout 1, of Aftdeck 0.1, to the plain form of layout 2.
 
-There a frame's fields had their units in their names, and some had other names.
+In layout 1 the names of a frame's fields contain units, and some fields have other names.
 """
 
 from __future__ import annotations
@@ -42,19 +42,19 @@ _NEAR = {
 _HAND = {"spacing_m": "spacing"}
 _CARGO = {"position_m": "position", "rotation": "orientation", "velocity_m_s": "velocity"}
 RENAMED = {"": _FRAME, "goal": _GOAL, "work": _WORK, "work.nearest": _NEAR, "work.hand": _HAND, "work.cargo": _CARGO}
-"""What a frame's fields are called in layout 2, by the part of the frame that they are in."""
+"""Names in layout 2 of a frame's fields, by their names in layout 1, for each part of the frame."""
 
 
 class FramesOf1:
-    """Takes over frames one after another; what the clearance calls for depends on what it did before."""
+    """Converter of a run's frames, in order: a frame's clearance level depends on the level before."""
 
     def __init__(self, caution: float, warning: float) -> None:
-        """Take over the frames of a flight with these thresholds of clearance [m]; files of the first weeks lack it."""
+        """Set the thresholds of clearance [m]; they serve early files, which do not record the clearance level."""
         self._caution, self._warning = caution, warning
         self._level: Level = CLEAR
 
     def frame(self, old: Plain) -> Plain:
-        """A frame in the plain form of layout 2."""
+        """Return a frame in the plain form of layout 2."""
         new = _renamed(old, _FRAME)
         place, attitude = new.pop("payload_m"), new.pop("payload_rotation")
         new["payload"] = None if place is None else {"position": place, "orientation": attitude}
@@ -68,7 +68,7 @@ class FramesOf1:
         new["work"] = work = self._work(old["work"])
         new.setdefault("times", {})
         new.setdefault("wrist_pitch", None)
-        if new.get("attached") is None:  # there was one payload of the scenario's own at most
+        if new.get("attached") is None:  # scenarios had at most one payload of their own then
             new["attached"] = int(place is not None and not any(one["held"] for one in work["cargo"]))
         return new
 
@@ -88,13 +88,13 @@ class FramesOf1:
 
 
 def as_told(frame: FrameRecord) -> FrameRecord:
-    """A frame without what layout 1 does not tell of it."""
+    """Return a frame without the values that layout 1 does not record: its check's seconds, cause and joints."""
     check = frame.check and Check(frame.check.good, frame.check.text)
     return replace(frame, check=check)
 
 
 def inputs(old: Plain) -> Plain:
-    """A step's inputs in the plain form of layout 2."""
+    """Return a step's inputs in the plain form of layout 2."""
     new = dict(old)
     place, rotation, joints = (new.pop(f"target_{part}", None) for part in ("position", "rotation", "joints"))
     if place is not None:

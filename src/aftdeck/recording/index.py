@@ -1,4 +1,4 @@
-"""The list of recordings made on this machine, in a small database of the user's."""
+"""List of the recordings made on this machine, in a small database of the user."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Opening
 
 BUSY_S = 5.0
-"""How long another program may hold the database [s]."""
+"""Longest wait for another program that holds the database [s]."""
 FRESH_S = 3.0
-"""A file written to within this time is still being recorded [s]."""
+"""Time since the last write within which a file counts as still being recorded [s]."""
 _TABLE = """
     create table if not exists recordings (
         path text primary key, scenario text not null, title text not null, seed integer not null,
@@ -28,7 +28,7 @@ _TABLE = """
     )
 """
 _ADDED = ("participant", "condition", "changes")
-"""Columns of text that lists of earlier versions do not have."""
+"""Columns of text that lists made by earlier versions do not have."""
 _COLUMNS = f"path, scenario, title, seed, version, began, ended, time_s, bytes, {', '.join(_ADDED)}"
 
 
@@ -43,32 +43,32 @@ class Entry(msgspec.Struct, frozen=True):
     began: str
     """Wall time, ISO 8601, UTC."""
     ended: str
-    """``completed``, ``time``, ``fault``, ``stopped``, ``restarted``; ``cut`` where the program was killed;
-    ``recording`` while it goes on."""
+    """``completed``, ``time``, ``fault``, ``stopped`` or ``restarted``; ``cut`` if the program was killed or recording
+    failed; ``recording`` while it continues."""
     time_s: float
     """Simulated time [s]."""
     bytes: int
     participant: str = ""
-    """Code of who took part; empty: none was given."""
+    """Participant's code; empty if none was given."""
     condition: str = ""
-    """Of the trial; empty: none was given."""
+    """Condition of the trial; empty if none was given."""
     changes: str = ""
-    """``KEY=VALUE, KEY=VALUE``: what a replay changed; empty: it was flown so."""
+    """``KEY=VALUE, KEY=VALUE``: values in which the scenario differs from its text; empty if none does."""
     state: Literal["here", "gone", "unreadable"] = "here"
 
 
 class Index:
-    """The list, one row a file.
+    """List of recordings, with one row for each file.
 
     Raises:
-        RecordingError: from every method, where the database cannot be read or written.
+        RecordingError: from every method, if the database cannot be read or written.
     """
 
     def __init__(self, path: Path | None = None) -> None:
         self.path = path or Path(platformdirs.user_data_dir("aftdeck", appauthor=False)) / "recordings.sqlite"
 
     def begin(self, path: Path, opening: Opening) -> None:
-        """A recording has begun."""
+        """Add a recording that has begun."""
         row = (opening.scenario, opening.title, opening.seed, opening.version, opening.began, "recording", 0.0, 0)
         said = (opening.participant, opening.condition, ", ".join(opening.changes))
         with self._open() as database:
@@ -78,7 +78,7 @@ class Index:
             )
 
     def end(self, path: Path, ended: str, time_s: float) -> None:
-        """A recording has ended."""
+        """Store how a recording ended, its simulated time [s] and its size."""
         size = path.stat().st_size if os.path.exists(path) else 0
         self._update(str(path.absolute()), ended, time_s, size)
 
@@ -89,13 +89,13 @@ class Index:
             )
 
     def entries(self, scenario: str = "", ended: str = "", since: str = "", participant: str = "") -> list[Entry]:
-        """The recordings, newest first; those that never said how they ended are looked at.
+        """Return the recordings, newest first; the file of each one whose end is not stored is read.
 
         Args:
-            scenario: only of this one.
-            ended: only those that ended so.
-            since: only those begun at or after this time, ISO 8601 or the beginning of one.
-            participant: only those in which this one took part.
+            scenario: return only recordings of this scenario; empty for all.
+            ended: return only recordings that ended this way; empty for all.
+            since: return only recordings begun at or after this time, ISO 8601 or the beginning of one; empty for all.
+            participant: return only recordings of this participant; empty for all.
         """
         with self._open() as database:
             rows = database.execute(f"select {_COLUMNS} from recordings order by began desc, path").fetchall()
@@ -110,7 +110,7 @@ class Index:
         ]
 
     def _seen(self, entry: Entry) -> Entry:
-        """An entry as its file is now."""
+        """Return an entry, updated from its file."""
         file = Path(entry.path)
         try:
             status = file.stat()
@@ -128,15 +128,15 @@ class Index:
         return msgspec.structs.replace(entry, ended=recording.ended or "cut", time_s=recording.time_s, bytes=size)
 
     def forget(self, entries: list[Entry]) -> None:
-        """Take entries off the list; their files stay."""
+        """Remove entries from the list; their files stay."""
         with self._open() as database:
             database.executemany("delete from recordings where path = ?", [(entry.path,) for entry in entries])
 
     def delete(self, entries: list[Entry]) -> None:
-        """Delete the entries' files, and take them off the list.
+        """Delete the entries' files, and remove the entries from the list.
 
         Raises:
-            RecordingError: a file that cannot be deleted, or that is being recorded; those before it are.
+            RecordingError: a file cannot be deleted or is being recorded; the files before it are deleted.
         """
         for entry in entries:
             if entry.state == "here" and entry.ended == "recording":
@@ -163,10 +163,10 @@ class Index:
 
 
 def _make_table(database: sqlite3.Connection) -> None:
-    """The table, with the columns that an earlier version did not give it."""
+    """Create the table if it is missing, and add the columns that an earlier version did not create."""
     database.execute(_TABLE)
     if _missing(database):
-        database.execute("begin immediate")  # another program may be about to do the same
+        database.execute("begin immediate")  # another program may be about to add the same columns
         for column in _missing(database):
             database.execute(f"alter table recordings add column {column} text not null default ''")
 

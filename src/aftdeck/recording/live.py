@@ -1,4 +1,4 @@
-"""A run as it is flown, for Foxglove or another viewer of its protocol to attach to."""
+"""Server of a run in progress, to which Foxglove or another viewer of its protocol can attach."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from aftdeck.recording.channels import Channels
 
 
 class Live:
-    """A server that lends its channels to one recorder after another.
+    """Server that lends its channels to one recorder after another.
 
-    What is told only once, at a run's beginning, a viewer that comes later asks for by subscribing to it.
+    Some topics are sent only once, at the start of a run. A viewer that attaches later gets them when it subscribes.
 
     Attributes:
-        channels: what viewers see, the same ones run after run: a viewer may be told of a channel that comes later
-            before the server knows it, and then never gets it.
-        address: for a viewer to open: ``ws://127.0.0.1:8765``.
+        channels: the channels that viewers see, the same for all runs: a viewer may learn of a new channel before the
+            server knows the channel, and then never gets its messages.
+        address: the address that a viewer opens, such as ``ws://127.0.0.1:8765``.
     """
 
     def __init__(self, port: int, host: str = "127.0.0.1") -> None:
-        """Begin to serve.
+        """Start the server.
 
         Args:
-            port: 0 for any that is free.
-            host: address of this machine to listen at.
+            port: port to listen on; 0 takes any free one.
+            host: address of this machine to listen on.
 
         Raises:
-            RecordingError: the port is in use or cannot be had.
+            RecordingError: the port is in use or not available.
         """
         self.channels = Channels()
         self._listener = _Listener()
@@ -44,7 +44,7 @@ class Live:
         self.address = f"ws://{host}:{self._server.port}"
 
     def asked(self) -> list[str]:
-        """Topics that viewers have subscribed to since the last call; costs nothing where there are none."""
+        """Return the topics that viewers subscribed to since the last call; costs nothing if there are none."""
         topics = []
         while not self._listener.topics.empty():
             topics.append(self._listener.topics.get())
@@ -56,12 +56,12 @@ class Live:
 
 
 class _Listener(ServerListener):
-    """Keeps the topics that viewers subscribe to."""
+    """Collector of the topics that viewers subscribe to."""
 
     def __init__(self) -> None:
         self.topics: SimpleQueue[str] = SimpleQueue()
 
     def on_subscribe(self, client: Client, channel: ChannelView) -> None:
-        """A viewer wants a topic; called on the server's thread."""
+        """Store a topic that a viewer subscribes to; called on the server's thread."""
         del client
         self.topics.put(channel.topic)

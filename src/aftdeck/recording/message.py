@@ -1,4 +1,4 @@
-"""What every type of message is made of."""
+"""Base class of all messages of a recording."""
 
 from __future__ import annotations
 
@@ -8,4 +8,4 @@ Numbers = tuple[float, ...]
 
 
 class Message(msgspec.Struct, frozen=True):
-    """Base of what the channels carry."""
+    """Base class of the messages that the channels carry."""

@@ -1,4 +1,4 @@
-"""Reading a session file, whole, cut short or damaged."""
+"""Reader of recordings: complete, cut short or damaged."""
 
 from __future__ import annotations
 
@@ -33,31 +33,32 @@ from aftdeck.simulation.frame import Frame
 
 
 class _Layout(msgspec.Struct):
-    """What the first message says of itself in every layout."""
+    """Layout number and version, which the first message contains in every layout."""
 
     format: int
     version: str
 
 
 class Recording:
-    """A session file that can be read, from its beginning as far as it goes.
+    """Recording that is read from its beginning as far as the file goes.
 
     Attributes:
         path: the file.
-        opening: what the run started from.
-        ended: how the run ended; empty until the file has been read to its end, or where it was cut short.
-        cut: whether the file was cut short: the program was killed, or a disk was full. Known once it has been read.
+        opening: everything that the run started from.
+        ended: how the run ended; empty until the file has been read to its end, or if the file is cut short.
+        cut: whether the file is cut short, because the program was killed or a disk was full. It is False until the
+            file has been read.
         time_s: simulated time of the last frame read [s].
-        share: how much of the file has been read, 0 to 1.
-        frames_sha256: SHA-256 over those of all frames; empty as `ended` is.
-        summary: the scripted run's summary, JSON; empty as `ended` is, or by hand.
+        share: share of the file that has been read, 0 to 1.
+        frames_sha256: SHA-256 over the digests of all frames; empty while `ended` is empty.
+        summary: summary of a scripted run, JSON; empty while `ended` is empty, and for a manual run.
     """
 
     def __init__(self, path: str | Path) -> None:
         """Open a recording.
 
         Raises:
-            RecordingError: no recording of Aftdeck, or one of a newer layout.
+            RecordingError: the file is not a recording of Aftdeck, has a newer layout, or has no first message.
         """
         self.path = Path(path)
         self.ended, self.cut, self.time_s, self.share = "", False, 0.0, 0.0
@@ -74,10 +75,10 @@ class Recording:
             self._old = FramesOf1(flown.caution, flown.warning)
 
     def messages(self) -> Iterator[Message]:
-        """All messages in order, as far as the file goes; then `ended` or `cut` is known.
+        """Yield all messages in order, as far as the file goes; `ended` or `cut` is known afterwards.
 
         Raises:
-            RecordingError: a damaged file, where the damage begins.
+            RecordingError: the file is damaged; raised where the damage begins.
         """
         self.ended, self.cut, self.time_s = "", False, 0.0
         tick = 0
@@ -94,7 +95,7 @@ class Recording:
         self.cut = not self.ended
 
     def steps(self) -> Iterator[tuple[Input, FrameRecord]]:
-        """Each step's inputs and frame; notes apart."""
+        """Yield the inputs and the frame of each step; all other messages are skipped."""
         flown: Input | None = None
         for message in self.messages():
             if isinstance(message, Input):
@@ -105,16 +106,19 @@ class Recording:
                 yield flown, message
 
     def retold(self, frame: Frame) -> FrameRecord:
-        """A frame as it would be read from this file; it tells nothing of wall time and delays."""
+        """Return a frame as it would be read from this file, but without wall time and latency."""
         again = as_read(frame_record(frame, 0.0, None))
         return again if self._old is None else as_told(again)
 
     def notes(self) -> Iterator[Note]:
-        """What the station wrote in the log."""
+        """Return an iterator over the lines that the station wrote in the log."""
         return (message for message in self.messages() if isinstance(message, Note))
 
     def controllers(self) -> Iterator[ControllersRecord]:
-        """What moved the sticks, whenever it changed; nothing where a script flew or the file is an older one."""
+        """Return an iterator over the devices that moved the sticks, one record for each change.
+
+        It is empty for a scripted run and for a file made before these records existed.
+        """
         return (message for message in self.messages() if isinstance(message, ControllersRecord))
 
     def _messages(self) -> Iterator[Message]:

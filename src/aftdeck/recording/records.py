@@ -1,8 +1,9 @@
-"""The session file's messages, defined once: schemas and docs/recording.md are made from these types.
+"""Messages of a recording, defined once: schemas and docs/recording.md are generated from these types.
 
 Numbers are SI. The clock of every message is the run's: simulated time, counted from the wall time at which the run
-began; `wall_s` tells when the step was really done. Inputs are exact. Frames are rounded for the file's sake, lengths
-and angles to nine decimals, sticks and twists to seven; the digest beside each is that of the exact one.
+began. `wall_s` is the wall time that had really passed since then. Inputs are exact. Frames are rounded to keep the
+file small: lengths and angles to nine decimals, sticks and twists to seven. Each frame's digest is that of the exact
+state.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.told import told
 
 FORMAT = 2
-"""Number of the file's layout; a reader refuses a greater one."""
+"""Number of the file's layout; a reader rejects a greater one."""
 PROFILE = "aftdeck"
 """MCAP profile of the file's header."""
 
@@ -45,21 +46,21 @@ class Opening(Message, frozen=True):
 
 
 class Input(Inputs, Message, frozen=True, omit_defaults=True, kw_only=True):
-    """The operator's sticks and switches in one step, exact; what is absent was left as it is."""
+    """The operator's sticks and switches in one step, exact; an absent stick is centred, an absent switch unchanged."""
 
     tick: Annotated[int, told("of the step that flew them")]
     script: Annotated[bool, told("the scenario's script flew this step; nobody's inputs")] = False
 
 
 class FrameRecord(Frame, Message, frozen=True):
-    """What was true after one control step: the frame, to the decimals to which it is recorded."""
+    """State after one control step: the frame, rounded to its recorded decimals."""
 
     wall_s: Annotated[float, told("wall time since the run began", "s", decimals=6)]
     latency_ms: Annotated[float | None, told("stick to picture, 95th percentile that the page showed", "ms")]
 
 
 class Note(Event, Message, frozen=True):
-    """A line that the station, not the simulation, wrote in the log."""
+    """A line of the log that the station wrote, not the simulation."""
 
     wall_s: Annotated[float, told("wall time since the run began", "s")]
 
@@ -76,7 +77,7 @@ class ControllerRecord(Message, frozen=True):
 
 
 class ControllersRecord(Message, frozen=True):
-    """What moves the hand controllers from a time on, with its mapping; `Input` holds what came of it."""
+    """Devices that move the hand controllers from a time on, with mappings; `Input` holds the resulting inputs."""
 
     time_s: Annotated[float, told("simulated time", "s")]
     controllers: Annotated[tuple[ControllerRecord, ...], told("all in use; none: nobody flies")]
@@ -84,7 +85,7 @@ class ControllersRecord(Message, frozen=True):
 
 
 class Shown(Message, frozen=True):
-    """What the monitors of the page that flew showed from now on."""
+    """Cameras that the monitors of the operator's page showed from a time on."""
 
     time_s: Annotated[float, told("simulated time", "s")]
     mon_1: Annotated[tuple[str, ...], told("names of MON 1's cameras: two where it was split; none: no page flew")]
@@ -92,14 +93,14 @@ class Shown(Message, frozen=True):
 
 
 class LockRecord(Message, frozen=True):
-    """A camera whose exposure did not follow its picture."""
+    """A camera whose exposure was locked, and so did not follow its picture."""
 
     camera: Annotated[str, told("the camera's name")]
     stops: Annotated[float, told("its exposure, over that of full sunlight", "stops")]
 
 
 class LightRecord(Message, frozen=True):
-    """How the light stood from now on."""
+    """Light from a time on: sun and Earth, lamps, and locked exposures of cameras."""
 
     time_s: Annotated[float, told("simulated time", "s")]
     condition: Annotated[str, told("where sun and Earth stood: `high sun`, `low sun`, `night`, `terminator`")]
@@ -108,7 +109,7 @@ class LightRecord(Message, frozen=True):
 
 
 class Closing(Message, frozen=True):
-    """The last message of a run that was ended in order."""
+    """The last message of a recording that was not cut short."""
 
     ended: Annotated[Literal["completed", "time", "fault", "stopped", "restarted"], told("how it ended")]
     ticks: Annotated[int, told("steps done")]
@@ -126,4 +127,4 @@ CHANNELS: dict[str, tuple[type[Message], str]] = {
     "/light": (LightRecord, "at the first step, and when light, a lamp or an exposure's lock is set otherwise"),
     "/closing": (Closing, "once, last"),
 }
-"""Type and times of each channel's messages."""
+"""Type of each channel's messages, and when they are written."""

@@ -1,4 +1,4 @@
-"""Re-simulating a recording from its inputs: is every frame equal?"""
+"""Verification of a recording: re-simulation from its inputs, and comparison of every frame."""
 
 from __future__ import annotations
 
@@ -20,34 +20,34 @@ from aftdeck.state_part import declaration
 from aftdeck.version import __version__
 
 Progress = Callable[[float], None]
-"""Told now and then how much has been done, 0 to 1."""
+"""Function that is called from time to time with the share of the work that is done, 0 to 1."""
 
 
 class Verdict(msgspec.Struct, frozen=True):
-    """Whether the recomputed frames are the recorded ones."""
+    """Result of comparing re-simulated frames with the recorded ones."""
 
     equal: bool
     frames: int
-    """How many were compared."""
+    """Number of frames compared."""
     time_s: float
-    """Simulated time of the last one [s]."""
+    """Simulated time of the last frame [s]."""
     different: int
-    """How many differ."""
+    """Number of frames that differ."""
     first: Difference | None
-    """What differs in the first of these."""
+    """Difference in the first frame that differs; None if none does."""
     whole: bool
-    """Digests were compared, so that frames that are equal are so to the last digit; False: the recording's digests are
-    made of something else than this version's, and every recorded value but them was compared."""
+    """True if digests were compared, so that equal frames are equal to the last digit. False if the recording's digests
+    cover other fields than this version's; then every recorded value except the digests was compared."""
     cut: bool
-    """The recording was cut short; it was compared as far as it goes."""
+    """True if the recording is cut short; it was compared as far as it goes."""
     recorded_by: str
-    """Aftdeck's version that made it."""
+    """Version of Aftdeck that made the recording."""
     version: str
-    """This one."""
+    """Version of Aftdeck that compared it."""
     same_laws: bool
-    """The laws' sources are those of the recording."""
+    """True if the sources of the laws are those of the recording."""
     same_machine: bool
-    """Processor, system and compilers are those of the recording."""
+    """True if processor, system and compilers are those of the recording."""
 
 
 def verify(
@@ -55,16 +55,16 @@ def verify(
 ) -> Verdict:
     """Re-simulate a recording's inputs and compare every frame's digest.
 
-    A recording of another version is tried all the same; the verdict says which version made it. Where that made its
-    digests of something else, every recorded value is compared in their place.
+    A recording of another version is also re-simulated; the verdict names that version. If its digests cover other
+    fields than this version's, every recorded value is compared instead.
 
     Args:
         path: the recording.
-        progress: told now and then how much has been done, 0 to 1.
+        progress: called from time to time with the share of the recording that is done, 0 to 1.
         stepped: called after every step with the simulation.
 
     Raises:
-        RecordingError: no recording, a damaged one, or one that this version cannot fly.
+        RecordingError: the file is not a recording, is damaged, or cannot be re-simulated by this version.
     """
     recording = Recording(path)
     opening = recording.opening

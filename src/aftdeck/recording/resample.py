@@ -1,4 +1,4 @@
-"""Recorded inputs at another control period."""
+"""Conversion of recorded inputs to another control period."""
 
 from __future__ import annotations
 
@@ -11,18 +11,19 @@ from aftdeck.recording.records import Input
 _SWITCHES = ("mode", "joint", "rate", "law", "payload_axes", "position_hold", "brakes", "safing", "effector",
              "effector_mode", "rigid", "latch", "master", "initialise", "target")  # fmt: skip
 SAME_TIME = 1e-9
-"""Times nearer to each other than this are the same [s]."""
+"""Times that differ by less than this are the same [s]."""
 
 
 def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input]:
-    """What each step of the new control period flies: sticks as they last stood, every switch that was moved since.
+    """Yield the inputs of each step at the new control period: the latest sticks, and every switch moved since.
 
-    A new step flies the inputs of the old steps that began before it ends; the new steps last as long as the old ones.
+    A new step takes the inputs of the old steps that began before its end, except those that an earlier new step took.
+    All new steps together last as long as all old steps.
 
     Args:
-        inputs: of every step of the old control period.
-        old: control period [s].
-        new: control period [s].
+        inputs: inputs of every step at the old control period.
+        old: old control period [s].
+        new: new control period [s].
     """
     given = next(inputs, None)
     last = Input(tick=0)
@@ -39,7 +40,7 @@ def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input
 
 
 def merged(since: Sequence[Input], before: Input, tick: int) -> Input:
-    """One step's inputs for all that were given since the step before; none: the sticks stay where they were."""
+    """Return one step's inputs, merged from all inputs since the step before; without any, the sticks stay."""
     if len(since) == 1:
         return msgspec.structs.replace(since[0], tick=tick)
     latest = since[-1] if since else before

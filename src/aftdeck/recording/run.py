@@ -1,4 +1,4 @@
-"""A run without a screen into a session file."""
+"""Headless run that is written into a recording."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from aftdeck.simulation.run import Run, Simulation, run
 
 
 class UnrecordedRunError(RecordingError):
-    """A run that went to its end, and whose recording did not.
+    """Failure of the recording of a run that reached its end.
 
     Attributes:
-        run: as `record` would have returned it.
+        run: the run that `record` would have returned.
     """
 
     def __init__(self, message: str, run: Run) -> None:
@@ -41,26 +41,27 @@ def record(
     index: Index | None = None,
     unlisted: Callable[[str], None] | None = None,
 ) -> Run:
-    """Fly a scenario's script, or given inputs, to the end and write everything into a session file.
+    """Run a scenario's script, or given inputs, to the end and write everything into a recording.
 
     Args:
         scenario: a scenario, a built-in name or a path.
-        out: the file to make; its folder is made where it is missing.
-        seed: in place of the scenario's.
-        trial: who takes part, and under which condition.
-        inputs: asked before every step for a person's inputs, as in `simulation.run.run`.
-        changes: KEY=VALUE, where the scenario differs from its text.
-        progress: told now and then how much of the longest duration has gone, 0 to 1.
+        out: the file to create; its folder is created if it is missing.
+        seed: seed of the run; None takes the scenario's seed.
+        trial: participant and condition.
+        inputs: called before every step for a person's inputs, as in `simulation.run.run`.
+        changes: KEY=VALUE for each value in which the scenario differs from its text.
+        progress: called from time to time with the share of the longest duration that has passed, 0 to 1.
         stepped: called after every step with the simulation.
-        index: list to keep the file in.
-        unlisted: told why the file is not in the list, where it could not be put there.
+        index: list of recordings to which the file is added.
+        unlisted: called with the reason if the file could not be added to the list.
 
     Returns:
-        The run with its last frame; the file holds all.
+        The run with its last frame only; the file holds all frames.
 
     Raises:
-        RecordingError: a file that exists already or cannot be written.
-        UnrecordedRunError: a disk that became full; the file holds what was flown before, the error the run.
+        RecordingError: the file exists already or cannot be written.
+        UnrecordedRunError: recording stopped before everything was written, for example on a full disk. The file holds
+            the steps written until then; the error holds the run.
     """
     loaded = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
     own_seed = loaded.seed if seed is None else whole(seed, "seed")

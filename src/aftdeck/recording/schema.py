@@ -1,7 +1,7 @@
-"""JSON schemas of the channels, in the plain form that every viewer of MCAP files reads.
+"""JSON schemas of the channels, in the simple form that every viewer of MCAP files reads.
 
-Viewers plot JSON by its schema and take neither references nor alternatives: types are written out in place, and
-what may be absent or null is told as what it otherwise is.
+Viewers plot JSON by its schema, and accept neither references nor alternatives. Types are therefore written out in
+place, and a field that may be absent or null has the schema of its other values.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _PLAIN = {float: "number", int: "integer", str: "string", bool: "boolean"}
 
 
 class Told(NamedTuple):
-    """A field as its type and its source tell of it."""
+    """Description of a field, read from its type and its source."""
 
     name: str
     kind: Any
@@ -28,11 +28,11 @@ class Told(NamedTuple):
     unit: str
     frame: str
     rounded: bool
-    """It is recorded to its decimals, a rotation as a quaternion."""
+    """True if the field is recorded to its decimals, and a rotation in it as a quaternion."""
 
 
 def fields(kind: type) -> Iterator[Told]:
-    """The fields of a struct or a named tuple, in order."""
+    """Yield the descriptions of the fields of a struct or a named tuple, in order."""
     hints = get_type_hints(kind, include_extras=True)
     struct = issubclass(kind, msgspec.Struct)
     said = comments(kind) if struct else {}
@@ -47,12 +47,12 @@ def fields(kind: type) -> Iterator[Told]:
 
 
 def schema(kind: type[msgspec.Struct]) -> dict[str, Any]:
-    """The schema of a channel's messages."""
+    """Return the schema of a channel's messages."""
     return {"title": f"aftdeck.{kind.__name__}", **_object(kind)}
 
 
 def is_object(kind: Any) -> bool:
-    """Whether values of a type are written as objects."""
+    """Return whether values of a type are written as objects."""
     return isinstance(kind, type) and (issubclass(kind, msgspec.Struct) or hasattr(kind, "_fields"))
 
 
@@ -79,7 +79,7 @@ def _schema(kind: Any) -> dict[str, Any]:
 
 
 def rotation(field: Told) -> str:
-    """How a field's rotation is written."""
+    """Return the text that says how a field's rotation is written."""
     return "quaternion w, x, y, z" if field.rounded else "matrix row by row"
 
 
@@ -90,7 +90,7 @@ def _description(field: Told) -> str:
 
 
 def _apart(kind: Any) -> tuple[Any, msgspec.Meta | None]:
-    """A type without what is told of it, and that."""
+    """Return a type without its metadata, and the metadata; None if it has none."""
     if get_origin(kind) is Annotated:
         inner, *told = get_args(kind)
         return inner, next((m for m in told if isinstance(m, msgspec.Meta)), None)
@@ -98,7 +98,7 @@ def _apart(kind: Any) -> tuple[Any, msgspec.Meta | None]:
 
 
 def _without_none(kind: Any) -> Any:
-    """X for X | None, else the type itself."""
+    """Return X for X | None, otherwise the type itself."""
     if get_origin(kind) in (Union, types.UnionType):
         return next(k for k in get_args(kind) if k is not type(None))
     return kind

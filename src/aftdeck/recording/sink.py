@@ -1,6 +1,6 @@
-"""The file below the MCAP writer: unbuffered, so that what was written outlives the program; it never raises.
+"""File below the MCAP writer: unbuffered, so that written bytes survive a killed program; once open, it never raises.
 
-The writer's own library logs what goes wrong instead of raising it, so the first error is kept here for its user.
+The writer's library logs errors instead of raising them, so the first error is kept here for the recorder.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from aftdeck.errors import RecordingError
 
 
 class Sink:
-    """A file that takes bytes until its first error and drops what comes after it.
+    """File that takes bytes until its first error, and drops all later bytes.
 
     Attributes:
-        error: what went wrong, in words; empty while nothing has.
+        error: the first error, in words; empty if none has occurred.
     """
 
     def __init__(self, path: Path) -> None:
@@ -32,7 +32,7 @@ class Sink:
             raise RecordingError(f"{path}: cannot be written: {error.strerror or error}") from None
 
     def write(self, data: bytes | bytearray) -> int:
-        """Append all of `data`, unless something went wrong before."""
+        """Write all of `data` at the present position, unless an error occurred before; always return its length."""
         view = memoryview(data)
         try:
             while view and not self.error:
@@ -44,7 +44,7 @@ class Sink:
         return len(data)
 
     def seek(self, offset: int, whence: int = 0) -> int:
-        """As of a file that took everything: the library breaks down where it is told of another place."""
+        """Move to an offset, and return the position of a file that took everything: the library fails on any other."""
         self._at = offset + (0, self._at, self._end)[whence]
         try:
             if not self.error:
@@ -54,10 +54,10 @@ class Sink:
         return self._at
 
     def flush(self) -> None:
-        """Nothing is held back."""
+        """Do nothing: no bytes are buffered."""
 
     def close(self) -> None:
-        """Close the file, and see that it is on the disk."""
+        """Force the file's content onto the disk, and close the file."""
         try:
             os.fsync(self._file.fileno())
             self._file.close()

@@ -1,4 +1,4 @@
-"""Recording flight after flight into a folder: a file for each, and none of it ever in the flight's way."""
+"""Recording of each run of a session into its own file in a folder, without delaying the simulation."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
 
 MOST_OF_A_NAME = 999
-"""Files that may begin in one second under one name."""
+"""Limit of the number that distinguishes files with the same name and second; the greatest number is one less."""
 
 
 class Tape:
-    """Records the flights of one session.
+    """Recorder of the runs of one session.
 
     Attributes:
-        file: of the present flight; None: it is not recorded.
+        file: recording of the present run; None if it is not recorded.
     """
 
     def __init__(
         self, folder: Path | None, index: Index | None, live: Live | None = None, trial: Trial = NO_TRIAL
     ) -> None:
-        """Record into a folder.
+        """Set where the session's runs are recorded and shown.
 
         Args:
-            folder: where to; None records nothing.
-            index: list to keep the files in.
-            live: where viewers attach.
-            trial: who takes part, and under which condition: every file says so.
+            folder: folder of the recordings; None records nothing.
+            index: list of recordings to which the files are added.
+            live: server to which viewers attach.
+            trial: participant and condition, stored in every file.
         """
         self._folder, self._index, self._live, self._trial = folder, index, live, trial
         self._recorder: Recorder | None = None
@@ -49,21 +49,22 @@ class Tape:
 
     @property
     def file(self) -> Path | None:
-        """The present flight's file; None: it is not recorded."""
+        """Recording of the present run; None if it is not recorded."""
         return self._recorder.path if self._recorder and not self._recorder.failure else None
 
     @property
     def running_s(self) -> float | None:
-        """Simulated time in the present file [s]; None: the flight is not recorded."""
+        """Simulated time in the present recording [s]; None if the run is not recorded."""
         return self._recorder.steps * self._period if self._recorder and self.file else None
 
     def begin(self, scenario: Scenario, seed: int) -> None:
-        """A flight begins. What cannot be recorded is told by `complaints`."""
+        """Start to record a run; if that fails, `complaints` returns the reason."""
         if self._folder is None and self._live is None:
             return
         self._period = scenario.control_period
         still = [recorder for recorder in self._ending if recorder.writing]
-        self._look()  # after that: what those that are done had to say is said
+        # read errors only after listing the active recorders, so that no finished one is dropped unread
+        self._look()
         self._ending = still
         before = self._ending[-1] if self._ending else None
         try:
@@ -77,52 +78,52 @@ class Tape:
                 self._recorder = Recorder(None, scenario, seed, live=self._live, after=before)
 
     def step(self, inputs: Inputs | None, frame: Frame, latency_ms: float | None) -> None:
-        """A step of the flight."""
+        """Record a step of the run."""
         if self._recorder is not None:
             self._recorder.step(inputs, frame, latency_ms)
 
     def note(self, event: Event) -> None:
-        """A line that the station wrote in the log."""
+        """Record a line that the station wrote in the log."""
         if self._recorder is not None:
             self._recorder.note(event)
 
     def controllers(self, time_s: float, used: tuple[ControllerRecord, ...]) -> None:
-        """What moves the sticks from the next step on."""
+        """Record the devices that move the sticks from the next step on."""
         if self._recorder is not None:
             self._recorder.controllers(time_s, used)
 
     def shown(self, time_s: float, monitors: tuple[tuple[str, ...], ...]) -> None:
-        """What the monitors show from now on."""
+        """Record the cameras that the monitors show from now on."""
         if self._recorder is not None:
             self._recorder.shown(time_s, monitors)
 
     def light(self, time_s: float, lighting: Lighting) -> None:
-        """How the light stands from now on."""
+        """Record the light from now on."""
         if self._recorder is not None:
             self._recorder.light(time_s, lighting)
 
     def complaints(self) -> list[str]:
-        """What went wrong since this was last asked, a sentence each."""
+        """Return the errors since the last call, one sentence each."""
         self._look()
         told, self._complaints = self._complaints, []
         return told
 
     def _look(self) -> None:
-        """Ask each recorder what went wrong with it."""
+        """Collect new errors from all recorders, and print them."""
         for recorder in (*self._ending, *([self._recorder] if self._recorder else [])):
             for text in (recorder.failure, recorder.unlisted):
                 if text and text not in self._told:
                     self._complain(text)
 
     def end(self, ended: Ended) -> None:
-        """The flight ends; its file is closed behind its back."""
+        """End the run; its file is closed in the background."""
         if self._recorder is not None:
             self._recorder.finish(ended)
             self._ending.append(self._recorder)
             self._recorder = None
 
     def close(self) -> None:
-        """The session ends: wait for its files, and say on the terminal what went wrong with them."""
+        """End the session: wait for its files, and print their errors on the terminal."""
         self.end("stopped")
         for recorder in self._ending:
             recorder.close("stopped")
@@ -136,10 +137,10 @@ class Tape:
 
 
 def _free_name(folder: Path, scenario: str) -> Path:
-    """``first-flight-20261121-143000.mcap``, UTC, with a number behind it where there is such a file."""
+    """Return a free path such as ``first-flight-20261121-143000.mcap`` (UTC); a number is added to a name in use."""
     stem = f"{scenario}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
     for ending in ("", *(f"-{n}" for n in range(2, MOST_OF_A_NAME))):
         path = folder / f"{stem}{ending}.mcap"
-        if not os.path.lexists(path):  # unlike Path.exists, raises nothing where the folder cannot be looked into
+        if not os.path.lexists(path):  # unlike Path.exists, does not raise if the folder cannot be read
             return path
     raise RecordingError(f"{folder}: {MOST_OF_A_NAME} recordings called {stem} are there already")

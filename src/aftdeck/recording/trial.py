@@ -1,4 +1,4 @@
-"""Who took part in a flight, and under which condition: a study's own words, kept in the recording alone."""
+"""Participant and condition of a run: a study's own words, stored only in the recording."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from typing import NamedTuple
 from aftdeck.lines import one_line
 
 MOST_OF_A_PARTICIPANT = 40
-"""Characters of a participant's code."""
+"""Maximum length of a participant's code [characters]."""
 MOST_OF_A_CONDITION = 120
-"""Characters of a condition."""
+"""Maximum length of a condition [characters]."""
 
 
 class Trial(NamedTuple):
-    """What a study says of a flight; an empty word says nothing. No page that flies is told of it."""
+    """Participant and condition that a study gives for a run; empty if not given. No page of the run receives them."""
 
     participant: str = ""
     condition: str = ""
@@ -23,10 +23,10 @@ NO_TRIAL = Trial()
 
 
 def trial(participant: str | None, condition: str | None) -> Trial:
-    """A trial in these words, or in none.
+    """Return a trial with these words; None leaves a word empty.
 
     Raises:
-        InputError: words that are too long, or that do not stand on one line.
+        InputError: a word is empty or too long, is not one printable line, or begins or ends with a space.
     """
     return Trial(
         "" if participant is None else one_line("a participant's code", participant, MOST_OF_A_PARTICIPANT),

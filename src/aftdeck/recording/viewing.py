@@ -1,6 +1,6 @@
-"""The run in Foxglove's own schemas: joints, tip, log, and a scene of bodies in moving frames.
+"""The run in Foxglove's own schemas: joints, tip, log, and a scene of bodies in moving coordinate frames.
 
-Every step is in the channels of `records`; these are for looking, ten times a second, in rounded numbers.
+The channels of `records` hold every step. These channels are for viewing: ten times a second, in rounded numbers.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ from aftdeck.scene.poses import Seven
 from aftdeck.simulation.frame import Event, Frame
 
 PERIOD = 0.1
-"""Of what moves, simulated time [s]."""
+"""Simulated time between two messages of everything that moves [s]."""
 GRAIN = 2.0**18
-"""What moves is rounded to one part in this of a metre, a radian, a unit: short numbers pack well."""
+"""Steps per metre, radian or unit to which moving values are rounded: short numbers compress well."""
 ROOT, LONGERON, TIP = "scene", "L", "tip"
-"""Names of the frames that carry no body."""
+"""Names of the coordinate frames that carry no body."""
 _STILL: Seven = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 _LEVELS = {"info": fox.LogLevel.Info, "caution": fox.LogLevel.Warning, "warning": fox.LogLevel.Error}
 
 
 class Viewing:
-    """Joints, tip, transforms, scene and log as Foxglove knows them."""
+    """Writer of joints, tip, transforms, scene and log in Foxglove's schemas."""
 
     def __init__(self, channels: Channels, scenario: Scenario, began_ns: int, live: Live | None = None) -> None:
         self._channels, self._began_ns, self._live = channels, began_ns, live
@@ -54,14 +54,14 @@ class Viewing:
         self._fixed = [*still, (ROOT, LONGERON, foot), (LONGERON, first, _STILL), (last, TIP, hand)]
 
     def open(self) -> None:
-        """Tell what does not move, and how everything looks."""
+        """Send the transforms that do not change, and the shapes and colours of all bodies."""
         if self._live:
-            self._live.asked()  # who is there already gets it now
+            self._live.asked()  # drop these requests: viewers that are attached already get the topics now
         for topic in (FIXED, SCENE):
             self._tell(topic, self._began_ns)
 
     def frame(self, frame: Frame) -> None:
-        """A step: its events, and from time to time its picture."""
+        """Send a step's events, the topics that viewers have just subscribed to and, every `PERIOD`, the motion."""
         now = self._began_ns + round(frame.time_s * 1e9)
         for event in frame.events:
             self.line(event, now)
@@ -71,7 +71,7 @@ class Viewing:
             self._draw(frame, now)
 
     def line(self, event: Event, time_ns: int) -> None:
-        """A line of the log."""
+        """Send a line of the log."""
         line = fox.Log(timestamp=_time(time_ns), level=_LEVELS[event.level], message=event.text, name=event.kind)
         self._channels.lines.log(line, log_time=time_ns)
 

@@ -1,7 +1,7 @@
-"""Recording a run: one thread writes what the simulation's thread hands over in constant time.
+"""Recorder of a run: one thread writes what the simulation's thread hands over in constant time.
 
-What is handed over waits in a queue. The writer's thread turns it into messages and closes a chunk of the file every
-`FLUSH_S`, so that a program that is killed loses no more than a second. An error ends the recording, never the flight.
+A queue holds everything that is handed over. The writer's thread turns it into messages and closes a chunk of the file
+every `FLUSH_S`, so that a killed program loses no more than a second. An error ends the recording, never the run.
 """
 
 from __future__ import annotations
@@ -44,15 +44,15 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.summary import Summary
 
 FLUSH_S = 0.5
-"""A chunk of the file is closed this often [s]."""
+"""Time after which a chunk of the file is closed [s]."""
 LOOK_S = 0.05
-"""The writer looks this often for what waits [s]: to be woken by each step would cost the flight more."""
+"""Interval at which the writer checks its queue [s]: to wake it at each step would cost the simulation more."""
 MOST_WAITING = 20_000
-"""Steps that may wait to be written; a disk that falls further behind ends the recording."""
+"""Maximum number of entries that wait to be written; if the disk falls further behind, the recording ends."""
 BEGIN_S = 2.0
-"""How long a session's first flight waits for its file's first message [s]."""
+"""Longest wait of a session's first run for the first message in its file [s]."""
 PATIENCE_S = 30.0
-"""How long the end of a run waits for the disk [s]."""
+"""Longest wait for the disk at the end of a run [s]."""
 
 Ended = Literal["completed", "time", "fault", "stopped", "restarted"]
 
@@ -70,19 +70,19 @@ class _End(NamedTuple):
 
 
 _CHANNEL = {kind: topic for topic, (kind, _) in CHANNELS.items()}
-"""Of each type of message."""
+"""Channel of each type of message."""
 _Told = ControllersRecord | Shown | LightRecord
-"""What is handed over as the message that is written, and shown to no viewer."""
+"""Types that are handed over as the messages to be written, and that `Viewing` does not show."""
 
 
 class Recorder:
-    """Writes one run into one file, or for viewers alone.
+    """Recorder of one run, into one file or for viewers only.
 
     Attributes:
-        path: the file; None: there is none.
-        failure: why recording stopped, in a sentence; empty while it goes on.
-        unlisted: why the file is not in the list of recordings, in a sentence; empty where it is, or need not be.
-        steps: handed over so far.
+        path: the file; None if only viewers see the run.
+        failure: why recording stopped, in a sentence; empty while it continues.
+        unlisted: why the file is not in the list of recordings, in a sentence; empty if it is listed or need not be.
+        steps: number of steps handed over so far.
     """
 
     def __init__(
@@ -97,20 +97,20 @@ class Recorder:
         index: Index | None = None,
         after: Recorder | None = None,
     ) -> None:
-        """Begin the file.
+        """Begin the recording.
 
         Args:
-            path: where; its folder is made where it is missing. None: viewers alone see the run.
-            scenario: what is flown.
-            seed: with which seed.
-            changes: KEY=VALUE, where a replay changed the scenario.
-            trial: who takes part, and under which condition.
-            live: where viewers attach; it outlives the run.
-            index: list to keep the file in.
-            after: the recorder of the run before, which is let finish before this one writes.
+            path: the file to create; its folder is created if it is missing. None: only viewers see the run.
+            scenario: the scenario of the run.
+            seed: the seed of the run.
+            changes: KEY=VALUE for each value in which the scenario differs from its text.
+            trial: participant and condition.
+            live: server to which viewers attach; it outlives the run.
+            index: list of recordings to which the file is added.
+            after: recorder of the previous run, which finishes before this one writes.
 
         Raises:
-            RecordingError: it exists already or cannot be written.
+            RecordingError: the file exists already or cannot be written.
         """
         self.path = path
         self.failure = self.unlisted = ""
@@ -129,13 +129,13 @@ class Recorder:
         self._thread = threading.Thread(target=self._work, name="recording", daemon=True)
         self._begun = threading.Event()
         self._thread.start()
-        if after is None:  # before a session's first flight there is time to see that its file stands
+        if after is None:  # before a session's first run there is time to wait until its file has the first message
             self._begun.wait(BEGIN_S)
 
-    # --- called by whoever flies --------------------------------------------------------------------------
+    # --- called by the simulation's thread ----------------------------------------------------------------
 
     def step(self, inputs: Inputs | None, frame: Frame, latency_ms: float | None = None) -> None:
-        """Hand over a step: what was flown and what came of it."""
+        """Hand over a step: its inputs and the resulting frame."""
         if self.failure:
             return
         self._waiting.append(_Step(inputs, frame, time.perf_counter() - self._began, latency_ms))
@@ -150,36 +150,36 @@ class Recorder:
             self._waiting.append(Note(event.time_s, event.kind, event.level, event.text, wall))
 
     def controllers(self, time_s: float, used: tuple[ControllerRecord, ...]) -> None:
-        """Hand over what moves the sticks from now on."""
+        """Hand over the devices that move the sticks from now on."""
         if not self.failure:
             wall = round(time.perf_counter() - self._began, 6)
             self._waiting.append(ControllersRecord(time_s, used, wall))
 
     def shown(self, time_s: float, monitors: tuple[tuple[str, ...], ...]) -> None:
-        """Hand over what the monitors show from now on."""
+        """Hand over the cameras that the monitors show from now on."""
         if not self.failure:
             mon_1, mon_2 = (*monitors, (), ())[:2]
             self._waiting.append(Shown(time_s, mon_1, mon_2))
 
     def light(self, time_s: float, lighting: Lighting) -> None:
-        """Hand over how the light stands from now on."""
+        """Hand over the light from now on."""
         if not self.failure:
             self._waiting.append(light_record(time_s, lighting))
 
     def wait_for_room(self) -> None:
-        """Let the disk catch up: for runs that no clock drives."""
+        """Wait while the disk is far behind; for runs that are not paced by a clock."""
         while len(self._waiting) > MOST_WAITING // 2 and not self.failure:
             time.sleep(0.001)
 
     def finish(self, ended: Ended, summary: Summary | None = None) -> None:
-        """The run has ended: what waits is written, and the end. Nobody waits for it."""
+        """End the run: let the writer's thread write the rest of the queue and the end, without waiting for it."""
         if not self._ended:
             self._ended = True
             self._waiting.append(_End(ended, summary))
             self._over.set()
 
     def close(self, ended: Ended, summary: Summary | None = None) -> None:
-        """As `finish`, and wait until it is done."""
+        """End the run like `finish`, and wait until everything is written."""
         self.finish(ended, summary)
         self.wait()
 
@@ -189,7 +189,7 @@ class Recorder:
         return self._thread.is_alive()
 
     def wait(self) -> None:
-        """Wait until everything is written; a disk that takes nothing ends the recording."""
+        """Wait until everything is written; after `PATIENCE_S` the recording fails."""
         self._thread.join(PATIENCE_S)
         if self._thread.is_alive():
             self._fail(f"the disk took nothing for {PATIENCE_S:g} s")
@@ -205,13 +205,13 @@ class Recorder:
             self._after.wait()
             self._after = None
         ended, time_s = "cut", 0.0
-        listing = threading.Thread(  # apart, since other programs may hold the list for seconds
+        listing = threading.Thread(  # a thread of its own, since other programs may hold the list for seconds
             target=self._list, args=(lambda index, path: index.begin(path, self._opening),), daemon=True
         )
         listing.start()
         try:
             ended, time_s = self._write()
-        except BaseException as error:  # whatever it is, a breakdown in the library too: the flight's people must hear
+        except BaseException as error:  # the operator must learn of any error, even of a panic in the library
             self._fail(f"{type(error).__name__}: {error}")
         finally:
             self._begun.set()
@@ -231,7 +231,7 @@ class Recorder:
             self.unlisted = str(error)
 
     def _write(self) -> tuple[str, float]:
-        """Write until the end; how the run ended, and after how long [s]."""
+        """Write until the run ends; return how it ended, and its simulated time [s]."""
         channels = self._live.channels if self._live else Channels()
         file = None
         if self._sink is not None:
@@ -283,4 +283,4 @@ def _options() -> MCAPWriteOptions:
 
 
 LEVEL = 1
-"""Of zstd: on chunks of a second the higher ones are slower and hardly smaller."""
+"""Compression level of zstd: on chunks of a second, higher levels are slower and the chunks hardly smaller."""

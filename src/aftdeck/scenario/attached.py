@@ -1,4 +1,4 @@
-"""What the script attaches to the end effector, phase by phase: the report's PA, T_78 and r_87."""
+"""Payloads that the script attaches to the end effector, phase by phase: the report's PA, T_78 and r_87."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from aftdeck.scenario.schema import Phase
 
 
 class Grasp:
-    """The scenario's own payloads, gathered phase by phase.
+    """The scenario's own payloads, collected phase by phase.
 
     Attributes:
-        payloads: so far, in the order of the file.
-        held: which of them is in the grasp, from 1; 0: none.
+        payloads: payloads so far, in the order of the file.
+        held: number, from 1, of the payload in the grasp; 0 for none.
     """
 
     def __init__(self, payload: Payload | None, *, cargo: bool) -> None:
@@ -24,21 +24,21 @@ class Grasp:
 
     @property
     def loaded(self) -> bool:
-        """Whether the hand may hold something."""
+        """Whether the end effector may hold a payload."""
         return self.held > 0 or self._cargo
 
     @property
     def mass(self) -> float:
-        """Of what is held, but for the worksite's payloads [kg]."""
+        """Mass of the held payload [kg]; 0 for none. The worksite's payloads do not count."""
         return self.payloads[self.held - 1].mass if self.held else 0.0
 
     def attach(self, problems: Problems, phase: Phase, where: Where) -> int | None:
-        """Return which payload a phase puts into the grasp, 0 for none; None: it leaves all as it is.
+        """Put a phase's payload into the grasp; return its number from 1, 0 if detached, None if nothing changes.
 
         Args:
-            problems: gathers what is wrong.
-            phase: as decoded.
-            where: its place in the file.
+            problems: collects the problems found.
+            phase: the decoded phase.
+            where: the phase's place in the file.
         """
         if phase.payload is None and not phase.detached:
             return None

@@ -28,26 +28,26 @@ from aftdeck.worksite.load import load_worksite
 from aftdeck.worksite.model import Cargo, Worksite
 
 LONGEST_PERIOD = 0.2
-"""Longest control period taken [s]; the arm's own computer ran at 0.08 s."""
+"""Longest control period accepted [s]; the arm's own computer ran at 0.08 s."""
 SHORTEST_PERIOD = 0.001
-"""Shortest control period taken [s]."""
+"""Shortest control period accepted [s]."""
 WHOLE = 1e-6
-"""How far from a whole number of control periods a duration may be [1]."""
+"""Maximum deviation of a duration from a whole number of control periods [1]."""
 LONGEST_DELAY = 30.0
-"""Longest delay taken [s]: ten times the way to the Moon and back."""
+"""Longest delay accepted [s]: about ten times that of a signal to the Moon and back."""
 LONGEST_RUN = 86_400.0
-"""Longest duration taken [s]."""
+"""Longest duration accepted [s]."""
 
 
 def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: Path) -> Scenario | None:
-    """The scenario of a decoded file; None where anything is wrong, which `problems` then tells.
+    """Return the scenario of a decoded file, or None if anything is wrong, which is then in `problems`.
 
     Args:
-        problems: gathers what is wrong.
-        spec: the file, decoded.
-        name: of the scenario.
-        text: the file.
-        folder: where arm files are sought.
+        problems: collects the problems found.
+        spec: the decoded file.
+        name: name of the scenario.
+        text: text of the file.
+        folder: folder in which arm and worksite files are sought.
     """
     _check_times(problems, spec)
     _check_arrival(problems, spec)
@@ -133,7 +133,7 @@ def _check_fit(
     phases: Sequence[PhasePlan | None],
     held: frozenset[int],
 ) -> list[Problem]:
-    """Note what does not fit and makes every run senseless; return the rest."""
+    """Add the misfits that make every run senseless to `problems`; return the other misfits."""
     used = frozenset(phase.target.seat for phase in phases if phase and isinstance(phase.target, AtSeat))
     wrong: dict[Where, list[str]] = {}
     cautions = []
@@ -148,7 +148,7 @@ def _check_fit(
 
 
 def _worksite(problems: Problems, spec: ScenarioFile, folder: Path) -> Worksite | None:
-    """The worksite of a built-in name or of a file, sought from `folder`, with the scenario's dimensions."""
+    """Load the worksite, a built-in name or a file sought from `folder`, with the scenario's dimensions."""
     try:
         return load_worksite(beside(spec.worksite, folder), spec.dimensions)
     except ScenarioError as error:
@@ -158,7 +158,7 @@ def _worksite(problems: Problems, spec: ScenarioFile, folder: Path) -> Worksite 
 
 
 def _check_times(problems: Problems, spec: ScenarioFile) -> None:
-    """The control period, and a duration that is a whole number of them."""
+    """Check the control period, the duration and the delays; some must be a whole number of control periods."""
     period, duration = spec.control_period, spec.duration
     whole = SHORTEST_PERIOD <= period <= LONGEST_PERIOD
     if not whole:
@@ -183,7 +183,7 @@ def _check_times(problems: Problems, spec: ScenarioFile) -> None:
 
 
 def _check_clearance(problems: Problems, spec: ScenarioFile) -> None:
-    """The clearances that caution and warn."""
+    """Check the clearances for caution and warning."""
     caution, warning = spec.clearance.caution, spec.clearance.warning
     if warning <= 0.0:
         problems.wrong(("clearance", "warning"), f"is above 0, got {warning:g} m")
@@ -192,7 +192,7 @@ def _check_clearance(problems: Problems, spec: ScenarioFile) -> None:
 
 
 def _check_arrival(problems: Problems, spec: ScenarioFile) -> None:
-    """The end sphere of the automatic modes."""
+    """Check the end sphere of the automatic modes."""
     if spec.arrive_within <= 0.0:
         problems.wrong(("arrive_within",), f"is above 0, got {spec.arrive_within:g} m")
     if spec.arrive_within_angle <= 0.0:

@@ -1,4 +1,4 @@
-"""The cameras of a scenario, its worksite's and its arm's, in the order in which the station lists them."""
+"""Cameras of a scenario's worksite and arm, in the order in which the station lists them."""
 
 from __future__ import annotations
 
@@ -12,9 +12,10 @@ from aftdeck.worksite.check import ARM
 
 
 def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
-    """Television cameras first, then windows, then what only an engineer sees.
+    """Return a scenario's cameras: television cameras first, then windows, then views for engineers only.
 
-    A worksite's cameras on a cargo are there where the cargo is, those on a frame of the arm's where the arm has it.
+    A worksite's camera on a cargo is included if the scenario has that cargo. A camera on a frame of the arm is
+    included if the arm has that frame.
     """
     model = scenario.arm.model
     absent = {cargo.name for cargo in scenario.worksite.cargoes} - {cargo.name for cargo in scenario.cargo}
@@ -29,5 +30,5 @@ def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
 
 @lru_cache(maxsize=8)
 def _on_the_arm(model: ArmModel) -> tuple[Camera, ...]:
-    """Kept, since a state is made anew with each part of a problem, and reading a file of shapes takes long."""
+    """Return the arm's cameras; cached, since every re-initialisation builds a state and reading shapes is slow."""
     return shapes_of(model).cameras

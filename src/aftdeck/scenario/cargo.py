@@ -1,4 +1,4 @@
-"""Which of a worksite's payloads are there, and where they start."""
+"""Selection of the worksite's payloads that a scenario has, and where they start."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from aftdeck.worksite.model import Cargo, Worksite
 
 
 def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence[CargoSpec]) -> tuple[Cargo, ...]:
-    """The payloads that a scenario names, each with what it says of it."""
+    """Return the worksite's payloads that a scenario lists, with the mass and the start that the scenario gives."""
     if worksite is None:
         return ()
     offered = {one.name: one for one in worksite.cargoes}

@@ -1,9 +1,9 @@
-"""Whether what a scenario brings together fits: payloads in their places, the hand at their bars, the telescope.
+"""Checks that a scenario's contents fit together: payloads in their places, the hand at their bars, the telescope.
 
-Everything is tried with the solids that are there, at load and without compiled code. What makes a run senseless is an
-error: a payload that starts inside something, a seat that a payload starts in or that the script uses and that does
-not hold it, a bar that the hand can never take. Other seats that a payload would not fit are cautions, which
-``aftdeck check`` shows. What needs the arm's joints is tried by `simulation.survey`.
+The checks use the solids that are present, at load and without compiled code. A misfit that makes every run senseless
+is an error: a payload that starts inside something; a bar that the hand can never take; a seat that its payload does
+not fit, if a payload starts in the seat or the script uses it. Other seats that a payload would not fit are cautions,
+which ``aftdeck check`` shows. `simulation.survey` checks what depends on the arm's joints.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from aftdeck.worksite.conditions import Units, shown
 from aftdeck.worksite.model import BarAcquisition, Cargo, Worksite
 
 Parts = dict[str, list[Array]]
-"""Hexahedra (8, 3) by the part that they belong to [m]."""
+"""Hexahedra (8, 3) [m], by the part to which they belong."""
 
 TOLERANCE = 1e-3
 """Overlap up to which two solids count as touching [m]; assumed: more than the rounding of dimensions in files."""
@@ -37,11 +37,11 @@ _HERE = Pose(np.zeros(3), np.eye(3))
 
 
 class Misfit(NamedTuple):
-    """Something that does not fit.
+    """A misfit in a scenario.
 
     Attributes:
-        problem: what, and where in the scenario's file.
-        senseless: whether no run of the scenario makes sense with it.
+        problem: description, and place in the scenario's file.
+        senseless: whether the misfit makes every run of the scenario senseless.
     """
 
     problem: Problem
@@ -51,14 +51,14 @@ class Misfit(NamedTuple):
 def misfits(
     model: ArmModel, worksite: Worksite, cargo: Sequence[Cargo], used: frozenset[str], held: frozenset[int]
 ) -> Iterator[Misfit]:
-    """Yield everything that does not fit.
+    """Yield every misfit of a scenario.
 
     Args:
         model: the arm.
-        worksite: the place.
-        cargo: the payloads that are there, in the order of the scenario's file.
-        used: names of the seats that the script brings payloads to.
-        held: which payloads the hand holds at every start, so that none begins where its own table says.
+        worksite: the worksite.
+        cargo: payloads that are present, in the order of the scenario's file.
+        used: names of the seats to which the script brings payloads.
+        held: indices of the payloads that the hand holds at every start; these never start where their tables say.
     """
     around = parts_at(worksite.solids, _HERE)
     yield from _telescope(model, worksite, around)
@@ -89,7 +89,7 @@ def _seats(
     used: frozenset[str],
     graspable: bool,
 ) -> Iterator[Misfit]:
-    """Yield what a payload, and the hand at its bar, are inside of in each seat that takes the payload."""
+    """Yield the overlaps of a payload, and of the hand at its bar, in each seat that takes the payload."""
     held = hands(model, worksite, one) if graspable else {}
     for seat in worksite.seats:
         if seat.lacks(one.probe, one.trunnions):
@@ -105,7 +105,7 @@ def _seats(
 
 
 def _telescope(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[Misfit]:
-    """Yield what the telescope is inside of at either end of its travel."""
+    """Yield the overlaps of the telescope at either end of its travel."""
     telescope = model.equipment.telescope
     if telescope is None:
         return
@@ -121,7 +121,7 @@ def _telescope(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[M
 
 
 def _grasp(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
-    """Yield why a prong can never take a payload's bar, or never let it go."""
+    """Yield the reasons why a prong can never acquire a payload's bar, or can never release it."""
     rule, prong, bar, units = worksite.acquisition, model.equipment.prong, one.receptacle, model.units
     if prong is None or not isinstance(rule, BarAcquisition) or bar is None:
         return
@@ -142,7 +142,7 @@ def _grasp(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
             f"prong_spacing (PRGSPC) is {spacing}, and the closed prong is {size(closed)} from the palm's centre "
             f"line: it has to be at least that, or the hand never acquires {one.name}"
         )
-    room = min(finger + min(opened, rule.prong_spacing), 2.0 * finger)  # with the palm's middle over the bar's
+    room = min(finger + min(opened, rule.prong_spacing), 2.0 * finger)  # with the palm centred over the bar
     if width > room:
         yield f"the bar of {one.name} is {size(width)} wide; the hand spans {size(room)} when it has acquired a bar"
     if rule.front + rule.rear > length:
@@ -151,7 +151,10 @@ def _grasp(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
 
 
 def _struck(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
-    """Yield what of a payload the hand is inside of at its bar; the bar itself it may take off the palm's middle."""
+    """Yield the overlaps of the hand, at a payload's bar, with that payload.
+
+    The bar itself is left out: the hand may take the bar away from the palm's middle.
+    """
     bar = part_of(one.name, "receptacle")
     own = {part: bodies for part, bodies in parts_at(one.solids, _HERE).items() if part != bar}
     for how, solids in hands(model, worksite, one).items():
@@ -160,7 +163,7 @@ def _struck(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
 
 
 def hands(model: ArmModel, worksite: Worksite, one: Cargo) -> Mapping[str, Parts]:
-    """Return the concept's hand at a payload's bar, in the payload's axes: with its prong open, and as it acquires."""
+    """Return the concept's hand at a payload's bar, in the payload's axes: prong open, and closed on the bar."""
     rule, hand = worksite.acquisition, model.equipment.prong
     if hand is None or not isinstance(rule, BarAcquisition) or one.receptacle is None:
         return {}
@@ -178,7 +181,7 @@ def hands(model: ArmModel, worksite: Worksite, one: Cargo) -> Mapping[str, Parts
 
 
 def parts_at(solids: Sequence[Solid], pose: Pose) -> Parts:
-    """Return solids by part, in the frame in which their own has a pose."""
+    """Return solids by part, in the frame in which the solids' own frame has the given pose."""
     found: Parts = {}
     for solid in solids:
         found.setdefault(solid.part, []).append(solid.vertices @ pose.rotation.T + pose.position)
@@ -190,7 +193,7 @@ def _moved(parts: Parts, pose: Pose) -> Parts:
 
 
 def _deep(some: Parts, others: Parts, units: Units) -> Iterator[str]:
-    """Yield which part is how deep in which."""
+    """Yield a text for each pair of parts that overlap by more than `TOLERANCE`."""
     for a, own in some.items():
         for b, there in others.items():
             if (depth := deepest(own, there)) > TOLERANCE:

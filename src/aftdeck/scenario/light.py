@@ -1,7 +1,7 @@
-"""Light as a condition of a flight: where sun and Earth stand, which lamps are lit, which exposures are locked.
+"""Light in a run: directions to the sun and the Earth, lamps that are lit, exposures that are locked.
 
-Nothing in flight depends on it but what people see. So it is no part of a simulation's state: the station holds it,
-tells its pages and records it, and a scenario says how it is at the start.
+Light affects only what people see, so it is not part of a simulation's state. The station holds it, sends it to the
+pages and records it; a scenario gives the light at the start.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Strength = Annotated[float, msgspec.Meta(ge=0.0)]
 
 
 class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A part of the file of conditions."""
+    """A table of the file of conditions."""
 
 
 class Glow(_Part, frozen=True):
@@ -37,7 +37,7 @@ class Glow(_Part, frozen=True):
 
     colour: Colour
     strength: Strength
-    """[lx], in the scale in which full sunlight is 4.1 lx."""
+    """Illuminance [lx], on the scale in which full sunlight is 4.1 lx."""
 
 
 class SkyGlow(_Part, frozen=True):
@@ -45,65 +45,65 @@ class SkyGlow(_Part, frozen=True):
 
     above: Colour
     below: Colour
-    """Of the half spheres above and below the orbiter."""
+    """Colour of the half sphere below the orbiter; `above` is the colour of the one above it."""
     strength: Strength
 
 
 class LightCondition(_Part, frozen=True):
-    """Where sun and Earth stand, and what comes from them."""
+    """Directions to the sun and the Earth, and the light from them."""
 
     name: Name
     to_sun: Vec3
-    """Direction in the scene, of any length."""
+    """Direction to the sun in the scene, of any length."""
     nadir: Vec3
     """Direction to the Earth's centre in the scene, of any length."""
     sun: Glow
     earthshine: Glow
     sky: SkyGlow
     exposure: float
-    """Where the cameras' exposure begins [stops over that of full sunlight]."""
+    """Initial exposure of the cameras [stops above that of full sunlight]."""
     source: Annotated[str, msgspec.Meta(min_length=1)]
 
 
 class LockedExposure(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A camera that does not follow its picture's brightness."""
+    """A camera whose exposure does not follow the brightness of its picture."""
 
     camera: Name
     stops: Annotated[float, msgspec.Meta(ge=-20.0, le=20.0)]
-    """Its exposure [stops over that of full sunlight]."""
+    """Exposure of the camera [stops above that of full sunlight]."""
 
 
 class Lighting(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """How the light stands."""
+    """Present light: the condition, the lamps that are on, and the locked exposures."""
 
     condition: Name
-    """As `LightCondition.name`."""
+    """Name of the condition, as in `LightCondition.name`."""
     lamps: Annotated[tuple[Name, ...], msgspec.Meta(max_length=32)]
-    """The switches that are on."""
+    """Switches that are on."""
     locked: Annotated[tuple[LockedExposure, ...], msgspec.Meta(max_length=64)] = ()
 
 
 class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """`light.toml` as it is written."""
+    """Contents of `light.toml`."""
 
     condition: Annotated[tuple[LightCondition, ...], msgspec.Meta(min_length=1)]
 
 
 @cache
 def conditions() -> tuple[LightCondition, ...]:
-    """The conditions that a scenario can name, the first being the usual one."""
+    """Return the conditions that a scenario can name; the first is the default."""
     return parse(_File, read(Path(__file__).parent / "light.toml")).condition
 
 
 def lamps_of(worksite: Worksite, arm: ArmModel, payload: Payload | None, cargo: tuple[Cargo, ...]) -> tuple[str, ...]:
-    """The switches of all lamps that are there: the worksite's, the arm's, those of what it holds and can take."""
+    """Return the switches of all lamps present: of the worksite, the arm, the held payload and the cargo."""
     bodies = chain((body.shapes for body in worksite.bodies), shapes_of(arm).bodies.values())
     carried = chain([payload.shapes] if payload else [], (one.shapes for one in cargo))
     return switches(chain.from_iterable(chain(bodies, carried)))
 
 
 def lighting(problems: Problems, spec: LightSpec, lamps: tuple[str, ...]) -> Lighting:
-    """A scenario's light, of these lamps; what there is not is noted."""
+    """Return a scenario's light; add conditions and lamps that do not exist to `problems`."""
     names = [condition.name for condition in conditions()]
     condition = names[0] if spec.condition is None else spec.condition
     if condition not in names:

@@ -1,4 +1,4 @@
-"""The arm with the scenario's limits in place of its own: joints, rates and the point of resolution."""
+"""Limits of a scenario that replace the arm's own: of joints, rates and the point of resolution."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from aftdeck.scenario.schema import LimitsOverride, PorOverride, RatesOverride
 
 
 def limited_arm(problems: Problems, name_or_path: str, over: LimitsOverride, folder: Path) -> Arm | None:
-    """The arm of a built-in name or of a file, sought from `folder`, with the scenario's limits; None: no such arm."""
+    """Load the arm, a built-in name or a file sought from `folder`, with the scenario's limits; None if that fails."""
     try:
         arm = load_arm(beside(name_or_path, folder))
     except ScenarioError as error:
@@ -53,15 +53,15 @@ def _rates(model: ArmModel, over: RatesOverride) -> JointRates:
 def phase_limits(
     problems: Problems, model: ArmModel, mass: float, own: PorOverride, over: RatesOverride, where: Where
 ) -> RateLimits | None:
-    """Return the limits of a phase of the script; None where it gives none.
+    """Return the limits of a phase of the script, or None if the phase gives none.
 
     Args:
-        problems: gathers what is wrong.
+        problems: collects the problems found.
         model: the arm with the scenario's limits.
-        mass: of what it carries in the phase [kg].
+        mass: mass of the payload that the arm carries in the phase [kg].
         own: the scenario's limits of the point of resolution.
-        over: what the phase puts in place of them.
-        where: its place in the file.
+        over: limits that the phase gives in place of others.
+        where: place of these limits in the file.
     """
     if over == RatesOverride():
         return None
@@ -77,7 +77,7 @@ def phase_limits(
 
 
 def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
-    """The arm's limits of the point of resolution with a payload [kg], the scenario's in their place."""
+    """Return the limits of the point of resolution with a payload [kg]: the arm's, replaced by those in `over`."""
     own = arm.por_limits(mass)
 
     def pick(given: float | None, own: float) -> float:
@@ -91,7 +91,7 @@ def por_with(arm: ArmModel, mass: float, over: PorOverride) -> PorLimits:
 
 
 def check_por(problems: Problems, over: PorOverride, por: PorLimits, where: Where = ("limits", "por")) -> None:
-    """Note limits that are not above 0, vernier limits above the coarse ones, and an acceleration given twice."""
+    """Report limits that are not above 0, vernier limits above the coarse ones, and an acceleration given twice."""
     for name in PorOverride.__struct_fields__:
         given = getattr(over, name)
         if given is not None and given <= 0.0:

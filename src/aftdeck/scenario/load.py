@@ -19,31 +19,31 @@ HERE = Path(__file__).parent / "builtin"
 
 
 def built_in() -> tuple[str, ...]:
-    """Names of the scenarios that come with Aftdeck."""
+    """Return the names of the scenarios that come with Aftdeck."""
     return tuple(sorted(path.stem for path in HERE.glob("*.toml")))
 
 
 class About(NamedTuple):
-    """What a built-in scenario's file says of it."""
+    """Title, description and file of a built-in scenario."""
 
     title: str
     text: str
     file: str
-    """All of the file."""
+    """Text of the whole file."""
 
 
 def about(name: str) -> About:
-    """Title and text of a built-in scenario, read without building it, which takes a second or so."""
+    """Read a built-in scenario's title and text without building the scenario, which takes about a second."""
     file = (HERE / f"{name}.toml").read_text(encoding="utf-8")
     said = tomllib.loads(file)
     return About(said["title"], said["text"], file)
 
 
 def load_scenario(name_or_path: str | Path) -> Scenario:
-    """The scenario of a built-in name or of a file.
+    """Load the scenario of a built-in name or of a file.
 
     Raises:
-        ScenarioError: no such scenario, or everything that is wrong in it, each with its place in the file.
+        ScenarioError: there is no such scenario, or it has problems; lists all of them with their places in the file.
     """
     path = Path(name_or_path)
     if path.suffix != ".toml":
@@ -59,10 +59,10 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
 
 
 def _derived(raw: dict[str, Any], folder: Path, file: Text) -> list[Problem]:
-    """Put values in the place of expressions of the worksite's dimensions; return what is wrong.
+    """Replace expressions of the worksite's dimensions by their values; return the problems found.
 
     Raises:
-        ScenarioError: they have no values, since the worksite cannot be read.
+        ScenarioError: the dimensions have no values, since the worksite cannot be read.
     """
     name, own = raw.get("worksite", "orbiter"), raw.get(KEY, {})
     if not has_formulas(raw) or not isinstance(name, str) or not isinstance(own, dict):
@@ -75,9 +75,10 @@ def _derived(raw: dict[str, Any], folder: Path, file: Text) -> list[Problem]:
 
 
 def parse_scenario(text: str, name: str, file: str, folder: Path, changes: Changes | None = None) -> Scenario:
-    """As `load_scenario`, from text; `file` stands for it in messages, arm files are sought from `folder`.
+    """Build a scenario from text, as `load_scenario` does from a file.
 
-    `changes` are put in place of what the text says.
+    `file` is the file's name in messages. Arm and worksite files are sought from `folder`. `changes` replace values of
+    the text.
     """
     source = Text(file, text)
     spec, wrong = examine(ScenarioFile, source, changes, lambda raw: _derived(raw, folder, source))

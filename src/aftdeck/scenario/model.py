@@ -1,4 +1,4 @@
-"""A scenario, checked and frozen: all that a simulation starts from."""
+"""A scenario, checked and frozen: all data from which a simulation starts."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ class RateLimits:
     """Limits of rates and accelerations.
 
     Attributes:
-        joints: of the joints.
-        por: of the point of resolution, in place of the arm's.
+        joints: limits of the joints.
+        por: limits of the point of resolution, in place of the arm's.
     """
 
     joints: JointRates
@@ -36,30 +36,30 @@ class PhasePlan:
     """A phase of the script, ready to fly.
 
     Attributes:
-        name: for the summary and the page.
+        name: name for the summary and the page.
         mode: panel position.
         rate: coarse or vernier.
-        translation: THC, each in [-1, 1].
-        rotation: RHC (roll, pitch, yaw), each in [-1, 1].
-        velocity: V_C' in place of the THC [m/s]; None: the THC.
-        angular_velocity: omega_C' in place of the RHC [rad/s]; None: the RHC.
+        translation: THC deflections, each in [-1, 1].
+        rotation: RHC deflections (roll, pitch, yaw), each in [-1, 1].
+        velocity: V_C' in place of the THC [m/s]; None to use the THC.
+        angular_velocity: omega_C' in place of the RHC [rad/s]; None to use the RHC.
         joint: selected joint, 0 to 5.
         drive: SINGLE/DIRECT DRIVE in [-1, 1].
-        joint_rate: theta_dot_C' in place of the drive [rad/s]; None: the drive.
-        joint_at: angle to bring the joint to [rad], or None.
-        target: final tip pose, or where it is found as the phase begins, or None.
-        law: which of the report's modes 1 to 3 an automatic mode flies; None: as it is.
-        payload_axes: ORB LD rotates in payload axes; None: as it is.
-        master: angles of the master arm [rad]; None: it stays.
-        effector: how the end effector switch is put; None: as it is.
-        latch: pressed as the phase begins; None: not.
-        stand_at: length to bring the telescope to [m]; None: it stays.
-        orbiter: translation of the orbiter, each in [-1, 1].
-        limits: that hold while the phase lasts; None: the scenario's.
-        attaches: which of `Scenario.own_payloads`, from 1, is in the grasp from the phase on; 0: none; None: it stays
-            as it is.
-        until: what the phase waits for; None: its mode's own end.
-        duration: length, or longest length in automatic modes [s]; None: no limit.
+        joint_rate: theta_dot_C' in place of the drive [rad/s]; None to use the drive.
+        joint_at: angle to which the joint moves [rad], or None.
+        target: final tip pose, or a place that gives the pose as the phase begins, or None.
+        law: which of the report's modes 1 to 3 an automatic mode flies; None for no change.
+        payload_axes: whether ORB LD rotates in payload axes; None for no change.
+        master: angles of the master arm [rad]; None if the master arm stays.
+        effector: position of the end effector switch; None for no change.
+        latch: latch button pressed as the phase begins; None for no button.
+        stand_at: length to which the telescope moves [m]; None if the telescope stays.
+        orbiter: translation command of the orbiter, each in [-1, 1].
+        limits: limits during the phase; None for the scenario's.
+        attaches: number, from 1, of the payload in `Scenario.own_payloads` that is in the grasp from the phase on; 0
+            for none; None for no change.
+        until: event for which the phase waits; None for its mode's own end.
+        duration: length, or maximum length in automatic modes [s]; None for no limit.
     """
 
     name: str
@@ -88,7 +88,7 @@ class PhasePlan:
 
     @property
     def timed(self) -> bool:
-        """Whether nothing but its duration ends the phase."""
+        """Whether only its duration ends the phase."""
         driven = MODES[self.mode].kind == "single" and self.joint_at is None
         waits = self.until is not None or self.stand_at is not None
         return (driven or MODES[self.mode].kind in ("manual", "test")) and not waits
@@ -99,8 +99,8 @@ class Point:
     """A prestored point of AUTO 1-4.
 
     Attributes:
-        target: where.
-        pause: wait there for PROCEED; else only come near and go on.
+        target: pose of the point.
+        pause: whether the arm waits there for PROCEED; if not, it only comes near and goes on.
     """
 
     target: Target
@@ -111,7 +111,7 @@ Part = Literal["full problem", "acquisition", "extraction", "manoeuvring"]
 """Parts of the report's problem."""
 
 Sequences = dict[str, tuple[Point, ...]]
-"""The points of AUTO 1-4, by panel position."""
+"""Points of AUTO 1-4, by panel position."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,9 +119,9 @@ class Grasped:
     """A payload that is held from the start.
 
     Attributes:
-        cargo: which of the scenario's.
-        angles: (6,) joint angles at which the arm took it in its place [rad].
-        stand: length of the telescope then [m].
+        cargo: index of the payload in the scenario's `cargo`.
+        angles: (6,) joint angles at which the arm captured the payload in its place [rad].
+        stand: length of the telescope at the capture [m].
     """
 
     cargo: int
@@ -131,13 +131,13 @@ class Grasped:
 
 @dataclass(frozen=True, eq=False)
 class Start:
-    """How the arm starts, the whole problem or a part of it.
+    """Initial state of the arm, for the full problem or for a part of it.
 
     Attributes:
-        angles: (6,) [rad].
-        rates: (6,) [rad/s].
-        stand: length of the telescope, or height of the shoulder where there is none [m].
-        grasped: what it holds of the worksite's payloads; None: nothing.
+        angles: (6,) joint angles [rad].
+        rates: (6,) joint rates [rad/s].
+        stand: length of the telescope, or height of the shoulder if there is no telescope [m].
+        grasped: payload of the worksite that the arm holds; None for none.
     """
 
     angles: np.ndarray
@@ -148,50 +148,50 @@ class Start:
 
 @dataclass(frozen=True, eq=False)
 class Scenario:
-    """All that a simulation starts from. Frozen; arrays in it are read-only.
+    """All data from which a simulation starts. Frozen; its arrays are read-only.
 
     Attributes:
         name: built-in name or file stem.
-        title: for people.
-        description: what the operator is asked to do.
-        arm: with the scenario's limits in place of its own.
-        worksite: the place to draw.
-        seed: of everything random.
+        title: title for people.
+        description: task of the operator.
+        arm: the arm, with the scenario's limits in place of its own.
+        worksite: the worksite.
+        seed: random seed.
         duration: longest simulated time [s].
-        ticks: the same, in control periods.
-        control_period: [s].
-        delay: steps that a person's inputs are under way before they are flown.
-        telemetry_delay: how late the station's figures, lamps and log are [s].
-        camera_delay: how late its pictures are [s].
-        start: how the arm starts.
-        parts: where the parts of the problem begin anew; "full problem" is `start`.
-        cargo: the worksite's payloads that are there.
-        docking_axes: which axes docking compares: all, or y alone as the report does.
-        free_contact: what a contact does to a body that nothing holds.
-        caution: clearance under which the page cautions [m].
-        warning: clearance under which it warns [m].
-        lamps: switches of the lamps that are there.
-        lighting: how the light is at the start.
-        mode: entered at the start.
+        ticks: longest simulated time [control periods].
+        control_period: duration of a control step [s].
+        delay: delay before a person's inputs take effect [steps].
+        telemetry_delay: delay of the station's figures, lamps and log [s].
+        camera_delay: delay of the station's pictures [s].
+        start: initial state of the arm.
+        parts: initial states for the parts of the problem; "full problem" is `start`.
+        cargo: payloads of the worksite that are present.
+        docking_axes: axes that docking compares: all, or y alone as the report does.
+        free_contact: effect of a contact on a body that nothing holds.
+        caution: clearance below which the page shows a caution [m].
+        warning: clearance below which the page shows a warning [m].
+        lamps: switches of the lamps that are present.
+        lighting: light at the start.
+        mode: mode at the start.
         rate: coarse or vernier at the start.
-        as_flown: soft stops stop every joint in computed modes.
-        strict: the source's own steering, without the corrections.
-        guarded: computed modes slow the arm before its stops and singularities.
-        near: end sphere of the automatic modes [m].
-        near_turn: the same in rotation [rad].
-        fly_by: how near a fly-by point is come [m].
-        fly_by_turn: the same in rotation [rad].
+        as_flown: whether a joint past its soft stop stops every joint in computed modes.
+        strict: whether the steering runs as published, without the corrections.
+        guarded: whether computed modes slow the arm before its stops and singularities.
+        near: radius of the end sphere of the automatic modes [m].
+        near_turn: radius of the end sphere in rotation [rad].
+        fly_by: distance within which a fly-by point is passed [m].
+        fly_by_turn: angle within which a fly-by point is passed [rad].
         law: which of the report's modes 1 to 3 the automatic modes fly at the start.
-        payload_axes: ORB LD rotates in payload axes at the start.
-        position_hold: POSITION HOLD at the start.
+        payload_axes: whether ORB LD rotates in payload axes at the start.
+        position_hold: whether POSITION HOLD is on at the start.
         sequences: points of AUTO 1-4, by panel position.
         por: limits of the point of resolution in place of the arm's.
         own_payloads: payloads that the scenario itself puts into the grasp: its own, then those of its phases. The
-            hand neither takes nor lets go of them.
-        payload: the first of these, where it is in the grasp at the start; else None.
-        phases: the script; empty: none.
-        text: the file.
-        cautions: what does not fit, though runs make sense that stay clear of it.
+            end effector neither captures nor releases them.
+        payload: the first of `own_payloads` if it is in the grasp at the start; else None.
+        phases: the script; empty if there is none.
+        text: text of the file.
+        cautions: misfits; runs that stay clear of them still make sense.
     """
 
     name: str

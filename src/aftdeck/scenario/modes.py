@@ -1,4 +1,4 @@
-"""Modes as a scenario gives them, by panel position or by the report's number, and what they need of it."""
+"""Modes of a scenario, given by panel position or by the report's number, and the checks of what they need."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ _LAWS: dict[int, LawChoice] = {number: law for law, number in AUTOMATIC_LAWS.ite
 
 @dataclass(frozen=True)
 class Chosen:
-    """A mode, and how the switches beside it stand where its number says so.
+    """A mode, and the settings of the switches beside it if the mode's number implies them.
 
     Attributes:
         position: panel position.
-        law: which of the report's modes 1 to 3 is flown; None: not said.
-        payload_axes: ORB LD rotates in payload axes; None: not said.
+        law: which of the report's modes 1 to 3 is flown; None if not given.
+        payload_axes: whether ORB LD rotates in payload axes; None if not given.
     """
 
     position: PanelPosition
@@ -30,7 +30,7 @@ class Chosen:
 
 
 def chosen_mode(problems: Problems, given: int | str, where: Where) -> Chosen | None:
-    """The mode of a panel position or of one of the report's numbers 1 to 8; None where there is none such."""
+    """Return the mode of a panel position or of one of the report's numbers 1 to 8; None if no such mode exists."""
     if isinstance(given, str) and given in MODES:
         return Chosen(MODES[given].position)
     if isinstance(given, int) and (found := position_of(given)):
@@ -41,7 +41,7 @@ def chosen_mode(problems: Problems, given: int | str, where: Where) -> Chosen | 
 
 
 def check_mode(problems: Problems, position: str, loads: bool, sequences: Sequences, where: Where) -> None:
-    """Modes that need something which the scenario does not have."""
+    """Report a mode that needs a payload or a sequence that the scenario does not have."""
     if MODES[position].loaded and not loads:
         problems.wrong(
             where, f"{position} moves a payload, and the scenario has none: add a [payload] table or a [[cargo]]"

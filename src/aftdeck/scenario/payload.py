@@ -14,11 +14,11 @@ from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import AttachedSpec, PayloadSpec
 
 PART = "payload"
-"""What people call it."""
+"""Name of the payload as a part."""
 
 
 def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None:
-    """The payload that the file describes; None where there is none, or its mass is wrong."""
+    """Return the payload that the file describes; None if there is none, or if its table is wrong."""
     held = None if spec is None else attached_payload(problems, spec, ("payload",))
     if spec is None or held is None:
         return None
@@ -31,7 +31,7 @@ def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None
 
 
 def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Payload | None:
-    """The payload of a table at a place of the file, without shape; None where something is wrong with it."""
+    """Return the payload of a table at a place in the file, without shape; None if the table is wrong."""
     if spec.mass <= 0.0:
         problems.wrong((*where, "mass"), f"is above 0, got {spec.mass:g} kg")
         return None

@@ -1,4 +1,4 @@
-"""The script's phases: what each kind of mode takes and needs."""
+"""Phases of the script, and the fields that each kind of mode takes and needs."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _USED: dict[str, set[str]] = {
     "test": set(),
     "master": {"master"},
 }
-"""What a phase may say, by the kind of its mode; OPR CMD and ORB LD take more."""
+"""Fields that a phase may give, by the kind of its mode; OPR CMD and ORB LD take more."""
 
 
 def script(
@@ -39,16 +39,16 @@ def script(
     sequences: Sequences,
     things: Things,
 ) -> list[PhasePlan | None]:
-    """The phases, ready to fly; None where a mode is none.
+    """Return the phases, ready to fly; None for each phase whose mode does not exist.
 
     Args:
-        problems: gathers what is wrong.
-        arm: that flies them.
-        phases: as decoded.
-        grasp: at the start; gathers the payloads of the phases.
+        problems: collects the problems found.
+        arm: arm that flies the phases.
+        phases: the decoded phases.
+        grasp: the grasp at the start; collects the payloads of the phases.
         por: the scenario's limits of the point of resolution.
         sequences: points of AUTO 1-4.
-        things: what targets may be given by.
+        things: objects relative to which targets may be given.
     """
     plans: list[PhasePlan | None] = []
     for i, phase in enumerate(phases):
@@ -74,7 +74,7 @@ def _phase_plan(
     limits: RateLimits | None,
     attaches: int | None,
 ) -> PhasePlan:
-    """One phase, ready to fly."""
+    """Return one phase, ready to fly."""
     there = None if phase.target is None else goal(problems, arm, phase.target, things, (*where, "target"))
     joint = _joint(problems, arm, phase, where)
     _check_phase(problems, arm, phase, chosen, joint, where)
@@ -110,7 +110,7 @@ def _three(given: Velocity | AngularVelocity | None) -> tuple[float, float, floa
 
 
 def _joint(problems: Problems, arm: Arm, phase: Phase, where: Where) -> int:
-    """The joint selected, 0 to 5; 0 where none is."""
+    """Return the selected joint, 0 to 5; 0 if none is selected."""
     if phase.joint is None:
         return 0
     if phase.joint not in arm.joints:
@@ -120,7 +120,7 @@ def _joint(problems: Problems, arm: Arm, phase: Phase, where: Where) -> int:
 
 
 def _stand(problems: Problems, arm: Arm, phase: Phase, where: Where) -> float | None:
-    """The length that the telescope is brought to [m]."""
+    """Return the length to which the telescope moves [m], or None if the phase gives none."""
     if phase.stand_at is None:
         return None
     try:
@@ -131,7 +131,7 @@ def _stand(problems: Problems, arm: Arm, phase: Phase, where: Where) -> float | 
 
 
 def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joint: int, where: Where) -> None:
-    """What a phase of each kind needs, and what it has no use for."""
+    """Report fields that a phase's mode needs but lacks, and fields for which the mode has no use."""
     mode = MODES[chosen.position]
     _check_use(problems, phase, mode, where)
     if phase.law is not None and chosen.law not in (None, phase.law):
@@ -151,7 +151,7 @@ def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joi
 
 
 def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> None:
-    """What is given and has no use in the mode."""
+    """Report fields that are given but have no use in the mode, and sticks given both ways."""
     given = {
         "target": phase.target is not None,
         "law": phase.law is not None,
@@ -178,7 +178,7 @@ def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> No
 
 
 def _check_single(problems: Problems, arm: Arm, phase: Phase, mode: Mode, joint: int, where: Where) -> None:
-    """SINGLE and DIRECT: a joint, and either its drive for a time or the angle to bring it to."""
+    """Check that SINGLE or DIRECT has a joint, and either its drive for a time or the angle to which it moves."""
     if phase.joint is None:
         problems.wrong(where, f"mode {mode.position} needs a joint")
     if phase.joint_at is None and phase.duration is None:

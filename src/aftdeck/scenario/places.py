@@ -1,4 +1,4 @@
-"""Targets given by what is there: a payload to take, a seat to bring it to, a pose in the axes of a body."""
+"""Targets relative to objects: a payload to capture, a seat to bring it to, a pose in the axes of a body."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from aftdeck.worksite.model import Cargo, Worksite
 
 
 class Things(NamedTuple):
-    """What a target or a start may be given by, and how its joint angles are found.
+    """Objects relative to which a target or a start may be given, and the way to find its joint angles.
 
     Attributes:
         cargo: the scenario's payloads.
-        worksite: its bodies and seats; None: what was named could not be read.
-        strict: a pose is reached by RMANGS's own branch, as in the source.
+        worksite: bodies and seats; None if the named worksite could not be read.
+        strict: whether a pose is reached by RMANGS's own branch, as published.
     """
 
     cargo: tuple[Cargo, ...]
@@ -32,17 +32,17 @@ class Things(NamedTuple):
 
 
 def is_relative(spec: PoseSpec) -> bool:
-    """Return whether a pose is given by what is there."""
+    """Return whether a pose is given relative to an object."""
     return spec.frame not in FRAMES or (spec.cargo, spec.seat, spec.above, spec.offset) != (None, None, None, None)
 
 
 def goal(problems: Problems, arm: Arm, spec: PoseSpec, things: Things, where: Where) -> Target | Place | None:
-    """Return a target as a pose, or as a place that is found when the phase begins; None where it is wrong."""
+    """Return a target as a pose, or as a place that is evaluated as the phase begins; None if the target is wrong."""
     return place(problems, arm, spec, things, where) if is_relative(spec) else target(problems, arm, spec, where)
 
 
 def place(problems: Problems, arm: Arm, spec: PoseSpec, things: Things, where: Where) -> Place | None:
-    """Return the place of a pose that is given by what is there; None where it is wrong, or the worksite is."""
+    """Return the place of a pose given relative to an object; None if the pose or the worksite is wrong."""
     if things.worksite is None:
         return None
     if spec.cargo is None and spec.seat is None:
@@ -64,7 +64,7 @@ def place(problems: Problems, arm: Arm, spec: PoseSpec, things: Things, where: W
 
 
 def cargo_index(problems: Problems, arm: Arm, cargo: tuple[Cargo, ...], name: str, where: Where) -> int | None:
-    """Return which of the scenario's payloads a name stands for; None where the hand can take none of that name."""
+    """Return the index of the scenario's payload of a given name; None if the hand can take no payload of that name."""
     names = [one.name for one in cargo]
     if name not in names:
         there = f"there is {', '.join(names)}" if names else "the scenario has none: add a [[cargo]]"
@@ -79,15 +79,15 @@ def cargo_index(problems: Problems, arm: Arm, cargo: tuple[Cargo, ...], name: st
 def at_the_start(
     problems: Problems, arm: Arm, spec: PoseSpec, things: Things, in_hand: tuple[int, Pose] | None, where: Where
 ) -> Pose | None:
-    """Return the tip in L at a pose that is given by what is there, as all of it is at the start; None: it is wrong.
+    """Return the tip's pose in L for a pose given relative to objects as they are at the start; None if it is wrong.
 
     Args:
-        problems: gathers what is wrong.
-        arm: with its telescope at its length.
-        spec: as decoded.
-        things: what there is.
-        in_hand: which payload is held, and its pose at the tip; None: none.
-        where: its place in the file.
+        problems: collects the problems found.
+        arm: arm with its telescope at the given length.
+        spec: the decoded pose.
+        things: the objects.
+        in_hand: index of the held payload, and its pose at the tip; None if no payload is held.
+        where: the pose's place in the file.
     """
     found = place(problems, arm, spec, things, where)
     if found is None or things.worksite is None:
@@ -113,7 +113,7 @@ def at_the_start(
 
 
 def _in_frame(problems: Problems, spec: PoseSpec, things: Things, where: Where) -> Place | None:
-    """Return a pose in the axes of a body, a seat or a payload."""
+    """Return the place of a pose in the axes of a body, a seat or a payload; None if it is wrong."""
     if spec.above is not None or spec.offset is not None:
         problems.wrong(where, "above and offset go with cargo or seat")
         return None

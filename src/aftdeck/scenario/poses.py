@@ -18,17 +18,17 @@ from aftdeck.scenario.target import Target, target_at
 FRAMES: tuple[FrameName, ...] = get_args(FrameName)
 """Frames in which every pose may be given."""
 ORTHONORMAL = 1e-6
-"""How far from orthonormal a given matrix may be [1]."""
+"""Maximum deviation of a given matrix from an orthonormal one [1]."""
 
 
 def joint_angles(problems: Problems, arm: Arm, given: SixAngles, where: Where) -> np.ndarray | None:
-    """Six joint angles [rad] as an array; None where any is outside its hard limits."""
+    """Return six joint angles [rad] as an array; None if any angle is outside its hard limits."""
     inside = [check_angle(problems, arm, joint, angle, where) for joint, angle in enumerate(given)]
     return frozen(given) if all(inside) else None
 
 
 def check_angle(problems: Problems, arm: Arm, joint: int, angle: float, where: Where) -> bool:
-    """Whether a joint's angle [rad] lies in its hard limits."""
+    """Return whether a joint's angle [rad] is within its hard limits; report it if not."""
     low, high = arm.limits.hard[joint]
     if low <= angle <= high:
         return True
@@ -41,7 +41,7 @@ def check_angle(problems: Problems, arm: Arm, joint: int, angle: float, where: W
 
 
 def rotation_matrix(problems: Problems, rows: tuple[Row, Row, Row], where: Where) -> np.ndarray | None:
-    """A matrix as given; None where it is not right-handed and orthonormal."""
+    """Return the given matrix as an array; None if it is not right-handed and orthonormal."""
     matrix = np.array(rows, dtype=np.float64)
     if not np.isfinite(matrix).all():
         problems.wrong(where, "expected finite numbers")
@@ -57,7 +57,7 @@ def rotation_matrix(problems: Problems, rows: tuple[Row, Row, Row], where: Where
 
 
 def target(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Target | None:
-    """A target from one of the three ways to give a pose; None where it is wrong."""
+    """Return the target for a pose given in one of three ways; None if the pose is wrong."""
     pose = pose_in_l(problems, arm, spec, where)
     if pose is None:
         return None
@@ -68,7 +68,7 @@ def target(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Target
 
 
 def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pose | None:
-    """Frame 7 in L from one of the three ways to give a pose; None where it is wrong."""
+    """Return the pose of frame 7 in L for a pose given in one of three ways; None if the pose is wrong."""
     if (spec.cargo, spec.seat, spec.above, spec.offset) != (None, None, None, None):
         what = "cargo, seat, above and offset are for the target of a phase, and for the pose at the start"
         problems.wrong(where, what)
@@ -94,7 +94,7 @@ def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pos
 
 
 def position_and_rotation(problems: Problems, spec: PoseSpec, where: Where) -> Pose | None:
-    """A pose by position and orientation, as it is given in its own frame; None where it is wrong."""
+    """Return a pose given by position and orientation, in its own frame; None if it is wrong."""
     euler = (spec.roll, spec.pitch, spec.yaw)
     if spec.position is None or spec.joints is not None:
         problems.wrong(where, "give joints (six angles), or a position with an orientation")

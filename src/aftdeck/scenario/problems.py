@@ -1,4 +1,4 @@
-"""Gathering what is wrong with a scenario file, so that all of it is told at once."""
+"""Collection of the problems in a scenario file, so that all are reported at once."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from aftdeck.files import Problem, Where, sentences
 
 
 class Problems:
-    """What has been found wrong so far, in the order found; true where there is anything.
+    """Problems found so far, in the order found; true if there are any.
 
-    A place in which something was wrong already is not complained of again, nor what stands around it: the rest
-    of it may only look wrong for want of what had to be left out.
+    A problem at, inside or around the place of a problem that was given at construction is not added. It may only be
+    a consequence of the value that was left out there.
     """
 
     def __init__(self, found: Sequence[Problem] = ()) -> None:
@@ -22,15 +22,15 @@ class Problems:
         return bool(self._found)
 
     def wrong(self, where: Where, what: str) -> None:
-        """Note that `what` is wrong at the place `where` in the file."""
+        """Add the problem `what` at the place `where` in the file."""
         if not any(_inside(where, known) or _inside(known, where) for known in self._known):
             self._found.append(Problem(where, what))
 
     def sentences(self, file: str, text: str) -> list[str]:
-        """A sentence for each, with its line in `text`; `file` stands for the file."""
+        """Return one sentence per problem, with its line in `text`; `file` is the file's name in the sentences."""
         return sentences(self._found, file, text)
 
 
 def _inside(place: Where, other: Where) -> bool:
-    """Whether a place is another or within it."""
+    """Return whether a place equals another or lies within it."""
     return place[: len(other)] == other

@@ -1,6 +1,6 @@
-"""Where the tip is when it is given by what is there: over a payload, with a held payload at a seat, in a body's frame.
+"""Tip poses relative to objects: over a payload, with a held payload at a seat, in a body's frame.
 
-The same functions serve the start of a run, when everything stands as the files say, and a phase as it begins.
+The same functions serve the start of a run, when all objects are where the files say, and a phase as it begins.
 """
 
 from __future__ import annotations
@@ -13,17 +13,17 @@ from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
 from aftdeck.worksite.model import Cargo, Seat, Worksite
 
 _OVER_A_BAR = np.array([[0.0, 0.0, -1.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]])
-"""The tip's axes in a cargo's where the hand looks down on its bar, the fixed finger to port."""
+"""The tip's axes in a cargo's axes when the hand points down at its bar, with the fixed finger to port."""
 
 
 def scene_in_l(mount: Mount, origin: tuple[float, float, float]) -> Pose:
-    """Return the pose in L of a scene whose origin has these structural coordinates [m]."""
+    """Return the pose in L of a scene whose origin has the given structural coordinates [m]."""
     turn = mount.rotation.T @ SCENE_FROM_PANEL_AXES
     return Pose(turn @ np.array(origin) - mount.rotation.T @ mount.origin, turn)
 
 
 def composed(outer: Pose, inner: Pose) -> Pose:
-    """Return a pose given in a frame, where that frame has the pose `outer`."""
+    """Return the pose `inner`, given in a frame, in the frame in which that one has the pose `outer`."""
     return Pose(outer.position + outer.rotation @ inner.position, outer.rotation @ inner.rotation)
 
 
@@ -33,12 +33,12 @@ def inverted(pose: Pose) -> Pose:
 
 
 def takes(model: ArmModel, cargo: Cargo) -> bool:
-    """Return whether a payload has what this arm's hand takes hold of: a bar, or a grapple fixture."""
+    """Return whether a payload has what this arm's hand captures: a bar, or a grapple fixture."""
     return (cargo.grapple if model.equipment.prong is None else cargo.receptacle) is not None
 
 
 def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:
-    """Return the tip in a payload's axes where the hand takes it, or as far from there as the place says."""
+    """Return the tip's pose in a payload's axes where the hand takes it, displaced as the place says."""
     if cargo.grapple is not None:
         there = Pose(cargo.grapple.position, cargo.grapple.rotation @ rotation_x(-model.end_effector_roll))
     else:
@@ -49,14 +49,14 @@ def at_cargo(model: ArmModel, cargo: Cargo, place: AtCargo) -> Pose:
 
 
 def at_seat(seat: Seat, cargo: Cargo, place: AtSeat) -> Pose:
-    """Return the payload in its seat's frame where it is seated, or as far from there as the place says."""
+    """Return the pose of a payload in its seat, in the seat's frame, displaced as the place says."""
     seated, turn = seat.seated(cargo.probe), seat.pose.rotation
     out = turn[:, 0] if seat.kind == "port" else turn[:, 2]
     return Pose(seated.position + place.above * out + turn @ np.array(place.offset), seated.rotation)
 
 
 def in_frame(worksite: Worksite, cargo: tuple[Cargo, ...], name: str, pose: Pose) -> InFrame | None:
-    """Return a pose given in the axes of a body, a seat or a payload; None where there is none of that name."""
+    """Return the place of a pose in the axes of a body, a seat or a payload; None if none has that name."""
     carriers: dict[str, tuple[str, Pose]] = {body.name: (body.fixed_to, body.pose) for body in worksite.bodies}
     carriers |= {one.name: (one.name, Pose(np.zeros(3), np.eye(3))) for one in cargo}
     carriers |= {seat.name: (seat.frame, seat.pose) for seat in worksite.seats}

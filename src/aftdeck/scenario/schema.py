@@ -1,4 +1,4 @@
-"""A scenario file's types. Bare numbers are SI; strings carry units."""
+"""Types of a scenario file. Bare numbers are SI; strings carry units."""
 
 from __future__ import annotations
 
@@ -20,28 +20,28 @@ AngularVelocity = tuple[AngularRate, AngularRate, AngularRate]
 Row = tuple[float, float, float]
 Rate = Literal["coarse", "vernier"]
 Until = Literal["captured", "released", "latched", "unlatched"]
+"""Events for which a phase may wait: a payload enters or leaves the grasp; it is fixed in its seat, or freed."""
 FreeContact = Literal["stop", "reflect"]
-"""What a contact does to a body that nothing holds."""
-"""What a phase may wait for: a payload in the grasp, or none any more; it is fixed in its seat, or no more."""
+"""Effect of a contact on a body that nothing holds."""
 
 
 class _Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A table of a scenario file; unknown fields are refused."""
+    """A table of a scenario file; unknown fields are rejected."""
 
 
 class PoseSpec(_Part, frozen=True):
-    """A pose of the tip, by joint angles or by place and orientation.
+    """A pose of the tip, by joint angles or by position and orientation.
 
-    By `joints`: the pose that those angles give. Or by `position` in a `frame`, with an orientation by `roll`,
-    `pitch`, `yaw` (in the orbiter and in L: ENDORI's roll, elevation, azimuth of frame 7; in panel: the end
-    effector's attitude, pitch, yaw, roll in that order) or by a `matrix` whose columns are the axes (the
-    report's S1 = 0). In the panel frame X = -Xo, Y = Yo, Z = -Zo.
+    `joints` gives the pose that those angles reach. Otherwise `position` is given in a `frame`, with an orientation by
+    `roll`, `pitch`, `yaw` or by a `matrix` whose columns are the axes (the report's S1 = 0). In the orbiter frame and
+    in L the angles are ENDORI's roll, elevation, azimuth of frame 7. In the panel frame they are the end effector's
+    attitude, pitch, yaw, roll in that order, and X = -Xo, Y = Yo, Z = -Zo.
 
-    A phase's target, and the pose in which a run starts, may also be given by what is there at that instant: by
-    `cargo`, where the hand takes that payload, or by `seat`, where what the hand holds is in its place in that seat.
-    `above` keeps it short of there: back along the hand, up out of the bay, out from the port; `offset` goes aside from
-    there along the axes of the payload or seat. Or `frame` names a body, a seat or a payload, in whose axes position
-    and orientation (as in L) are given.
+    A phase's target, and the pose in which a run starts, may also be given relative to objects as they are at that
+    instant. `cargo` is the pose at which the hand takes that payload. `seat` is the pose at which the payload in the
+    hand is in its place in that seat. `above` is a distance short of that pose: back along the hand, up out of the
+    bay, out from the port. `offset` is a displacement along the axes of the payload or seat. Or `frame` names a body, a
+    seat or a payload, in whose axes position and orientation (as in L) are given.
     """
 
     joints: SixAngles | None = None
@@ -58,9 +58,10 @@ class PoseSpec(_Part, frozen=True):
 
 
 class GraspSpec(_Part, frozen=True):
-    """A payload of the worksite held at the start: which, and how the arm stood when it took it in its place.
+    """A payload of the worksite held at the start, and the arm's angles when it took the payload in its place.
 
-    By `joints`, or `above` it by so much as `PoseSpec` has it, by the branch nearest to the start's `near`.
+    The angles are `joints`, or those that bring the hand `above` the payload as in `PoseSpec`, by the branch nearest to
+    the start's `near`. `stand` is the length of the telescope at that instant.
     """
 
     cargo: Text
@@ -70,9 +71,9 @@ class GraspSpec(_Part, frozen=True):
 
 
 class Initial(_Part, frozen=True):
-    """How the arm starts (RMSIST): joint angles and rates, or a pose, reached by the branch nearest to `near`.
+    """Initial arm state (RMSIST): joint angles and rates, or a pose, reached by the branch nearest to `near`.
 
-    `stand` is the length of the telescope; a payload that is `grasped` hangs on the end effector.
+    `stand` is the length of the telescope; a payload that is `grasped` is attached to the end effector.
     """
 
     joints: SixAngles | None = None
@@ -84,7 +85,7 @@ class Initial(_Part, frozen=True):
 
 
 class CargoSpec(_Part, frozen=True):
-    """A payload of the worksite that is there: where its own table says, or at a place or with a motion given here."""
+    """A payload of the worksite that is present: as its own table says, or at a place or with a motion given here."""
 
     name: Text
     start: StartFile | None = None
@@ -92,7 +93,7 @@ class CargoSpec(_Part, frozen=True):
 
 
 class InitialiseSpec(_Part, frozen=True):
-    """Where the parts of the report's problem begin anew (its input 2)."""
+    """Initial states for the parts of the report's problem (its input 2)."""
 
     acquisition: Initial | None = None
     extraction: Initial | None = None
@@ -100,10 +101,10 @@ class InitialiseSpec(_Part, frozen=True):
 
 
 class ClearanceSpec(_Part, frozen=True):
-    """Clearances under which the page cautions and warns.
+    """Clearances below which the page shows a caution and a warning.
 
-    By default a little less than the Shuttle's upper boom has over the sill's fittings while the arm is not stretched
-    out: a caution that is always lit tells nothing.
+    The default is a little less than the clearance of the Shuttle's upper boom over the sill's fittings while the arm
+    is not stretched out. A caution that is always lit carries no information.
     """
 
     caution: Length = Length(0.5)
@@ -111,11 +112,11 @@ class ClearanceSpec(_Part, frozen=True):
 
 
 class LightSpec(_Part, frozen=True):
-    """Light on the place: a condition by name, and the lamps that are lit at the start.
+    """Light at the worksite: a condition by name, and the lamps that are lit at the start.
 
-    `condition`: `high sun` (absent: this), `low sun`, `night` or `terminator`, as `scenario/light.toml` has them.
-    `lamps` names switches that are on: at the orbiter `fwd floods`, `mid floods`, `aft floods`, `end effector`;
-    absent: all are.
+    `condition` is `high sun` (the default), `low sun`, `night` or `terminator`, as defined in `scenario/light.toml`.
+    `lamps` names the switches that are on, by default all; the orbiter has `fwd floods`, `mid floods`, `aft floods`
+    and `end effector`.
     """
 
     condition: Text | None = None
@@ -123,10 +124,10 @@ class LightSpec(_Part, frozen=True):
 
 
 class PorOverride(_Part, frozen=True):
-    """Limits of the point of resolution in place of the arm's, whatever the payload.
+    """Limits of the point of resolution that replace the arm's, with any payload.
 
     `reached_in` gives both accelerations as the time in which the coarse limits are reached; `acceleration` and
-    `angular_acceleration` give the report's accelerations of V_L and omega_L apart.
+    `angular_acceleration` give the report's accelerations of V_L and omega_L separately.
     """
 
     translation: Speed | None = None
@@ -139,7 +140,7 @@ class PorOverride(_Part, frozen=True):
 
 
 class RatesOverride(_Part, frozen=True):
-    """Limits of rates and accelerations in place of others: of the joints, and of the point of resolution (`por`)."""
+    """Limits of rates and accelerations that replace others: of the joints, and of the point of resolution (`por`)."""
 
     servo: SixRates | None = None
     coarse: SixRates | None = None
@@ -149,7 +150,7 @@ class RatesOverride(_Part, frozen=True):
 
 
 class LimitsOverride(RatesOverride, frozen=True):
-    """Limits in place of the arm's."""
+    """Limits that replace the arm's."""
 
     hard: SixRanges | None = None
     soft: SixRanges | None = None
@@ -157,7 +158,7 @@ class LimitsOverride(RatesOverride, frozen=True):
 
 
 class AttachedSpec(_Part, frozen=True):
-    """A payload as the steering takes it.
+    """A payload as the steering uses it.
 
     `position` is r_87, the payload's centre in its own axes as seen from the tip; `roll`, `pitch`, `yaw`
     (azimuth first, as ENDORI) or `matrix` turn frame 7 into the payload's axes (T_78). `por` is the payload's
@@ -174,10 +175,9 @@ class AttachedSpec(_Part, frozen=True):
 
 
 class PayloadSpec(AttachedSpec, frozen=True):
-    """What the end effector holds.
+    """A payload that the end effector holds.
 
-    Its `shape` entries are how it looks, about its centre, and its `body` entries what of it collides, which covers
-    that from outside.
+    Its `shape` entries are drawn, about its centre. Its `body` entries collide; they enclose the drawn shapes.
     """
 
     shape: tuple[Shape, ...] = ()
@@ -188,22 +188,23 @@ class Phase(_Part, frozen=True):
     """One phase of the script: a mode, what the operator does in it, and how it ends.
 
     The mode is a panel position or the report's number, 1 to 8; `law` chooses among modes 1 to 3 in OPR CMD and
-    AUTO 1-4, `payload_axes` between 4 and 7 in ORB LD. Automatic modes take a `target` (AUTO 1-4 have their
-    points); they end on arrival, a sequence at its last point, with PROCEED given at every pause; `duration` is
+    AUTO 1-4, `payload_axes` between 4 and 7 in ORB LD. Automatic modes take a `target`; AUTO 1-4 use their stored
+    points. They end on arrival, a sequence at its last point, and PROCEED is given at every pause. `duration` is
     then the longest time allowed.
     Manual modes take stick positions and end after `duration`. SINGLE takes a `joint` and either `drive` with
-    a `duration`, or `joint_at`, the angle to bring the joint to. MASTER takes the `master` arm's angles and ends when
-    the arm has followed.
+    a `duration`, or `joint_at`, the angle to which the joint moves. MASTER takes the `master` arm's angles and ends
+    when the arm has reached them.
 
     In place of stick positions, manual modes take `velocity` (V_C') and `angular_velocity` (omega_C') along and about
-    the axes in which the sticks act, and SINGLE and DIRECT take `joint_rate` (theta_dot_C'). Beyond the limits in force
-    they are flown at those, along the same line.
+    the axes in which the sticks act, and SINGLE and DIRECT take `joint_rate` (theta_dot_C'). A value beyond the limits
+    in force is reduced to the limit, in the same direction.
 
-    `limits` hold for the phase (V_L, omega_L, their accelerations, theta_dot_L); flown by hand, the scenario's hold. A
-    `payload` is in the grasp from the phase on (PA, T_78, r_87), until another is, or `detached` says none.
+    `limits` apply during the phase (V_L, omega_L, their accelerations, theta_dot_L); in manual flight the scenario's
+    limits apply. A `payload` is in the grasp from the phase on (PA, T_78, r_87), until a later phase gives another
+    `payload` or `detached`.
 
-    In every mode a phase may put the `effector` switch, press `latch`, bring the telescope to `stand_at`, translate the
-    `orbiter`, and wait `until` something has come about; `duration` is then the longest time allowed.
+    In every mode a phase may set the `effector` switch, press `latch`, move the telescope to `stand_at`, translate the
+    `orbiter`, and wait `until` an event has occurred; `duration` is then the longest time allowed.
     """
 
     mode: int | Text
@@ -233,21 +234,21 @@ class Phase(_Part, frozen=True):
 
 
 class PointSpec(_Part, frozen=True):
-    """A prestored point of AUTO 1-4: a pause point waits there for PROCEED, a fly-by point is only come near."""
+    """A prestored point of AUTO 1-4: the arm waits for PROCEED at a pause point, and only comes near a fly-by point."""
 
     target: PoseSpec
     pause: bool = False
 
 
 class SequenceSpec(_Part, frozen=True):
-    """The points of one of AUTO 1-4."""
+    """Points of one of AUTO 1-4."""
 
     slot: Annotated[int, msgspec.Meta(ge=1, le=4)]
     point: Annotated[tuple[PointSpec, ...], msgspec.Meta(min_length=1)]
 
 
 class ScenarioFile(_Part, frozen=True):
-    """A scenario file, decoded; `scenario.build` checks what types cannot say."""
+    """A scenario file, decoded; `scenario.build` checks what types cannot express."""
 
     title: Text
     initial: Initial
@@ -255,7 +256,7 @@ class ScenarioFile(_Part, frozen=True):
     arm: Text = "srms"
     worksite: Text = "orbiter"
     dimensions: dict[str, float | str] = msgspec.field(default_factory=dict)
-    """Values in place of those in the worksite's ``[dimensions]``."""
+    """Values that replace those in the worksite's ``[dimensions]``."""
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**53)] = 0
     duration: Time = Time(600.0)
     control_period: Time = Time(0.02)

@@ -1,4 +1,4 @@
-"""The prestored points of AUTO 1-4."""
+"""Prestored points of AUTO 1-4."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from aftdeck.scenario.schema import SequenceSpec
 
 
 def stored_points(problems: Problems, arm: Arm, specs: tuple[SequenceSpec, ...]) -> Sequences:
-    """The points of each slot, by panel position; points that are wrong are left out."""
+    """Return the points of each slot, by panel position; wrong points are left out."""
     found: Sequences = {}
     for i, sequence in enumerate(specs):
         position = f"AUTO {sequence.slot}"

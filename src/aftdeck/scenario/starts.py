@@ -1,4 +1,4 @@
-"""How the arm starts (RMSIST): the whole problem, and the parts of it that can be begun anew."""
+"""Initial states of the arm (RMSIST): for the full problem, and for the parts at which a run can re-initialise."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from aftdeck.units import Length
 
 
 def parts(problems: Problems, arm: Arm, spec: InitialiseSpec, full: Start | None, things: Things) -> dict[Part, Start]:
-    """Where the parts of the problem begin; none where the scenario gives none."""
+    """Return the initial states for the parts of the problem; empty if the scenario gives none."""
     given: dict[Part, Initial | None] = {
         "acquisition": spec.acquisition,
         "extraction": spec.extraction,
@@ -35,7 +35,7 @@ def parts(problems: Problems, arm: Arm, spec: InitialiseSpec, full: Start | None
 
 
 def start(problems: Problems, arm: Arm, initial: Initial, things: Things, where: Where) -> Start | None:
-    """RMSIST: how the arm starts; None where it is wrong."""
+    """Return the initial state of the arm (RMSIST); None if it is wrong."""
     standing = _standing(problems, arm, initial.stand, (*where, "stand"))
     rates = frozen(initial.rates or [0.0] * 6)
     for joint, rate, most in zip(arm.joints, rates, arm.rates.servo, strict=True):
@@ -51,7 +51,7 @@ def start(problems: Problems, arm: Arm, initial: Initial, things: Things, where:
 
 
 def _standing(problems: Problems, arm: Arm, stand: Length | None, where: Where) -> Arm:
-    """The arm with its telescope at a length."""
+    """Return the arm with its telescope at a given length; None for the arm's own length."""
     try:
         return arm if stand is None else Arm(arm.model.at(float(stand)))
     except InputError as error:
@@ -62,7 +62,7 @@ def _standing(problems: Problems, arm: Arm, stand: Length | None, where: Where) 
 def _angles(
     problems: Problems, arm: Arm, initial: Initial, things: Things, grasped: Grasped | None, where: Where
 ) -> np.ndarray | None:
-    """Joint angles as given, or those of a pose through RMANGS."""
+    """Return the given joint angles, or those for a given pose, by RMANGS if strict; None if they are wrong."""
     if initial.joints is not None and initial.pose is None:
         return joint_angles(problems, arm, initial.joints, (*where, "joints"))
     if initial.pose is None or initial.joints is not None:
@@ -84,7 +84,7 @@ def _angles(
 
 
 def _reached(problems: Problems, arm: Arm, pose: Pose, near: SixAngles | None, where: Where) -> np.ndarray | None:
-    """The joint angles of a tip's pose in L."""
+    """Return the joint angles for a tip pose in L, by the branch nearest to `near`; None if it cannot be reached."""
     try:
         return frozen(arm.inverse(pose, near=near)[0])
     except AftdeckError as error:
@@ -97,7 +97,7 @@ def _grasped(problems: Problems, arm: Arm, initial: Initial, things: Things, whe
     assert spec is not None, "asked for only where it is given"
     standing = _standing(problems, arm, spec.stand, (*where, "stand"))
     if things.worksite is None:
-        return None  # what is wrong with a worksite is told once, not as a payload that is missing
+        return None  # report a wrong worksite once, and not also as a missing payload
     k = cargo_index(problems, arm, things.cargo, spec.cargo, (*where, "cargo"))
     angles = None
     if (spec.joints is None) == (spec.above is None):
@@ -112,7 +112,7 @@ def _grasped(problems: Problems, arm: Arm, initial: Initial, things: Things, whe
 
 
 def _in_hand(arm: Arm, things: Things, grasped: Grasped) -> tuple[int, Pose]:
-    """Which payload is held from the start, and its pose at the tip."""
+    """Return the index of the payload that is held from the start, and its pose at the tip."""
     assert things.worksite is not None, "what is held is the worksite's"
     scene = scene_in_l(arm.model.mount, things.worksite.origin)
     payload = composed(scene, things.cargo[grasped.cargo].start.pose)

@@ -12,52 +12,52 @@ Six = tuple[float, float, float, float, float, float]
 
 
 class Target(msgspec.Struct, frozen=True):
-    """Where an automatic mode goes: frame 7 in L."""
+    """Target of an automatic mode: pose of frame 7 in L."""
 
     position: Vec3
-    """[m]"""
+    """Position [m]."""
     rotation: Rows
     """Rows of the matrix whose columns are frame 7's axes."""
     joints: Six | None = None
-    """Final joint angles [rad], where the target was given by them: mode 1 flies to these; else to the nearest.
+    """Final joint angles [rad] for mode 1, if the target was given by them; None: mode 1 moves to the nearest.
 
-    They put the tip at the pose above: keyed in, a target whose angles lead elsewhere is refused.
+    These angles put the tip at the pose above; a keyed-in target whose angles lead elsewhere is rejected.
     """
 
     @property
     def pose(self) -> Pose:
-        """The same as arrays."""
+        """Pose as arrays."""
         return Pose(np.array(self.position), np.array(self.rotation))
 
 
 class AtCargo(msgspec.Struct, frozen=True, tag=True):
-    """A target that is found when it is flown to: the hand where it takes a payload."""
+    """A target evaluated as its phase begins: the pose at which the hand takes a payload."""
 
     cargo: int
-    """Which of the scenario's."""
+    """Index of the payload in the scenario's `cargo`."""
     above: float = 0.0
-    """How far short of it, back along the hand [m]."""
+    """Distance short of that pose, back along the hand [m]."""
     offset: Vec3 = (0.0, 0.0, 0.0)
-    """How far aside of that, along the payload's axes [m]."""
+    """Further displacement along the payload's axes [m]."""
 
 
 class AtSeat(msgspec.Struct, frozen=True, tag=True):
-    """A target that is found when it is flown to: the hand where what it holds is in its place in a seat."""
+    """A target evaluated as its phase begins: the pose at which the payload in the hand is in its place in a seat."""
 
     seat: str
     above: float = 0.0
-    """How far short of it: up out of the bay, out from the port [m]."""
+    """Distance short of that pose: up out of the bay, or out from the port [m]."""
     offset: Vec3 = (0.0, 0.0, 0.0)
-    """How far aside of that, along the seat's axes [m]."""
+    """Further displacement along the seat's axes [m]."""
 
 
 class InFrame(msgspec.Struct, frozen=True, tag=True):
-    """A target that is found when it is flown to: the tip at a pose in what a body, a seat or a payload moves with."""
+    """A target evaluated as its phase begins: a tip pose in the frame with which a body, a seat or a payload moves."""
 
     frame: str
     """``orbiter``, ``space``, or a payload's name."""
     position: Vec3
-    """[m]"""
+    """Position [m]."""
     rotation: Rows
     """Rows of the matrix whose columns are frame 7's axes."""
 
@@ -68,11 +68,11 @@ class InFrame(msgspec.Struct, frozen=True, tag=True):
 
 
 Place = AtCargo | AtSeat | InFrame
-"""A target that depends on where something is as a phase begins."""
+"""A target that depends on where an object is as a phase begins."""
 
 
 def target_at(pose: Pose, joints: Six | None = None) -> Target:
-    """The target at a pose in L."""
+    """Return the target at a pose in L."""
     x, y, z = pose.position.tolist()
     a, b, c = (tuple(row) for row in pose.rotation.tolist())
     return Target((x, y, z), (a, b, c), joints)

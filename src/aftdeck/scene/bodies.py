@@ -1,4 +1,4 @@
-"""Everything that is drawn: the worksite's bodies, the arm's, the payload, and the worksite's payloads."""
+"""Bodies that are drawn: the worksite's, the arm's, the payload, and the worksite's payloads."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ PAYLOAD = "payload"
 
 
 def draws_payload(scenario: Scenario) -> bool:
-    """Whether the payload in the grasp is drawn: one with a shape, which is never let go."""
+    """Return whether the scenario's own payload is drawn: one with a shape, which is never released."""
     return scenario.payload is not None and scenario.payload.shapes != ()
 
 
 def bodies_of(scenario: Scenario) -> tuple[Body, ...]:
-    """The bodies of a scenario: of the worksite, of the arm from its foot on, the payload, the worksite's payloads."""
+    """Return a scenario's bodies: the worksite's, the arm's from its base on, the payload, the worksite's payloads."""
     bodies = list(scenario.worksite.bodies)
     bodies += [Body(name, shapes) for name, shapes in shapes_of(scenario.arm.model).bodies.items()]
     if draws_payload(scenario) and scenario.payload is not None:

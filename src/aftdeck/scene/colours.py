@@ -1,4 +1,4 @@
-"""The colour of each material where nothing but a colour is drawn."""
+"""Colour of each material, for pictures without gloss or patterns."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ COLOURS: dict[Material, str] = {
     "structure": "#9a978e",
     "glow": "#fff4de",
 }
-"""sRGB, those of the page (web/src/scene/materials.ts), which adds gloss and patterns."""
+"""sRGB colours, equal to those of the page (web/src/scene/materials.ts), which adds gloss and patterns."""
 
 
 def material_of(shape: Leaf) -> Material:
-    """What a shape is made of; a lamp's face glows."""
+    """Return the material of a shape; that of a lamp's face is "glow"."""
     return "glow" if isinstance(shape, Light) else shape.material
 
 
 def rgb(material: Material) -> tuple[float, float, float]:
-    """Red, green and blue of a material, sRGB, 0 to 1."""
+    """Return red, green and blue of a material, sRGB, 0 to 1."""
     number = int(COLOURS[material][1:], 16)
     return (number >> 16) / 255.0, (number >> 8 & 255) / 255.0, (number & 255) / 255.0

@@ -1,4 +1,4 @@
-"""Where every drawn body is in the scene, from a frame: in the order of `scene.bodies.bodies_of`."""
+"""Poses of all drawn bodies in the scene, from the frame of a step; in the order of `scene.bodies.bodies_of`."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class ScenePoses:
         self._finger = 0.0 if prong is None else prong.fixed_finger
 
     def at(self, frame: Frame) -> list[float]:
-        """Seven numbers a body: x, y, z [m], w, x, y, z."""
+        """Return seven numbers per body: x, y, z [m], then the quaternion w, x, y, z."""
         poses = self.worksite(frame)
         poses += self.arm.at(np.array(frame.angles), frame.work.stand, self.prong(frame))
         if self._payload and frame.payload is not None:
@@ -39,14 +39,14 @@ class ScenePoses:
         return poses
 
     def then(self, ahead: Ahead, prong: float | None) -> list[float]:
-        """Seven numbers a body, for those of the arm and then the worksite's payloads, as they would be."""
+        """Return seven numbers per body as a look-ahead predicts: the arm's bodies, then the worksite's payloads."""
         poses = self.arm.at(np.array(ahead.angles), ahead.stand, prong)
         for position, orientation in ahead.cargo:
             poses += self.pose(position, orientation)
         return poses
 
     def worksite(self, frame: Frame) -> list[float]:
-        """Of the worksite's own bodies: what is fixed to space goes as the orbiter leaves it."""
+        """Return seven numbers per worksite body; bodies fixed to space move against the orbiter's translation."""
         away = self._turn @ np.array(frame.work.orbiter)
         poses: list[float] = []
         for position, attitude, in_space in self._bodies:
@@ -54,11 +54,11 @@ class ScenePoses:
         return poses
 
     def prong(self, frame: Frame) -> float | None:
-        """y2 of the prong's inner face [m]; None: the hand has none."""
+        """Return y2 of the prong's inner face [m]; None if the hand has no prong."""
         spacing = frame.work.hand.spacing
         return None if spacing is None else self._finger - spacing
 
     def pose(self, position: Vec3, orientation: Rows) -> list[float]:
-        """Seven numbers of a pose given in L."""
+        """Return the seven numbers, in the scene, of a pose given in L."""
         place = self._turn @ np.array(position) + self._origin
         return [*place.tolist(), *quaternion(self._turn @ np.array(orientation))]

@@ -1,4 +1,4 @@
-"""Triangles: the one form in which every shape can be drawn, weighed or sent on."""
+"""Triangle meshes: the common form in which shapes are drawn, measured or exported."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from aftdeck.frames import Pose
 class Mesh(NamedTuple):
     """A surface of triangles.
 
-    A closed one has each edge in two triangles, which pass it in opposite directions; a few triangles may be empty.
+    In a closed mesh each edge is in two triangles, with opposite directions; a few triangles may be empty.
 
     Attributes:
         vertices: (n, 3) [m].
@@ -26,19 +26,19 @@ class Mesh(NamedTuple):
 
 
 def mesh(vertices: Array, faces: Iterable[tuple[int, int, int]]) -> Mesh:
-    """A mesh of vertices (n, 3) and faces, without those that use a vertex twice."""
+    """Return a mesh of vertices (n, 3) and faces, without the faces that use a vertex twice."""
     kept = [face for face in faces if len(set(face)) == 3]
     return Mesh(np.asarray(vertices, dtype=np.float64), np.array(kept, dtype=np.int64).reshape(-1, 3))
 
 
 def moved(surface: Mesh, motion: Pose) -> Mesh:
-    """The surface in the frame in which its own has the pose `motion`, which may be a reflected one."""
+    """Return a surface in the frame in which its own frame has the pose `motion`, which may include a reflection."""
     faces = surface.faces if np.linalg.det(motion.rotation) > 0.0 else surface.faces[:, ::-1]
     return Mesh(surface.vertices @ motion.rotation.T + motion.position, faces)
 
 
 def joined(surfaces: Iterable[Mesh]) -> Mesh:
-    """All surfaces as one; their vertices stay apart."""
+    """Return all surfaces as one mesh; vertices are not merged."""
     vertices, faces, first = [np.empty((0, 3))], [np.empty((0, 3), dtype=np.int64)], 0
     for surface in surfaces:
         vertices.append(surface.vertices)
@@ -48,12 +48,12 @@ def joined(surfaces: Iterable[Mesh]) -> Mesh:
 
 
 def area(surface: Mesh) -> float:
-    """Of all triangles [m^2]."""
+    """Return the area of all triangles [m^2]."""
     a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
     return 0.5 * float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
 
 
 def volume(surface: Mesh) -> float:
-    """Inside a closed surface [m^3], by the divergence theorem; below zero where its faces look inwards."""
+    """Return the volume of a closed surface [m^3], by the divergence theorem; negative if its faces point inwards."""
     a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
     return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6.0

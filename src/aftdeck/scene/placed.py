@@ -1,4 +1,4 @@
-"""Groups taken apart: every shape as often as it is drawn, and where."""
+"""Expansion of groups into single shapes with poses, each as often as it is drawn."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from aftdeck.frames import Pose, endori
 from aftdeck.shapes import Box, Cylinder, Group, Hexahedron, Light, Loft, Plate, Ring, Shape, Shell, Sphere, Vec3
 
 Leaf = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light
-"""A shape that is no group."""
+"""A shape that is not a group."""
 
 _HERE = Pose(np.zeros(3), np.eye(3))
 _MIRROR = Pose(np.zeros(3), np.diag([1.0, -1.0, 1.0]))
 
 
 def placed(shapes: Iterable[Shape], frame: Pose = _HERE) -> Iterator[tuple[Leaf, Pose]]:
-    """All shapes of all groups, each with its pose in the frame that they are listed in.
+    """Yield all shapes of all groups, each with its pose in the frame `frame` of the list.
 
-    A pose's matrix is a reflection where the shape stands in a mirrored group.
+    A pose's matrix includes a reflection if the shape is a mirrored copy.
     """
     for shape in shapes:
         own = _pose(shape.position, shape.rotation)
@@ -32,7 +32,7 @@ def placed(shapes: Iterable[Shape], frame: Pose = _HERE) -> Iterator[tuple[Leaf,
 
 
 def carried(outer: Pose, inner: Pose) -> Pose:
-    """A pose given in a frame, in the frame in which that one has the pose `outer`."""
+    """Return the pose `inner`, given in a frame, in the frame in which that one has the pose `outer`."""
     return Pose(outer.rotation @ inner.position + outer.position, outer.rotation @ inner.rotation)
 
 

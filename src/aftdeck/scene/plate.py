@@ -11,17 +11,17 @@ from aftdeck.scene.polygon import inwards, signed_area, triangles
 from aftdeck.shapes import Axis, Plate, Vec2
 
 RIM_STEPS = 2
-"""A rim's quarter round is drawn in this many, as on the page."""
+"""Number of steps in which a rim's quarter round is drawn, as on the page."""
 _PLACE: dict[Axis, tuple[tuple[int, int, int], bool]] = {
     "x": ((2, 0, 1), False),
     "y": ((0, 2, 1), True),
     "z": ((0, 1, 2), False),
 }
-"""Which of (first, second, across) is x, y and z, and whether that is a reflection."""
+"""Indices of x, y and z in (first, second, across), and whether that order is a reflection."""
 
 
 def plate(shape: Plate) -> Mesh:
-    """A plate about its own origin."""
+    """Return the mesh of a plate about its own origin."""
     outline = shape.outline if signed_area(shape.outline) > 0.0 else shape.outline[::-1]
     corners, ways = np.array(outline), inwards(outline)
     levels = _levels(shape)
@@ -39,7 +39,7 @@ def plate(shape: Plate) -> Mesh:
 
 
 def _levels(shape: Plate) -> list[Vec2]:
-    """(how far inside the outline, how far across) [m], from the lower face to the upper one."""
+    """Return the levels, each (distance inside the outline, height across) [m], from the lower face to the upper."""
     half, bevel = shape.thickness / 2.0, shape.bevel
     if bevel == 0.0:
         return [(0.0, -half), (0.0, half)]

@@ -1,4 +1,4 @@
-"""Flat outlines: which way they go round, corners moved inwards, and the triangles that fill them."""
+"""Flat outlines: signed area, corners moved inwards, and the triangles that fill an outline."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from aftdeck.arrays import Array
 from aftdeck.shapes import Vec2
 
 SHARPEST = 2.0**0.5
-"""A corner moves inwards by this many times its edges' own way at most, as on the page."""
+"""Maximum ratio of a corner's inward movement to that of its edges, as on the page."""
 
 
 def signed_area(outline: Sequence[Vec2]) -> float:
-    """Area inside an outline [m^2]; below zero where it goes round clockwise."""
+    """Return the area inside an outline [m^2]; negative if the outline is clockwise."""
     ends = (*outline[1:], outline[0])
     return 0.5 * sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(outline, ends, strict=True))
 
 
 def inwards(outline: Sequence[Vec2]) -> Array:
-    """(n, 2) how each corner of a counter-clockwise outline moves when all edges move inwards by one."""
+    """Return (n, 2) the movement of each corner of a counter-clockwise outline when all edges move inwards by one."""
     corners = np.array(outline, dtype=np.float64)
     edges = np.roll(corners, -1, axis=0) - corners
     lengths = np.linalg.norm(edges, axis=1, keepdims=True)
@@ -32,9 +32,9 @@ def inwards(outline: Sequence[Vec2]) -> Array:
 
 
 def triangles(outline: Sequence[Vec2]) -> list[tuple[int, int, int]]:
-    """The n - 2 triangles, counter-clockwise, that fill an outline of that sense: ears are cut off one by one.
+    """Return the n - 2 counter-clockwise triangles that fill a counter-clockwise outline, by cutting off ears.
 
-    Every edge of the outline is an edge of one triangle, also where corners lie on a line or the outline crosses
+    Every edge of the outline is an edge of one triangle, even if corners lie on a line or the outline crosses
     itself; then some triangles are empty or overlap.
     """
     left = list(range(len(outline)))
@@ -48,7 +48,7 @@ def triangles(outline: Sequence[Vec2]) -> list[tuple[int, int, int]]:
 
 
 def _is_ear(outline: Sequence[Vec2], left: list[int], i: int) -> bool:
-    """Whether the corner stands out and no other corner lies in its triangle."""
+    """Return whether the corner is convex and no other corner lies in its triangle."""
     a, b, c = (outline[left[k % len(left)]] for k in (i - 1, i, i + 1))
     if _turn(a, b, c) <= 0.0:
         return False
@@ -59,5 +59,5 @@ def _is_ear(outline: Sequence[Vec2], left: list[int], i: int) -> bool:
 
 
 def _turn(a: Vec2, b: Vec2, c: Vec2) -> float:
-    """Twice the signed area of a triangle."""
+    """Return twice the signed area of a triangle."""
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

@@ -1,4 +1,4 @@
-"""Where every drawn body is: an arm's moving frames, in scene coordinates, from its joint angles."""
+"""Poses of an arm's moving frames in scene coordinates, from its joint angles."""
 
 from __future__ import annotations
 
@@ -22,8 +22,9 @@ Seven = tuple[float, float, float, float, float, float, float]
 class ArmPoses:
     """Poses of all frames of an arm in the scene, in the order of `ArmModel.frames`.
 
-    At zero angles every frame is parallel to L. Each stands at its own joint's centre, the wrist roll's at that of
-    the joint before it; the telescope's tube stands at the shoulder's height, the prong at its inner face.
+    At zero angles every frame is parallel to L. The origin of each frame is its own joint's centre; that of the wrist
+    roll is the centre of the joint before it. The origin of the telescope's tube is at the shoulder's height, that of
+    the prong at its inner face.
 
     Args:
         model: the arm.
@@ -41,12 +42,12 @@ class ArmPoses:
         self._poses = np.empty((len(self._rows), 7))
 
     def at(self, angles: Array, stand: float | None = None, prong: float | None = None) -> list[float]:
-        """Seven numbers a frame (x, y, z [m], w, x, y, z).
+        """Return seven numbers per frame (x, y, z [m], w, x, y, z).
 
         Args:
             angles: (6,) joint angles [rad].
-            stand: height of the shoulder above L's origin [m]; None: as the arm was loaded.
-            prong: y2 of the prong's inner face [m]; None: open.
+            stand: height of the shoulder above L's origin [m]; None for the height of the loaded arm.
+            prong: y2 of the prong's inner face [m]; None for the open prong.
         """
         place_frames(self._frames.joints, angles, *self._besides(stand, prong), self._rows)
         sevens(self._base, self._rows, self._poses)
@@ -56,7 +57,7 @@ class ArmPoses:
     def links(
         self, angles: Sequence[float], stand: float | None = None, prong: float | None = None
     ) -> list[tuple[str, str, Seven]]:
-        """What `at` adds up: each moving frame's name, after that of the frame that it hangs on, and its pose in it."""
+        """Return the links that `at` composes: parent frame's name, moving frame's name, pose in the parent frame."""
         height, opening = self._besides(stand, prong)
         names, links = self._frames.names, []
         for k, ((x, y, z, _), axis, angle) in enumerate(
@@ -72,20 +73,20 @@ class ArmPoses:
         return links
 
     def _besides(self, stand: float | None, prong: float | None) -> tuple[float, float]:
-        """Where the stand and the prong are [m]."""
+        """Return the positions of the stand and the prong [m], with defaults for None."""
         return self._stand if stand is None else stand, self._prong if prong is None else prong
 
 
 def point_in_scene(panel: Array, origin: Array = SCENE_ORIGIN) -> Array:
-    """A point (3,) given in panel coordinates [m], in a scene with this origin in structural coordinates [m]."""
+    """Return a point (3,), given in panel coordinates [m], in a scene with an origin in structural coordinates [m]."""
     return np.asarray(SCENE_FROM_PANEL_AXES @ panel - origin)
 
 
 @law
 def sevens(base: Array, rows: Array, poses: Array) -> None:
-    """Poses given by rows (n, 12) in a frame, as poses (n, 7) where that frame has the row `base` (12,).
+    """Convert rows (n, 12), poses in a frame, to poses (n, 7) where that frame has the row `base` (12,).
 
-    Unit quaternions, w >= 0, their largest component taken first, as `frames.quaternion`.
+    The quaternions are unit ones with w >= 0; the largest component is computed first, as in `frames.quaternion`.
     """
     m = np.empty((3, 3))
     for n in range(rows.shape[0]):

@@ -1,4 +1,4 @@
-"""Surfaces of a profile turned about an axis: cylinders, shells, rings, spheres, a lamp's face."""
+"""Surfaces of revolution of a profile about an axis: cylinders, shells, rings, spheres, a lamp's face."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from aftdeck.scene.mesh import Mesh, mesh
 from aftdeck.shapes import Axis, Vec2
 
 ON_AXIS = 1e-9
-"""A profile's point this near to the axis [m] lies on it."""
+"""Distance from the axis [m] below which a profile's point lies on the axis."""
 FULL = math.tau - 1e-3
-"""From this sweep on [rad] a turn is a whole one."""
+"""Sweep [rad] from which a turn is a full turn."""
 _ORDER: dict[Axis, tuple[int, int, int]] = {"x": (0, 1, 2), "y": (2, 0, 1), "z": (1, 2, 0)}
-"""Which of (along, first, second) is x, y and z: angles run from y to z about x, and so round."""
+"""Indices of x, y and z in (along, first, second): angles run from y to z about x, from z to x about y, and so on."""
 
 
 def revolve(
@@ -27,16 +27,16 @@ def revolve(
     *,
     closed: bool = False,
 ) -> Mesh:
-    """Surface swept by a profile.
+    """Return the surface swept by a profile.
 
     A closed profile, or one that begins and ends on the axis, gives a closed surface.
 
     Args:
         profile: points (along the axis, away from it) [m] with the outside to the left.
-        axis: about which it turns.
-        segments: into how many pieces the sweep is cut.
+        axis: axis of revolution.
+        segments: number of segments of the sweep.
         start: angle at which the sweep begins [rad].
-        sweep: how far it goes [rad].
+        sweep: angle of the sweep [rad].
         closed: whether the last point is joined to the first.
     """
     whole = sweep >= FULL

@@ -1,4 +1,4 @@
-"""Each shape as triangles, about its own origin, with the corners that the page's low profile gives it."""
+"""Each shape as triangles, about its own origin, with the corners of the page's low profile."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ from aftdeck.scene.revolve import revolve
 from aftdeck.shapes import Box, Cylinder, Hexahedron, Light, Loft, Plate, Ring, Shell, Sphere, Vec2
 
 SIDES = 16
-"""Of a round body, unless more are asked for."""
+"""Default number of sides of a round body."""
 LARGE = 1.0
-"""From this radius on [m] a round body has twice as many."""
+"""Radius [m] from which a round body has twice as many sides."""
 FEWEST_PIECES = 4
-"""Of a part of a turn."""
+"""Minimum number of sides of a part of a turn."""
 _RIMS = ((0, 1, 5, 4), (0, 2, 3, 1), (0, 4, 6, 2), (1, 3, 7, 5), (4, 5, 7, 6), (2, 6, 7, 3))
-"""A hexahedron's faces a to f, each by the vertices round it, from zero, counter-clockwise as seen from outside."""
+"""A hexahedron's faces a to f, each by its vertices, from zero, counter-clockwise as seen from outside."""
 
 
 def solid(shape: Leaf, sides: int = SIDES) -> Mesh:
-    """A shape's surface: closed, but for a lamp's face.
+    """Return a shape's surface, closed except for a lamp's face.
 
     Args:
-        shape: what is drawn; its own place and turn are left to `placed`.
-        sides: of a small round body, 8 or more; its surface comes as near to the true one as there are many.
+        shape: shape to draw; `placed` applies its position and rotation.
+        sides: number of sides of a small round body, 8 or more; with more sides the surface is closer to the true one.
     """
     match shape:
         case Box():
@@ -70,7 +70,7 @@ def _box(shape: Box) -> Mesh:
 
 
 def _faced(vertices: Array) -> Mesh:
-    """A hexahedron's faces a to f as two triangles each."""
+    """Return a hexahedron's faces a to f as two triangles each."""
     return mesh(vertices, [face for a, b, c, d in _RIMS for face in ((a, b, c), (a, c, d))])
 
 
@@ -87,10 +87,10 @@ def _shell(shape: Shell, sides: int) -> Mesh:
 
 
 def _round(radius: float, sides: int) -> int:
-    """How many sides a full turn is drawn with."""
+    """Return the number of sides with which a full turn is drawn."""
     return sides if radius < LARGE else 2 * sides
 
 
 def _part(sweep: float, radius: float, sides: int) -> int:
-    """How many sides a part of a turn is drawn with."""
+    """Return the number of sides with which a part of a turn is drawn."""
     return max(FEWEST_PIECES, math.ceil(_round(radius, sides) * min(sweep / math.tau, 1.0)))

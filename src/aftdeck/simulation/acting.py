@@ -1,4 +1,4 @@
-"""Which limits acted in a step, named for people."""
+"""Limits that acted in a step, in the operator's words."""
 
 from __future__ import annotations
 
@@ -18,11 +18,14 @@ _TEXTS: dict[str, tuple[LimitKind, str]] = {
     "joint acceleration": ("joint acceleration", "at its greatest acceleration"),
     "joint acceleration passed": ("joint acceleration", "beyond its greatest acceleration: the line is kept"),
 }
-"""For each of `limiters.CAUSES` that names a joint: the limit's kind, and what the joint does."""
+"""Kind of limit, and text about the joint, for each of `limiters.CAUSES` that names a joint."""
 
 
 def acting_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
-    """The limits that acted, named; where the arm may not move at all, what keeps it."""
+    """Return the limits that acted in the last step.
+
+    If a seat, a contact or a switch stopped the arm, return that alone.
+    """
     if state.site.halt == "seat":
         return (Limit("seat", -1, held_fast(flight, state)),)
     if state.site.halt == "contact":
@@ -45,7 +48,7 @@ def acting_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
 
 
 def _of_joints(flight: Flight, cause: int, culprit: int) -> list[Limit]:
-    """The limit that acted on the joint rates, named; none where `cause` is 0."""
+    """Return the limit that acted on the joint rates; an empty list if `cause` is 0."""
     if cause == 0:
         return []
     if CAUSES[cause] == "singularity":

@@ -1,4 +1,4 @@
-"""The first instant of a flight, and of a part of the problem that is begun anew (the report's input 2)."""
+"""Initial state of a flight, and re-initialisation to a part of the problem (the report's input 2)."""
 
 from __future__ import annotations
 
@@ -27,10 +27,11 @@ from aftdeck.worksite.latches import Latches
 
 
 def first_state(flight: Flight) -> State:
-    """The state at the scenario's first instant.
+    """Return the state at the scenario's first instant.
 
     Raises:
-        ScenarioError: here, or in a part of the problem, the arm holds what its hand could not have taken so.
+        ScenarioError: at the start, or in a part of the problem, the arm holds a payload in a pose in which its end
+            effector could not have captured it.
     """
     scenario, problems = flight.scenario, []
     state = _state_at(flight, scenario.start)
@@ -45,7 +46,7 @@ def first_state(flight: Flight) -> State:
 
 
 def _state_at(flight: Flight, start: Start) -> State:
-    """A state in which nothing has been flown yet."""
+    """Return the state at a start, before the first step."""
     scenario = flight.scenario
     state = new_state(flight, carrying(scenario, scenario.payload))
     _put(flight, state, start)
@@ -53,7 +54,7 @@ def _state_at(flight: Flight, start: Start) -> State:
 
 
 def initialise(flight: Flight, state: State, part: Part) -> None:
-    """Begin a part of the problem anew, in the flight under way."""
+    """Re-initialise the flight under way to a part of the problem."""
     parts = flight.scenario.parts
     if part not in parts:
         there = f"this scenario has {', '.join(parts)}" if parts else "this scenario has none of them"
@@ -64,16 +65,16 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
     state.panel.began, state.script.attached = state.tick - 1, 0 if flight.scenario.payload is None else 1
     steer(flight, state)
     if MODES[state.panel.mode].loaded and state.carried.payload is None:
-        state.panel.mode = "ORB UNL"  # nothing is in the grasp in this part
+        state.panel.mode = "ORB UNL"  # the grasp is empty in this part
     log(flight, state, "initialise", "info", f"initialised to {part}")
     state.site.task = task
     change_task(flight, state)
-    if state.tick > 1:  # at the first step the panel sees to it
+    if state.tick > 1:  # at the first step `operate` does this
         make_ready(flight, state)
 
 
 def _put(flight: Flight, state: State, start: Start) -> None:
-    """Put the arm and the worksite of a new state to where something begins."""
+    """Set the arm and the worksite of a new state to a start."""
     site, things, scenario = flight.site, state.site, flight.scenario
     plant = state.plant
     plant.angles[:], plant.rates[:] = start.angles, start.rates

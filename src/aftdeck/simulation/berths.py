@@ -1,4 +1,4 @@
-"""A cargo's place in a seat: constants for the laws of docking and berthing."""
+"""Constants of a cargo's place in a seat, for the laws of docking and berthing."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ class Berth:
     """One cargo's place in one seat.
 
     Attributes:
-        seat: which.
-        row: of the frame that the seat is fixed in.
-        place: (12,) the seated cargo's pose in that frame.
-        port: (12,) the port's pose in that frame; None: it is a place in the bay.
+        seat: the seat.
+        row: row of the frame that the seat is fixed to.
+        place: (12,) pose of the seated cargo in the seat's frame.
+        port: (12,) pose of the port in the seat's frame; None for a place in the bay.
         probe: (n, 3) vertices of the cargo's probe, in the cargo's axes [m].
-        tip: (3,) centre of the probe's forward face [m].
-        docking: what the port allows.
-        guides: of the bay's latches; None: it has none.
-        tolerances: of a place in the bay.
+        tip: (3,) centre of the probe's forward face, in the cargo's axes [m].
+        docking: tolerances of docking at a port.
+        guides: V-guides of the bay's latches; None if the seat has none.
+        tolerances: tolerances of a place in the bay.
     """
 
     seat: Seat
@@ -45,22 +45,22 @@ class Berth:
 
     @property
     def at_once(self) -> bool:
-        """Whether it takes hold by itself as soon as it may: a docking port."""
+        """Whether the seat fixes the cargo by itself as soon as the conditions hold: True for a docking port."""
         return self.port is not None
 
     @property
     def lies(self) -> bool:
-        """Whether a cargo merely lies there: kept where it is let go, and taken along with the arm."""
+        """Whether a cargo merely lies in the seat: it stays where it is released, and leaves when it is captured."""
         return self.port is None and self.seat.latch == "auto"
 
     @property
     def verb(self) -> str:
-        """What is done there."""
+        """Verb for bringing a cargo into the seat."""
         return "dock" if self.at_once else "insert" if self.lies else "berth"
 
 
 def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
-    """A cargo's place in a seat that takes it; `axes` says which docking compares."""
+    """Return a cargo's place in a seat that accepts the cargo; `axes` names the axes that docking compares."""
     place = seat.seated(cargo.probe)
     probe = [solid.vertices for solid in cargo.solids if solid.part == part_of(cargo.name, "probe")]
     tip = np.zeros(3) if cargo.probe is None else cargo.probe.position
@@ -82,7 +82,7 @@ def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
 
 
 def _guide(seat: Seat, name: str, point: Array) -> Guide:
-    """The guide of a trunnion: the keel's opens across the bay, the others along it."""
+    """Return the V-guide of a trunnion; the keel's V funnels across the bay, every other V along it."""
     guides = seat.guides
     assert guides is not None, "only seats with guides have them"
     x, y, z = point.tolist()

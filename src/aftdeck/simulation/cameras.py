@@ -1,6 +1,6 @@
-"""The cameras' drives in flight: a command turns one camera for one step, at its drive's rates, within its limits.
+"""Camera drives in flight: a command moves one camera for one step, at its drive's rates and within its limits.
 
-A step without a command costs nothing: the settings are one tuple, made anew only when a camera moves.
+A step without a command costs nothing: the settings are one tuple, replaced only when a camera moves.
 """
 
 from __future__ import annotations
@@ -16,30 +16,30 @@ from aftdeck.scenario.model import Scenario
 
 
 class CameraDrive(msgspec.Struct, frozen=True, gc=False):
-    """The switches that turn a camera, in one step; they spring back."""
+    """Switches that drive one camera, in one step; the switches spring back."""
 
     camera: str
-    """Which camera, by its name."""
+    """Name of the camera."""
     pan: float = 0.0
-    """In [-1, 1]; positive to the right in the picture."""
+    """Pan switch in [-1, 1]; positive to the right in the picture."""
     tilt: float = 0.0
-    """In [-1, 1]; positive upwards."""
+    """Tilt switch in [-1, 1]; positive upwards."""
     zoom: float = 0.0
-    """In [-1, 1]; positive in, to a narrower field of view."""
+    """Zoom switch in [-1, 1]; positive zooms in, to a narrower field of view."""
     slow: bool = False
-    """At the low speed, where the drive has two."""
+    """Whether to use the low speed, if the drive has two."""
 
 
 Views = tuple[Setting, ...]
-"""Where the drives stand of the cameras that have one, in the order of `Cameras.names`: a part of the state."""
+"""Drive settings of the cameras that have a drive, in the order of `Cameras.names`; part of the state."""
 
 
 class Cameras:
-    """The cameras of a scenario that have a drive.
+    """Cameras of a scenario that have a drive.
 
     Attributes:
-        names: of these cameras, in the order of `scenario.cameras.cameras_of`.
-        first: where their drives stand at the start.
+        names: names of these cameras, in the order of `scenario.cameras.cameras_of`.
+        first: drive settings of these cameras at the start.
     """
 
     def __init__(self, scenario: Scenario) -> None:
@@ -48,10 +48,10 @@ class Cameras:
         self.first: Views = tuple(setting(camera) for camera in self._driven)
 
     def check(self, command: CameraDrive) -> None:
-        """Refuse what no switch can give.
+        """Reject a command that no switch can give.
 
         Raises:
-            InputError: a camera that is none or has no drive, a switch outside [-1, 1] or not finite.
+            InputError: the camera does not exist or has no drive, or a switch is outside [-1, 1] or not finite.
         """
         if command.camera not in self.names:
             there = ", ".join(self.names) or "none"
@@ -61,7 +61,7 @@ class Cameras:
             raise InputError(f"a camera's pan, tilt and zoom lie in [-1, 1], got {switches}")
 
     def driven(self, views: Views, command: CameraDrive, period: float) -> Views:
-        """Return where the drives stand after one step of `period` [s]; a camera without one stays."""
+        """Return the drive settings after one step of `period` [s]; `views` itself if the camera has no drive."""
         if command.camera not in self.names:
             return views
         i = self.names.index(command.camera)
@@ -70,7 +70,7 @@ class Cameras:
 
 
 def moved(camera: Camera, at: Setting, command: CameraDrive, period: float) -> Setting:
-    """A camera's setting after one step of a command, `period` [s] long."""
+    """Return a camera's setting after one step of a command, `period` [s] long."""
     drive = camera.drive
     if drive is None:
         return at
@@ -82,7 +82,7 @@ def moved(camera: Camera, at: Setting, command: CameraDrive, period: float) -> S
 
 
 def _along(travel: Travel | None, at: float, switch: float, slow: bool, period: float) -> float:
-    """An angle [rad] one step later; it ends exactly at its stop."""
+    """Return a drive's angle [rad] one step later; the motion ends exactly at the drive's stop."""
     if travel is None or switch == 0.0:
         return at
     rate = travel.slow if slow and travel.slow is not None else travel.rate

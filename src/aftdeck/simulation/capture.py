@@ -1,4 +1,4 @@
-"""Acquiring a payload and releasing it: the prong about a bar (the report's mode 1), the snares about a pin."""
+"""Capture and release of a payload: the prong about a bar (the report's mode 1), the snares about a pin."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ _CONTR: dict[str, Literal["RIGID", "OFF", "DERIGID"]] = {"rigid": "RIGID", "off"
 
 
 def capture(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Take hold of a payload or let it go, as the hand's conditions say.
+    """Capture or release a payload, as the end effector's conditions allow.
 
     Args:
-        flight: what never changes.
-        state: at the step's end, all frames in place.
-        inputs: of this step. A change of the end effector switch is the snares' trigger.
+        flight: constants of the flight.
+        state: at the end of the step, with all frames updated.
+        inputs: inputs of this step; the snares are triggered if `inputs.effector` is not None.
     """
     if state.script.attached:
         _keep(flight, state, inputs)
@@ -43,7 +43,7 @@ def capture(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _keep(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Refuse every motion of an end effector whose payload the scenario puts into the grasp."""
+    """Reject every motion of an end effector whose payload the scenario fixes in the grasp."""
     for switch in (inputs.effector, inputs.rigid):
         if switch in ("close", "open", "rigid", "derigid"):
             refuse(
@@ -55,7 +55,7 @@ def _keep(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _prong(flight: Flight, state: State, bar: Bar) -> None:
-    """Acquired when the six conditions hold; released as soon as the fingers are farther apart than they allow."""
+    """Acquire a payload if the six conditions hold; release it once the fingers are farther apart than allowed."""
     things = state.site
     if things.held is not None:
         if bar.fixed_finger - things.prong.position > bar.tolerances.spacing:
@@ -69,7 +69,7 @@ def _prong(flight: Flight, state: State, bar: Bar) -> None:
 
 
 def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None:
-    """CAPTURE and RELEASE, and the carriage between them."""
+    """Move the snares and the carriage by one step of CAPTURE, RELEASE or MAN CONTR."""
     things, scenario = state.site, flight.scenario
     held = k = things.held
     if not pressed and not things.snare.motion and things.rigid == "off":
@@ -98,10 +98,10 @@ def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None
 
 
 def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare) -> bool:
-    """The carriage draws the pin towards its seat, from the next step on; False where that would deepen a contact.
+    """Draw the pin towards its seat, from the next step on; return False if that would make or deepen a contact.
 
-    A payload that is fixed stays, and the arm gives way (assumed): what the carriage has gone meanwhile is not pulled
-    in later, so that nothing jumps when the payload is unlatched.
+    A payload that is fixed stays, and the arm gives way (assumed). The carriage's travel during that time is not made
+    up later, so that the payload does not jump when it is unlatched.
     """
     site, things = flight.site, state.site
     thing = things.cargo[k]
@@ -123,7 +123,10 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
 
 
 def _acquired(flight: Flight, state: State, k: int) -> None:
-    """MODE 1 ends: the payload is in the grasp; what merely lies in the concept's bay comes along."""
+    """Attach a captured payload to the arm, which ends MODE 1.
+
+    A payload that merely lies in the concept's bay leaves its seat.
+    """
     site, thing = flight.site, state.site.cargo[k]
     if thing.seat and site.lies(thing.seat):
         thing.seat = ""
@@ -133,7 +136,7 @@ def _acquired(flight: Flight, state: State, k: int) -> None:
 
 
 def _release(flight: Flight, state: State, k: int) -> None:
-    """The payload stays where it is fixed, or keeps its velocity."""
+    """Release a payload, which then stays in its seat, or floats free and keeps its velocity."""
     site, thing = flight.site, state.site.cargo[k]
     let_go(flight, state, k)
     stay_or_leave(flight, state, k)

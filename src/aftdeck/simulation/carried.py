@@ -1,4 +1,4 @@
-"""What the arm carries, and the steering's rules with it: they change when a payload is captured or released."""
+"""Payload in the grasp and the steering's rules with it; both change when a payload is captured or released."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from aftdeck.steering.rules import Key, rules_of
 
 
 class Carried(Cache):
-    """What the arm carries, and how it is steered with it; follows from what is in the grasp (`grasp.steer`).
+    """Payload in the grasp and the steering's rules with it; `grasp.steer` derives both from the rest of the state.
 
     Attributes:
-        payload: in the grasp, as the steering takes it; None: nothing.
+        payload: payload in the grasp, as the steering takes it; None if the grasp is empty.
         rules: the steering's rules by panel position, rate setting and steering law.
     """
 
@@ -26,7 +26,7 @@ class Carried(Cache):
 
 
 def carrying(scenario: Scenario, payload: Payload | None, limits: RateLimits | None = None) -> Carried:
-    """The arm with a payload in its grasp, or with none, and with limits in place of the scenario's."""
+    """Return a payload (None for an empty grasp) and the steering's rules; `limits` replaces the scenario's limits."""
     model, por = scenario.arm.model, scenario.por
     if limits is not None:
         model, por = replace(model, rates=limits.joints), limits.por

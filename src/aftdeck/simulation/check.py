@@ -1,4 +1,4 @@
-"""CMD CK: whether the motion to a target can be flown, found by rehearsing it, some steps in each control step."""
+"""CMD CK: rehearsal of the motion to a target, spread over control steps, to find whether it can be flown."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from aftdeck.steering.layout import MEASURED
 from aftdeck.steering.mode import MODES
 
 STEPS = 50
-"""Rehearsed steps in a control step: 1 to 3 ms of it."""
+"""Steps rehearsed in one control step; they take 1 to 3 ms."""
 
 
 def check(flight: Flight, state: State) -> None:
-    """Carry on with CMD CK; once it is done light READY, or begin the motion where PROCEED waits for it."""
+    """Continue CMD CK; after a GOOD verdict light READY, or begin the motion if PROCEED was pressed."""
     checking, panel = state.checking, state.panel
     found = None if checking is None else _check_on(flight, state, checking)
     if checking is not None and found is not None:
@@ -43,9 +43,9 @@ def check(flight: Flight, state: State) -> None:
 
 
 def _check_on(flight: Flight, state: State, checking: Checking) -> Check | None:
-    """Carry on with a check; None while it goes on.
+    """Continue a check; return None until the check is done.
 
-    In an automatic mode it waits for the arm to come to rest, where the motion will begin.
+    In an automatic mode the check waits until the arm is at rest, because the motion begins there.
     """
     if checking.start is None:
         moving = np.abs(state.steering[MEASURED : MEASURED + 6]).max() > 0.0
@@ -65,7 +65,7 @@ def _check_on(flight: Flight, state: State, checking: Checking) -> Check | None:
 
 
 def _rehearsed(flight: Flight, checking: Checking) -> Check | None:
-    """Rehearse some steps; the verdict once no way is left to try."""
+    """Rehearse some steps; return the verdict once no way is left to try, else None."""
     left = STEPS
     while left > 0:
         if not checking.ways and not _more_ways(flight, checking):
@@ -79,7 +79,7 @@ def _rehearsed(flight: Flight, checking: Checking) -> Check | None:
             start = _start(flight, checking)
             assert start is not None, "it is rehearsed from where the arm came to rest"
             flown.of = Rehearsal(flight, start, checking.target, way)
-            flown.of.fly_on(checking.steps)  # where a saved state left it
+            flown.of.fly_on(checking.steps)  # repeats the steps rehearsed before a save
         outcome = flown.of.fly_on(left)
         left -= max(flown.of.steps - checking.steps, 1)
         checking.steps = flown.of.steps
@@ -91,7 +91,7 @@ def _rehearsed(flight: Flight, checking: Checking) -> Check | None:
 
 
 def _start(flight: Flight, checking: Checking) -> State | None:
-    """The state from which the motion is rehearsed; None until the arm is at rest."""
+    """Return the state from which the motion is rehearsed; None until the arm is at rest."""
     cache = checking.rehearsal
     if cache.start is None and checking.start is not None:
         cache.start = resume(flight, checking.start)
@@ -99,7 +99,10 @@ def _start(flight: Flight, checking: Checking) -> State | None:
 
 
 def _more_ways(flight: Flight, checking: Checking) -> bool:
-    """Go on to the ways by joints, where the straight line fails by what lies in its way; whether there are any."""
+    """Go on to the ways by joints after a straight line that failed; return whether there are any.
+
+    There are none after a failure by a seat or a switch, which stops the arm on every way.
+    """
     start, tried = _start(flight, checking), checking.tried
     assert start is not None, "it is rehearsed from where the arm came to rest"
     if any(one.good or one.way.law == "position" or one.cause in ("seat", "switch") for one in tried):
@@ -112,7 +115,10 @@ def _more_ways(flight: Flight, checking: Checking) -> bool:
 
 
 def _verdict(checking: Checking) -> Check:
-    """GOOD for the quickest way that is flown clear; else FAIL for the first, and what may be flown in its place."""
+    """Return GOOD for the quickest good way of the chosen law, else FAIL with the reason of the first way.
+
+    The text of a FAIL names a good way by joints, if there is one.
+    """
     first = checking.tried[0]
     good = sorted((one for one in checking.tried if one.good), key=lambda one: one.seconds)
     best = next((one for one in good if one.way.law == first.way.law), None)
@@ -127,7 +133,7 @@ def _verdict(checking: Checking) -> Check:
 
 
 def _tell_ways(flight: Flight, state: State, checking: Checking) -> None:
-    """Log why other ways by joints are not flown, once one of several is known to be good."""
+    """Log the reason of every failed way by joints, if more than one way was tried."""
     if len(checking.tried) > 1:
         for one in checking.tried:
             if not one.good and one.way.law == "position":

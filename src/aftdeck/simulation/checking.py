@@ -1,4 +1,4 @@
-"""CMD CK under way: a part of the state, since its rehearsal goes on over many control steps."""
+"""CMD CK under way: part of the state, because its rehearsal takes many control steps."""
 
 from __future__ import annotations
 
@@ -22,34 +22,34 @@ class Way(msgspec.Struct, frozen=True):
 
     law: LawChoice
     joints: Six | None
-    """Mode 1's final joint angles [rad]; None: a straight line."""
+    """Mode 1's final joint angles [rad]; None for a straight line."""
     least: float
-    """The shortest time that it can take [s]; 0 where that is not known."""
+    """Shortest time that the way can take [s]; 0 if not known."""
     name: str
-    """What sets it apart from other ways, for people: ``wrist turned over``."""
+    """Text that distinguishes the way from other ways: ``wrist turned over``."""
 
 
 class Tried(msgspec.Struct, frozen=True):
-    """How a way went."""
+    """Result of rehearsing one way."""
 
     way: Way
     good: bool
-    """Whether it reaches its target; under `strict` whether it comes to its end."""
+    """Whether the motion reaches its target, or a seat takes the payload; under `strict`, whether the motion ends."""
     cause: Cause
     seconds: float
-    """How long it takes, or when it fails [s]."""
+    """Duration of the motion, or time at which it fails [s]."""
     text: str
-    """Why it fails, or by how much it ends beside its target, for people."""
+    """Reason of the failure, distance by which the motion misses its target, or seat that takes the payload."""
     near: str
-    """A singularity that is passed near, for people; empty: none."""
+    """Singularity that the motion passes near, as text; empty if there is none."""
 
 
 class Rehearsed(Cache):
-    """The rehearsal under way.
+    """Rehearsal under way.
 
     Attributes:
-        start: the state from which it set out.
-        of: the motion flown ahead of time.
+        start: the state from which the rehearsed motion set out.
+        of: the rehearsed motion.
     """
 
     def __init__(self) -> None:
@@ -57,7 +57,7 @@ class Rehearsed(Cache):
         self.of: Rehearsal | None = None
 
     def copied(self) -> Rehearsed:
-        """Return that of a copied state, which flies its own."""
+        """Return an empty cache: a copied state flies its own rehearsal."""
         return Rehearsed()
 
 
@@ -65,12 +65,12 @@ class Checking(StatePart):
     """CMD CK under way.
 
     Attributes:
-        target: what is checked.
+        target: target that is checked.
         start: the state from which the motion is rehearsed, encoded; None until the arm is at rest.
-        ways: still to be rehearsed, the one under way first.
-        tried: rehearsed.
-        steps: how far the first of `ways` has been rehearsed.
-        rehearsal: of the first of `ways`.
+        ways: ways still to be rehearsed, the one under way first.
+        tried: results of the ways that have been rehearsed.
+        steps: number of steps rehearsed of the first of `ways`.
+        rehearsal: rehearsal of the first of `ways`.
     """
 
     target: Target
@@ -82,13 +82,13 @@ class Checking(StatePart):
 
 
 def begin_check(state: State, target: Target) -> None:
-    """Ask for CMD CK of a target; `simulation.check` carries it out, step by step."""
+    """Start CMD CK of a target; `simulation.check` carries it out, step by step."""
     state.panel.check, state.panel.sequence = None, "checking"
     state.checking = Checking(target)
 
 
 class Premises(msgspec.Struct, frozen=True):
-    """What a verdict of CMD CK rests on: where it is the same, the verdict still holds."""
+    """Values on which a verdict of CMD CK depends; the verdict holds as long as they are equal."""
 
     target: Target
     law: LawChoice
@@ -97,17 +97,17 @@ class Premises(msgspec.Struct, frozen=True):
     limits: int
     attached: int
     standing: bool
-    """BRAKES or SAFING is on."""
+    """Whether BRAKES or SAFING is on."""
     angles: tuple[float, ...]
-    """(6,) as measured [rad]."""
+    """(6,) measured joint angles [rad]."""
     moving: tuple[float, ...]
-    """(3,) how fast the orbiter translates [m/s]."""
+    """(3,) velocity of the orbiter's translation [m/s]."""
     frames: bytes
-    """Digest of where everything is in L as last looked at: what the arm holds, the worksite and what floats."""
+    """Digest of all frames in L after the last step: payload in the grasp, worksite and floating payloads."""
 
 
 def premises(state: State, target: Target) -> Premises:
-    """Return what a verdict on this target would rest on now."""
+    """Return the values on which a verdict on this target would depend now."""
     panel, things, script = state.panel, state.site, state.script
     return Premises(
         target,

@@ -1,4 +1,4 @@
-"""The way out of the contacts that inhibit the arm: the stick, the joint or the telescope that leads out of them."""
+"""Way out of the contacts that inhibit the arm: the stick, the joint or the telescope motion that leads out of them."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from aftdeck.steering.way_out import DIRECTIONS, stick_rates
 from aftdeck.worksite.restrain import leads_out, ways_out
 
 LOOK_EVERY = 10
-"""Steps between two searches."""
+"""Control steps between two searches."""
 SLOWLY = 0.02
-"""Share of its full rate at which a way is tried [1]: about as fast as the arm sets out from rest."""
+"""Fraction of the full rate at which a way is tried [1]: about as fast as the arm starts from rest."""
 
 
 class _Way(NamedTuple):
-    """A motion that the operator can command.
+    """Motion that the operator can command.
 
     Attributes:
-        name: how, for people.
-        rates: (6,) of the joints [rad/s].
-        telescope: its drive, -1 to 1.
+        name: the command as text.
+        rates: (6,) joint rates [rad/s].
+        telescope: drive of the telescope, -1 to 1.
     """
 
     name: str
@@ -38,9 +38,10 @@ class _Way(NamedTuple):
 
 
 def way_out_of_contact(flight: Flight, state: State) -> None:
-    """Look for the motion that takes the arm out of what it touches fastest, and say how it is commanded.
+    """Find the motion that leads out of the contacts fastest, and store its command in `advice`.
 
-    It is looked for now and then, and told for as long as the arm is inhibited: `advice`, empty where there is none.
+    Joints and telescope are tried only if no stick leads out. `advice` is empty if nothing leads out. The search runs
+    every `LOOK_EVERY` steps, and in every step while `advice` is empty.
     """
     things = state.site
     if things.advice and state.tick % LOOK_EVERY:
@@ -59,19 +60,19 @@ def way_out_of_contact(flight: Flight, state: State) -> None:
 
 
 def _afters(flight: Flight, state: State, ways: list[_Way], steps: float) -> Array:
-    """(k, F, 12) where everything is after some steps of each way."""
+    """Return the poses of all frames in L, (k, F, 12), after `steps` steps of each way."""
     return np.array([frames_after(flight, state, steps * way.rates, steps * way.telescope) for way in ways])
 
 
 def _sticks(state: State) -> list[_Way]:
-    """Each stick by itself, in the present mode or in ORB UNL where that takes none."""
+    """Return the motion of each stick direction by itself, in ORB UNL if the present mode takes no sticks."""
     rates = np.zeros((DIRECTIONS, 6))
     stick_rates(*steering_of(state), rates)
     return [_Way(f"{entered(state)}{name}", own, 0.0) for name, own in zip(STICKS, rates, strict=True)]
 
 
 def _joints(flight: Flight, state: State) -> list[_Way]:
-    """Each joint by itself, and the telescope of an arm that has one."""
+    """Return the motions of each joint by itself, and of the telescope if the arm has one."""
     arm, position = flight.scenario.arm, state.panel.mode
     mode = position if MODES[position].kind == "single" else "SINGLE"
     found = []

@@ -1,4 +1,4 @@
-"""The command delay: a person's inputs take a number of steps to arrive."""
+"""Command delay: manual inputs take a number of steps to arrive."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from aftdeck.simulation.state import State
 
 
 def delayed(state: State, inputs: Inputs) -> Inputs:
-    """The inputs that arrive in this step; those given now join the ones under way."""
+    """Return the inputs that arrive in this step, and queue the inputs given now."""
     if not state.under_way:
         return inputs
     state.under_way.append(inputs)

@@ -1,4 +1,4 @@
-"""A scenario made ready to fly: everything a step needs that never changes."""
+"""Constants of a flight: everything that a step needs and that never changes."""
 
 from __future__ import annotations
 
@@ -13,23 +13,25 @@ from aftdeck.simulation.site import Site, site_of
 Pair = tuple[float, float]
 
 WATCHED = 0.1
-"""What is nearer than this [m], or than what comes nearer at `FAST`, is measured in every step."""
+"""Clearances below this [m], or below the distance covered at `FAST` in a step, are measured in every step."""
 FAST = 5.0
-"""More than anything moves at [m/s]."""
+"""Speed that no part exceeds [m/s]."""
 
 
 @dataclass(frozen=True, eq=False)
 class Flight:
-    """The constants of a flight.
+    """Constants of a flight.
 
     Attributes:
-        scenario: what is flown.
+        scenario: the scenario.
         site: the worksite.
-        cameras: those that can be turned.
-        telescope: where the stand can go, and
-        prong: where the prong can.
-        within: what is nearer than this is measured in every step [m].
-        reach: joint limits as plain pairs [rad], as `soft` and `hard`, for the zones.
+        cameras: cameras that can be turned.
+        telescope: travel of the stand.
+        prong: travel of the prong.
+        within: clearances below this are measured in every step [m].
+        reach: reach limits of the joints as plain pairs [rad], for the zones.
+        soft: soft stops of the joints, likewise.
+        hard: hard stops of the joints, likewise.
     """
 
     scenario: Scenario
@@ -44,7 +46,7 @@ class Flight:
 
 
 def prepare(scenario: Scenario) -> Flight:
-    """The flight of a scenario."""
+    """Return the constants of a scenario's flight."""
     model = scenario.arm.model
 
     def pairs(limits: Array) -> tuple[Pair, ...]:

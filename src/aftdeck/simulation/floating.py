@@ -1,4 +1,4 @@
-"""A payload that nothing holds: where it is in space, which does not move with the orbiter."""
+"""Free flight of a payload that nothing holds: its pose in space, which does not move with the orbiter."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from aftdeck.worksite.drift import LimitCycle, coast, limit_cycle
 
 
 class Floating(StatePart):
-    """Free flight.
+    """State of a free flight.
 
     Attributes:
-        pose: (12,) now, in L as it stood at the start.
-        motion: (6,) angular velocity in the body's axes [rad/s], then velocity of the centre, in L's [m/s].
-        reference: (3, 3) rotation about which it cycles.
-        cycle: (9,) attitude control, as `worksite.drift.limit_cycle` takes it; None: it turns freely.
-        time: since the cycle began [s].
-        met: whether a contact stopped it in the last step.
+        pose: (12,) present pose, in L as L was at the start.
+        motion: (6,) angular velocity in the body's axes [rad/s], then velocity of the centre in L's axes [m/s].
+        reference: (3, 3) rotation about which the attitude cycles.
+        cycle: (9,) attitude control, as `worksite.drift.limit_cycle` takes it; None if the body turns freely.
+        time: time since the cycle began [s].
+        met: whether a contact stopped or reflected the body in the last step.
     """
 
     pose: Array
@@ -32,14 +32,14 @@ class Floating(StatePart):
     met: bool = False
 
     def move(self, period: float) -> None:
-        """Go on for one control period [s]."""
+        """Move the body on by one control period [s]."""
         coast(self.pose, self.motion, period)
         if self.cycle is not None:
             self.time += period
             limit_cycle(self.cycle, self.reference, self.time, self.pose, self.motion)
 
     def moved(self, period: float) -> Floating:
-        """Return the same flight a time later [s]; this one stays as it is."""
+        """Return the flight a time `period` [s] later; this object stays unchanged."""
         later = copied(self)
         later.move(period)
         return later
@@ -48,14 +48,14 @@ class Floating(StatePart):
 def floating(
     pose: Array, velocity: Array, rates: Array, control: model.LimitCycle | None, angles: Array | None = None
 ) -> Floating:
-    """Free flight from an instant on; attitude control keeps the attitude of that instant.
+    """Return the free flight from an instant on; attitude control keeps the attitude of that instant.
 
     Args:
-        pose: (12,) then, in L as it stood at the start.
-        velocity: (3,) of the centre, in those axes [m/s].
-        rates: (3,) angular velocity in the body's axes [rad/s]; their signs are the way in which a cycle sets out.
-        control: the body's attitude control; None: it has none.
-        angles: (3,) where in its deadband it is then [rad]; None: in the middle.
+        pose: (12,) pose at that instant, in L as L was at the start.
+        velocity: (3,) velocity of the centre, in L's axes [m/s].
+        rates: (3,) angular velocity in the body's axes [rad/s]; a cycle takes only the signs, as its first directions.
+        control: the body's attitude control; None if the body has none.
+        angles: (3,) angles within the deadband at that instant [rad]; None for the middle.
     """
     reference = pose[3:].reshape(3, 3).copy()
     if control is None:

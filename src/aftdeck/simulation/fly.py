@@ -1,4 +1,4 @@
-"""What a flight and its rehearsal have in common: one control step from the operator's inputs to contacts and seats."""
+"""One control step from the operator's inputs to contacts and seats, common to a flight and its rehearsal."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from aftdeck.steering.msteer import msteer
 
 
 def fly(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Fly one control step from where the arm is measured to be."""
+    """Fly one control step from the arm's measured state."""
     state.measure()
     operate(flight, state, inputs)
     go(flight, state, inputs)
 
 
 def go(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Steer, let contacts and seats restrain the motion, move the plant and the worksite.
+    """Steer, limit the motion to what contacts and seats allow, and move the plant and the worksite.
 
     Args:
-        flight: what never changes.
-        state: changed in place, with the command that the panel has set.
-        inputs: the operator's; of these the telescope, the orbiter and the latches move the worksite.
+        flight: constants of the flight.
+        state: changed in place; holds the command that the panel has set.
+        inputs: the operator's inputs, for what is not in the command: telescope, orbiter, end effector, latches.
     """
-    # an automatic motion is planned where it begins
+    # plan an automatic motion where it begins
     if state.panel.sequence != "in progress":
         state.command[GO] = 0.0
     elif state.command[GO] == 0.0:
@@ -42,10 +42,10 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     msteer(state.rules, state.command, state.steering, state.report)
     rates = state.steering[RATES : RATES + 6]
 
-    # contacts, seats and walls restrain them
+    # limit the motion to what contacts, seats and walls allow
     telescope = restrain(flight, state, inputs.telescope)
 
-    # the plant moves, and with it the worksite: contacts, captures, seats
+    # move the plant, then the worksite: contacts, captures, seats
     scenario = flight.scenario
     state.plant.move(scenario.arm.limits.hard, flight.telescope, rates, scenario.control_period, telescope)
     work(flight, state, inputs)

@@ -1,7 +1,7 @@
-"""All that a reader may know of one instant: the station, a recording, a study, a policy.
+"""Frame: the record of one step, for the station, a recording, a study or a policy.
 
-A field is declared here and nowhere else: its type, what it is, its unit, the axes that it is expressed in, and the
-decimals to which it is recorded. The session file, its schema and its documentation follow from that.
+Each field is declared only here: type, description, unit, axes in which the field is expressed, and recorded decimals.
+The session file, its schema and its documentation are derived from these declarations.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from aftdeck.worksite.report import Work
 
 Vec3 = tuple[float, float, float]
 Rows = tuple[Vec3, Vec3, Vec3]
-"""A rotation: rows of the matrix whose columns are the axes. In files it is a quaternion, w, x, y, z."""
+"""Rotation as the rows of the matrix whose columns are the axes. In files a rotation is a quaternion, w, x, y, z."""
 Six = tuple[float, float, float, float, float, float]
 Level = Literal["info", "caution", "warning"]
 Sequence = Literal["idle", "checking", "ready", "in progress"]
@@ -26,7 +26,7 @@ FREE, PAST_REACH, PAST_SOFT, AT_HARD = 0, 1, 2, 3
 
 
 class Event(msgspec.Struct, frozen=True, gc=False):
-    """Something that happened, for the log."""
+    """Event of a step, as a line of the log."""
 
     time_s: Annotated[float, told("simulated time", "s")]
     kind: Annotated[str, told("what it is about")]
@@ -50,7 +50,7 @@ LimitKind = Literal[
 
 
 class Limit(msgspec.Struct, frozen=True, gc=False):
-    """A limit that acted in a step."""
+    """Limit that acted in a step."""
 
     kind: Annotated[LimitKind, told("which kind")]
     joint: Annotated[int, told("0 to 5; -1: no single joint is concerned")]
@@ -58,12 +58,15 @@ class Limit(msgspec.Struct, frozen=True, gc=False):
 
 
 Cause = Literal["", "reach", "seat", "switch", "contact", "limit", "miss", "time"]
-"""Why CMD CK fails: not at all; the target is out of reach; a seat holds the payload; BRAKES or SAFING; a contact; a
-stop, a singularity or another limit of the steering; the motion ends beside its target; it takes too long."""
+"""Cause of a FAIL of CMD CK.
+
+In this order: no failure; the target is out of reach; a seat holds the payload; BRAKES or SAFING is on; a contact; a
+stop, a singularity or another limit of the steering; the motion misses its target; the motion takes too long.
+"""
 
 
 class Check(msgspec.Struct, frozen=True):
-    """CMD CK: what a rehearsal of the motion to a target found."""
+    """Verdict of CMD CK, from a rehearsal of the motion to a target."""
 
     good: Annotated[bool, told("GOOD, not FAIL")]
     text: Annotated[str, told("`GOOD: 83 s` or `FAIL: elbow pitch meets its soft stop 12 s from here`")]
@@ -75,7 +78,7 @@ class Check(msgspec.Struct, frozen=True):
 
 
 class WayOut(msgspec.Struct, frozen=True, gc=False):
-    """How to leave a singularity or a joint's stop."""
+    """Stick or joint command that leads away from a singularity or a joint's limit."""
 
     cause: Annotated[str, told("`elbow` (a singularity) or a joint's name")]
     text: Annotated[str, told("for people: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -`")]
@@ -85,7 +88,7 @@ class WayOut(msgspec.Struct, frozen=True, gc=False):
 
 
 class Goal(msgspec.Struct, frozen=True, gc=False):
-    """An automatic mode's target, frame 7, and what is left to it."""
+    """Target of an automatic mode (pose of frame 7), and the distance, angle and time that remain."""
 
     position: Annotated[Vec3, told("of the tip there", "m", "L")]
     rotation: Annotated[Rows, told("attitude of frame 7 there", "1", "L")]
@@ -98,9 +101,9 @@ class Goal(msgspec.Struct, frozen=True, gc=False):
 
 
 class Times(msgspec.Struct, frozen=True, gc=False):
-    """JSC-12628's times of the phase under way, counted from its beginning.
+    """Times of the phase under way, as in JSC-12628, counted from the beginning of the phase.
 
-    A phase is an automatic motion from where it sets off, else a phase of the script, else a panel position entered.
+    A phase begins when an automatic motion sets off, a phase of the script begins, or a panel position is entered.
     """
 
     tp_s: Annotated[float, told("TP: how long it has lasted", "s")] = 0.0
@@ -115,14 +118,14 @@ class Times(msgspec.Struct, frozen=True, gc=False):
 
 
 class Placed(NamedTuple):
-    """Where a body is."""
+    """Pose of a body."""
 
     position: Annotated[Vec3, told("its centre", "m", "L")]
     orientation: Annotated[Rows, told("its attitude", "1", "L")]
 
 
 class Frame(msgspec.Struct, frozen=True, gc=False):
-    """The state after a control step, the inputs that it flew and what acted in it. The tip is frame 7."""
+    """State after a control step, with the inputs flown and the limits that acted. The tip is coordinate frame 7."""
 
     tick: Annotated[int, told("control steps done")]
     time_s: Annotated[float, told("simulated time: tick x control period", "s")]

@@ -1,9 +1,9 @@
-"""Contacts of a payload that nothing holds: it meets the arm, the walls and other payloads, and goes through nothing.
+"""Contacts of a floating payload with the arm, the walls and other payloads; the payload passes through none of them.
 
-Of forces this plant knows nothing, so the impulse of such a contact is unknown, and what the body meets is not moved.
-The contact stops the body against what it met, or reflects it where the scenario says so (`free_contact`). A body with
-attitude control holds its attitude until the way is free, and then goes on in its deadband. No contact is made by a
-body's own motion, so it never inhibits the arm.
+The plant does not model forces. The impulse of such a contact is therefore unknown, and the contact does not move what
+the body meets. The contact stops the body, or reflects the body if the scenario says so (`free_contact`). A body with
+attitude control holds its attitude until the way is free, and then continues in its deadband. The body stops before its
+own motion makes a contact, so that motion never inhibits the arm.
 """
 
 from __future__ import annotations
@@ -25,22 +25,22 @@ from aftdeck.worksite.restrain import looked_at, worsened
 from aftdeck.worksite.watch import Watch
 
 HALVINGS = 8
-"""How often the step in which a body meets something is halved: it stops within 1/256 of its way."""
+"""Bisections of the step in which a body meets something: the body stops within 1/256 of its way in the step."""
 
 
 def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floating:
-    """Return the free flight of a cargo a control period later, stopped or reflected by what it meets.
+    """Return the free flight of a cargo one control period later, stopped or reflected by what the cargo meets.
 
-    Where nothing is near it is the same object, moved on.
+    If nothing is near, the result is `floating` itself, moved on.
 
     Args:
-        flight: what never changes.
-        state: with all else moved in this step.
+        flight: constants of the flight.
+        state: state in which all else has been moved in this step.
         k: the cargo.
-        floating: its free flight until now.
+        floating: the cargo's free flight until now.
     """
     period, things = flight.scenario.control_period, state.site
-    if not measured(things.watch.found, flight.site.of_cargo[k]):  # nothing is as near as anything moves in a step
+    if not measured(things.watch.found, flight.site.of_cargo[k]):  # nothing is near enough to be met in this step
         floating.move(period)
         floating.met = False
         return floating
@@ -55,7 +55,7 @@ def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floatin
 
 @law
 def measured(found: Array, groups: Mask) -> bool:
-    """Return whether the clearance of one of these groups, (g,) 1, was near enough to be measured."""
+    """Return whether the clearance of any of these groups, (g,) 1 for each, was small enough to be measured."""
     near = False
     for g in range(len(groups)):
         near = near or (groups[g] != 0 and found[g, CLEARANCE] < np.inf)
@@ -63,18 +63,18 @@ def measured(found: Array, groups: Mask) -> bool:
 
 
 def _frames(flight: Flight, state: State, k: int, floating: Floating) -> Array:
-    """(F, 12) where everything is in L, with cargo k there."""
+    """Set cargo k to the pose of a free flight, and return the poses of all frames in L, (F, 12)."""
     state.site.rides[k] = floating.pose
     return frames_with(flight, state, state.site.prong.position)
 
 
 def _met(flight: Flight, state: State, k: int, here: Watch, after: Floating) -> int:
-    """Return the group that a motion of cargo k brings into contact, or deepens; -1: none."""
+    """Return the group in which a motion of cargo k makes or deepens a contact; -1 if there is none."""
     return worsened(here, flight.site.of_cargo[k], _frames(flight, state, k, after))
 
 
 def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Watch, group: int) -> Floating:
-    """The body as far on its way as it gets, at rest against what it met, or reflected by it."""
+    """Return the free flight of a body that stops against what it met, or is reflected; log a new contact."""
     period, site = flight.scenario.control_period, flight.site
     free, share = 0.0, 0.5
     for _ in range(0 if floating.met else HALVINGS):
@@ -108,9 +108,9 @@ def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Wat
 
 
 def _velocity(flight: Flight, state: State, frame: str) -> Array:
-    """(3,) how fast what a body met moves in space, in L's axes [m/s]; of the arm, that of the orbiter it stands on.
+    """Return the velocity in space (3,) of the frame that a body met, in L's axes [m/s].
 
-    A body that stops against a part of the arm is not carried along by it.
+    Parts of the arm count as moving with the orbiter: the arm does not carry along a body that stops against it.
     """
     site, things = flight.site, state.site
     for k, one in enumerate(site.cargo):
@@ -124,7 +124,7 @@ def _velocity(flight: Flight, state: State, frame: str) -> Array:
 
 
 def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Array) -> Array:
-    """(3,) how fast a point of a frame moves in L [m/s] where the arm moves it; else 0."""
+    """Return the velocity in L (3,) of a point of a frame that the arm moves [m/s]; zeros for any other frame."""
     name, held = flight.site.layout.frames[frame], state.site.held
     if not name.startswith(ARM) and (held is None or name != flight.site.cargo[held].name):
         return np.zeros(3)
@@ -134,6 +134,6 @@ def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Arra
 
 
 def _closing(floating: Floating, against: Array, arm: Array, into: Array) -> tuple[float, float]:
-    """How fast a touching point goes into what it meets, by the body's velocity and by its turning [m/s]."""
+    """Return the speeds at which a touching point closes, from the body's velocity and from its rotation [m/s]."""
     turn = floating.pose[3:].reshape(3, 3) @ floating.motion[:3]
     return float((floating.motion[3:] - against) @ into), float(np.cross(turn, arm) @ into)

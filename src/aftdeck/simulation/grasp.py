@@ -1,4 +1,4 @@
-"""Holding a payload of the worksite and letting it go: where it is then, and how the arm is steered with it."""
+"""Grasp of a worksite payload: its pose while held and after release, and the arm's steering with the payload."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from aftdeck.worksite.motion import motion
 from aftdeck.worksite.snare import Snare
 
 NEAR = 3.0
-"""A bar or a fixture farther from the hand than this [m] is not yet being captured."""
+"""Distance from the hand beyond which no capture of a bar or a fixture is under way [m]."""
 
 
 def take_hold(flight: Flight, state: State, k: int) -> None:
-    """From now on a cargo rides in the frame of the last joint, as it stands now (MO2SET)."""
+    """Attach a cargo to the frame of the last joint, in the cargo's present pose (MO2SET)."""
     things = state.site
     things.cargo[k].held, things.floating[k] = True, None
     regrasp(flight, state, k)
@@ -32,7 +32,10 @@ def take_hold(flight: Flight, state: State, k: int) -> None:
 
 
 def regrasp(flight: Flight, state: State, k: int) -> None:
-    """What is held is held as it stands now, and steered so; the carriage draws in what is left from here on."""
+    """Set the grasp of a held cargo, and the steering with the cargo, to the present pose.
+
+    From now on the carriage draws in what remains of the misalignment.
+    """
     thing = state.site.cargo[k]
     thing.grasp = thing.steered = in_hand(flight, state, k).tolist()
     if (fixture := fixture_in_hand(flight.site, state.site.frames, k)) is not None:
@@ -41,9 +44,9 @@ def regrasp(flight: Flight, state: State, k: int) -> None:
 
 
 def steer(flight: Flight, state: State) -> None:
-    """The steering takes what is in the grasp, and the limits of the script's phase.
+    """Set the steering to the payload in the grasp and to the limits of the script's phase.
 
-    Of a payload of the worksite that is its mass, its axes and, as point of resolution, its centre.
+    The steering takes a worksite payload's mass, its axes and, as point of resolution, its centre.
     """
     scenario, script, payload = flight.scenario, state.script, None
     for k, thing in enumerate(state.site.cargo):
@@ -56,7 +59,7 @@ def steer(flight: Flight, state: State) -> None:
 
 
 def put_effector(flight: Flight, state: State, *, holding: bool) -> None:
-    """Put the end effector as it is with a payload in its grasp, the prong closed or the snares rigid, or with none."""
+    """Set the end effector as with a payload in its grasp (prong closed or snares rigid), or as with none."""
     things = state.site
     if flight.site.prong:
         things.prong.position = flight.prong.high if holding else flight.prong.low
@@ -66,13 +69,16 @@ def put_effector(flight: Flight, state: State, *, holding: bool) -> None:
 
 
 def in_grasp(flight: Flight, state: State) -> Payload | None:
-    """What the arm holds as it stands now against the hand, to which carriage and latches turn it; None: nothing."""
+    """Return the payload in the grasp, in its present pose relative to the hand; None if the grasp is empty.
+
+    Carriage and latches change that pose.
+    """
     k = state.site.held
     return state.carried.payload if k is None else _payload(flight, k, in_hand(flight, state, k))
 
 
 def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
-    """What is held so, as the arm's laws take it."""
+    """Return cargo k as the arm's laws take it, held with the pose `grasp` (12,) in the frame of the last joint."""
     inside = np.empty(POSE)
     relative(flight.site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()
@@ -80,19 +86,22 @@ def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
 
 
 def in_hand(flight: Flight, state: State, k: int) -> Array:
-    """(12,) a cargo's pose in the frame of the last joint."""
+    """Return a cargo's pose (12,) in the frame of the last joint."""
     site, frames, grasp = flight.site, state.site.frames, np.empty(POSE)
     relative(frames[site.last_joint], frames[site.cargo_row(k)], grasp)
     return grasp
 
 
 def fixture_in_hand(site: Site, frames: Array, k: int) -> Array | None:
-    """(12,) the grapple fixture of a cargo in the end effector's axes E; None where it has none for this hand.
+    """Return the pose (12,) of a cargo's grapple fixture in the end effector's axes E.
 
     Args:
-        site: what never changes.
-        frames: (F, 12) in L.
-        k: which cargo.
+        site: constants of the worksite.
+        frames: (F, 12) poses of all frames in L.
+        k: the cargo.
+
+    Returns:
+        The pose; None if the hand has no snares or the cargo no fixture.
     """
     fixture = site.snares.fixtures[k] if site.snares is not None else None
     if fixture is None:
@@ -105,7 +114,7 @@ def fixture_in_hand(site: Site, frames: Array, k: int) -> Array | None:
 
 
 def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple[int, Array] | None:
-    """The cargo whose fixture is nearest to the end effector, and that (12,) in its axes, if one is so near [m]."""
+    """Return the cargo whose fixture is nearest, and the fixture's pose (12,) in E; None beyond `within` [m]."""
     best, least = None, within
     for k in range(len(flight.site.cargo)):
         fixture = fixture_in_hand(flight.site, state.site.frames, k)
@@ -115,7 +124,7 @@ def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple
 
 
 def let_go(flight: Flight, state: State, k: int) -> None:
-    """Nothing is in the grasp any more; modes that move a payload are left."""
+    """Empty the grasp; enter ORB UNL if the present mode moves a payload."""
     things, panel = state.site, state.panel
     thing = things.cargo[k]
     thing.held, thing.grasp, thing.first, thing.steered, thing.since = False, None, None, None, 0.0
@@ -127,9 +136,10 @@ def let_go(flight: Flight, state: State, k: int) -> None:
 
 
 def set_free(flight: Flight, state: State, k: int, from_space: bool) -> None:
-    """A cargo that nothing holds any more goes on as it moves, and keeps its attitude control.
+    """Let a cargo that nothing holds any more float on with its present motion and its attitude control.
 
-    What was fixed in space rests there; what was held moves as the hand did, with the orbiter's velocity.
+    A cargo that was fixed in space rests there. A cargo that was held moves as the hand did, with the orbiter's
+    velocity.
     """
     site, things = flight.site, state.site
     row = site.cargo_row(k)

@@ -1,4 +1,4 @@
-"""How an arm's hand takes hold of the payloads of a place: constants for the laws of `worksite`."""
+"""Constants of capture by an arm's hand at a worksite, for the laws of `worksite`."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ from aftdeck.worksite.model import BarAcquisition, Cargo, SnareCapture, Worksite
 from aftdeck.worksite.snare import SnareTimes
 
 HEXES = ("palm", "fixed finger", "prong")
-"""HEX 1 to 3."""
+"""Parts of the hand that are HEX 1 to 3."""
 
 
 @dataclass(frozen=True, eq=False)
 class Bar:
-    """A prong about a bar.
+    """Constants of capture by a prong about a bar.
 
     Attributes:
-        tolerances: of acquisition.
-        packed: (5,) the same for the law.
-        which: for each cargo, (4,) the layout's solids that are HEX 1 to 3 and its bar; None: it has none.
+        tolerances: tolerances of acquisition.
+        packed: (5,) the same tolerances for the law.
+        which: for each cargo, (4,) the layout's solids that are HEX 1 to 3 and the bar; None if the cargo has no bar.
         fixed_finger: y2 of the fixed finger's inner face [m].
     """
 
@@ -39,12 +39,12 @@ class Bar:
 
 @dataclass(frozen=True, eq=False)
 class Snares:
-    """Snares about a grapple fixture's pin.
+    """Constants of capture by snares about a grapple fixture's pin.
 
     Attributes:
-        envelope: where the pin may stand.
-        times: of the parts.
-        fixtures: for each cargo, (12,) its fixture's pose in its axes; None: it has none.
+        envelope: capture envelope of the pin.
+        times: travel times of the end effector's parts.
+        fixtures: for each cargo, (12,) pose of its fixture in the cargo's axes; None if the cargo has no fixture.
     """
 
     envelope: CaptureEnvelope
@@ -52,14 +52,21 @@ class Snares:
     fixtures: tuple[Array | None, ...]
 
     def fixture(self, k: int) -> Array:
-        """The fixture of a cargo that has one."""
+        """Return the fixture (12,) of a cargo that has one."""
         fixture = self.fixtures[k]
         assert fixture is not None, "only cargo with a fixture is captured"
         return fixture
 
 
 def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts: Sequence[str]) -> Bar | None:
-    """How a prong takes hold here; None: the arm has none, or the place no rules for it. `parts`: of all solids."""
+    """Return the constants of capture by a prong; None if the arm has no prong or the worksite no rules for a prong.
+
+    Args:
+        model: the arm.
+        worksite: the worksite.
+        cargo: the payloads.
+        parts: part names of all solids.
+    """
     rule, prong = worksite.acquisition, model.equipment.prong
     if prong is None or not isinstance(rule, BarAcquisition):
         return None
@@ -79,7 +86,7 @@ def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts:
 
 
 def snares_of(worksite: Worksite, cargo: tuple[Cargo, ...]) -> Snares | None:
-    """How snares take hold here; None: the place has no rules for them."""
+    """Return the constants of capture by snares; None if the worksite has no rules for snares."""
     rule = worksite.acquisition
     if not isinstance(rule, SnareCapture):
         return None

@@ -1,4 +1,4 @@
-"""RATE HOLD and POSITION HOLD: what keeps going, or keeps still, when the sticks are let go."""
+"""RATE HOLD and POSITION HOLD, which keep the rates or the pose after the sticks are released."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from aftdeck.steering.layout import GO, LAW, STICKS, TARGET, TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
 
 AT_REST = 1e-3
-"""Tip speed [m/s] and angular rate [rad/s] under which POSITION HOLD takes the present pose to keep."""
+"""Tip speed [m/s] and angular rate [rad/s] below which POSITION HOLD stores the present pose as the one to keep."""
 
 
 def held_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[float, ...]:
-    """Rotation and translation as flown: the sticks', or what RATE HOLD keeps."""
+    """Update RATE HOLD, and return the stick command to fly (rotation, then translation)."""
     panel = state.panel
     given = (*inputs.rotation, *inputs.translation)
     if inputs.rate_hold:
@@ -43,7 +43,7 @@ def held_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[float, ..
 
 
 def hold_position(flight: Flight, state: State) -> None:
-    """POHS: with sticks at rest in a manual mode, mode 2 keeps the pose at which the arm came to rest."""
+    """Keep the pose in which the arm came to rest, by mode 2, while the sticks rest in a manual mode (POHS)."""
     panel = state.panel
     off = not panel.position_hold or MODES[panel.mode].kind != "manual"
     if off or state.command[STICKS : STICKS + 6].any():

@@ -1,4 +1,4 @@
-"""What an operator does in one control step, whoever the operator is: a person, a script, a policy."""
+"""Operator inputs of one control step, from a person, a script or a policy."""
 
 from __future__ import annotations
 
@@ -20,16 +20,18 @@ Six = tuple[float, float, float, float, float, float]
 
 JOINTS = 6
 AGREED, AGREED_TURN = 1e-3, math.radians(0.01)
-"""How far a target's joint angles may put the tip from its pose [m], [rad]: what angles rounded to a thousandth of a
-degree may do (assumed)."""
+"""Allowed difference between a target's pose and the tip's pose at the target's joint angles [m], [rad].
+
+Angles rounded to a thousandth of a degree may cause such a difference (assumed).
+"""
 
 
 class Inputs(msgspec.Struct, frozen=True):
     """Sticks and switches of one step; None leaves a switch as it is. `Inputs()` is hands off.
 
-    NumPy's numbers and arrays do for Python's; `simulation.plain` takes them over.
+    NumPy numbers and arrays are accepted in place of Python's; `simulation.plain` converts them.
 
-    Sticks act along and about the axes of the mode entered, full deflection being the limit in force.
+    Sticks act along and about the axes of the mode entered; full deflection commands the limit in force.
     """
 
     translation: Vec3 = (0.0, 0.0, 0.0)
@@ -44,48 +46,49 @@ class Inputs(msgspec.Struct, frozen=True):
     """JOINT rotary, 0 to 5."""
     rate: Literal["coarse", "vernier"] | None = None
     target: Target | None = None
-    """Key in the final pose of OPR CMD."""
+    """Final pose of OPR CMD, keyed in in this step."""
     law: LawChoice | None = None
-    """Switch beside OPR CMD and AUTO 1-4: which of the report's modes 1 to 3 they fly."""
+    """Switch beside OPR CMD and AUTO 1-4: the report's mode, 1 to 3, that these positions fly."""
     payload_axes: bool | None = None
     """Switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4)."""
     rate_hold: bool = False
-    """RATE HOLD pressed in this step: keep the present stick command; pressed again: let it go."""
+    """RATE HOLD pressed in this step: keep the present stick command; pressed again: cancel RATE HOLD."""
     position_hold: bool | None = None
     """POSITION HOLD: with sticks at rest, keep the tip's position and attitude."""
     brakes: bool | None = None
-    """BRAKES: on, every joint stands at once and moves no more."""
+    """BRAKES: True stops every joint at once and keeps it stopped."""
     safing: bool | None = None
-    """SAFING: on, zero joint rates are commanded, whatever is asked; off is its CANCEL."""
+    """SAFING: True commands zero joint rates, whatever the other inputs; False is its CANCEL."""
     proceed: bool = False
     """AUTO SEQ switch to PROCEED, in this step."""
     stop: bool = False
     """AUTO SEQ switch to STOP, in this step."""
     effector: Literal["stop", "close", "open"] | None = None
-    """End effector switch: the prong closes or opens; the snares capture or release."""
+    """End effector switch: closes or opens the prong, or makes the snares capture or release."""
     effector_mode: Literal["auto", "manual"] | None = None
     """END EFFECTOR MODE of the snares: the whole sequence, or the snares alone."""
     rigid: Literal["off", "rigid", "derigid"] | None = None
-    """END EFFECTOR MAN CONTR: the carriage alone, in manual."""
+    """END EFFECTOR MAN CONTR: moves the carriage and its tension, in manual."""
     latch: Literal["latch", "unlatch"] | None = None
-    """Payload retention or docking port, pressed in this step: hold the payload in its seat, or let it go."""
+    """Payload retention or docking port, pressed in this step: fix the payload in its seat, or release it."""
     telescope: float = 0.0
-    """The stand: +1 longer, -1 shorter."""
+    """Drive of the stand in [-1, 1]: +1 longer, -1 shorter."""
     orbiter: Vec3 = (0.0, 0.0, 0.0)
     """Translation of the orbiter along its own axes (forward, starboard, down), each in [-1, 1]."""
     master: Six | None = None
-    """The master arm's six joint angles [rad], which MASTER follows; it stays where it is put."""
+    """Six joint angles of the master arm [rad], which MASTER follows; None leaves the master arm where it is."""
     initialise: Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None = None
-    """Put arm and payload back to where a part of the problem begins, in this step."""
+    """Re-initialise arm and payload to the start of a part of the problem, in this step."""
     camera: CameraDrive | None = None
-    """Turn a camera in this step; `simulation.cameras.Cameras.check` says which there are."""
+    """Command that turns a camera in this step; `simulation.cameras.Cameras.check` checks the command."""
 
     def check(self, arm: Arm) -> None:
-        """Refuse what no hand controller can give.
+        """Reject inputs that no hand controller can give.
 
         Raises:
-            InputError: a stick outside [-1, 1] or not finite, a switch that stands where it cannot, a joint that does
-                not exist, a target that is no pose, or whose joint angles put the tip of `arm` elsewhere.
+            InputError: a stick is outside [-1, 1] or not finite, a switch is in a position that it does not have, a
+                joint does not exist, a master angle is not finite, or the target is not a pose or its joint angles put
+                the tip of `arm` elsewhere.
         """
         hands = (self.translation, self.rotation, self.orbiter, (self.drive, self.telescope))
         for values, count in zip(hands, (3, 3, 3, 2), strict=True):
@@ -111,7 +114,7 @@ class Inputs(msgspec.Struct, frozen=True):
 
 
 def _positions() -> dict[str, tuple[object, ...]]:
-    """Where each switch can stand, as its field's type says; None leaves it as it is."""
+    """Return the positions of each switch by field name, from the fields' types; None is not a position."""
     found = {}
     for name, hint in get_type_hints(Inputs).items():
         kind, *none = get_args(hint) or (hint,)
@@ -121,22 +124,22 @@ def _positions() -> dict[str, tuple[object, ...]]:
 
 
 POSITIONS = _positions()
-"""By field, where its switch can stand."""
+"""Positions of each switch, by field name."""
 
 
 def _either(positions: Sequence[object]) -> str:
-    """Positions of a switch in a sentence."""
+    """Return the positions of a switch as a phrase, joined by commas and "or"."""
     *others, last = map(str, positions)
     return f"{', '.join(others)} or {last}"
 
 
 def _numbered(joint: object) -> bool:
-    """Whether a joint has that number."""
+    """Return whether `joint` is the number of a joint."""
     return isinstance(joint, Integral) and 0 <= int(joint) < JOINTS
 
 
 def _numbers(values: object, count: int) -> list[float]:
-    """So many finite numbers; empty where it is anything else, whatever the types say."""
+    """Return `values` as `count` finite numbers; an empty list for anything else, whatever the types say."""
     if isinstance(values, str) or not isinstance(values, Iterable):
         return []
     try:
@@ -147,7 +150,7 @@ def _numbers(values: object, count: int) -> list[float]:
 
 
 def _check_target(arm: Arm, target: Target) -> None:
-    """Refuse a target that is none, whatever the types say, or whose two halves are two targets."""
+    """Reject a target that is not a pose, whatever the types say, or whose joint angles contradict its pose."""
     position, rotation, joints = target.position, target.rotation, target.joints
     sizes = (len(position), *(len(row) for row in rotation), 6 if joints is None else len(joints))
     if sizes != (3, 3, 3, 3, 6):
@@ -159,9 +162,9 @@ def _check_target(arm: Arm, target: Target) -> None:
         return
     tip = arm.forward(joints)
     distance = math.dist(tip.position, position)
-    chord = math.dist(tip.rotation.ravel(), [x for row in rotation for x in row])  # sees what is no rotation, too
+    chord = math.dist(tip.rotation.ravel(), [x for row in rotation for x in row])  # detects non-rotations, too
     angle = 2.0 * math.asin(min(1.0, chord / math.sqrt(8.0)))
-    if not (distance <= AGREED and angle <= AGREED_TURN):  # an overflow agrees with nothing
+    if not (distance <= AGREED and angle <= AGREED_TURN):  # written so that NaN from an overflow fails
         raise InputError(
             f"a target's joint angles put the tip at its pose, these {distance:.4g} m and "
             f"{math.degrees(angle):.4g} deg beside it; {AGREED:g} m and {math.degrees(AGREED_TURN):g} deg are allowed"

@@ -1,4 +1,4 @@
-"""LATCH and UNLATCH: which payload a command is for, and the question before what nothing else holds is let go."""
+"""LATCH and UNLATCH: choice of the payload, and confirmation before releasing a payload that nothing else holds."""
 
 from __future__ import annotations
 
@@ -14,23 +14,26 @@ from aftdeck.worksite.around import nearest_place
 Pressed = Literal["latch", "unlatch"]
 
 NEAR = 3.0
-"""A cargo farther from its place in a seat than this [m] is not yet being brought there."""
+"""Distance of a cargo from its place in a seat beyond which the cargo is not yet being brought there [m]."""
 CONFIRM = 10.0
-"""How long UNLATCH of what nothing else holds waits for the second command that confirms it [s]; assumed."""
+"""Time within which a second UNLATCH confirms the first, for a cargo that nothing else holds [s]; assumed."""
 
 
 def nearest_berth(flight: Flight, state: State, k: int) -> Berth | None:
-    """The place in a seat that a cargo is nearest to, if it is near to one."""
+    """Return the place in a seat that is nearest to a cargo; None if none is within `NEAR`."""
     site = flight.site
     nearest = nearest_place(state.site.frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
     return None if nearest < 0 else site.berths[k][nearest]
 
 
 def meant(flight: Flight, state: State, pressed: Pressed | None) -> int | None:
-    """Return the payload that LATCH or UNLATCH is for: the one in the grasp; with none there, the nearest to the hand.
+    """Return the payload that LATCH or UNLATCH is for: the one in the grasp, else the one nearest to the hand.
 
-    Of several, those that the command can act on come first: UNLATCH on what latches or a port hold, LATCH on what
-    they do not hold and that is near its place in a seat.
+    Payloads on which the command can act come first. UNLATCH acts on payloads that latches or a port hold. LATCH acts
+    on payloads that are near their place in a seat, and that latches or a port do not hold firmly.
+
+    Returns:
+        The payload; None if there is none, or if the grasp is empty and nothing is pressed.
     """
     site, things = flight.site, state.site
     if pressed is None or things.held is not None:
@@ -47,15 +50,16 @@ def meant(flight: Flight, state: State, pressed: Pressed | None) -> int | None:
 
 
 def _latched(flight: Flight, state: State, k: int) -> bool:
-    """Return whether a seat holds a cargo for good: it is docked, or the latches are closed and not opening."""
+    """Return whether a seat holds a cargo firmly: by docking, or by latches that are closed and not opening."""
     thing = state.site.cargo[k]
     return thing.latches.closed == 1.0 and thing.latches.motion != "unlatch"
 
 
 def confirmed(flight: Flight, state: State, k: int, title: str) -> bool:
-    """Return whether UNLATCH of a cargo may be done; log the question where nothing but its seat holds it.
+    """Return whether UNLATCH of a cargo may be executed; ask for confirmation if nothing but its seat holds the cargo.
 
-    A second UNLATCH within `CONFIRM` is the answer. A switch that is held over several steps is one command.
+    The question is a log line, and a second UNLATCH within `CONFIRM` confirms. A switch that is held over several steps
+    is one command.
     """
     thing, tick = state.site.cargo[k], state.tick
     if thing.held or thing.latches.motion == "unlatch":

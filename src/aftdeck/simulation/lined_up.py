@@ -1,9 +1,9 @@
-"""Of which watched pairs the nearest is told: of all but those that are, or come, together as the task needs it.
+"""Groups that count for the nearest clearance: all but those that are, or come, together as the task needs it.
 
-Else every capture, docking and berthing would be an alarm. A payload that the hand is lined up with is judged by the
-conditions of capture alone; a probe and trunnions are lined up where they would touch inside their relation
-(`simulation.relations`) if what is left of the way was gone straight. Whether they touch is watched as ever, and a
-touch that inhibits the arm is told.
+Otherwise every capture, docking and berthing would raise an alarm. Only the conditions of capture judge a payload that
+the hand is lined up with. A probe or trunnions are lined up if a straight motion over the remaining way would make
+them touch inside their relation (`simulation.relations`). Their contacts are monitored all the same, and a contact that
+inhibits the arm counts.
 """
 
 from __future__ import annotations
@@ -33,12 +33,11 @@ from aftdeck.worksite.model import Relation
 from aftdeck.worksite.watch import Watch
 
 WIDER, WIDEST = 2.0, 2.4
-"""Lined up is what comes within the envelope's radius and angles, so many times [1], until it leaves them so many
-times; assumed."""
+"""Factors on the envelope's radius and angles [1]: lined up from inside the first until outside the second; assumed."""
 
 
 def count(flight: Flight, state: State) -> None:
-    """Work out among which groups the next step finds the nearest, once everything is where the step has brought it."""
+    """Update the groups among which the next step finds the nearest, after this step has moved everything."""
     things = state.site
     things.watch.counts[:], things.lined_up = counted(
         flight, things.held, things.watch, things.frames, things.lined_up, things.nearest, things.contacts,
@@ -57,21 +56,22 @@ def counted(
     permitted: Mask,
     travel: float = inf,
 ) -> tuple[Mask, int | None]:
-    """Of which groups the nearest is told.
+    """Return the groups that count for the nearest clearance, and the cargo that the hand is lined up with.
 
     Args:
-        flight: what never changes.
-        held: the cargo that the hand has; it takes no other.
-        watch: after its look at the frames.
-        frames: (F, 12) in L.
-        before: the cargo that the hand was lined up with until now.
-        nearest: the group that was told until now; -1: none.
-        contacts: as of the step before; where hand and cargo inhibit the arm, the two are told of after all.
-        permitted: (g,) groups that the task brings into contact, but those that touch where it does not.
-        travel: how much nearer two parts come at most until the nearest is looked for [m].
+        flight: constants of the flight.
+        held: the cargo in the hand, which then captures no other; None if the hand is empty.
+        watch: the watch after its look at `frames`.
+        frames: (F, 12) poses of all frames in L.
+        before: the cargo that the hand was lined up with until now; None if there was none.
+        nearest: the nearest group until now; -1 if there was none.
+        contacts: contacts of the step before; if hand and cargo inhibit the arm, their groups count after all.
+        permitted: (g,) groups of the task, except those that touch where their relation does not permit a contact.
+        travel: distance that two parts can close, at most, until the nearest is looked for [m].
 
     Returns:
-        (g,) those that should not touch, but the hand and the cargo that it is lined up with; and which that is.
+        (g,) 1 for groups that should not touch, except those of the hand and the cargo that the hand is lined up with.
+        Then that cargo; None if there is none.
     """
     site = flight.site
     counts = site.detrimental.copy()
@@ -88,18 +88,18 @@ def counted(
 
 
 def _inhibited(contacts: Contacts, among: Mask) -> bool:
-    """Whether one of these groups' contacts inhibits the arm."""
+    """Return whether a contact of one of these groups inhibits the arm."""
     return bool(np.any((contacts.count == FRAMES) & (contacts.essential == 0) & (contacts.arm != 0) & (among != 0)))
 
 
 def _outside(site: Site, watch: Watch, frames: Array, nearest: int, permitted: Mask, travel: float) -> Iterator[int]:
-    """Yield the groups of the task that touch, or would touch, where their relation does not permit it.
+    """Yield the groups of the task that touch, or would touch, where their relation does not permit a contact.
 
-    Yielded as well is what is too far apart to be the nearest. Arguments as of `counted`.
+    Groups that are too far apart to be the nearest are yielded as well. Arguments as for `counted`.
     """
     known: dict[tuple[int, Relation], bool] = {}
     farthest = NEAR  # nothing farther apart is lined up
-    if nearest >= 0 and site.detrimental[nearest]:  # what is so much farther apart cannot become the nearest
+    if nearest >= 0 and site.detrimental[nearest]:  # a group farther apart cannot become the nearest
         farthest = min(farthest, watch.found[nearest, CLEARANCE] + travel)
     for meeting in site.meetings:
         g, of = meeting.group, (meeting.cargo, meeting.relation)
@@ -108,7 +108,7 @@ def _outside(site: Site, watch: Watch, frames: Array, nearest: int, permitted: M
         if watch.found[g, CLEARANCE] <= CONTACT:
             if not permitted[g]:
                 yield g
-        elif watch.bound[g] >= farthest:  # the least that the clearance can be
+        elif watch.bound[g] >= farthest:  # lower bound of the clearance
             yield g
         else:
             if of not in known:
@@ -121,8 +121,8 @@ def _outside(site: Site, watch: Watch, frames: Array, nearest: int, permitted: M
 def _lined_up(site: Site, frames: Array, meeting: Meeting, *, told: bool) -> bool:
     """Return whether the two parts would touch inside their relation if they went on straight towards each other.
 
-    What was told is lined up only where that is inside by the relation's depth, so that no lamp flickers. A hand is
-    lined up with all of a payload at once, which the caller finds.
+    If the nearest group until now is of this cargo and relation (`told`), the parts have to touch inside by the
+    relation's depth, so that no lamp flickers. A hand is lined up with all of a payload at once; the caller finds that.
     """
     k, depth = meeting.cargo, meeting.depth
     inside = depth if told else 0.0
@@ -138,7 +138,7 @@ def _lined_up(site: Site, frames: Array, meeting: Meeting, *, told: bool) -> boo
 
 
 def _before_the_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
-    """The probe before the port's face, and where docking allows it if it went straight there."""
+    """Return whether the probe is before the port's face, and docking allows its place after a straight approach."""
     row = site.cargo_row(k)
     found = approached(berth, frames, row)
     if found[BEFORE] < -depth or found[DISTANCE] > NEAR:
@@ -152,7 +152,7 @@ def _before_the_port(site: Site, frames: Array, k: int, berth: Berth, depth: flo
 
 
 def _over_the_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
-    """Every trunnion over the mouth of its own V-guide, or in it."""
+    """Return whether every trunnion is over the mouth of its own V-guide, or in that mouth."""
     assert berth.guides is not None
     guides = berth.guides
     places = guides.seats, guides.axes, guides.opening, guides.throat, guides.height, guides.play
@@ -161,7 +161,7 @@ def _over_the_guides(site: Site, frames: Array, k: int, berth: Berth, depth: flo
 
 
 def _about_the_bar(bar: Bar, placed: Array) -> int | None:
-    """The cargo whose bar lies before the palm and between the fingers."""
+    """Return the cargo whose bar lies before the palm and between the fingers; None if there is none."""
     found = np.empty(FOUND)
     for k, which in enumerate(bar.which):
         if which is None:
@@ -173,7 +173,7 @@ def _about_the_bar(bar: Bar, placed: Array) -> int | None:
 
 
 def _before_the_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:
-    """The cargo whose pin stands on the end effector's axis, more or less, and the right way round."""
+    """Return the cargo whose pin is near the end effector's axis, in about the right attitude; None without one."""
     envelope = snares.envelope
     for k in range(len(snares.fixtures)):
         if (fixture := fixture_in_hand(site, frames, k)) is None:

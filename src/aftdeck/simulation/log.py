@@ -1,4 +1,4 @@
-"""The log: lines of a step, stamped with its end."""
+"""Log lines of a step, stamped with the time at the end of the step."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from aftdeck.simulation.state import State
 
 
 def log(flight: Flight, state: State, kind: str, level: Level, text: str) -> None:
-    """Write a line of the log, at the end of the step under way."""
+    """Add a line to the log, stamped with the end of the step under way."""
     time = state.tick * flight.scenario.control_period
     state.events.append(Event(round(time, 9), kind, level, text))
 
 
 def refuse(flight: Flight, state: State, text: str) -> None:
-    """Tell the operator of a command that was not taken, and why."""
+    """Log a rejected command and the reason."""
     log(flight, state, "refused", "caution", text)
 
 
 def spoken(joint: str) -> str:
-    """``elbow pitch`` for ``elbow_pitch``."""
+    """Return a joint's name in words: ``elbow pitch`` for ``elbow_pitch``."""
     return joint.replace("_", " ")

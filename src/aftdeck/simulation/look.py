@@ -1,4 +1,4 @@
-"""Looking at the arm after a step: the frame."""
+"""Frame of a step, built from the state after the step."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from aftdeck.steering.mode import MODES
 
 
 def look(flight: Flight, state: State, seal: bytes) -> Frame:
-    """The frame after the step just made, with its log lines and the state's digest; nothing is changed by looking."""
+    """Return the frame of the last step, with its log lines and the state's digest; leave the state unchanged."""
     scenario, panel = flight.scenario, state.panel
     seen, angles = state.seen.tolist(), state.plant.angles.tolist()
     rules = state.rules.tolist()
@@ -93,7 +93,7 @@ def look(flight: Flight, state: State, seal: bytes) -> Frame:
 
 
 def _carried(flight: Flight, state: State, position: Vec3, seen: list[float]) -> tuple[Vec3, Six, Placed | None]:
-    """The point of resolution, its twist, and the payload in the grasp, if any."""
+    """Return the point of resolution, its twist, and the payload in the grasp (None if the grasp is empty)."""
     held = in_grasp(flight, state)
     if held is None:
         return position, _six(seen, 12), None
@@ -107,14 +107,14 @@ def _carried(flight: Flight, state: State, position: Vec3, seen: list[float]) ->
 
 
 def _wrist_pitch(flight: Flight, state: State) -> Rows:
-    """LNKAGE's T_B5."""
+    """Return LNKAGE's T_B5 (see `observe_link`)."""
     model, axes = flight.scenario.arm.model, np.empty((3, 3))
     observe_link(model.links, state.plant.angles, model.mount.rotation, axes)
     return _rows(axes.ravel().tolist(), 0)
 
 
 def _times(flight: Flight, state: State) -> Times:
-    """TP, ETA and ETAP: the laws tell what is left at the beginning of a step."""
+    """Return TP, ETA and ETAP; the laws report the time that remains at the beginning of a step."""
     panel, period, report = state.panel, flight.scenario.control_period, state.report
     steered = (state.tick - 1 - panel.began) * period
     eta = etap = None

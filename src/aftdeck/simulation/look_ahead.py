@@ -1,7 +1,7 @@
-"""Look ahead: where the arm is in a few seconds if the sticks stay as they are, found by flying there on a copy.
+"""Look-ahead: pose of the arm in a few seconds if the sticks stay as they are, found by flying a copy of the arm.
 
-It is the steering's own laws that fly (`steering.rehearsal`), so that what is shown is what would come, but for
-contacts: the copy flies through them, and the first is told.
+The steering's own laws fly the copy (`steering.rehearsal`), so that the prediction is what would come, except for
+contacts. The copy flies through contacts, and the first one is reported.
 """
 
 from __future__ import annotations
@@ -30,62 +30,65 @@ from aftdeck.worksite.found import CLEARANCE
 from aftdeck.worksite.report import Near, Rows, Vec3
 
 LEAST_S, MOST_S = 2.0, 20.0
-"""How far may be looked ahead [s]."""
+"""Shortest and longest look-ahead [s]."""
 SAMPLES = 10
-"""Places on the way at which clearances are measured."""
+"""Number of poses on the way at which clearances are measured."""
 CONTACT = 0.0
-"""A clearance that counts as a contact on the way [m]."""
+"""Largest clearance that counts as a contact on the way [m]."""
 DRIVE_AXIS = 6
-"""The number of the drive switch among the axes."""
+"""Number of the drive switch among the axes."""
 _ORB_UNL = 4.0
-"""A law that comes to rest when its sticks are let go."""
+"""Law that brings the arm to rest when the sticks are released."""
 _STILL = 1e-6
-"""Twist that counts as rest [m/s], [rad/s], and turn that counts as none [rad]."""
+"""Largest twist that counts as rest [m/s], [rad/s], and largest joint motion that counts as none [rad]."""
 _LONGEST_STOP = 60.0
-"""Longest way to rest that is followed [s]."""
+"""Time for which the arm is followed at most until it comes to rest [s]."""
 
 Axis = tuple[int, Literal[-1, 1]]
-"""One of the sticks' six axes, about 1 to 3 and then along them, or 6, the drive switch; and a sign."""
+"""Axis number and sign. 0 to 2: rotation about axes 1 to 3; 3 to 5: translation along them; 6: the drive switch."""
 
 
 class Ahead(msgspec.Struct, frozen=True, gc=False):
-    """What comes of the sticks as they are."""
+    """Prediction of the arm's motion with the sticks as they are."""
 
     seconds: float
-    """How far was looked [s]."""
+    """Time looked ahead [s]."""
     held: bool
-    """The sticks as they stand; False: they rest, and this is what one axis would do at full deflection."""
+    """Whether the present stick command is flown.
+
+    False under BRAKES or SAFING, and if the sticks rest; one axis may then be shown at full deflection.
+    """
     moves: bool
-    """Whether the arm is then elsewhere than now."""
+    """Whether the arm's pose at that time differs from the present one."""
     angles: Six
-    """Joint angles then [rad]."""
+    """Joint angles at that time [rad]."""
     stand: float
-    """Height of the shoulder then [m]."""
+    """Height of the shoulder at that time [m]."""
     cargo: tuple[tuple[Vec3, Rows], ...]
-    """Centre and axes (rows) of each payload of the worksite then, in L [m]."""
+    """Centre and axes (rows) of each payload of the worksite at that time, in L [m]."""
     nearest: Near | None
-    """The watched pair with the least clearance then, of those that count then (`lined_up`)."""
+    """Watched pair with the least clearance at that time, of the pairs that count then (`lined_up`); None: no pair."""
     contact_s: float | None
-    """When the first contact is found on the way, to a tenth of `seconds`; None: none is [s]."""
+    """Time of the first contact on the way, to a tenth of `seconds` [s]; None if no contact is found."""
     stopping: float
-    """How far the tip goes on if the sticks are let go now [m]."""
+    """Distance that the tip goes on if the sticks are released now [m]."""
     joint: int
-    """The joint nearest to a limit then, 0 to 5."""
+    """Joint nearest to a reach limit at that time, 0 to 5."""
     room: float
-    """How far it is from its reach limit then; negative past it [rad]."""
+    """Distance of that joint from its reach limit at that time; negative past the limit [rad]."""
 
 
 def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None = None) -> Ahead:
-    """Fly a copy of the arm for some seconds with the sticks as they stand.
+    """Fly a copy of the arm for some seconds with the sticks as they are, and return the prediction.
 
     Args:
-        flight: what never changes.
-        state: after a step; it is not changed.
-        seconds: how far, `LEAST_S` to `MOST_S`.
-        last: the axis that is deflected in full where the sticks rest; None: none.
+        flight: constants of the flight.
+        state: the state after a step; not changed.
+        seconds: time to look ahead, `LEAST_S` to `MOST_S` [s].
+        last: the axis to deflect in full if the sticks rest; None for no axis.
 
     Raises:
-        InputError: seconds or an axis that are none of these.
+        InputError: `seconds` or `last` is not allowed.
     """
     if not LEAST_S <= seconds <= MOST_S:
         raise InputError(f"one looks {LEAST_S:g} to {MOST_S:g} s ahead, got {seconds:g}")
@@ -109,7 +112,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         frames = frames_at(flight, state, angles, height, things.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
         may = permitted(site, watch, frames)
-        # what is lined up now is docked or latched before it gets deep
+        # a pair that is lined up now is docked or latched before it penetrates deeply
         touching = watch.nearest(site.detrimental | (outside & (1 - may)))
         if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
@@ -139,14 +142,14 @@ def _placed(row: list[float]) -> tuple[Vec3, Rows]:
 
 
 def _copies(state: State) -> tuple[Array, Array]:
-    """What the steering is told, and how the arm moves, as measured now: to be flown on."""
+    """Return copies of the command and of the steering's state as measured now, to fly on from."""
     steering = state.steering.copy()
     measured(state.plant.angles, state.plant.rates, state.rise, steering)
     return state.command.copy(), steering
 
 
 def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
-    """Command and steering to fly on, and whether it is the sticks as they stand."""
+    """Return the command and the steering's state to fly on from, and whether the sticks are flown as they are."""
     command, steering = _copies(state)
     held = bool(command[STICKS : STICKS + 6].any() or command[DRIVE])
     if standing(state.panel):
@@ -156,14 +159,14 @@ def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
     if not held and last is not None and MODES[state.panel.mode].kind in ("manual", "single"):
         axis, sign = last
         command[DRIVE if axis == DRIVE_AXIS else STICKS + axis] = sign
-        command[LAW], command[GO] = state.panel.flown, 0.0  # POSITION HOLD gives way to a stick
+        command[LAW], command[GO] = state.panel.flown, 0.0  # a stick overrides POSITION HOLD
     if MODES[state.panel.mode].kind == "automatic" and state.panel.sequence != "in progress":
-        command[LAW], command[GO] = _ORB_UNL, 0.0  # it waits for PROCEED, and rests
+        command[LAW], command[GO] = _ORB_UNL, 0.0  # the arm rests until PROCEED
     return command, steering, held
 
 
 def _stopping(state: State) -> float:
-    """How far the tip goes from here until the arm rests, with nothing asked [m]."""
+    """Return the distance from the tip to where the tip comes to rest without a command [m]."""
     (command, steering), report = _copies(state), np.zeros(REPORT)
     command[STICKS : STICKS + 6] = 0.0
     command[DRIVE] = command[GO] = 0.0
@@ -179,7 +182,7 @@ def _stopping(state: State) -> float:
 
 
 def _room(flight: Flight, angles: Six) -> tuple[int, float]:
-    """The joint that is nearest to a reach limit, and how far it is from that; negative past it [rad]."""
+    """Return the joint nearest to a reach limit, and its distance from that limit; negative past the limit [rad]."""
     rooms = [min(q - low, high - q) for q, (low, high) in zip(angles, flight.reach, strict=True)]
     joint = min(range(len(rooms)), key=rooms.__getitem__)
     return joint, rooms[joint]

@@ -1,4 +1,4 @@
-"""Looking at the worksite after a step: contacts, captures, and where everything is."""
+"""Worksite's part of a step's frame: contacts, captures, and the poses of all payloads."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _ZERO = (0.0, 0.0, 0.0)
 
 
 def look_work(flight: Flight, state: State) -> Work:
-    """The worksite as it is now."""
+    """Return the record of the worksite as it is now."""
     site, things = flight.site, state.site
     group = things.nearest
     inhibit = things.contacts.inhibit
@@ -55,7 +55,7 @@ def look_work(flight: Flight, state: State) -> Work:
 
 
 def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
-    """Every watched pair that counts now, nearest first."""
+    """Return every pair that is watched now, nearest first."""
     things = state.site
     watch = things.watch.copied()
     watch.look(things.before, things.frames, flight.scenario.control_period)
@@ -65,7 +65,7 @@ def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
 
 
 def _in_l(site: Site, along: Array) -> Vec3:
-    """A vector along the orbiter's axes, in L."""
+    """Return in L a vector given along the orbiter's axes."""
     x, y, z = along.tolist()
     if x == y == z == 0.0:
         return _ZERO
@@ -79,7 +79,7 @@ def _six(values: Array) -> Six:
 
 
 def near_of(flight: Flight, state: State, found: Array, group: int) -> Near:
-    """What is found (g, 15) of a group, told by name."""
+    """Return what was found (g, 15) of a group, with the names of its two parts."""
     row = found[group].tolist()
     a, b = flight.site.layout.named(group)
     touching = row[CLEARANCE] <= CONTACT
@@ -113,7 +113,7 @@ def _hand(flight: Flight, state: State) -> Hand:
 
 @lru_cache(maxsize=16)
 def _lit(snare: Snare) -> tuple[str, ...]:
-    """The panel's flags that are lit."""
+    """Return the names of the panel's flags that are lit."""
     return tuple(name for name, on in flags(snare)._asdict().items() if on)
 
 

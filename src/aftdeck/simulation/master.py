@@ -1,4 +1,4 @@
-"""The master arm turned by the sticks, where no device gives its six angles: each axis turns one of its joints."""
+"""Master arm moved by the sticks, for use without a device that measures six angles: each axis turns one joint."""
 
 from __future__ import annotations
 
@@ -11,18 +11,19 @@ from aftdeck.simulation.state import State
 from aftdeck.steering.layout import HIGH, LOW, MASTER, RATE, STICKS
 
 AXES: tuple[Axis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z")
-"""In the order of `steering.layout.STICKS`."""
+"""Stick axes, in the order of `steering.layout.STICKS`."""
 
 
 def axes_of(model: ArmModel) -> tuple[int, ...]:
-    """For each joint, which of `AXES` turns the master's."""
+    """Return, for each joint of the master arm, the index in `AXES` of the axis that turns the joint."""
     return tuple(AXES.index(axis) for axis in model.equipment.master)
 
 
 def turn_master(flight: Flight, state: State) -> None:
-    """Turn the master by the sticks in `state.command`: at full deflection at the limit of its joint's rate.
+    """Turn the master arm by the sticks in `state.command`; full deflection gives the joint's rate limit.
 
-    It stays within the stops in force, or comes back to them from where a device has put it.
+    The master arm stays within the stops in force. If a device has moved a joint beyond a stop, that joint can only
+    move back.
     """
     command, rules = state.command, state.rules
     axes, master = axes_of(flight.scenario.arm.model), command[MASTER : MASTER + 6]

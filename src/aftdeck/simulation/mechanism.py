@@ -1,4 +1,4 @@
-"""What a mechanism may do to what the arm holds: carriage and latches wait before a contact."""
+"""Contact check of the mechanisms that move a held payload: carriage and latches stop before a contact."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ from aftdeck.worksite.restrain import worsened
 
 
 def waits(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
-    """Whether a mechanism may not draw cargo k on, since that would deepen or make a contact; told once.
+    """Return whether a mechanism must stop because drawing in cargo k would make or deepen a contact.
 
-    Walls along which it slides count: a mechanism does not slide.
+    The stop is logged once. Walls along which the cargo slides count as well: a mechanism does not slide the cargo.
+    Essential contacts that their relation permits do not count.
 
     Args:
-        flight: what never changes.
-        state: after its look.
-        k: which cargo, held.
-        pose: (12,) where the mechanism draws it, in L.
-        what: the mechanism, for people.
+        flight: constants of the run.
+        state: state whose contacts are up to date.
+        k: index of the cargo, which is held.
+        pose: (12,) pose to which the mechanism would draw the cargo, in L.
+        what: name of the mechanism, for the log.
     """
     site, things = flight.site, state.site
     after = things.frames.copy()

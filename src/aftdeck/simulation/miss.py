@@ -1,4 +1,4 @@
-"""By how much an automatic motion ends beside its target: one rule for flight and CMD CK."""
+"""Final error of an automatic motion: one rule for the flight and for CMD CK."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from aftdeck.scenario.target import Target
 from aftdeck.simulation.flight import Flight
 
 REACHED, REACHED_TURN = 1e-3, math.radians(0.02)
-"""How near to its target a motion has to end to have reached it [m], [rad], where the scenario's end sphere is smaller.
+"""Greatest final error with which a motion has reached its target [m], [rad]; a larger end sphere replaces it.
 
-Assumed: ten times what mode 3 misses by on random straight moves in steps of 0.02 s
+Assumed: ten times the final error of mode 3 on random straight moves in steps of 0.02 s
 (`tests/steering/test_straight_moves.py`).
 """
 _FINE = 0.01
-"""Distances under this are told to a tenth of a millimetre [m]."""
+"""Distances below this value are given to a tenth of a millimetre [m]."""
 
 
 def miss(flight: Flight, arm: Arm, angles: Array, target: Target) -> str:
-    """How far the tip is beside a target, for people; empty where it has reached it.
+    """Return the final error of the tip as text for people, or "" if the tip has reached the target.
 
     Args:
-        flight: says what counts as reached.
-        arm: with its telescope at the present length.
-        angles: (6,) its joint angles [rad].
-        target: where the tip should be.
+        flight: constants of the run; the scenario's end sphere decides what counts as reached.
+        arm: the arm, with its telescope at the present length.
+        angles: (6,) joint angles [rad].
+        target: pose that the tip should have.
     """
     tip = arm.forward(angles)
     distance = math.dist(tip.position, target.position)

@@ -1,4 +1,4 @@
-"""What the log tells after a step: joints that pass a limit, singularities and parts that come near."""
+"""Log lines about the arm after a step: joints that pass a limit, near singularities, and small clearances."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ Zones = tuple[int, int, int, int, int, int]
 
 _ALL_FREE: Zones = (FREE,) * 6
 TOUCHING = 1e-6
-"""How near to a hard stop counts as at it [rad]."""
+"""Distance from a hard stop within which a joint counts as at the stop [rad]."""
 _BACK_TEXTS = {PAST_REACH: "back inside its soft stop", PAST_SOFT: "off its hard stop"}
 _ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", PAST_SOFT: "past its soft stop",
                AT_HARD: "at its hard stop"}  # fmt: skip
 
 
 def notice(flight: Flight, state: State) -> None:
-    """Observe the arm as it is now, and tell what has changed."""
+    """Observe the arm, log what has changed, and update the ways out in the state."""
     model, plant = flight.scenario.arm.model, state.plant
     near = observe_near(
         state.arm.model.links,
@@ -52,7 +52,7 @@ def notice(flight: Flight, state: State) -> None:
 
 
 def _zones(flight: Flight, angles: list[float]) -> Zones:
-    """The zone of each joint."""
+    """Return the zone of each joint."""
     found = tuple(
         FREE
         if reach[0] <= q <= reach[1]
@@ -86,7 +86,7 @@ def _tell_singular(flight: Flight, state: State, singular: tuple[str, ...]) -> N
 
 
 def _tell_clearance(flight: Flight, state: State) -> None:
-    """The nearest pair has come under a threshold of the scenario's, or is clear of it again."""
+    """Log when the minimum clearance falls below a threshold of the scenario, or rises above it again."""
     scenario, things, before = flight.scenario, state.site, state.panel.clearance
     now: Level = "info"
     if things.nearest >= 0:

@@ -1,6 +1,6 @@
-"""What the operator's switches do: entering modes, keying in targets, PROCEED and STOP.
+"""Operator's switches: entering modes, keying in targets, PROCEED and STOP.
 
-Commands that cannot be taken are refused in the log and change nothing.
+A command that cannot be carried out changes nothing; its rejection is logged.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from aftdeck.steering.mode import MODES
 
 
 def operate(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Take one step's inputs: the panel's switches change, and `state.command` is set."""
+    """Apply one step's inputs to the panel's switches, and set `state.command`."""
     panel = state.panel
     if state.tick == 1:
         make_ready(flight, state)
@@ -48,7 +48,7 @@ def operate(flight: Flight, state: State, inputs: Inputs) -> None:
 def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
     panel = state.panel
     if inputs.joint is not None and inputs.joint != panel.joint:
-        state.command[KEPT + panel.joint] = state.plant.angles[panel.joint]  # mode 8 holds it from now on
+        state.command[KEPT + panel.joint] = state.plant.angles[panel.joint]  # mode 8 holds this joint from now on
         panel.joint = inputs.joint
     if inputs.rate is not None:
         panel.rate = inputs.rate
@@ -104,7 +104,7 @@ def _enter(flight: Flight, state: State, position: str) -> None:
         refuse(flight, state, f"{position} refused: no points are stored for it in this scenario")
         return
     panel = state.panel
-    if mode.kind == "master":  # the master is taken up where the arm is
+    if mode.kind == "master":  # the master arm starts from the angles of the arm
         state.command[MASTER : MASTER + 6] = state.plant.angles
     if mode.kind == "single":  # theta_0 of mode 8
         state.command[KEPT : KEPT + 6] = state.plant.angles
@@ -115,7 +115,7 @@ def _enter(flight: Flight, state: State, position: str) -> None:
 
 
 def make_ready(flight: Flight, state: State, *, keyed: bool = False) -> None:
-    """Ask for CMD CK of the target that comes next, or that was just keyed in."""
+    """Reset the motion and request CMD CK of the next target, in automatic modes or if it was just keyed in."""
     panel = state.panel
     panel.sequence, panel.check, panel.target = "idle", None, next_target(flight, panel)
     state.checking, panel.proceeding = None, False
@@ -155,7 +155,7 @@ def _proceed(flight: Flight, state: State) -> None:
         refuse(flight, state, f"PROCEED refused: {stopped}")
     elif panel.sequence != "in progress":
         if panel.point >= len(flight.scenario.sequences.get(panel.mode, ())):
-            panel.point = 0  # a sequence that is complete begins again
+            panel.point = 0  # a completed sequence starts again
         panel.target = next_target(flight, panel)
         if panel.target is None:
             refuse(flight, state, "PROCEED refused: no target is keyed in")

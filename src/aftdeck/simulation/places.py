@@ -1,4 +1,4 @@
-"""Where a target is that a phase gives by what is there, now that the phase begins."""
+"""Targets that a phase gives relative to a cargo, a seat or a body; they are resolved when the phase begins."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from aftdeck.simulation.state import State
 
 
 def found(flight: Flight, state: State, place: Place) -> Target | str:
-    """Return the target that a place is now, or why there is none."""
+    """Return the target that a place stands for at present, or a text that says why it has none."""
     site, frames = flight.site, state.site.frames
     match place:
         case AtSeat():
@@ -28,7 +28,11 @@ def found(flight: Flight, state: State, place: Place) -> Target | str:
 
 
 def _at_seat(flight: Flight, state: State, place: AtSeat) -> Target | str:
-    """Return the hand where what it holds is in its place in a seat, or short of it."""
+    """Return the tip pose that puts the held cargo into its place in a seat, or short of that place.
+
+    Returns:
+        The target, or the reason as text if nothing is held or the seat does not take the cargo.
+    """
     site, things = flight.site, state.site
     k = things.held
     if k is None:

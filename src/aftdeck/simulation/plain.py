@@ -1,7 +1,7 @@
-"""Plain values of what callers hand in: NumPy's numbers, arrays and texts become Python's own, once, at the door.
+"""Conversion of callers' inputs to plain values: NumPy numbers, arrays and texts become Python's own types.
 
-Everything behind it (the state's digest, saved states, recordings) encodes plain values alone. A stick's -0.0 becomes
-0.0: the two are one deflection, and a digest tells them apart.
+The conversion happens once, where inputs enter the simulation. The state's digest, saved states and recordings encode
+plain values only. A stick value of -0.0 becomes 0.0: both are the same deflection, but their digests differ.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ _TEXTS_AND_FLAGS = tuple(
 
 
 def plain_inputs(inputs: Inputs) -> Inputs:
-    """Return inputs that `Inputs.check` has accepted, with plain values; the same object where they are plain already.
+    """Return the inputs with plain values; the same object if they are plain already.
 
     Args:
-        inputs: as a caller gives them.
+        inputs: inputs from a caller, already accepted by `Inputs.check`.
     """
     if _all_plain(inputs):
         return inputs
@@ -58,17 +58,17 @@ def plain_inputs(inputs: Inputs) -> Inputs:
 
 
 def plain_target(target: Target) -> Target:
-    """Return a target with plain floats."""
+    """Return the target with plain floats."""
     position, joints = _floats(target.position), None if target.joints is None else _floats(target.joints)
     rows = tuple(_floats(row) for row in target.rotation)
     return Target(cast("Any", position), cast("Any", rows), cast("Any", joints))
 
 
 def whole(value: object, name: str) -> int:
-    """Return an integer of any kind as Python's own.
+    """Return an integer of any type as a Python int.
 
     Raises:
-        InputError: it is none; names the argument.
+        InputError: the value is not an integer, or is a bool; the message names the argument.
     """
     if isinstance(value, bool) or not isinstance(value, Integral):
         raise InputError(f"{name}: got {value!r}, expected an integer")
@@ -76,7 +76,7 @@ def whole(value: object, name: str) -> int:
 
 
 def _all_plain(inputs: Inputs) -> bool:
-    """Return whether inputs without a target, master angles and camera are plain: those of most steps, quickly told."""
+    """Return whether the inputs are plain and have no target, master angles or camera: a quick test for most steps."""
     numbers = (*inputs.translation, *inputs.rotation, *inputs.orbiter, inputs.drive, inputs.telescope)
     return (
         inputs.master is None
@@ -98,7 +98,7 @@ def _plain_drive(camera: CameraDrive) -> CameraDrive:
 
 
 def _deflection(value: Any) -> float:
-    """Return a stick's deflection, never -0.0."""
+    """Return a stick's deflection as a float that is never -0.0."""
     return float(value) + 0.0
 
 

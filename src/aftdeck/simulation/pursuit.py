@@ -1,4 +1,4 @@
-"""What the hand is about, and by what conditions that succeeds: the panel's capture, docking and berthing."""
+"""Present objective of the hand (capture, docking or berthing) and its conditions, as the panel displays them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Pursuit = tuple[str, tuple[Condition, ...]]
 
 
 def pursuit(flight: Flight, state: State) -> Pursuit:
-    """What the conditions are for, and they themselves; empty where nothing is near enough."""
+    """Return the present objective and its conditions; "" and () if nothing is near enough."""
     site, things, units = flight.site, state.site, flight.scenario.arm.model.units
     if (k := things.held) is not None:
         berth = None if things.fast else nearest_berth(flight, state, k)
@@ -35,7 +35,7 @@ def pursuit(flight: Flight, state: State) -> Pursuit:
 
 
 def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
-    """By what conditions the hand could have taken cargo k as it holds it; none where this place has no rule for it."""
+    """Return the conditions of capture at the present grasp of cargo k; () if the worksite has no rule for it."""
     site, units = flight.site, flight.scenario.arm.model.units
     if site.bar is not None and (which := site.bar.which[k]) is not None:
         found = np.empty(FOUND)
@@ -47,7 +47,7 @@ def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
 
 
 def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursuit:
-    """The bar that is nearest to the palm."""
+    """Return the objective "acquire" and its conditions for the bar nearest to the palm; "" and () if none is near."""
     best: Pursuit = ("", ())
     least, found = NEAR, np.empty(FOUND)
     for cargo, which in zip(flight.site.cargo, bar.which, strict=True):

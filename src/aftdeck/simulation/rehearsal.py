@@ -1,6 +1,6 @@
-"""Rehearsal: an automatic motion flown ahead of time, on a copy of the state, by the very steps of the flight.
+"""Rehearsal of an automatic motion for CMD CK, on a copy of the state, with the same control steps as the flight.
 
-The copy carries the worksite, so that contacts are found and payloads slide as they will.
+The copy includes the worksite. The rehearsal therefore finds the contacts and sliding payloads of the real motion.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ from aftdeck.units import INCH
 from aftdeck.worksite.found import POINT_A
 
 LONGEST = 3600.0
-"""Longest motion rehearsed [s]."""
+"""Duration after which a rehearsal fails [s]."""
 _HANDS_OFF = Inputs()
 
 
 class Rehearsal:
-    """A motion being flown ahead of time.
+    """Rehearsal in progress, of one automatic motion.
 
     Attributes:
-        steps: rehearsed so far.
+        steps: number of steps rehearsed so far.
     """
 
     def __init__(self, flight: Flight, start: State, target: Target, way: Way) -> None:
@@ -45,20 +45,20 @@ class Rehearsal:
         panel.law, panel.held, panel.holding = way.law, None, None
         panel.proceeding, panel.ending = False, ""
         begin(flight, self._copy, target, way.joints)
-        self._copy.site.watch.counts[:] = 0  # nothing here asks which pair is the nearest
+        self._copy.site.watch.counts[:] = 0  # a rehearsal does not use the nearest pair
         self._touching = frozenset(self._copy.site.told)
         self._nearest, self._which, self._point = 1.0, 0, panel.point
         self._held: tuple[int, int, str] = (0, -1, "")
         self.steps = 0
 
     def fly_on(self, most: int) -> Tried | None:
-        """Fly at most so many steps more; None while the motion has not ended."""
+        """Rehearse at most `most` more steps; return the result, or None if the motion has not ended."""
         flight, copy, period = self._flight, self._copy, self._flight.scenario.control_period
         for _ in range(most):
             self._held = int(copy.report[CAUSE]), int(copy.report[CULPRIT]), copy.site.halt
             copy.tick += 1
             copy.events.clear()
-            if self.steps == 0:  # the motion has just begun
+            if self.steps == 0:  # `begin` has just started the motion: the panel must not act again
                 copy.measure()
                 go(flight, copy, _HANDS_OFF)
             else:
@@ -69,7 +69,7 @@ class Rehearsal:
             near, which = nearest_singularity(copy.arm.model.links, copy.plant.angles)
             if near < self._nearest:
                 self._nearest, self._which = near, which
-            if copy.site.fast:  # a port or latches take the payload: that ends the motion as well
+            if copy.site.fast:  # a port or latches now hold the payload, which also ends the motion
                 return self._tried(True, "", self.steps * period, f"then {fixed_in(flight, copy)}", "")
             if copy.site.contacts.inhibit.changed and (text := self._contact(self._touching)):
                 return self._tried(False, "contact", self.steps * period, text, "")
@@ -78,7 +78,7 @@ class Rehearsal:
         return None
 
     def _contact(self, besides: frozenset[int] = frozenset()) -> str:
-        """A contact that inhibits the arm, of a group not among `besides`, and where; empty: there is none."""
+        """Return a text for a contact outside `besides` that inhibits the arm, with its location; "" if none does."""
         copy, scenario = self._copy, self._flight.scenario
         things = copy.site
         for contact in things.contacts.standing(self._flight.site.layout, things.watch.found, scenario.arm.model.units):
@@ -89,7 +89,7 @@ class Rehearsal:
         return ""
 
     def _ended(self, seconds: float) -> Tried:
-        """How the motion ended: reached, beside its target, or held at a standstill."""
+        """Return the result of a motion that ended: target reached, target missed, or held at a standstill."""
         flight, copy = self._flight, self._copy
         near = ""
         if self._nearest < copy.arm.model.singular:
@@ -108,7 +108,7 @@ class Rehearsal:
         return Tried(self._way, good, cause, seconds, text, near)
 
     def _standstill(self) -> tuple[Cause, str]:
-        """What holds the arm at a standstill."""
+        """Return the cause that holds the arm at a standstill, and its text."""
         flight, (cause, culprit, halt) = self._flight, self._held
         if halt == "seat":
             return "seat", held_fast(flight, self._copy)

@@ -1,8 +1,8 @@
-"""Essential contacts: where two parts that the task brings into contact may touch, and how deep.
+"""Essential contacts: the relative positions and depths at which two parts may touch because the task needs it.
 
 Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision is essential where the two stand "in the
-physical relationship required to achieve acquisition". Everywhere else, and deeper than the worksite's file allows, a
-contact of the same two parts is detrimental.
+physical relationship required to achieve acquisition". Outside this relation, or deeper than the worksite's file
+allows, a contact of the same two parts is detrimental.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ from aftdeck.worksite.watch import Watch
 
 
 def permitted(site: Site, watch: Watch, frames: Array) -> Mask:
-    """Return which groups may be in contact where they are.
+    """Return which groups of parts may be in contact at their present positions.
 
     Args:
-        site: what never changes.
-        watch: after its look at
-        frames: (F, 12) in L.
+        site: constants of the worksite.
+        watch: clearances that were measured at `frames`.
+        frames: (F, 12) pose of each frame, in L.
 
     Returns:
-        (g,) 1 for the groups of the task, but those that touch where, or deeper than, their relation permits. Those
-        that do not touch stay permitted.
+        (g,) 1 for groups that the task brings into contact; 0 for all others. It is also 0 for a group of the task
+        that touches outside its relation, or deeper than its relation permits. A group that does not touch keeps 1.
     """
     may = site.essential.copy()
     for meeting in site.meetings:
@@ -48,7 +48,7 @@ def permitted(site: Site, watch: Watch, frames: Array) -> Mask:
 
 
 def _related(site: Site, watch: Watch, frames: Array, meeting: Meeting) -> bool:
-    """Return whether the two parts stand to each other as the task needs it."""
+    """Return whether the two parts have the relative position that the task needs."""
     k, depth = meeting.cargo, meeting.depth
     match meeting.relation:
         case "acquisition":
@@ -64,7 +64,7 @@ def _related(site: Site, watch: Watch, frames: Array, meeting: Meeting) -> bool:
 
 
 def _about_the_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
-    """Conditions 1 to 3 of acquisition: the bar before the palm and between the fingers."""
+    """Return whether the bar is before the palm and between the fingers: conditions 1 to 3 of acquisition."""
     if site.bar is None or (which := site.bar.which[k]) is None:
         return False
     found = np.empty(FOUND)
@@ -73,27 +73,27 @@ def _about_the_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
 
 
 def _at_the_port(site: Site, frames: Array, k: int, berth: Berth, depth: float) -> bool:
-    """The probe in the docking envelope, and its face no farther from the port than docking allows."""
+    """Return whether the probe is in the docking envelope, and its face within the docking distance of the port."""
     found = approached(berth, frames, site.cargo_row(k))
     return bool(found[BEFORE] >= -depth and found[INSIDE] >= -depth and found[DISTANCE] <= berth.docking.distance)
 
 
 def trunnions_at(site: Site, frames: Array, k: int, berth: Berth) -> Array:
-    """Return where the trunnions of a cargo are in the frame of a seat, (n, 3) [m]."""
+    """Return the positions (n, 3) of a cargo's trunnions in the frame that a seat is fixed in [m]."""
     stands = np.empty(POSE)
     relative(frames[berth.row], frames[site.cargo_row(k)], stands)
     return places(site.cargo[k].trunnions, pose_of(stands))
 
 
 def _in_the_mouth(site: Site, placed: Array, frames: Array, meeting: Meeting, berth: Berth) -> bool:
-    """Every trunnion that touches stands in its own V-guide."""
+    """Return whether every trunnion in contact is inside the mouth of its own V-guide."""
     assert berth.guides is not None
     room = inside(trunnions_at(site, frames, meeting.cargo, berth), berth.guides)
     return all(room[trunnion] >= -meeting.depth for trunnion in _touching(site, placed, meeting))
 
 
 def _touching(site: Site, placed: Array, meeting: Meeting) -> set[int]:
-    """The trunnions of a group that are in contact."""
+    """Return the indices of the group's trunnions that are in contact."""
     layout, found = site.layout, set()
     for i, j in layout.pairs[layout.begins[meeting.group] : layout.begins[meeting.group + 1]].tolist():
         trunnion = meeting.trunnions[i if i in meeting.trunnions else j]
@@ -103,7 +103,10 @@ def _touching(site: Site, placed: Array, meeting: Meeting) -> set[int]:
 
 
 def _in_the_envelope(site: Site, frames: Array, k: int, depth: float) -> bool:
-    """The pin in the capture envelope, or in the snares' reach beyond it: the fixture's base may be touched."""
+    """Return whether the pin is in the capture envelope, without the envelope's outer end.
+
+    The snares reach beyond that end, and the base of the fixture may be touched.
+    """
     if site.snares is None or (fixture := fixture_in_hand(site, frames, k)) is None:
         return False
     envelope, pose = site.snares.envelope, pose_of(fixture)

@@ -1,8 +1,7 @@
-"""TABLE I of the Remote Manipulator Simulation both ways: a flight's thirteen input channels, and a flight by them.
+"""TABLE I of the Remote Manipulator Simulation: conversion of a step's inputs to its thirteen channels, and back.
 
-The channels hold what the program reads in one control step: the master arm's angles and eight switches. A command of
-ours that has no channel (a rate setting, the latches, the orbiter's translation) is never dropped in silence:
-`Reading.unsaid` names it.
+The channels hold what the program reads in one control step: the master arm's angles and eight switches. Some of our
+commands have no channel (rate setting, latches, the orbiter's translation); `Reading.unsaid` names every such command.
 """
 
 from __future__ import annotations
@@ -20,9 +19,9 @@ from aftdeck.worksite.channels import FULL_SCALE, STATION, CameraMotion, Operato
 from aftdeck.worksite.words import Way
 
 MODE = "MASTER"
-"""The mode in which the arm follows the channels' angles."""
+"""Mode in which the arm follows the channels' angles."""
 NOT_CONNECTED: Station = "E"
-"""Written for a camera without a level: 0 V."""
+"""Station point written for a camera that has no level in TABLE I: 0 V."""
 
 _MOTIONS: dict[tuple[float, float], CameraMotion] = {
     (1.0, 0.0): "+pan",
@@ -31,26 +30,26 @@ _MOTIONS: dict[tuple[float, float], CameraMotion] = {
     (0.0, 1.0): "+tilt",
     (0.0, -1.0): "-tilt",
 }
-"""Channel 10 by the pan and tilt switches."""
+"""Setting of channel 10 for each pair of pan and tilt switches."""
 _DRIVES = {motion: switches for switches, motion in _MOTIONS.items()}
 _PARTS: dict[Part, Start] = {"full problem": "full problem", "acquisition": "mode 1", "extraction": "mode 2 or 3"}
-"""Channel 2. TABLE I has one level for modes 2 and 3: initialised to 2, the phases go on to 3."""
+"""Setting of channel 2. TABLE I has one level for modes 2 and 3: a run initialised to mode 2 proceeds to mode 3."""
 _STARTS = {start: part for part, start in _PARTS.items()}
 _PRONG: dict[Way, Literal["stop", "close", "open"]] = {0: "stop", 1: "close", -1: "open"}
 _WAYS = {switch: way for way, switch in _PRONG.items()}
 _MOMENTARY = (
     "translation", "rotation", "drive", "target", "rate_hold", "position_hold", "proceed", "stop", "latch", "orbiter",
 )  # fmt: skip
-"""Inputs without a channel that act in the step in which they are given."""
+"""Inputs that have no channel and act only in their own step."""
 _NEUTRAL = Inputs()
 
 
 class Reading(NamedTuple):
-    """What the program read from the operator in one step.
+    """Operator's inputs that the program read in one step.
 
     Attributes:
-        inputs: as TABLE I has them.
-        unsaid: names of what was commanded and has no channel; flown again by the channels, the flight goes otherwise.
+        inputs: settings of the channels of TABLE I.
+        unsaid: names of commands that have no channel. If there are any, a flight repeated from the channels differs.
     """
 
     inputs: OperatorInputs
@@ -60,8 +59,8 @@ class Reading(NamedTuple):
 def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
     """Return the channels that command the step just made with these inputs.
 
-    In MASTER the angles are those that the master arm was put to in this step, whatever moved it; in other modes those
-    of the arm itself.
+    In MASTER the channels hold the master arm's angles after this step, whether a device or the sticks moved it. In
+    other modes they hold the angles of the arm itself.
     """
     unsaid = _without_channel(flight, state, flown)
     mastered = state.panel.mode == MODE
@@ -90,15 +89,15 @@ def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
 
 
 def inputs_from(said: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> Inputs:
-    """Return the inputs of a step that thirteen channels command.
+    """Return the inputs of a step that the thirteen channels command.
 
     Args:
-        said: the channels.
-        switch: how the prong's switch is set before the step.
-        cameras: those that can be turned. A station point that is none of them commands nothing.
+        said: settings of the channels.
+        switch: position of the prong's switch before the step.
+        cameras: names of the cameras that can be turned. A station point with another name commands nothing.
 
     Raises:
-        InputError: a motion of a camera that cannot be turned.
+        InputError: the channels move a camera that cannot be turned.
     """
     pan, tilt = _DRIVES[said.camera]
     drive = CameraDrive(said.station, pan, tilt, float(said.zoom))
@@ -120,7 +119,7 @@ def inputs_from(said: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> 
 
 
 def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
-    """Names of what was commanded, or had been and still acts, and is none of the thirteen inputs."""
+    """Return the names of commands that act in this step, given now or earlier, and have no channel."""
     panel, things, scenario = state.panel, state.site, flight.scenario
     asked_else = flown.mode not in (None, MODE)
     again = flown.effector not in (None, "stop") and state.script.attached > 0
@@ -134,7 +133,7 @@ def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
         "position_hold": panel.position_hold != scenario.position_hold,
         "brakes": panel.brakes,
         "safing": panel.safing,
-        "effector": again,  # a payload fixed in the grasp: each press is refused, and a channel shows no presses
+        "effector": again,  # payload fixed in the grasp: each press is rejected, and a channel shows no presses
         "effector_mode": things.effector_mode != "auto",
         "rigid": things.rigid != "off",
     }
@@ -143,5 +142,5 @@ def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
 
 
 def _level(switch: float) -> Way:
-    """Return the level of a three-position switch that a deflection in [-1, 1] goes towards."""
+    """Return the position of a three-position switch (-1, 0 or 1): the sign of a deflection in [-1, 1]."""
     return 1 if switch > 0.0 else -1 if switch < 0.0 else 0

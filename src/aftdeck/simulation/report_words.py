@@ -1,8 +1,8 @@
-"""TABLE II of the Remote Manipulator Simulation from a flight: the 32 words that it sent to the scene generator.
+"""TABLE II of the Remote Manipulator Simulation: the 32 words that the program sent to the scene generator.
 
-The control word has what the operator looks through and what moved in the step; angles, inhibits and mode are those of
-the state after it. D1 to D3 are the planes between the effector's hexahedra and the bar: in mode 1 those of the
-collision test, and while the payload is held face d of HEX 1, b of HEX 2 and e of HEX 3 (CALSP1 to CALSP3).
+The control word names the selected camera and what moved in the step. Angles, inhibits and mode are those of the state
+after the step. D1 to D3 are the planes between the effector's hexahedra and the bar. In mode 1 they are the planes of
+the collision test. While a payload is held they are face d of HEX 1, b of HEX 2 and e of HEX 3 (CALSP1 to CALSP3).
 """
 
 from __future__ import annotations
@@ -20,22 +20,22 @@ from aftdeck.units import FOOT
 from aftdeck.worksite.words import STATIONS, ControlWord, FrameBlock, Way, WordPlane
 
 INNER = (3, 1, 4)
-"""Faces d, b and e, from 0: the sides of HEX 1 to 3 on which a held bar lies."""
+"""Indices, from 0, of faces d, b and e: the sides of HEX 1 to 3 on which a held bar lies."""
 NO_CODE = "A"
-"""Written for a camera without a code: 0000, as of a function that is disabled."""
+"""Station written for a camera that has no code: 0000, the code of a disabled function."""
 FARTHEST = 2.0**11 * FOOT
-"""Distance that a word holds at scale B11, the report's for distances [m]."""
+"""Greatest distance that a word can hold at scale B11, the report's scale for distances [m]."""
 
 Planes = tuple[WordPlane | None, WordPlane | None, WordPlane | None]
 
 
 class Places(NamedTuple):
-    """What the control word's motions are told by.
+    """Positions whose change in a step gives the motions in the control word.
 
     Attributes:
         stand: length of the telescope [m].
-        prong: where the prong stands [m].
-        views: how the cameras' drives are set.
+        prong: position of the prong [m].
+        views: settings of the cameras' drives.
     """
 
     stand: float
@@ -44,11 +44,11 @@ class Places(NamedTuple):
 
 
 class Block(NamedTuple):
-    """What a step tells the scene generator.
+    """Data of one step for the scene generator.
 
     Attributes:
-        block: as TABLE II has it.
-        unsaid: names of what has no code there.
+        block: the block of TABLE II.
+        unsaid: names of values that TABLE II cannot express.
     """
 
     block: FrameBlock
@@ -56,20 +56,20 @@ class Block(NamedTuple):
 
 
 def places_of(state: State) -> Places:
-    """Return the places of a state, to be compared with those of the next."""
+    """Return the positions in a state, to be compared with those of the next state."""
     return Places(state.plant.stand.position, state.site.prong.position, state.views)
 
 
 def block_of(flight: Flight, state: State, before: Places) -> Block:
-    """Return the frame block after a step; `before`: the places before it."""
+    """Return the frame block after a step; `before` holds the positions before the step."""
     things, now, unsaid = state.site, places_of(state), []
     begun = any(event.kind == "initialise" for event in state.events)
-    if begun:  # what was put somewhere has not moved there
+    if begun:  # an initialised position is not a motion
         before = now
     station = state.panel.camera or NO_CODE
     pan, tilt, zoom = (_way(step) for step in _turned(flight, state, before))
     if pan * tilt < 0:
-        unsaid.append("tilt")  # the two have one sign between them
+        unsaid.append("tilt")  # TABLE II has one sign bit for pan and tilt
         tilt = 0
     if station not in STATIONS:
         unsaid.append("station")
@@ -95,7 +95,7 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
 
 
 def planes_of(flight: Flight, state: State) -> Planes:
-    """Return D1 to D3 in R; None where there is no bar, or where the two collide."""
+    """Return D1 to D3 in R; a plane is None if there is no bar, or if hexahedron and bar collide."""
     bar, held = flight.site.bar, state.site.held
     if bar is not None and held is not None and (which := bar.which[held]) is not None:
         d1, d2, d3 = (_face(state.site.watch.placed[solid], face) for solid, face in zip(which, INNER, strict=False))
@@ -110,12 +110,12 @@ def planes_of(flight: Flight, state: State) -> Planes:
 
 
 def _face(body: Array, face: int) -> WordPlane:
-    """Return the plane of a placed body's face, its normal outwards."""
+    """Return the plane of a placed body's face; its normal points outwards."""
     return WordPlane((float(body[NX + face]), float(body[NY + face]), float(body[NZ + face])), float(body[D + face]))
 
 
 def _turned(flight: Flight, state: State, before: Places) -> tuple[float, float, float]:
-    """Return how pan, tilt and zoom of the station's camera changed, + right, up and in."""
+    """Return the changes of pan, tilt and zoom of the selected camera, positive right, up and in [rad]."""
     name = state.panel.camera
     names = flight.cameras.names
     if name not in names:

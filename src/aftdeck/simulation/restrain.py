@@ -1,8 +1,8 @@
 """Limit one step's commanded motion to what contacts, seats and walls allow, before the plant makes it.
 
 Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision found in two successive steps inhibits
-the arm until it is relieved. Deviation: motion that relieves the contact (`worksite.restrain`) is flown, so that the
-operator can always leave it, and what the arm holds slides where that is permitted (`worksite.sliding`).
+the arm until it is relieved. Deviation: motion that relieves the contact (`worksite.restrain`) is allowed, so that the
+operator can always back out. A held payload slides where sliding is permitted (`worksite.sliding`).
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ from aftdeck.steering.mode import MODES
 from aftdeck.worksite.restrain import leads_out, relieves, worsened
 
 AHEAD = (1.0, 8.0, 64.0, 512.0)
-"""After how many steps it is looked whether a motion leads out of the contacts."""
+"""Numbers of steps after which a motion is tested for leading out of the contacts."""
 
 
 def restrain(flight: Flight, state: State, telescope: float) -> float:
-    """Cut the commanded rates in `state.steering` to what may be flown.
+    """Limit the commanded rates in `state.steering`, and the stand's drive, to what contacts, seats and walls allow.
 
     Args:
-        flight: what never changes.
-        state: with the step's commanded rates.
-        telescope: how the stand is driven, in [-1, 1].
+        flight: constants of the run.
+        state: state with the step's commanded rates.
+        telescope: commanded drive of the stand, in [-1, 1].
 
     Returns:
-        How the stand is driven.
+        Allowed drive of the stand, in [-1, 1].
     """
     things = state.site
     things.halt = ""
@@ -59,20 +59,21 @@ def restrain(flight: Flight, state: State, telescope: float) -> float:
     ahead = [frames_after(flight, state, steps * rates, steps * telescope)[None] for steps in AHEAD]
     if leads_out(things.watch, *apart, after[None], ahead)[0] > 0.0:
         return telescope
-    if not things.advice and worsened(things.watch, apart[0], after) < 0:  # nothing leads out: nobody is stranded
+    # no motion leads out: allow a step that worsens no contact, so that the arm is not stuck
+    if not things.advice and worsened(things.watch, apart[0], after) < 0:
         return telescope
     things.halt = "contact"
     return _halted(flight, state)
 
 
 def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Mask]:
-    """Return the groups that an inhibited arm must not bring closer in contact, and those that it has to relieve.
+    """Return the groups whose contacts an inhibited arm must not deepen, and those of them that it must relieve.
 
     Args:
-        flight: what never changes.
-        state: after its last look.
-        sliding: whether what the arm holds slides, as in the modes that steer a point: it keeps itself off its walls,
-            and is in neither.
+        flight: constants of the run.
+        state: state whose contacts are up to date.
+        sliding: True if the held cargo slides along walls, as in the modes that steer a point. The groups of the
+            cargo and its walls are then in neither result, because sliding keeps the cargo off its walls.
     """
     things = state.site
     own = things.contacts.arm
@@ -82,14 +83,15 @@ def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Ma
 
 
 def slider(state: State) -> int | None:
-    """The cargo that slides along the walls that it touches: what is held, in the modes that steer a point."""
+    """Return the cargo that slides along walls, the held one in modes that steer a point; None if no cargo slides."""
     return state.site.held if MODES[state.panel.mode].kind in ("automatic", "manual") else None
 
 
 def _halted(flight: Flight, state: State) -> float:
-    """The arm stands still, and the stand with it: nothing is left of what was commanded.
+    """Stop the arm, and return 0.0, the drive that stops the stand.
 
-    The next step's steering begins from rest, and the clock of modes 1 and 3 has not run.
+    The next step's steering starts from rest. In the automatic modes, except under `strict`, the clock of modes 1 and 3
+    is set back by this step.
     """
     steering = state.steering
     steering[RATES : RATES + 6] = 0.0

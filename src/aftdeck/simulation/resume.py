@@ -1,4 +1,4 @@
-"""Going on from a saved state: what its caches hold is worked out again."""
+"""Restoring a saved state: the contents of its caches are computed again."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from aftdeck.worksite.watch import Watch
 
 
 def resume(flight: Flight, saved: bytes) -> State:
-    """Return the state that `encoded` made bytes of, and work out what its caches hold.
+    """Return the state decoded from the bytes that `encoded` made, with its caches filled again.
 
     Raises:
-        InputError: they are no state of this flight.
+        InputError: the bytes are not a state of this flight.
     """
     scenario = flight.scenario
     carried = carrying(scenario, scenario.payload)
@@ -38,7 +38,7 @@ def resume(flight: Flight, saved: bytes) -> State:
 
 
 def look_again(flight: Flight, state: State) -> None:
-    """Look at the worksite as the last step did, with nothing remembered."""
+    """Measure the clearances again as the last step did, starting from an empty watch."""
     things = state.site
     watch, nearest = things.watch, np.zeros_like(things.looked)
     if things.nearest >= 0:

@@ -1,4 +1,4 @@
-"""A simulation that callers step, and a run without a screen from first frame to summary."""
+"""Simulation that its caller steps, and a run without a screen from the first frame to the summary."""
 
 from __future__ import annotations
 
@@ -29,21 +29,21 @@ from aftdeck.worksite.report import Near
 
 
 class SavedSimulation(msgspec.Struct, frozen=True):
-    """A simulation's state at an instant, with the scenario and seed that it belongs to."""
+    """State of a simulation at one time, with the scenario and seed that it belongs to."""
 
     scenario: str
     """SHA-256 of the scenario's text and the arm's constants."""
     seed: int
     state: bytes
-    """`aftdeck.state_part.encoded` makes them."""
+    """Bytes made by `aftdeck.state_part.encoded`."""
 
 
 class Simulation:
-    """One flight of a scenario, stepped by its caller.
+    """One run of a scenario, stepped by its caller.
 
     Attributes:
-        scenario: what is flown.
-        seed: of everything random (nothing is, on the kinematic plant).
+        scenario: the scenario of the run.
+        seed: seed of all random values (there are none with the kinematic plant).
     """
 
     def __init__(self, scenario: Scenario | str | Path, seed: int | None = None) -> None:
@@ -61,12 +61,12 @@ class Simulation:
 
     @property
     def ended(self) -> Literal["", "completed", "time", "fault"]:
-        """How the scenario's script ended; empty while it has not. Flying by hand never ends it."""
+        """Kind of end of the scenario's script, or "" if it has not ended. Manual inputs never end the script."""
         return self._state.script.ended
 
     @property
     def frame(self) -> Frame | None:
-        """The last step's frame; None before the first, and after `restore` till the next."""
+        """Frame of the last step; None before the first step, and between `restore` and the next step."""
         return self.look() if self._stepped else None
 
     @property
@@ -76,11 +76,11 @@ class Simulation:
 
     @property
     def given(self) -> Inputs | None:
-        """The inputs of the last step as they were given; None where the script flew it, or none was made."""
+        """Inputs of the last step as given by the caller; None if the script supplied them or no step was made."""
         return self._given
 
     def step(self, inputs: Inputs | None = None) -> Frame:
-        """Advance by one control period and look: `advance`, whose arguments and errors these are, and `look`."""
+        """Advance by one control period and return the frame: `advance`, with its arguments and errors, then `look`."""
         self.advance(inputs)
         return self.look()
 
@@ -88,11 +88,11 @@ class Simulation:
         """Advance by one control period.
 
         Args:
-            inputs: sticks and switches; None lets the scenario's script fly.
+            inputs: sticks and switches; with None the scenario's script supplies them.
 
         Raises:
-            InputError: inputs that no hand controller can give, a target that is none or contradicts itself, a
-                camera that cannot be turned; nothing has changed.
+            InputError: inputs that no hand controller can give, a target that is not a pose or contradicts its joint
+                angles, or a camera that cannot be turned. The state is then unchanged.
             SimulationError: the state is no longer finite.
         """
         if inputs is not None:
@@ -110,42 +110,42 @@ class Simulation:
             raise SimulationError(f"the arm's state is no longer finite at {time:g} s: {angles}")
 
     def seal(self) -> bytes:
-        """SHA-256 of the state after the last step, to the last digit: `Frame.sha256` shows it."""
+        """Return the SHA-256 digest of the exact state after the last step; `Frame.sha256` contains it."""
         if not self._seal:
             self._seal = digest(self._state)
         return self._seal
 
     def look(self) -> Frame:
-        """All that may be known of the last step. To look changes nothing, and costs about as much as a step."""
+        """Return the frame of the last control step. Leaves the state unchanged; costs about as much as a step."""
         if self._frame is None:
             self._frame = look(self._flight, self._state, self.seal())
         return self._frame
 
     def ahead(self, seconds: float = 5.0, last: Axis | None = None) -> Ahead:
-        """What the sticks as they stand would do in some seconds.
+        """Return a prediction of the arm's motion with the present stick command.
 
         Args:
-            seconds: how far to look, 2 to 20 [s].
-            last: the axis that is shown at full deflection where the sticks rest, and its sign; None: none.
+            seconds: prediction time, 2 to 20 [s].
+            last: axis, and its sign, to deflect fully if the sticks are centred; None deflects no axis.
 
         Raises:
-            InputError: seconds or an axis that are none of these.
+            InputError: `seconds` or the axis is outside its range.
         """
         return look_ahead(self._flight, self._state, seconds, last)
 
     def watched(self) -> tuple[Near, ...]:
-        """Every pair of parts that is watched now, nearest first: clearance, closest points, plane, closing speed."""
+        """Return every pair of parts watched at present, nearest first: clearance, points, plane, closing speed."""
         return all_near(self._flight, self._state)
 
     def save(self) -> SavedSimulation:
-        """Everything that the next step depends on; plain values, msgspec encodes them."""
+        """Return everything that the next step depends on, as plain values that msgspec can encode."""
         return SavedSimulation(self._digest, self.seed, encoded(self._state))
 
     def restore(self, saved: SavedSimulation) -> None:
-        """Go on from what `save` gave, in this or in another simulation of the same scenario.
+        """Replace the state by one that `save` returned, in this or another simulation of the same scenario.
 
         Raises:
-            InputError: it was saved from another scenario, or is no saved state; nothing has changed.
+            InputError: the state belongs to another scenario, or cannot be read. The simulation is then unchanged.
         """
         if saved.scenario != self._digest:
             raise InputError(
@@ -158,7 +158,7 @@ class Simulation:
 
 
 class Run(msgspec.Struct, frozen=True):
-    """A run from its first frame to its end."""
+    """Result of a run, from its first frame to its end."""
 
     scenario: Scenario
     frames: tuple[Frame, ...]
@@ -176,19 +176,19 @@ def run(
     seen: Callable[[Frame], None] | None = None,
     stepped: Callable[[Simulation], None] | None = None,
 ) -> Run:
-    """Fly a scenario's script, or given inputs, to the end without a screen.
+    """Run a scenario to its end without a screen, with its script or with given inputs.
 
     Args:
         scenario: a scenario, a built-in name or a path.
-        seed: in place of the scenario's.
-        inputs: asked before every step for a person's inputs, which fly in place of the script; None ends the run.
-        keep_frames: False keeps only the last frame, for long runs.
-        progress: told now and then how much of the longest duration has gone, 0 to 1.
-        seen: told of every frame.
-        stepped: called after every step with the simulation.
+        seed: replaces the scenario's seed; None keeps it.
+        inputs: called before every step; returns inputs that replace the script's, or None to end the run.
+        keep_frames: if False, only the last frame is kept, for long runs.
+        progress: called every 256 steps with the fraction of the longest duration that has passed, 0 to 1.
+        seen: called with every frame.
+        stepped: called with the simulation after every step.
 
     Raises:
-        InputError: `inputs` gives none for the first step, or some that no hand controller can give.
+        InputError: `inputs` returns None for the first step, or inputs that no hand controller can give.
     """
     sim = Simulation(scenario, seed)
     frames: list[Frame] = []

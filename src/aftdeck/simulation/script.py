@@ -1,4 +1,4 @@
-"""The scenario's phases as an operator: what they do with sticks and switches, step by step.
+"""Scenario's script as an operator: sticks and switches of its phases, step by step.
 
 JSC-12628's phase initialisation of simulated operator inputs. A phase ends at its input time in the manual
 modes, on arrival (ETA) in the automatic ones, and at its angle or time in SINGLE.
@@ -21,13 +21,13 @@ from aftdeck.steering.limiters import braked
 from aftdeck.steering.mode import MODES
 
 AT_LENGTH = 1e-9
-"""How near to `stand_at` the stand has come when its phase ends [m]."""
+"""Distance of the stand from `stand_at` within which its phase ends [m]."""
 AT_ANGLE = 1e-9
-"""How near to `joint_at` a joint has come when its phase ends [rad]."""
+"""Distance of a joint from `joint_at` within which its phase ends [rad]."""
 
 
 def play(flight: Flight, state: State) -> Inputs:
-    """The inputs of the coming step; moves on to the next phase where one has ended."""
+    """Return the script's inputs for the coming step; go to the next phase if the present one has ended."""
     script, phases = state.script, flight.scenario.phases
     while script.phase < len(phases) and not script.ended:
         phase = phases[script.phase]
@@ -50,14 +50,14 @@ def play(flight: Flight, state: State) -> Inputs:
 
 
 def hand_over(flight: Flight, state: State) -> None:
-    """A person flies: the limits of the script's phase hold no more."""
+    """Cancel the rate limits of the script's phase, because an operator now supplies the inputs."""
     if state.script.limits >= 0:
         state.script.limits = -1
         steer(flight, state)
 
 
 def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
-    """JSC-12628's phase initialisation: the phase's limits, and what it puts into the grasp or takes out of it."""
+    """Apply JSC-12628's phase initialisation: set the phase's rate limits, and attach or detach its payload."""
     script = state.script
     limits = script.phase if phase.limits is not None else -1
     if limits == script.limits and phase.attaches is None:
@@ -70,7 +70,7 @@ def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
 
 
 def conclude(flight: Flight, state: State) -> None:
-    """End a script whose time has run out with this step: as completed where its last phase is over just then."""
+    """End a script whose time runs out with this step; it is completed if its last phase ends at the same time."""
     script, scenario = state.script, flight.scenario
     if script.ended or state.tick < scenario.ticks:
         return
@@ -84,13 +84,17 @@ def conclude(flight: Flight, state: State) -> None:
 
 
 def phase_name(flight: Flight, state: State) -> str:
-    """Name of the phase under way; the last one's once the script has ended."""
+    """Return the name of the present phase, or of the last phase once all have ended.
+
+    Returns:
+        The name; "" if the scenario has no phases.
+    """
     phases = flight.scenario.phases
     return phases[min(state.script.phase, len(phases) - 1)].name if phases else ""
 
 
 def _opening(flight: Flight, state: State, phase: PhasePlan, target: Target | None) -> Inputs:
-    """Switches are set at the first step of a phase, and its sticks move from then on."""
+    """Return the inputs of a phase's first step: its switches, and its sticks, which stay deflected from then on."""
     sticks = _sticks(flight, state, phase)
     return Inputs(
         mode=phase.mode,
@@ -125,7 +129,7 @@ def _continuing(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
 
 
 def _sticks(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
-    """The sticks of a phase in its manual modes."""
+    """Return the stick inputs of a phase in a manual mode."""
     rules = state.carried.rules[phase.mode, phase.rate, MODES[phase.mode].laws[0]]
     most = float(rules[SPEED]), float(rules[TURN]), float(rules[RATE + phase.joint])
     return _deflected(phase, _telescope(flight, state, phase), most)
@@ -133,7 +137,10 @@ def _sticks(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
 
 @lru_cache(maxsize=64)
 def _deflected(phase: PhasePlan, telescope: float, most: tuple[float, float, float]) -> Inputs:
-    """The sticks where full deflection is so much [m/s], [rad/s], [rad/s of the joint]: the same, step after step."""
+    """Return the stick inputs for the speeds `most` at full deflection [m/s], [rad/s], [rad/s of the joint].
+
+    The result is cached, because it stays the same for all steps of a phase.
+    """
     speed, turn, rate = most
     drive = phase.drive if phase.joint_rate is None else phase.joint_rate / max(rate, abs(phase.joint_rate))
     return Inputs(
@@ -146,13 +153,13 @@ def _deflected(phase: PhasePlan, telescope: float, most: tuple[float, float, flo
 
 
 def _deflection(rate: Vec3, most: float) -> Vec3:
-    """How far a stick is deflected for a velocity; one beyond the limit keeps its direction."""
+    """Return the stick deflection for a velocity; a velocity beyond the limit is scaled and keeps its direction."""
     whole = max(most, *map(abs, rate))
     return rate[0] / whole, rate[1] / whole, rate[2] / whole
 
 
 def _telescope(flight: Flight, state: State, phase: PhasePlan) -> float:
-    """How the telescope's switch is held to bring the stand where the phase wants it, in [-1, 1]."""
+    """Return the telescope's drive, in [-1, 1], that moves the stand to the length that the phase demands."""
     if phase.stand_at is None:
         return 0.0
     left, rate = phase.stand_at - state.plant.stand.position, flight.telescope.rate
@@ -160,18 +167,18 @@ def _telescope(flight: Flight, state: State, phase: PhasePlan) -> float:
 
 
 def _waiting(flight: Flight, state: State) -> bool:
-    """Whether AUTO 1-4 stands at a pause point with points to go."""
+    """Return whether AUTO 1-4 has passed at least one of its points and has points left to reach."""
     panel = state.panel
     return 0 < panel.point < len(flight.scenario.sequences.get(panel.mode, ()))
 
 
 def _at_last_point(flight: Flight, state: State) -> bool:
-    """Whether no point comes after the one flown to."""
+    """Return whether the present point of the sequence is its last."""
     return state.panel.point + 1 >= len(flight.scenario.sequences.get(state.panel.mode, ()))
 
 
 def _over(flight: Flight, state: State, phase: PhasePlan, tick: int) -> bool:
-    """Whether a phase is over before a step; one that cannot end ends the script as a fault."""
+    """Return whether a phase is over before step `tick`; a phase that fails ends the script as a fault."""
     elapsed = (tick - state.script.began) * flight.scenario.control_period
     late = phase.duration is not None and elapsed >= phase.duration - 1e-9
     if phase.until is not None or phase.stand_at is not None:
@@ -190,7 +197,7 @@ def _over(flight: Flight, state: State, phase: PhasePlan, tick: int) -> bool:
 
 
 def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
-    """Whether a phase that goes somewhere is there; one that was refused or given up ends the script as a fault."""
+    """Return whether a phase has reached its target; a rejected or abandoned motion ends the script as a fault."""
     panel = state.panel
     if MODES[phase.mode].kind == "master":
         return bool(state.report[ARRIVED])
@@ -207,13 +214,13 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
 
 
 def _come_about(state: State, phase: PhasePlan) -> bool:
-    """Whether what a phase waits for is so."""
+    """Return whether the event and the stand length that a phase waits for have been reached."""
     stands = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < AT_LENGTH
     return stands and (phase.until is None or state.site.is_so(phase.until))
 
 
 def _awaited(phase: PhasePlan) -> str:
-    """What a phase waits for, in words."""
+    """Return a text that says what a phase waits for."""
     stand = f"the stand at {phase.stand_at:g} m" if phase.stand_at is not None else ""
     return " and ".join(part for part in (phase.until or "", stand) if part)
 

@@ -1,7 +1,7 @@
-"""Seats: docking at a port, and berthing in the bay on its latches or, in the concept's bay, by its retention.
+"""Seats: docking at a port, and berthing in the bay with its latches or, in the concept's bay, with its retention.
 
-Remote Manipulator Simulation, mode 3 (docking), and section VII: a payload that is let go where it is inserted stays
-there. What is fixed to a seat and held as well holds the arm, until one of the two lets go.
+Remote Manipulator Simulation, mode 3 (docking), and section VII: a payload that is released where it is inserted stays
+there. A payload that is both held and fixed to a seat blocks the arm until the hand or the seat releases it.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from aftdeck.worksite.latches import Latches, advance
 
 
 def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:
-    """Fix what a seat takes, and let go what it is told to (`pressed`: latch, unlatch or None)."""
+    """Fix cargo that reaches its seat, move latches, and carry out `pressed` (latch, unlatch or None)."""
     addressed = meant(flight, state, pressed)
     answer: str | None = None
     for k, thing in enumerate(state.site.cargo):
@@ -46,7 +46,7 @@ def seat(flight: Flight, state: State, pressed: Pressed | None) -> None:
 
 
 def _far(flight: Flight, state: State) -> str:
-    """How far the payload that is nearest to its place in a seat is from it."""
+    """Return the reason for rejecting LATCH: which payload is nearest to its place in a seat, and how far away."""
     site, units = flight.site, flight.scenario.arm.model.units
     ways = [
         (math.hypot(*_off(flight, state, k, berth)[:3].tolist()), k, berth.seat.title)
@@ -62,7 +62,7 @@ def _far(flight: Flight, state: State) -> str:
 
 
 def stay_or_leave(flight: Flight, state: State, k: int) -> None:
-    """A cargo that was just let go stays in the seat that it lies in, or is free."""
+    """Keep a just released cargo in the seat where it lies, if the seat's conditions hold; otherwise set it free."""
     thing = state.site.cargo[k]
     if thing.seat:
         return
@@ -74,12 +74,13 @@ def stay_or_leave(flight: Flight, state: State, k: int) -> None:
 
 
 def _brought(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str | None:
-    """A cargo at a seat, which takes it, or says by the conditions of the nearest why not.
+    """Fix a cargo to the nearest seat if its conditions hold.
 
-    A seat that takes a cargo by itself does so from the grasp; a cargo that floats in its place waits for LATCH.
+    A docking port takes a held cargo without a command; a floating cargo waits for LATCH.
 
     Returns:
-        What comes of `pressed`: None where it was not meant for this cargo, empty where it was done, else why not.
+        Result of `pressed` for this cargo: "" if it was carried out or already answered in the log, else the reason
+        for its rejection. None if no command applies or no seat is near.
     """
     thing = state.site.cargo[k]
     berth = nearest_berth(flight, state, k)
@@ -120,7 +121,7 @@ def _brought(flight: Flight, state: State, k: int, pressed: Pressed | None) -> s
 
 
 def _fixed(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str | None:
-    """A cargo in its seat: the latches go on, or are told to let go; what comes of `pressed`, as of `_brought`."""
+    """Continue or reverse the latches of a cargo that is fixed to a seat, and return the result as `_brought` does."""
     site, things = flight.site, state.site
     thing = things.cargo[k]
     berth = site.berth(k, thing.seat)
@@ -164,7 +165,7 @@ def _fixed(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str
 
 
 def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -> None:
-    """The seat holds the cargo as it stands; its latches draw it in."""
+    """Fix the cargo to the seat at its present pose; the latches then draw it in."""
     things = state.site
     thing = things.cargo[k]
     off = _off(flight, state, k, berth).tolist()
@@ -176,7 +177,7 @@ def _fix(flight: Flight, state: State, k: int, berth: Berth, latches: Latches) -
 
 
 def _unfix(flight: Flight, state: State, k: int, berth: Berth) -> None:
-    """The seat lets the cargo go: it hangs on the arm, or is free."""
+    """Release the cargo from its seat; the arm then carries it, or it is free."""
     site, things = flight.site, state.site
     thing = things.cargo[k]
     thing.seat, thing.parted = "", berth.seat.name
@@ -194,7 +195,7 @@ def _unfix(flight: Flight, state: State, k: int, berth: Berth) -> None:
 
 
 def _in_seat(state: State, berth: Berth, seated: Array) -> Array:
-    """(12,) where a cargo is, in L, that stands so (12,) against its place in a seat."""
+    """Return the pose (12,), in L, of a cargo that has the pose `seated` (12,) relative to its place in a seat."""
     place, out = np.empty(POSE), np.empty(POSE)
     compose(state.site.frames[berth.row], berth.place, place)
     compose(place, seated, out)
@@ -202,7 +203,7 @@ def _in_seat(state: State, berth: Berth, seated: Array) -> Array:
 
 
 def _off(flight: Flight, state: State, k: int, berth: Berth) -> Array:
-    """(12,) a cargo's pose against its place in a seat."""
+    """Return a cargo's pose (12,) relative to its place in a seat."""
     frames, place, off = state.site.frames, np.empty(POSE), np.empty(POSE)
     compose(frames[berth.row], berth.place, place)
     relative(place, frames[flight.site.cargo_row(k)], off)
@@ -210,7 +211,7 @@ def _off(flight: Flight, state: State, k: int, berth: Berth) -> Array:
 
 
 def conditions_at(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
-    """What has to hold before the seat takes the cargo; that it is empty is told where it is not."""
+    """Return the conditions for fixing the cargo to the seat; "seat empty" is added only if it is occupied."""
     things = state.site
     there = [flight.site.cargo[i].title for i, one in enumerate(things.cargo) if i != k and one.seat == berth.seat.name]
     taken = tuple(Condition("seat empty", False, 1.0, 0.0, "", -1.0, f"{title} is in it") for title in there)
@@ -218,7 +219,7 @@ def conditions_at(flight: Flight, state: State, k: int, berth: Berth) -> tuple[C
 
 
 def _beyond(flight: Flight, state: State, k: int, berth: Berth) -> bool:
-    """Whether a cargo's probe is farther from a port than docking allows, so that no other condition matters."""
+    """Return whether a cargo's probe is beyond the docking distance of a port, so that no other condition matters."""
     if berth.port is None:
         return False
     found = approached(berth, state.site.frames, flight.site.cargo_row(k))
@@ -226,7 +227,7 @@ def _beyond(flight: Flight, state: State, k: int, berth: Berth) -> bool:
 
 
 def approached(berth: Berth, frames: Array, cargo_row: int) -> Array:
-    """Return how a cargo's probe stands to a port, (6,) of `worksite.docking`, with the frames (F, 12) in L."""
+    """Return the measures (6,) of `worksite.docking` of a cargo's probe at a port; `frames` is (F, 12) in L."""
     assert berth.port is not None
     found, port = np.empty(FOUND), np.empty(POSE)
     compose(frames[berth.row], berth.port, port)
@@ -235,7 +236,7 @@ def approached(berth: Berth, frames: Array, cargo_row: int) -> Array:
 
 
 def _fitting(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
-    """How the cargo has to stand to its place."""
+    """Return the conditions on the cargo's pose relative to its place in the seat."""
     units = flight.scenario.arm.model.units
     if berth.port is not None:
         return docking(approached(berth, state.site.frames, flight.site.cargo_row(k)), berth.docking, units)

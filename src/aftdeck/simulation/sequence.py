@@ -1,7 +1,7 @@
-"""Automatic motions under way: their end, the points of AUTO 1-4, pause and fly-by, and giving up.
+"""Automatic motions in progress: their end, the points of AUTO 1-4 with pause and fly-by, and abandoned motions.
 
-A pause point is flown to and waited at until PROCEED. A fly-by point is only come near: inside its sphere the
-arm goes on to the next one without slowing to rest (mode 2; modes 1 and 3 fly to it and go on at once).
+The arm stops at a pause point until PROCEED. It need not reach a fly-by point: inside the point's sphere it continues
+to the next point without slowing to rest (mode 2). In modes 1 and 3 it reaches a fly-by point and continues at once.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _STANDSTILLS = {
 
 
 def next_target(flight: Flight, panel: Panel) -> Target | None:
-    """Where the present automatic mode goes next: the keyed-in pose, or the sequence's point."""
+    """Return the automatic mode's next target: the sequence's point, or the keyed-in pose; None if there is none."""
     points = flight.scenario.sequences.get(panel.mode)
     if points is None:
         return panel.keyed
@@ -37,16 +37,16 @@ def next_target(flight: Flight, panel: Panel) -> Target | None:
 
 
 def begin(flight: Flight, state: State, target: Target, joints: Six | None = None) -> None:
-    """Set an automatic motion under way: it sets off with this step, or once the arm is at rest (`steering.course`).
+    """Start an automatic motion; it sets off in this step, or once the arm is at rest (`steering.course`).
 
     Args:
-        flight: what never changes.
-        state: its command takes OPERIN's values.
-        target: where the tip goes.
-        joints: mode 1's final angles [rad]; None: those nearest to the present ones.
+        flight: constants of the run.
+        state: state whose command receives OPERIN's values.
+        target: final pose of the tip.
+        joints: mode 1's final angles [rad]; None selects the result of `ways.final_angles`.
 
     Raises:
-        UnreachableError, SingularityError: no joint angles put the tip there.
+        UnreachableError, SingularityError: no joint angles put the tip at the target.
     """
     command, panel = state.command, state.panel
     final = final_angles(state, target) if joints is None else joints
@@ -59,7 +59,7 @@ def begin(flight: Flight, state: State, target: Target, joints: Six | None = Non
 
 
 def finish(flight: Flight, state: State) -> None:
-    """End an automatic motion that the last step has brought to its target, or that a limit holds."""
+    """End an automatic motion that reached its target in the last step, or that has been at a standstill too long."""
     panel = state.panel
     panel.ending, panel.beside = "", ""
     if panel.sequence != "in progress":
@@ -87,13 +87,13 @@ def finish(flight: Flight, state: State) -> None:
 
 
 def _beside(flight: Flight, state: State) -> str:
-    """By how much the arm is beside the present target, for people; empty where it has reached it."""
+    """Return the final error at the present target as text; "" if the arm has reached it or there is no target."""
     target = state.panel.target
     return "" if target is None else miss(flight, state.arm, state.plant.angles, target)
 
 
 def _arrive(flight: Flight, state: State, passing: bool) -> None:
-    """Go on to a sequence's next point, wait for PROCEED at a pause point, or end the motion."""
+    """Start the motion to a sequence's next point, wait for PROCEED at a pause point, or end the motion."""
     panel = state.panel
     points = flight.scenario.sequences.get(panel.mode, ())
     beside = "" if passing else _beside(flight, state)
@@ -104,7 +104,7 @@ def _arrive(flight: Flight, state: State, passing: bool) -> None:
     if goes_on:
         try:
             begin(flight, state, points[panel.point].target)
-            if passing:  # mode 2 has no plan that would begin at rest
+            if passing:  # mode 2 has no plan that starts from rest, so the motion starts at once
                 state.command[GO], panel.began = 1.0, state.tick - 1
         except AftdeckError as error:
             _end(panel, "given up", beside)
@@ -127,7 +127,7 @@ def _end(panel: Panel, ending: Ending, beside: str) -> None:
 
 
 def _tell_arrival(flight: Flight, state: State, name: str, passing: bool, beside: str) -> None:
-    """Log that a target is passed, reached or missed, and by how much."""
+    """Log that a target was passed, reached or missed, with the final error."""
     if beside:
         log(flight, state, "arrived", "caution", f"{name} missed: the motion ended {beside} it")
     else:

@@ -1,4 +1,4 @@
-"""The worksite of a flight: everything about it that never changes."""
+"""Constants of the worksite of a run."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ from aftdeck.worksite.model import Cargo, Relation, Seat, Worksite
 from aftdeck.worksite.pairs import among, part_pairs
 
 ORBITER = 0
-"""Row of the scene's frame; the arm's follow, then space's, then one for each cargo."""
+"""Row of the scene's frame; the rows of the arm's frames, of ``space`` and of each cargo follow in this order."""
 SHORT = 1.0
-"""A link between two joints' centres shorter than this [m] is shorter than what stands on either side (assumed)."""
+"""Length of a short link between two joints [m]: the parts on either side of it are longer (assumed)."""
 
 
 @dataclass(frozen=True, eq=False)
 class Meeting:
-    """A watched group that the task brings into contact.
+    """Watched group of two parts that the task brings into contact.
 
     Attributes:
-        group: of the layout.
-        cargo: which cargo one of the parts is of.
-        relation: where the two may touch.
-        depth: how deep, and how far past the planes of the relation [m].
-        trunnions: of the cargo, by the layout's solid; empty for other fittings.
+        group: index of the group in the layout.
+        cargo: index of the cargo that one of the parts belongs to.
+        relation: relative position in which the two may touch.
+        depth: permitted depth of the contact, and permitted distance past the planes of the relation [m].
+        trunnions: index of the cargo's trunnion for each of its solids in the layout; empty for other fittings.
     """
 
     group: int
@@ -52,36 +52,36 @@ class Meeting:
 
 @dataclass(frozen=True, eq=False)
 class Site:
-    """What can touch what, and where things are kept.
+    """Constants of the worksite: frames, groups of parts that can touch, and places of the cargo.
 
     Attributes:
-        worksite: the place.
-        cargo: the payloads that are there.
+        worksite: the worksite as its file describes it.
+        cargo: the payloads at the worksite.
         arm: the arm's frames.
         layout: solids and watched groups.
-        essential: (g,) groups that the task brings into contact.
-        meetings: where and how deep each of these may touch.
-        by_arm: (g,) groups of which a part is the arm's.
-        by_prong: (g,) groups of the prong; none, of an arm without one.
-        of_cargo: for each cargo, (g,) groups of which a part is its.
-        held: for each cargo, (g,) groups that are left out while it is held: of it with the hand.
-        seated: for each cargo and seat, (g,) groups that are left out while it lies there.
-        scene: (12,) the scene's frame in L.
-        hand: (12,) the tip in the frame of the last joint.
-        effector: (12,) the end effector's own axes E at the tip, in the frame of the last joint.
-        prong: whether the end effector is a prong; else it has snares.
-        bar: how the prong takes hold; None: this hand or this place has none.
-        snares: how the snares do; None likewise.
-        detrimental: (g,) all other groups.
+        essential: (g,) 1 for groups that the task brings into contact.
+        meetings: relation and permitted depth of each of these groups.
+        by_arm: (g,) 1 for groups with a part of the arm.
+        by_prong: (g,) 1 for groups with the prong; all 0 for an arm without a prong.
+        of_cargo: for each cargo, (g,) 1 for groups with a part of the cargo.
+        held: for each cargo, (g,) 1 for groups of the cargo and the hand, not watched while the cargo is held.
+        seated: for each cargo and seat, (g,) 1 for groups that are not watched while the cargo is in the seat.
+        scene: (12,) pose of the scene's frame in L.
+        hand: (12,) pose of the tip in the frame of the last joint.
+        effector: (12,) pose of the end effector's own axes E at the tip, in the frame of the last joint.
+        prong: True if the end effector has a prong; otherwise it has snares.
+        bar: constants of capture with the prong; None if this arm has no prong or this worksite no rule for it.
+        snares: constants of capture with the snares; None if this worksite has no rule for it.
+        detrimental: (g,) 1 for groups that are not essential.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
         berths: for each cargo, its places in the seats that take it.
-        berth_rows: for each cargo, (n,) the rows of the frames that these are in, and
-        berth_places: (n, 12) its poses there.
+        berth_rows: for each cargo, (n,) rows of the frames in which these places are given.
+        berth_places: for each cargo, (n, 12) its poses in these frames.
         starts: for each cargo, (12,) its pose in the scene at the start.
-        slides: for each cargo, (g,) groups along which it slides while it is held: of it and the orbiter's parts.
-        bodies: for each cargo, its solids.
-        bay: least and greatest coordinates (2, 3) of the bay's inside, in the scene, open downwards [m]; None:
-            there is none.
+        slides: for each cargo, (g,) 1 for groups of the cargo and an orbiter part, along which the held cargo slides.
+        bodies: for each cargo, indices of its solids in the layout.
+        bay: least and greatest coordinates (2, 3) of the inside of the bay, in the scene, without a lower limit in z
+            [m]; None if there is no bay.
     """
 
     worksite: Worksite
@@ -125,34 +125,34 @@ class Site:
         """Return which groups' contacts belong to the task, (g,).
 
         Args:
-            sliding: the cargo that slides along what it touches; None: none does.
-            permitted: (g,) groups whose relation permits the contact.
+            sliding: index of the cargo that slides along walls; None if no cargo slides.
+            permitted: (g,) 1 for groups whose relation permits the contact.
         """
         return permitted if sliding is None else permitted | self.slides[sliding]
 
     def cargo_row(self, index: int) -> int:
-        """Row of a cargo's frame."""
+        """Return the row of a cargo's frame."""
         return self.space_row + 1 + index
 
     def seat(self, name: str) -> Seat:
-        """The seat of a name."""
+        """Return the seat with this name."""
         return next(seat for seat in self.worksite.seats if seat.name == name)
 
     def berth(self, k: int, name: str) -> Berth | None:
-        """The place of cargo k in the seat of a name; None: that seat does not take it."""
+        """Return the place of cargo k in the seat with this name, or None if the seat does not take the cargo."""
         return next((berth for berth in self.berths[k] if berth.seat.name == name), None)
 
     def in_space(self, name: str) -> bool:
-        """Whether a seat is fixed to what does not move with the orbiter."""
+        """Return whether a seat is fixed in the frame ``space``, which does not move with the orbiter."""
         return self.seat(name).frame == "space"
 
     def lies(self, name: str) -> bool:
-        """Whether what is in a seat merely lies there."""
+        """Return whether cargo merely lies in this seat: kept when released there, and taken along by the arm."""
         return any(berth.lies for own in self.berths for berth in own if berth.seat.name == name)
 
 
 def site_of(scenario: Scenario) -> Site:
-    """The worksite of a scenario."""
+    """Return the worksite constants of a scenario."""
     model, worksite, cargo = scenario.arm.model, scenario.worksite, scenario.cargo
     arm = frames_of(model)
     frames = ("orbiter", *arm.names, "space", *(one.name for one in cargo))
@@ -220,7 +220,7 @@ def site_of(scenario: Scenario) -> Site:
 
 
 def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> tuple[Meeting, ...]:
-    """The groups that the task brings into contact, of the parts that are there."""
+    """Return the groups that the task brings into contact, for the parts that exist in the layout."""
     found = []
     for essential in worksite.essential:
         if not set(essential.parts) <= set(layout.parts):
@@ -235,7 +235,7 @@ def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> t
 
 
 def _trunnions(layout: Layout, one: Cargo) -> dict[int, int]:
-    """The trunnions of a cargo by their solids: the one whose latched point is nearest."""
+    """Return, for each trunnion solid of a cargo, the index of the trunnion whose latched point is nearest."""
     solids = np.flatnonzero(layout.frame == layout.frames.index(one.name))
     part = part_of(one.name, "trunnions")
     own = [solid for solid, made in zip(solids.tolist(), one.solids, strict=True) if made.part == part]
@@ -244,7 +244,7 @@ def _trunnions(layout: Layout, one: Cargo) -> dict[int, int]:
 
 
 def _held_for_good(scenario: Scenario) -> tuple[Solid, ...]:
-    """The solids of a payload that stays in the grasp, which moves with the last joint as the hand does."""
+    """Return the solids of a payload that the scenario fixes in the grasp; they move with the last joint."""
     payload, model = scenario.payload, scenario.arm.model
     if payload is None:
         return ()
@@ -256,7 +256,7 @@ def _held_for_good(scenario: Scenario) -> tuple[Solid, ...]:
 
 
 def _still(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
-    """The arm's parts that stand on the orbiter or turn in place there: they are where they were mounted."""
+    """Return the arm's parts that stay where they are mounted: they stand on the orbiter or only turn in place."""
     foot, first, *_ = model.linkage.frames
     places = np.cumsum(model.linkage.steps, axis=0)
     near = {foot, first, STAND}
@@ -272,7 +272,7 @@ def _still(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
 
 
 def _folded(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
-    """Pairs of the arm's parts on either side of a short link, or of a ball wrist: neither can fold up onto itself."""
+    """Return pairs of arm parts on either side of a short link or a ball wrist, which cannot fold onto each other."""
     links, names, ball = np.linalg.norm(model.linkage.steps, axis=1), model.linkage.frames, _ball(model)
     ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
     if ball:
@@ -282,19 +282,20 @@ def _folded(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
 
 
 def _ball(model: ArmModel) -> tuple[str, ...]:
-    """The frames of a wrist whose three axes meet in one point, as the concept's: what they carry only turns there.
+    """Return the frames of a wrist whose three axes meet in one point, as in the concept arm; () for other wrists.
 
-    The hand stands off that point, and its limits keep it before the boom.
+    Parts carried by the wrist's inner frames only turn at that point. The hand is at a distance from the point, and
+    the joint limits keep the hand in front of the boom.
     """
     *_, second, third = np.linalg.norm(model.linkage.steps, axis=1)
     return model.linkage.frames[-3:] if second == third == 0.0 else ()
 
 
 def scene_in_l(scenario: Scenario) -> Array:
-    """(12,) the scene's frame in L."""
+    """Return the pose (12,) of the scene's frame in L."""
     return row_of(relative.scene_in_l(scenario.arm.model.mount, scenario.worksite.origin))
 
 
 def _parts_of(worksite: Worksite, seat: Seat) -> set[str]:
-    """The parts of what a seat is fixed to."""
+    """Return the worksite's parts in the frame that a seat is fixed in."""
     return {solid.part for solid in worksite.solids if solid.frame == seat.frame}

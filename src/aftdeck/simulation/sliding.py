@@ -1,4 +1,4 @@
-"""Sliding along walls in flight: the commanded rates give way to those that keep a payload along its walls.
+"""Sliding along walls: the commanded rates are replaced by rates that keep a payload out of its walls.
 
 Remote Manipulator Simulation, final report, section VII.4.
 """
@@ -18,22 +18,23 @@ from aftdeck.worksite.sliding import met, slid
 from aftdeck.worksite.touches import touches
 
 OUT = 0.01
-"""Speed at which what stands inside a wall is brought out of it [m/s] (assumed)."""
+"""Speed at which a cargo that overlaps a wall is moved out of it [m/s] (assumed)."""
 INTO = 1e-7
-"""How much deeper a step may take it into a wall [m]: more is a contact that is not among the touches."""
+"""Greatest increase of a cargo's depth in a wall in one step [m]; more means a contact missing from the touches."""
 
 
 def slide_along(flight: Flight, state: State, telescope: float, held: int) -> float | None:
-    """Keep what is held off the walls that it may slide along.
+    """Change the commanded rates so that the held cargo does not move into the walls that it may slide along.
 
     Args:
-        flight: what never changes.
-        state: with the step's commanded rates, which are changed.
-        telescope: how the stand is driven, in [-1, 1].
-        held: the cargo in the grasp.
+        flight: constants of the run.
+        state: state with the step's commanded rates, which are changed.
+        telescope: commanded drive of the stand, in [-1, 1].
+        held: index of the cargo in the grasp.
 
     Returns:
-        How the stand is driven: it stops at a wall. None where only standing still keeps the cargo out.
+        Allowed drive of the stand, in [-1, 1]: the stand stops at a wall. None if the arm must stop to keep the cargo
+        out of a wall.
     """
     site, things, period = flight.site, state.site, flight.scenario.control_period
     counts, travel = site.slides[held], flight.telescope
@@ -55,7 +56,7 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
 
 
 def _room(found: Array, speed: float) -> float:
-    """The share of the stand's speed along axis 3 [m/s] that takes no touch (k, 7) into its wall."""
+    """Return the fraction, 0 to 1, of the stand's speed along axis 3 [m/s] that takes no touch (k, 7) into its wall."""
     into, gap = -speed * found[:, OUTWARD + 2], np.maximum(-found[:, LEAST], 0.0)
     held_up = into > gap
     return float((gap[held_up] / into[held_up]).min(initial=1.0))

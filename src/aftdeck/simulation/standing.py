@@ -1,4 +1,4 @@
-"""The arm on its telescope: the same arm with its shoulder as high as the stand is now."""
+"""Arm on its telescope: the same arm with its shoulder at the present height of the stand."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from aftdeck.state_part import Cache
 
 
 class Standing(Cache):
-    """An arm at the height asked for last; of an arm without a telescope, the arm.
+    """Cache of the arm at the height requested last; an arm without a telescope stays unchanged.
 
     Attributes:
-        height: of the shoulder above L's origin as the steering's rules have it [m].
+        height: height of the shoulder above L's origin according to the steering's rules [m].
     """
 
     def __init__(self, arm: Arm) -> None:
@@ -19,13 +19,13 @@ class Standing(Cache):
         self.height = float(arm.model.links[L1])
 
     def at(self, height: float) -> Arm:
-        """Return the arm with its shoulder so high [m]."""
+        """Return the arm with its shoulder at this height [m]."""
         if self._arm.model.links[L1] != height:
             self._arm = self._arm.at(stand=height)
         return self._arm
 
     def copied(self) -> Standing:
-        """Return a copy that may be asked for another height."""
+        """Return a copy that can cache another height."""
         copy = Standing(self._arm)
         copy.height = self.height
         return copy

@@ -1,4 +1,4 @@
-"""What keeps the arm from moving at all, in words."""
+"""Texts that say why the arm cannot move at all."""
 
 from __future__ import annotations
 
@@ -7,20 +7,20 @@ from aftdeck.simulation.state import Panel, State
 
 
 def standing(panel: Panel) -> str:
-    """What keeps the joints from moving, whatever is commanded; empty: nothing does."""
+    """Return the switch that blocks all joints, BRAKES or SAFING, as text; "" if neither is on."""
     if panel.brakes:
         return "BRAKES are on"
     return "SAFING is on; CANCEL it first" if panel.safing else ""
 
 
 def held_fast(flight: Flight, state: State) -> str:
-    """What of the worksite has what the arm holds, so that the arm cannot move; empty: nothing has."""
+    """Return why a seat blocks the arm, with the remedy, as text; "" if the held payload is not fixed."""
     where = fixed_in(flight, state)
     return f"{where}: UNLATCH" if where else ""
 
 
 def fixed_in(flight: Flight, state: State) -> str:
-    """Which payload of the arm's is fixed in which seat, for people; empty: none is."""
+    """Return a text that names the held payload and the seat it is fixed in; "" if it is not fixed."""
     site, things = flight.site, state.site
     if things.held is None or not things.fast:
         return ""

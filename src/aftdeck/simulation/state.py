@@ -1,4 +1,4 @@
-"""Everything that the next step depends on."""
+"""State of the simulation: everything that the next step depends on."""
 
 from __future__ import annotations
 
@@ -32,58 +32,58 @@ Ending = Literal["", "reached", "missed", "given up"]
 
 
 class Panel(StatePart):
-    """How the panel's switches stand, and the lamps that the log has already told of."""
+    """Positions of the panel's switches, and the lamp states that are already logged."""
 
     mode: str
     joint: int
     rate: Rate
     law: LawChoice = "closed loop"
-    """What OPR CMD and AUTO 1-4 fly."""
+    """Steering law of OPR CMD and AUTO 1-4."""
     payload_axes: bool = False
-    """ORB LD rotates in payload axes."""
+    """True if ORB LD rotates in payload axes."""
     held: Six | None = None
-    """Sticks (rotation, translation) that RATE HOLD keeps."""
+    """Stick deflections (rotation, translation) that RATE HOLD keeps; None if RATE HOLD is off."""
     position_hold: bool = False
     """POSITION HOLD switch."""
     brakes: bool = False
-    """BRAKES switch: the joints stand."""
+    """BRAKES switch: stops all joints."""
     safing: bool = False
     """SAFING: zero joint rates are commanded."""
     holding: Target | None = None
-    """The pose that POSITION HOLD keeps; None while sticks move."""
+    """Pose that POSITION HOLD keeps; None while it keeps no pose, as when a stick is deflected."""
     keyed: Target | None = None
     """OPR CMD's keyed-in pose."""
     target: Target | None = None
-    """Where the present automatic mode goes next."""
+    """Next target of the present automatic mode, or the keyed-in target."""
     point: int = 0
-    """AUTO 1-4: the point, from 0, that comes next."""
+    """AUTO 1-4: index, from 0, of the next point."""
     check: Check | None = None
-    """CMD CK: whether the way to the target is clear."""
+    """Verdict of CMD CK on the motion to the target; None before there is one."""
     premises: Premises | None = None
-    """What that verdict rests on."""
+    """Conditions on which that verdict depends."""
     proceeding: bool = False
-    """PROCEED was pressed: the motion begins once CMD CK is GOOD."""
+    """True if PROCEED was pressed: the motion starts once CMD CK is GOOD."""
     sequence: Sequence = "idle"
     began: int = 0
-    """Tick after which the report's phase began: a motion that set off, a phase of the script, a mode entered."""
+    """Tick after which the report's phase began: start of a motion or script phase, or entry of a mode."""
     ending: Ending = ""
-    """How an automatic motion ended in this step."""
+    """Result of an automatic motion that ended in this step; "" if none ended."""
     beside: str = ""
-    """By how much it ended beside its target, for people; empty where it reached it."""
+    """Final error of that motion, for people; "" if it reached its target."""
     blocked: int = 0
-    """Steps for which an automatic motion has been held at a standstill."""
+    """Number of steps for which an automatic motion has been at a standstill."""
     zones: tuple[int, int, int, int, int, int] = (0, 0, 0, 0, 0, 0)
     singular: tuple[str, ...] = ()
     clearance: Level = "info"
-    """What the least clearance calls for."""
+    """Alarm level of the minimum clearance."""
     camera: str = ""
-    """The camera that was addressed last, the report's station point; empty: none can be turned."""
+    """Camera that was commanded last, the report's station point; "" if no camera can be turned."""
     advice: dict[str, int] = msgspec.field(default_factory=dict)
-    """The stick that was named last as the way out, by its cause."""
+    """For each cause, the stick direction that was named last as the way out."""
 
     @property
     def flown(self) -> int:
-        """The number of the steering law that the switches choose."""
+        """Number of the steering law that the switches select."""
         mode = MODES[self.mode]
         if mode.kind == "automatic":
             return AUTOMATIC_LAWS[self.law]
@@ -91,41 +91,41 @@ class Panel(StatePart):
 
 
 class Script(StatePart):
-    """Where the scenario's script stands."""
+    """Progress of the scenario's script."""
 
     phase: int = 0
-    """Index of the phase; the number of phases once the last has ended."""
+    """Index of the present phase; the number of phases once the last has ended."""
     began: int = -1
     """Tick at which the phase began; -1 before that."""
     limits: int = -1
-    """Index of the phase whose limits hold; -1: the scenario's do."""
+    """Index of the phase whose rate limits are in force; -1 if the scenario's are."""
     attached: int = 0
-    """Which of the scenario's own payloads is in the grasp, from 1; 0: none of them."""
+    """Number, from 1, of the scenario's own payload in the grasp; 0 if none of them is."""
     ended: Literal["", "completed", "time", "fault"] = ""
 
 
 class State(StatePart):
-    """The simulation's whole state. Arrays are those of `steering.layout`.
+    """Whole state of the simulation. `steering.layout` defines its arrays.
 
     Attributes:
         panel: switches.
-        script: where the script stands.
-        under_way: a person's inputs that the command delay holds back, oldest first.
-        plant: what moves.
-        site: the worksite.
-        views: where the drives of the cameras stand.
+        script: progress of the script.
+        under_way: an operator's inputs that the command delay holds back, oldest first.
+        plant: model that moves the joints and the telescope.
+        site: the worksite's part of the state.
+        views: settings of the cameras' drives.
         steering: measured angles and rise, commanded rates, commanded twist.
-        command: what the steering laws are told in this step.
-        report: what they said of it.
-        seen: (21,) what an observer sees of the arm, of `kinematics.observe`.
-        carried: what the arm holds, and its rules with it.
+        command: input of the steering laws in this step.
+        report: output of the steering laws in this step.
+        seen: (21,) tip pose, twist and singularity distances of the arm, as `kinematics.observe` fills it.
+        carried: payload that the arm holds, and the steering's rules with it.
         standing: the arm on its telescope.
-        tick: control steps done, with the one under way.
-        by_script: whether the script flew the last step.
-        phase: its phase then.
-        checking: CMD CK under way; None: none is.
-        ways_out: what leads away from singularities that are near, and back from limits passed.
-        events: of the step under way.
+        tick: number of control steps done, the present one included.
+        by_script: True if the script supplied the inputs of the last step.
+        phase: phase of the script in that step; "" if the inputs were given.
+        checking: CMD CK in progress; None if there is none.
+        ways_out: stick or joint commands that lead away from near singularities and back from passed limits.
+        events: log lines of the present step.
     """
 
     panel: Panel
@@ -148,27 +148,27 @@ class State(StatePart):
     events: list[Event] = msgspec.field(default_factory=list)
 
     def fork(self) -> State:
-        """Return a copy on which to fly ahead, without CMD CK: nothing that is done to it changes this state."""
+        """Return an independent copy of this state, without CMD CK, for a rehearsal."""
         copy = copied(self)
         copy.checking = None
         return copy
 
     def become(self, other: State) -> None:
-        """Take over another state of the same flight; keep the tick, the script, the log and the delayed inputs."""
+        """Replace this state by another of the same run; keep the tick, the script, the events and delayed inputs."""
         for name in ("panel", "carried", "plant", "site", "steering", "views", "command", "report", "checking"):
             setattr(self, name, getattr(other, name))
 
     def measure(self) -> None:
-        """Take over the plant's measured angles and rates: what steering, plans and checks start from."""
+        """Copy the plant's measured angles and rates to `steering`; steering, plans and checks start from them."""
         measured(self.plant.angles, self.plant.rates, self.rise, self.steering)
 
     @property
     def rules(self) -> Array:
-        """The rules in force: before an automatic motion sets off, the arm comes to rest by those of mode 2."""
+        """Steering rules in force; mode 1 uses those of mode 2 while the arm comes to rest before its motion."""
         return self.rules_while(under_way=bool(self.command[GO]))
 
     def rules_while(self, *, under_way: bool) -> Array:
-        """The steering's rules while an automatic motion is under way, or not."""
+        """Return the steering's rules for the case that an automatic motion is in progress, or is not."""
         panel, law = self.panel, self.panel.flown
         if law == AUTOMATIC_LAWS["position"] and not under_way:
             law = AUTOMATIC_LAWS["closed loop"]
@@ -176,17 +176,17 @@ class State(StatePart):
 
     @property
     def rise(self) -> float:
-        """How much higher the shoulder stands than the steering's rules have it [m]."""
+        """Height of the shoulder above its height in the steering's rules [m]."""
         return self.plant.stand.position - self.standing.height
 
     @property
     def arm(self) -> Arm:
-        """The arm as it stands: with its telescope at its present length."""
+        """Arm with its telescope at the present length."""
         return self.standing.at(self.plant.stand.position)
 
 
 def new_state(flight: Flight, carried: Carried) -> State:
-    """A state in which nothing has been put into its place yet."""
+    """Return a state in which the arm and the worksite are not yet at their start."""
     scenario, views, height = flight.scenario, flight.cameras.first, float(flight.scenario.arm.model.links[L1])
     command = np.zeros(COMMAND)
     command[MASTER : MASTER + 6] = command[KEPT : KEPT + 6] = scenario.initial_angles

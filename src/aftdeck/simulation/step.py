@@ -1,4 +1,4 @@
-"""One control step of the simulation, whole. The station, a run, a study and a policy all call this function."""
+"""Control step of the simulation. The station, a run, a study and a policy all call the function of this module."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ from aftdeck.simulation.state import State
 
 
 def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
-    """Advance `state` by one control period; `simulation.look` tells what a reader may know of it then.
+    """Advance `state` by one control period; `simulation.look` then returns the frame of this step.
 
     Args:
-        flight: what never changes.
-        state: changed in place; everything that the step depends on is in it.
-        inputs: the operator's sticks and switches; None lets the scenario's script fly.
+        flight: constants of the run.
+        state: everything that the step depends on; changed in place.
+        inputs: the operator's sticks and switches; with None the scenario's script supplies them.
 
     Returns:
-        The inputs as they acted: the script's, or a person's after the command delay.
+        The inputs that acted: the script's, or the operator's after the command delay.
     """
     state.tick += 1
     state.events = []
 
-    # where the arm is, as measured: what plans and checks start from
+    # measured position of the arm: plans and checks start from it
     state.measure()
 
-    # the operator: a person's inputs, after their way through the command delay, or the script's
+    # inputs: the operator's, after the command delay, or the script's
     state.by_script, state.phase = inputs is None, ""
     if inputs is None:
         inputs = play(flight, state)
@@ -44,19 +44,19 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
         initialise(flight, state, inputs.initialise)
     operate(flight, state, inputs)
 
-    # CMD CK goes on; once it is GOOD, PROCEED begins the motion
+    # CMD CK continues; once it is GOOD, PROCEED starts the motion
     check(flight, state)
 
-    # steering commands the joint rates, contacts and seats restrain them, the plant and the worksite move
+    # steering commands the joint rates, contacts and seats limit them, the plant and the worksite move
     go(flight, state, inputs)
     if inputs.camera is not None:
         state.views = flight.cameras.driven(state.views, inputs.camera, flight.scenario.control_period)
         state.panel.camera = inputs.camera.camera
 
-    # of which pairs the next step finds the nearest
+    # pairs among which the next step finds the nearest
     count(flight, state)
 
-    # what the log tells of the arm; a script whose time has run out ends
+    # log lines about the arm; end of a script whose time has run out
     notice(flight, state)
     if state.by_script:
         conclude(flight, state)

@@ -1,4 +1,4 @@
-"""How a run ended, in the fields that scripts rely on."""
+"""Summary of a run, with the fields that users' scripts rely on."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ Ended = Literal["completed", "time", "fault"]
 
 
 class TipState(msgspec.Struct, frozen=True):
-    """Where the tip is, in L."""
+    """Pose of the tip, in L."""
 
     position_m: Vec3
     rotation: tuple[Vec3, Vec3, Vec3]
 
 
 class SummaryEvent(msgspec.Struct, frozen=True):
-    """A line of the log in a summary."""
+    """Log line in a summary."""
 
     time_s: float
     kind: str
@@ -34,7 +34,7 @@ class SummaryEvent(msgspec.Struct, frozen=True):
 
 
 class Summary(msgspec.Struct, frozen=True):
-    """How a run ended; `aftdeck run --json` prints it. Poses are in L, frame 7."""
+    """Summary of a run, as printed by `aftdeck run --json`. Poses are those of frame 7, in L."""
 
     scenario: str
     seed: int
@@ -50,21 +50,23 @@ class Summary(msgspec.Struct, frozen=True):
     worst_rate_ratio: float
     """Largest |commanded joint rate| / limit in force."""
     min_clearance_m: float | None
-    """Least clearance of the pairs that CLEARANCE counts (`simulation.lined_up`), negative where they overlapped; None:
-    no pair was watched."""
+    """Minimum clearance of the pairs that count for CLEARANCE (`simulation.lined_up`), negative if they overlapped.
+
+    None if no such pair was watched.
+    """
     events: tuple[SummaryEvent, ...]
     frames_sha256: str
-    """SHA-256 over the `sha256` of all frames."""
+    """SHA-256 over the state digests of all frames, in their order."""
 
 
 class Tally:
-    """What a summary tells of all steps of a run, not of the last alone.
+    """Accumulator of the values in a summary that depend on all steps of a run.
 
     Attributes:
-        ticks: steps taken in.
-        events: of all of them.
+        ticks: number of steps added.
+        events: log lines of all these steps.
         worst: largest |commanded joint rate| / limit in force.
-        least: least clearance of the pairs that count [m]; inf: no pair was watched.
+        least: minimum clearance of the pairs that count [m]; inf if no such pair was watched.
     """
 
     def __init__(self) -> None:
@@ -74,7 +76,7 @@ class Tally:
         self._digest = sha256()
 
     def take(self, state: State, seal: bytes) -> None:
-        """Take in a state after its step, and its digest."""
+        """Add the state after a step, and its digest."""
         self.ticks += 1
         self.events += state.events
         rules = state.rules
@@ -85,7 +87,7 @@ class Tally:
         self._digest.update(seal)
 
     def summary(self, scenario: Scenario, seed: int, ended: Ended, frame: Frame) -> Summary:
-        """The summary of a run of a scenario with a seed, how it ended, and its last frame."""
+        """Return the summary of a run, from its scenario, seed, kind of end and last frame."""
         goal = frame.goal
         return Summary(
             scenario=scenario.name,

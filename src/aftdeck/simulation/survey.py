@@ -1,6 +1,6 @@
-"""What of a scenario's arm, starts and cameras meets something, over sampled poses: for ``aftdeck check`` and tests.
+"""Search for collisions of a scenario's arm, starts and cameras over sampled poses, for ``aftdeck check`` and tests.
 
-It takes a second or so. What is cheap, and makes a run senseless, is found at load by `scenario.fit`.
+The search takes about a second. `scenario.fit` makes the cheap checks at load, for errors that make a run senseless.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from aftdeck.worksite.conditions import shown
 
 
 def survey(scenario: Scenario) -> list[Problem]:
-    """Return each thing that meets another, with both names and how deep, and its place in the scenario's file.
+    """Return all problems found: two names, the depth of the overlap and the location in the scenario's file.
 
-    Looked at are the starts of the scenario, the arm's parts that no run watches against each other at combinations of
-    its hard stops, cameras (`simulation.survey_cameras`), and what the arm cannot reach (`simulation.survey_reach`).
+    The survey covers the starts of the scenario; pairs of the arm's parts that no run watches, at combinations of the
+    hard stops; cameras (`simulation.survey_cameras`); and reach (`simulation.survey_reach`).
 
     Raises:
-        ScenarioError: the arm holds at a start what its hand could not have taken so.
+        ScenarioError: at a start the arm holds a payload in a way in which its hand could not have captured it.
     """
     return [*_starts(scenario), *reach(scenario), *_folded(scenario), *cameras(scenario)]
 
 
 def _starts(scenario: Scenario) -> Iterator[Problem]:
-    """Yield the detrimental contacts with which the problem or a part of it begins."""
+    """Yield the detrimental contacts at the start of the full problem and of each of its parts."""
     sim = Simulation(scenario)
     units = scenario.arm.model.units
     starts: list[tuple[Where, Inputs]] = [(("initial",), Inputs())]
@@ -47,9 +47,9 @@ def _starts(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _folded(scenario: Scenario) -> Iterator[Problem]:
-    """Yield pairs of the arm's parts that no run watches and that are deeper in each other at stops than in between.
+    """Yield pairs of arm parts that no run watches and that overlap more at hard stops than at mid-range.
 
-    Not looked at: an arm whose solids cover round parts from outside, which overlap by design where a joint holds them.
+    Skip an arm whose solids cover round parts from outside: such solids overlap by design at a joint.
     """
     model = scenario.arm.model
     if model.equipment.covered:

@@ -1,4 +1,4 @@
-"""Cameras that a part of the arm, or what is round a payload, gets in: for `simulation.survey`."""
+"""Search for cameras inside a part of the arm or inside parts around a payload, for `simulation.survey`."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from aftdeck.worksite.check import depth_in
 from aftdeck.worksite.conditions import shown
 
 Tried = tuple[Array, float, float]
-"""Joint angles [rad], lengths of the telescope and of the prong's way [m]."""
+"""Joint angles [rad], length of the telescope and position of the prong [m]."""
 _LITTLE = 0.1
-"""By how much the first joint is turned to see which way it swings the elbow [rad]."""
+"""Rotation of the first joint that shows in which direction the joint swings the elbow [rad]."""
 
 
 def cameras(scenario: Scenario) -> Iterator[Problem]:
-    """Yield each camera with a part that it is in, once, and in which pose."""
+    """Yield a problem for each camera inside a part, once for each part, with the pose."""
     television = [camera for camera in cameras_of(scenario) if camera.kind == "camera"]
     yield from _on_the_arm(scenario, television)
     yield from _round_the_arm(scenario, television)
@@ -38,7 +38,7 @@ def cameras(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
-    """Yield cameras of the arm that are in a part of it, at combinations of its hard stops."""
+    """Yield the arm's cameras that are inside a part of the arm, at combinations of its hard stops."""
     on_arm = [camera for camera in cameras if camera.body in scenario.arm.model.frames]
     found: set[tuple[str, str]] = set()
     for how, angles, stand, prong in stops(scenario):
@@ -53,10 +53,10 @@ def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
 
 
 def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
-    """Yield cameras round the arm that are in a part of it, in poses that no run would tell of.
+    """Yield cameras around the arm that are inside a part of the arm, in poses for which a run logs no contact.
 
-    Those are poses in which the arm is in nothing that a run watches, the camera's own housing included. What holds the
-    camera is where it is at the start.
+    In such a pose the arm overlaps nothing that a run watches, the camera's own housing included. The body that
+    carries the camera is at its start pose.
     """
     model = scenario.arm.model
     stands = {body.name: body.pose for body in scenario.worksite.bodies}
@@ -73,9 +73,10 @@ def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Proble
 
 
 def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> list[Tried]:
-    """Return poses with the first joint turned so that each has a point (3,) in L in the plane of the arm's booms.
+    """Return the poses with the first joint turned so that a point (3,) in L is in the plane of the arm's booms.
 
-    The points take turns. Of poses at random, one in ten thousand has a boom in a given point; of these, one in fifty.
+    The poses use the points in turn. Poses whose first joint would leave its soft stops are omitted. In a random pose
+    a boom contains a given point once in ten thousand, in these poses once in fifty.
     """
     if not points:
         return []
@@ -89,7 +90,7 @@ def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> l
     sign, start = np.sign(np.sin(after - ahead)), middle[0]
     found = []
     for k, (angles, stand, prong) in enumerate(tried):
-        # an arm that leans back over its shoulder has the point behind it
+        # every second round turns by pi: an arm leaning back over its shoulder has the point behind it
         turn = sign * (_azimuth(points[k % len(points)]) - ahead) + (k // len(points) % 2) * np.pi
         heading = (start + turn + np.pi) % (2.0 * np.pi) - np.pi
         if low <= heading <= high:
@@ -102,7 +103,7 @@ def _azimuth(point: Array) -> float:
 
 
 def _met(scenario: Scenario, tried: Sequence[Tried], points: Array) -> Iterator[tuple[int, int, str, float]]:
-    """Yield which pose has which point of (n, 3) in L in which part of the arm, and how deep [m]."""
+    """Yield (pose, point, part, depth [m]) for each point of (n, 3) in L that is inside a part of the arm."""
     arm = frames_of(scenario.arm.model)
     frames = np.empty((len(tried), len(arm.names), POSE))
     for row, (angles, stand, prong) in zip(frames, tried, strict=True):
@@ -119,7 +120,7 @@ def _met(scenario: Scenario, tried: Sequence[Tried], points: Array) -> Iterator[
 
 
 def _seen_in_a_run(scenario: Scenario, own: Parts) -> bool:
-    """Return whether the arm, its parts in L, is in something that a run watches against it."""
+    """Return whether the arm, given by its parts in L, overlaps a part that a run watches against it."""
     layout = site_of(scenario).layout
     scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
     around = parts_at(scenario.worksite.solids, scene)
@@ -128,7 +129,7 @@ def _seen_in_a_run(scenario: Scenario, own: Parts) -> bool:
 
 
 def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
-    """Yield cameras on payloads that are in the hand that holds them, or in what is round them in a seat."""
+    """Yield payload cameras that are inside the hand that holds the payload, or inside parts around it in a seat."""
     for one in scenario.cargo:
         own = [camera for camera in cameras if camera.body == one.name]
         for how, hand in hands(scenario.arm.model, scenario.worksite, one).items():
@@ -152,7 +153,7 @@ def _problem(scenario: Scenario, camera: Camera, part: str, depth: float, how: s
 
 
 def _inside(point: Array, parts: Parts) -> Iterator[tuple[str, float]]:
-    """Yield the parts that a point is in, and how deep [m]."""
+    """Yield the parts that contain a point, and the depth of the point in each [m]."""
     for part, solids in parts.items():
         depth = max((depth_in(point, body) for body in solids if _in_box(point, body)), default=-1.0)
         if depth >= 0.0:

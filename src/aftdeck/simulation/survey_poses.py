@@ -1,4 +1,4 @@
-"""The poses over which a survey tries an arm, and where its solids are then."""
+"""Poses in which a survey tests an arm, and the arm's solids in these poses."""
 
 from __future__ import annotations
 
@@ -17,23 +17,24 @@ from aftdeck.scenario.fit import Parts
 from aftdeck.scenario.model import Scenario
 
 TRIED = 5000
-"""How many poses inside the soft stops; they take half a second."""
+"""Number of poses inside the soft stops; testing them takes half a second."""
 
 
 def stops(scenario: Scenario) -> Iterator[tuple[str, Array, float, float]]:
-    """Yield the middle of the arm's hard limits, and every combination of its hard stops, each with what it is."""
+    """Yield the middle of the arm's hard limits, and every combination of its hard stops, each with a description."""
     model = scenario.arm.model
     low, high = model.limits.hard.T
     ends, prong = _travel(scenario)
     yield "at the middle of its limits", 0.5 * (low + high), ends[0], prong
-    turns = np.where(high - low < 2.0 * math.pi, high, 0.5 * (low + high))  # a full turn has its middle as well
+    # a joint that can turn a full turn or more uses its middle in place of its upper stop
+    turns = np.where(high - low < 2.0 * math.pi, high, 0.5 * (low + high))
     for joints in product(*zip(low, turns, strict=True)):
         for end in ends:
             yield told(np.array(joints)), np.array(joints), end, prong
 
 
 def placed(scenario: Scenario, angles: Array, stand: float, prong: float) -> dict[str, Pose]:
-    """Return the pose in L of each frame of the arm, with joint angles [rad], telescope and prong [m]."""
+    """Return the pose in L of each of the arm's frames, for joint angles [rad], telescope length and prong [m]."""
     arm = frames_of(scenario.arm.model)
     rows = arm.rows()
     place_frames(arm.joints, angles, stand, prong, rows)
@@ -41,7 +42,7 @@ def placed(scenario: Scenario, angles: Array, stand: float, prong: float) -> dic
 
 
 def bodies(scenario: Scenario, frames: dict[str, Pose]) -> Parts:
-    """Return the arm's solids in L by part, with its frames at these poses."""
+    """Return the arm's solids in L by part, for these poses of its frames."""
     found: Parts = {}
     for solid in solids_of(scenario.arm.model):
         pose = frames[solid.frame]
@@ -50,14 +51,14 @@ def bodies(scenario: Scenario, frames: dict[str, Pose]) -> Parts:
 
 
 def told(angles: Array) -> str:
-    """Return a pose in words."""
+    """Return a text that describes a pose by its joint angles."""
     return f"at joint angles {', '.join(f'{math.degrees(angle):.0f}' for angle in angles.tolist())} deg"
 
 
 def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]]:
     """Yield `TRIED` poses inside the soft stops, always the same: joint angles [rad], telescope and prong [m].
 
-    A telescope's length is drawn as well; a prong is open.
+    The telescope's length is random as well; the prong is open.
     """
     model, rng = scenario.arm.model, np.random.default_rng(0)
     low, high = model.limits.soft.T
@@ -67,7 +68,7 @@ def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]
 
 
 def _travel(scenario: Scenario) -> tuple[tuple[float, ...], float]:
-    """Return the ends of the telescope's travel, or the height of an arm that has none, and an open prong's way [m]."""
+    """Return the ends of the telescope's travel, or the height of an arm without one, and the open prong [m]."""
     model = scenario.arm.model
     telescope, prong = model.equipment.telescope, model.equipment.prong
     ends = (float(model.links[0]),) if telescope is None else (telescope.least, telescope.greatest)

@@ -1,4 +1,4 @@
-"""What the arm cannot reach of payloads where they start and of the script's targets: for `simulation.survey`."""
+"""Search for payloads at their start and targets of the script that are out of reach, for `simulation.survey`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
 
 
 class _Sent(NamedTuple):
-    """Where a phase sends the hand: the phase's number, the tip in the scene, the telescope's length then [m]."""
+    """Target of a phase: index of the phase, pose of the tip in the scene, length of the telescope then [m]."""
 
     phase: int
     tip: Pose
@@ -27,9 +27,9 @@ class _Sent(NamedTuple):
 
 
 def reach(scenario: Scenario) -> Iterator[Problem]:
-    """Yield payloads that the hand cannot take in the seat that they start in, and the first phase sent out of reach.
+    """Yield payloads that the hand cannot reach in their start seat, and the first phase with a target out of reach.
 
-    A place is in reach where one of RMANGS's solutions lies inside the soft stops.
+    A pose is in reach if one of RMANGS's solutions lies inside the soft stops.
     """
     model, stand = scenario.arm.model, scenario.start.stand
     for k, one in enumerate(scenario.cargo):
@@ -41,13 +41,14 @@ def reach(scenario: Scenario) -> Iterator[Problem]:
         if why := _beyond(scenario, sent.tip, sent.stand):
             name = scenario.phases[sent.phase].name
             yield Problem(("phase", sent.phase), f"the arm cannot reach the target of the phase {name!r}: {why}")
-            return  # the script ends there
+            return  # the script would end at this phase
 
 
 def _sent(scenario: Scenario) -> Iterator[_Sent]:
-    """Yield where the script sends the hand, as far as that is known without flying it.
+    """Yield the targets of the script that are known without a run.
 
-    It is not after the orbiter has been moved, and at payloads that move by themselves or were just docked or latched.
+    Targets are unknown after the orbiter has moved. They are also unknown for payloads that move by themselves or were
+    just docked or latched.
     """
     model, cargo, start = scenario.arm.model, scenario.cargo, scenario.start
     seats = {seat.name: seat for seat in scenario.worksite.seats}
@@ -71,7 +72,7 @@ def _sent(scenario: Scenario) -> Iterator[_Sent]:
                     tip = composed(places[one.name], grip)
             case AtSeat(seat=name) as place if grip is not None:
                 one, seat = cargo[held], seats[name]
-                if phase.until is not None:  # the phase ends where the seat takes the payload
+                if phase.until is not None:  # the phase ends as soon as the seat takes the payload
                     place = msgspec.structs.replace(place, above=max(place.above, seat.distance))
                 places[one.name] = at_seat(seat, one, place)
                 tip = composed(places[one.name], grip)
@@ -84,7 +85,7 @@ def _sent(scenario: Scenario) -> Iterator[_Sent]:
 
 
 def _beyond(scenario: Scenario, tip: Pose, stand: float) -> str:
-    """Return why the arm does not reach a pose in the scene inside its soft stops; empty: it does."""
+    """Return why the arm cannot reach a pose in the scene inside its soft stops; "" if it can."""
     arm = _at(scenario, stand)
     low, high = arm.limits.soft.T
     try:
@@ -103,5 +104,5 @@ def _at(scenario: Scenario, stand: float) -> Arm:
 
 
 def _scene(scenario: Scenario) -> Pose:
-    """The scene's frame in L."""
+    """Return the pose of the scene's frame in L."""
     return scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)

@@ -1,4 +1,4 @@
-"""The report's modes: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked; they change by themselves."""
+"""Task phases, the report's modes 1 to 4: acquisition, extraction, manoeuvring, docked; they change automatically."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ TASKS = {ACQUISITION: "acquisition", EXTRACTION: "extraction", MANOEUVRING: "man
 
 
 def change_task(flight: Flight, state: State) -> None:
-    """Which of the report's modes it is now."""
+    """Set the report's mode from the present state, and log a change."""
     things = state.site
     now = _task(flight, state)
     if now != things.task:
@@ -21,7 +21,11 @@ def change_task(flight: Flight, state: State) -> None:
 
 
 def _task(flight: Flight, state: State) -> int:
-    """Nothing held; held at a port; held with a part of it in the bay; held above it."""
+    """Return the report's mode of the present state.
+
+    ACQUISITION: no payload of the worksite is held. DOCKED: held and fixed at a port. EXTRACTION: held with a vertex
+    inside the bay. MANOEUVRING: held elsewhere.
+    """
     site, things = flight.site, state.site
     held = things.held
     if held is None:
@@ -33,7 +37,7 @@ def _task(flight: Flight, state: State) -> int:
 
 
 def in_bay(flight: Flight, state: State, k: int) -> bool:
-    """Whether a vertex of a cargo is below the bay's top and between its walls."""
+    """Return whether a vertex of a cargo is below the bay's top and between its walls; False if there is no bay."""
     site = flight.site
     if site.bay is None:
         return False

@@ -1,4 +1,4 @@
-"""The worksite's part of the state: where everything is, what touches, what is held and what is fixed."""
+"""Worksite's part of the state: positions, contacts, held and fixed payloads."""
 
 from __future__ import annotations
 
@@ -24,63 +24,63 @@ Halt = Literal["", "seat", "contact", "switch"]
 
 
 class Thing(StatePart):
-    """How a payload of the worksite is: held, fixed to a seat, or both; else it floats. Poses are rows of twelve."""
+    """State of a payload: held, fixed to a seat, or both; otherwise it floats. Poses are rows of twelve numbers."""
 
     held: bool = False
     grasp: list[float] | None = None
-    """While held: its pose in the frame of the last joint, with which it goes where no seat has it."""
+    """Pose in the frame of the last joint, with which it moves unless a seat holds it; None if not held."""
     steered: list[float] | None = None
-    """While held: the same as the steering takes it, which goes by how it was when it was taken or last set."""
+    """The same as the steering uses it: as at capture, at the end of drawing in, or when a seat released it."""
     first: list[float] | None = None
-    """Its fixture in the end effector's axes when the carriage began to draw it in."""
+    """Pose of its fixture in the end effector's axes where drawing in began: at capture, or when a seat released it."""
     since: float = 0.0
-    """How far the carriage was retracted then."""
+    """Fraction by which the carriage was retracted at that time [1]."""
     seat: str = ""
-    """What it is fixed to; empty: nothing."""
+    """Name of the seat that it is fixed to; "" if none."""
     latches: Latches = Latches()
     off: list[float] = msgspec.field(default_factory=list)
-    """Its pose against its place in the seat, when that took it."""
+    """Its pose relative to its place in the seat, at the time when the seat took it."""
     seated: list[float] = msgspec.field(default_factory=list)
-    """The same now, drawn in by the latches."""
+    """Present value of that pose, as the latches draw it in."""
     parted: str = ""
-    """The port that it was just undocked from, which takes it again only when it has left it."""
+    """Seat that just released it; a port then docks it again only after it has left, or on LATCH."""
     asked: int = 0
-    """Step of the last UNLATCH that waits for a second one to confirm it; 0: none does."""
+    """Step of the last UNLATCH that waits for a second one as confirmation; 0 if none waits."""
 
 
 class Things(StatePart):
-    """Everything of the worksite that the next step depends on.
+    """State of the worksite: everything there that the next step depends on.
 
     Attributes:
-        frames: (F, 12) where every frame is, in L.
-        before: (F, 12) the same a step ago.
-        looked: (g,) 1 for groups that were looked at in the last step.
-        watch: the watched groups; what it found of them follows from the two before, `looked` and `nearest`.
-        permitted: (g,) 1 for groups that the task brings into contact, but those that touch where, or deeper than,
-            their relation permits.
-        contacts: what touches, and what it inhibits.
-        told: groups whose contact the log has told.
+        frames: (F, 12) pose of every coordinate frame, in L.
+        before: (F, 12) the same one step ago.
+        looked: (g,) 1 for groups that were watched in the last step.
+        watch: clearances of the watched groups; they follow from `frames`, `before`, `looked` and `nearest`.
+        permitted: (g,) 1 for groups that the task brings into contact; 0 for those of them that touch outside their
+            relation or deeper than it permits.
+        contacts: contacts, and what they inhibit.
+        told: groups whose contact is logged.
         cargo: the payloads.
-        floating: the free flight of each; None while something holds it.
-        held: the payload in the grasp; None: none is.
-        fast: whether what the arm holds is fixed to something, so that the arm cannot move.
-        carrier: (c,) for each payload, the row of the frame that carries it; -1: it floats.
-        rides: (c, 12) its pose in that frame; where it floats, in L as that stood at the start.
-        nearest: the group of least clearance of those that count (`simulation.lined_up`); -1: none is watched.
-        lined_up: the cargo that the hand is about to take; None: none.
-        orbiter: (3,) how far the orbiter has moved, forward, starboard, down [m].
-        orbiter_velocity: (3,) how fast it does [m/s].
-        prong: of the concept's hand: y2 of its inner face.
-        snare: of the Shuttle's end effector.
+        floating: free flight of each payload; None while the hand or a seat holds it.
+        held: index of the payload in the grasp; None if there is none.
+        fast: True if the held payload is fixed to a seat, so that the arm cannot move.
+        carrier: (c,) for each payload, the row of the frame that carries it; -1 if it floats.
+        rides: (c, 12) pose of each payload in that frame; if it floats, in L as L was at the start.
+        nearest: group with the minimum clearance of those that count (`simulation.lined_up`); -1 if none is watched.
+        lined_up: index of the cargo that the hand is aligned with for capture; None if there is none.
+        orbiter: (3,) distance that the orbiter has moved forward, starboard and down [m].
+        orbiter_velocity: (3,) velocity of the orbiter along the same axes [m/s].
+        prong: prong of the concept's hand: y2 of its inner face.
+        snare: state of the Shuttle's end effector.
         switch: end effector switch.
         effector_mode: END EFFECTOR MODE.
         rigid: MAN CONTR.
         task: the report's mode, 1 to 4.
-        advice: the way out of the contacts that was found last.
-        refused_orbiter: whether the orbiter's translation was asked for and refused in the last step.
-        waiting: whether carriage or latches wait before a contact.
-        halt: what kept the arm from what it was commanded in the last step: a seat that has what it holds, a contact
-            that it would deepen, a switch (BRAKES, SAFING), or nothing.
+        advice: way out of the contacts that was found last; "" if there is none.
+        refused_orbiter: True if a translation of the orbiter was rejected in the last step.
+        waiting: True if the carriage or the latches are stopped before a contact.
+        halt: what blocked the commanded motion in the last step: "seat" (a seat holds the held payload), "contact" (the
+            motion would deepen one), "switch" (BRAKES, SAFING), or "" (nothing).
     """
 
     frames: Array
@@ -113,11 +113,11 @@ class Things(StatePart):
 
     @property
     def _meant(self) -> list[Thing]:
-        """The payload that latching and unlatching is about: the one in the grasp; with none there, any."""
+        """Payloads that latching and unlatching refer to: the one in the grasp, or all if none is held."""
         return [thing for thing in self.cargo if thing.held] or self.cargo
 
     def is_so(self, what: Until) -> bool:
-        """Whether something has come about that a script may wait for."""
+        """Return whether an event that a script may wait for has occurred."""
         match what:
             case "captured":
                 return self.held is not None and self.snare.motion != "capture"
@@ -129,7 +129,7 @@ class Things(StatePart):
                 return not any(thing.seat for thing in self._meant)
 
     def settle(self, site: Site) -> None:
-        """What carries each payload, which groups are looked at, and which move with the arm: as it is held now."""
+        """Update the held payload, the carrier of each payload, the watched groups, and those moving with the arm."""
         self.held = next((k for k, thing in enumerate(self.cargo) if thing.held), None)
         self.fast = self.held is not None and self.cargo[self.held].seat != ""
         for k in range(len(self.cargo)):
@@ -138,11 +138,11 @@ class Things(StatePart):
         if self.held is not None:
             self.contacts.arm |= site.of_cargo[self.held]
         self.choose(site)
-        # a contact that is looked at no more does not end: nothing is told of it
+        # a group that is no longer watched has not separated: forget its contact, so that "clear of" is not logged
         self.told = tuple(group for group in self.told if self.watch.active[group])
 
     def choose(self, site: Site) -> None:
-        """Choose the groups that are looked at: but those of what is held or fixed with what has it."""
+        """Mark all groups as watched, except a held payload with the hand, and a fixed one with what its seat is on."""
         active = self.watch.active
         active[:] = 1
         for k, thing in enumerate(self.cargo):
@@ -152,7 +152,7 @@ class Things(StatePart):
                 active &= 1 - site.seated[k, thing.seat]
 
     def ride(self, site: Site, k: int) -> None:
-        """Cargo k goes with its seat, with the last joint, or floats."""
+        """Set the carrier of cargo k (its seat, else the last joint, else none), and its pose in that frame."""
         thing = self.cargo[k]
         if (berth := site.berth(k, thing.seat)) is not None:
             self.carrier[k] = berth.row
@@ -163,12 +163,12 @@ class Things(StatePart):
             self.carrier[k], self.rides[k] = -1, flight.pose
 
     def places(self, site: Site) -> tuple[Array, Array, Array, Array, Indices, Array]:
-        """What places everything besides the arm's joints: the first arguments of `place_everything`."""
+        """Return the first arguments of `place_everything`: all but angles, stand and prong."""
         return site.arm.joints, site.scene, site.axes, self.orbiter, self.carrier, self.rides
 
 
 def new_things(site: Site, prong: Travel) -> Things:
-    """The worksite before anything is put into its place, the prong open."""
+    """Return a worksite state in which nothing has its start position yet and the prong is open."""
     groups, cargo = len(site.layout.groups), len(site.cargo)
     return Things(
         frames=np.zeros((len(site.layout.frames), POSE)),

@@ -1,4 +1,4 @@
-"""Having every law compiled before a flight, which compiling would hold up for seconds."""
+"""Compilation of all laws before a flight, which compiling would otherwise delay by seconds."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from aftdeck.steering.layout import TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 
 FAR = 1e3
-"""[m/s], [rad/s]"""
+"""Twist so great that every wall could be met in the next step [m/s], [rad/s]."""
 
 
 def warm_up(scenario: Scenario) -> None:
-    """Fly a scratch copy for a few steps, through everything that is compiled at its first use."""
+    """Run a scratch copy for a few steps, to call everything that is compiled at its first use."""
     flight = prepare(scenario)
     state = first_state(flight)
     arm = scenario.arm
@@ -38,7 +38,7 @@ def warm_up(scenario: Scenario) -> None:
     for law in AUTOMATIC_LAWS:
         step(flight, state, Inputs(mode="OPR CMD", law=law, target=here, proceed=True))
         step(flight, state, Inputs(stop=True))
-    with contextlib.suppress(AftdeckError):  # the first pose may itself be singular
+    with contextlib.suppress(AftdeckError):  # the start pose may be singular
         arm.inverse(here.pose, near=scenario.initial_angles)
     look_ahead(flight, state, MOST_S, (3, 1))
     ways_out(flight, state, (1, 0, 0, 0, 0, 0), ("elbow",))
@@ -52,14 +52,14 @@ def warm_up(scenario: Scenario) -> None:
 
 
 def _carry(flight: Flight, state: State) -> None:
-    """Hold a payload of the scratch copy, slide it along whatever walls there are, look at its seats, and let it go."""
+    """Attach the first payload of the scratch copy, slide it along the walls, check its seats, and release it."""
     things = state.site
     things.cargo[0].seat = ""
     take_hold(flight, state, 0)
     change_task(flight, state)
     look(flight, state, digest(state))
     things.watch.look(things.frames, things.frames, flight.scenario.control_period)
-    state.steering[TWIST : TWIST + 6] = FAR  # so fast that every wall could be met in the next step
+    state.steering[TWIST : TWIST + 6] = FAR  # every wall is then within reach of the next step
     slide_along(flight, state, 0.0, 0)
     for berth in flight.site.berths[0]:
         conditions_at(flight, state, 0, berth)

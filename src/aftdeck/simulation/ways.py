@@ -1,4 +1,4 @@
-"""The ways to a target: in a straight line, or by joints to each set of angles that reaches it (RMANGS's branches)."""
+"""Ways to a target: a straight line, or a joint motion to each set of angles that reaches it (RMANGS's branches)."""
 
 from __future__ import annotations
 
@@ -19,14 +19,15 @@ from aftdeck.steering.layout import RATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
 
 HAIR = 1e-9
-"""How far past a soft stop rounding may put a solution [rad]."""
+"""Distance past a soft stop that is attributed to rounding of a solution [rad]."""
 
 
 def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[Way, ...]:
     """Return the ways to a target that a law can fly, the quickest first.
 
     Raises:
-        UnreachableError, SingularityError: no joint angles inside the soft stops put the tip there.
+        UnreachableError, SingularityError: no joint angles put the tip at the target; with the position law, none
+            inside the soft stops.
     """
     if law != "position":
         final_angles(state, target)
@@ -43,12 +44,13 @@ def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[
 
 
 def final_angles(state: State, target: Target) -> Array:
-    """Return the joint angles at the target: as given, or the solution nearest to the present ones.
+    """Return the joint angles at the target: as given, or the solution nearest to the present angles.
 
-    Angles given while the telescope had another length lead elsewhere: then the solution nearest to them.
+    Angles given for another length of the telescope do not reach the target. The result is then the solution nearest
+    to the given angles.
 
     Raises:
-        UnreachableError, SingularityError: no joint angles put the tip there.
+        UnreachableError, SingularityError: no joint angles put the tip at the target.
     """
     given = _given(state, target)
     if given is not None:
@@ -59,7 +61,7 @@ def final_angles(state: State, target: Target) -> Array:
 
 
 def _given(state: State, target: Target) -> Array | None:
-    """The target's own joint angles, where they put the tip at it; else None."""
+    """Return the target's own joint angles if they put the tip at the target; otherwise None."""
     if target.joints is None:
         return None
     angles = np.array(target.joints)
@@ -67,7 +69,10 @@ def _given(state: State, target: Target) -> Array | None:
 
 
 def _branches(flight: Flight, state: State, target: Target) -> list[Array]:
-    """Every set of joint angles inside the soft stops; under `strict` RMANGS's own."""
+    """Return every solution for the joint angles inside the soft stops; under `strict` only RMANGS's own solution.
+
+    If no solution is inside the soft stops, return all solutions under `as_flown`; otherwise raise UnreachableError.
+    """
     near = state.plant.angles if target.joints is None else np.array(target.joints)
     if flight.scenario.strict:
         return [state.arm.rmangs(target.pose)]
@@ -88,7 +93,7 @@ def _branches(flight: Flight, state: State, target: Target) -> list[Array]:
 
 
 def _name(state: State, angles: Array) -> str:
-    """Which parts of the arm are turned over against the present pose."""
+    """Return a text that names the parts of the arm whose bend is reversed relative to the present pose."""
     now, then = (state.arm.singularities(q) for q in (state.plant.angles, angles))
     turned = [name for name, a, b in zip(NAMES, now, then, strict=True) if float(a) * float(b) < 0.0]
     return f"{' and '.join(turned)} turned over" if turned else "as the arm is bent now"

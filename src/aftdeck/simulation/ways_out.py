@@ -1,4 +1,4 @@
-"""The way out: for each singularity that is near and each joint past a limit, the stick that leads away."""
+"""Ways out: stick or joint commands that lead away from near singularities and back from passed joint limits."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
 
 LEAST = 1e-3
-"""A stick that takes the arm away more slowly than this [1/s] or [rad/s] is no way out."""
+"""Least rate [1/s] or [rad/s] at which a stick must lead away to be a way out."""
 NEARLY = 0.6
-"""Advice stays while its stick leads away at least this much as fast as the fastest one [1]."""
+"""Fraction of the fastest stick's rate above which the advice keeps the stick named before [1]."""
 JOINT_BY_JOINT = ("SINGLE", "DIRECT", "MASTER")
-"""Modes in which an axis of the sticks moves a joint."""
+"""Modes in which the operator moves single joints, not the point of resolution."""
 STICKS = ("RHC +roll", "RHC −roll", "RHC +pitch", "RHC −pitch", "RHC +yaw", "RHC −yaw",
            "THC +X", "THC −X", "THC +Y", "THC −Y", "THC +Z", "THC −Z")  # fmt: skip
 
 
 def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...]) -> tuple[WayOut, ...]:
-    """What leads away from everything that holds or is about to hold the arm.
+    """Return a way out for each near singularity and each joint past a limit, and update the panel's advice.
 
-    Nothing while a contact inhibits it: the contact's own way out comes first (`contact_out.py`).
+    The result is () while a contact inhibits the arm: the way out of the contact takes precedence (`contact_out.py`).
     """
     if state.site.contacts.inhibit.arm or (not singular and not any(zones)):
         state.panel.advice.clear()
@@ -37,7 +37,7 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
 
 
 def _tried(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
-    """How fast each stick direction of the present mode (ORB UNL where it takes no sticks) leads away."""
+    """Return how fast each stick direction leads away, in the present mode or, if it is not manual, in ORB UNL."""
     rules, command, steering = steering_of(state)
     tried = np.zeros(DIRECTIONS)
     way_out(rules, command, steering, singularity, joint, inward, tried)
@@ -45,7 +45,7 @@ def _tried(flight: Flight, state: State, singularity: int, joint: int, inward: f
 
 
 def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Rules, command and state for trying the sticks in the present mode, ORB UNL where it takes none."""
+    """Return rules, command and state for testing the sticks in the present mode, or in ORB UNL if it is not manual."""
     panel = state.panel
     manual = MODES[panel.mode].kind == "manual"
     command = np.zeros(COMMAND)
@@ -56,12 +56,16 @@ def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def entered(state: State) -> str:
-    """The mode to enter before a stick moves the point; empty where it does."""
+    """Return a text that names ORB UNL as the mode to enter first; "" if the present mode is manual."""
     return "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL, "
 
 
 def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:
-    """The stick that leads away fastest; the one named before, while it is nearly as fast."""
+    """Return the stick that leads away fastest, or the one named before while it is nearly as fast.
+
+    Returns:
+        The way out, also stored in the advice for its cause; None if no stick leads away fast enough.
+    """
     advice = state.panel.advice
     best = int(tried.argmax())
     if tried[best] < LEAST:
@@ -94,7 +98,7 @@ def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
 
 
 def _inward(flight: Flight, state: State, joint: int) -> int:
-    """Which way a joint turns from its nearer limit."""
+    """Return the direction, +1 or -1, in which a joint moves away from its nearer reach limit."""
     low, high = flight.reach[joint]
     return 1 if state.plant.angles[joint] < 0.5 * (low + high) else -1
 

@@ -1,8 +1,8 @@
-"""A file of the report's channels and words: a line of JSON for each control step, written from a flight or flown.
+"""File of the report's channels and words, one line of JSON for each control step: an output of a run, or its input.
 
-A line has ``time_s``, ``volts`` (TABLE I, thirteen numbers in full precision), ``words`` (TABLE II, 32 in octal) and,
-where something commanded or seen has neither channel nor code, ``unsaid`` with its names. Flying a file reads
-``volts`` alone, and ``time_s`` and ``unsaid`` where they are there.
+A line has ``time_s``, ``volts`` (TABLE I, thirteen numbers in full precision) and ``words`` (TABLE II, 32 in octal). It
+also has ``unsaid`` if something commanded or displayed has no channel or code; ``unsaid`` lists these names. A file
+used as input needs only ``volts``; ``time_s`` and ``unsaid`` are read if present.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ from aftdeck.worksite.channels import CHANNELS, OperatorInputs, decode_inputs, e
 from aftdeck.worksite.words import encode_block
 
 ON_TIME = 1e-6
-"""How far a line's time may be from its step's [s]."""
+"""Greatest difference between the time in a line and the time of its step [s]."""
 
 
 class Line(NamedTuple):
-    """One control step in the report's terms.
+    """Control step as channels and words of the report.
 
     Attributes:
         volts: the thirteen channels [V].
         words: the 32 words.
-        unsaid: names of what has no channel or no code.
+        unsaid: names of commands and values that have no channel or no code.
     """
 
     volts: tuple[float, ...]
@@ -48,11 +48,11 @@ class Line(NamedTuple):
 
 
 class WordsWriter:
-    """Writes the line of each step of a flight, from its first on.
+    """Writer of one line for each step of a flight, starting with the first step.
 
     Attributes:
-        steps: written so far.
-        unsaid: of how many lines each name is unsaid.
+        steps: number of steps written so far.
+        unsaid: for each name, the number of lines with the name in ``unsaid``.
     """
 
     def __init__(self, file: TextIO, scenario: Scenario) -> None:
@@ -75,7 +75,7 @@ class WordsWriter:
 
 
 def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line:
-    """Return the line of the step just made with these inputs; `before`: the places before it."""
+    """Return the line of the step just made with these inputs; `before` holds the positions before the step."""
     reading, block = reading_of(flight, state, flown), block_of(flight, state, before)
     unsaid = dict.fromkeys((*reading.unsaid, *block.unsaid))
     return Line(encode_inputs(reading.inputs), encode_block(block.block), tuple(unsaid))
@@ -83,10 +83,10 @@ def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line
 
 @contextmanager
 def new_words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
-    """Open a new file for the words of a scenario; it is taken away again where the flight raises an error.
+    """Open a new file for the words of a scenario; delete the file if the flight raises an error.
 
     Raises:
-        InputError: another arm, or a file that is there already or cannot be written.
+        InputError: the scenario has another arm than the report's, or the file already exists or cannot be written.
     """
     check_arm(scenario)
     try:
@@ -102,10 +102,10 @@ def new_words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
 
 
 def check_arm(scenario: Scenario) -> None:
-    """Refuse a scenario of another arm than the report's.
+    """Raise an error if a scenario has another arm than the report's.
 
     Raises:
-        InputError: it has no heading-pitch-pitch-heading-pitch-roll arm.
+        InputError: the scenario's arm has no telescope or no prong.
     """
     has = scenario.arm.model.equipment
     if has.telescope is None or has.prong is None:
@@ -116,7 +116,7 @@ def check_arm(scenario: Scenario) -> None:
 
 
 class _Sample(msgspec.Struct, frozen=True):
-    """A line of a file of channels, as far as it is flown."""
+    """Fields that are read from a line of a file of channels."""
 
     volts: Annotated[tuple[float, ...], msgspec.Meta(min_length=CHANNELS, max_length=CHANNELS)]
     time_s: float | None = None
@@ -124,11 +124,11 @@ class _Sample(msgspec.Struct, frozen=True):
 
 
 class Channels(NamedTuple):
-    """A file of channels.
+    """Contents of a file of channels.
 
     Attributes:
         samples: the operator's inputs, one for each control step.
-        unsaid: of how many lines each name is unsaid.
+        unsaid: for each name, the number of lines with the name in ``unsaid``.
     """
 
     samples: tuple[OperatorInputs, ...]
@@ -136,15 +136,15 @@ class Channels(NamedTuple):
 
 
 def read_channels(path: Path, period: float) -> Channels:
-    """Return the samples of a file of channels.
+    """Return the contents of a file of channels.
 
     Args:
         path: the file.
-        period: control period of the flight, at which they are sampled [s].
+        period: control period of the flight, and so the sampling period of the file [s].
 
     Raises:
-        InputError: no file, an empty one, or a line that is no sample, of another time, or beyond the scale; names
-            the line.
+        InputError: the file cannot be read or has no lines, or a line is not a sample, has another time than its step
+            or a voltage beyond the scale. The message names the line.
     """
     try:
         text = read(path, most=None).text
@@ -169,9 +169,9 @@ def read_channels(path: Path, period: float) -> Channels:
 
 
 def operator_of(samples: Sequence[OperatorInputs]) -> Callable[[Simulation], Inputs | None]:
-    """Return an operator that gives each sample in its step; None after the last one.
+    """Return a function that gives the inputs of each sample in its step, and None after the last sample.
 
-    The operator raises an InputError, which names the sample's line, for one that the scenario cannot fly.
+    The function raises an InputError, which names the sample's line, for a sample that the scenario cannot carry out.
     """
     given = enumerate(samples, 1)
 

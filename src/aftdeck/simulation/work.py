@@ -1,4 +1,4 @@
-"""The worksite's part of a step: what moves besides the arm, what touches, what is caught, held and let go."""
+"""Worksite's part of a step: motion besides the arm's, contacts, and capture, fixing and release of payloads."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
 
 
 def work(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Bring the worksite to the end of the step, after the plant has moved."""
+    """Update the worksite to the end of the step, after the plant has moved."""
     things = state.site
     _move_orbiter(flight, state, inputs)
     _move_prong(flight, state)
@@ -42,12 +42,12 @@ def work(flight: Flight, state: State, inputs: Inputs) -> None:
     capture(flight, state, inputs)
     seat(flight, state, inputs.latch)
     if things.fast != fast and state.panel.sequence != "in progress":
-        make_ready(flight, state)  # CMD CK told of the seat, or did not know of it
+        make_ready(flight, state)  # CMD CK's verdict was for the old attachment to the seat
     change_task(flight, state)
 
 
 def _look_around(flight: Flight, state: State) -> None:
-    """Find where everything is now, what is near, what touches, and what that inhibits."""
+    """Update the poses of all frames, the clearances, the contacts and what the contacts inhibit."""
     site, things, plant, period = flight.site, state.site, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, things.watch, things.contacts
     things.looked[:] = watch.active
@@ -74,7 +74,7 @@ def _look_around(flight: Flight, state: State) -> None:
 
 
 def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Translate the orbiter, or stop it at once and say why it may not go."""
+    """Translate the orbiter; if that is not possible, log the reason once."""
     things = state.site
     why = ""
     if any(inputs.orbiter) or any(things.orbiter_velocity.tolist()):
@@ -85,7 +85,11 @@ def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
 
 
 def _translated(flight: Flight, state: State, command: Array) -> str:
-    """Translate the orbiter; empty, or why it does not: tied by the arm to what is fixed in space, or by a contact."""
+    """Translate the orbiter by one step; stop it at once if the arm holds a docked payload or a contact would deepen.
+
+    Returns:
+        The reason why the orbiter does not translate; "" if it does.
+    """
     site, things, rule = flight.site, state.site, flight.site.worksite.translation
     if rule is None:
         return "the orbiter does not translate at this worksite"
@@ -108,7 +112,7 @@ def _translated(flight: Flight, state: State, command: Array) -> str:
 
 
 def _move_prong(flight: Flight, state: State) -> None:
-    """Close or open the prong. While the finger is inhibited it makes no contact, and relieves those that it has."""
+    """Close or open the prong; while the finger is inhibited, only motion that relieves its contacts is allowed."""
     site, things = flight.site, state.site
     free = site.prong and not state.script.attached
     drive = _DRIVES[things.switch] if free else 0.0
@@ -126,7 +130,7 @@ def _move_prong(flight: Flight, state: State) -> None:
 
 
 def _room(flight: Flight, state: State, way: float) -> float:
-    """The share of a way [m] that the prong closes until it meets the bar that the hand holds."""
+    """Return the fraction of a distance [m] that the prong can close until it meets the bar of the held cargo."""
     site, k = flight.site, state.site.held
     if site.bar is None or k is None or (which := site.bar.which[k]) is None:
         return 1.0
@@ -137,7 +141,7 @@ def _room(flight: Flight, state: State, way: float) -> float:
 
 
 def _tell_contacts(flight: Flight, state: State, before: Inhibit) -> None:
-    """Contacts and what they inhibit, told where they change."""
+    """Log changes of the contacts and inhibits, and update the way out of the contacts."""
     things = state.site
     now = things.contacts.inhibit
     if now.changed:

@@ -1,4 +1,4 @@
-"""The station's server: the page's files, and one WebSocket per page."""
+"""Web server of the station: the page's files, and one WebSocket for each page."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from aftdeck.station.session import Session
 
 
 def make_app(session: Session, host: str = "127.0.0.1") -> Starlette:
-    """The server that begins with this session: it starts to fly with the server and stops with it."""
+    """Return the station's web app. It starts `session` at startup and closes the current session at shutdown."""
     pages: Pages | None = None
     recordings = (
         Recordings(session.folder, lambda: (pages.session if pages else session).file) if session.folder else None

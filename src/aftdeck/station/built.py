@@ -1,4 +1,4 @@
-"""The page as it was built."""
+"""Built files of the station's page."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ STATIC = Path(__file__).parent / "static"
 
 
 class StationError(AftdeckError):
-    """The station cannot be started."""
+    """Error: the station cannot start, or its page was not built."""
 
 
 def built_page() -> str:
-    """The page's HTML as built.
+    """Return the HTML of the built page.
 
     Raises:
-        StationError: it was not built.
+        StationError: the page was not built.
     """
     page = STATIC / "index.html"
     if not page.is_file():

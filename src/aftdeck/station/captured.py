@@ -1,4 +1,4 @@
-"""How the hand stood to a payload when it took hold of it."""
+"""Misalignment and speed of the end effector relative to a payload at capture."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Cargo
 
 _OFF = ("pin off axis", "palm along bar")
-"""The conditions of snares and of the prong that say how far beside its middle the hand takes hold."""
+"""Capture conditions (of the snares, of the prong) that measure how far off centre the end effector is."""
 
 
 class Captured(NamedTuple):
-    """How the hand stood to what it took.
+    """Misalignment and speed of the end effector relative to the payload at capture.
 
     Attributes:
-        offset: how far it was beside its middle [m]; None: this hand has no such condition.
-        angle: the largest of its angles to it [rad]; None: likewise.
-        rate: of the tip against it [m/s].
+        offset: distance off centre [m]; None if this end effector has no condition for it.
+        angle: largest angle between the two [rad]; None if this end effector has no condition for it.
+        rate: speed of the tip relative to the payload [m/s].
     """
 
     offset: float | None = None
@@ -27,7 +27,7 @@ class Captured(NamedTuple):
 
 
 def captured(before: Frame, cargo: Cargo) -> Captured:
-    """How the hand stood, of the frame before a cargo was held and the cargo in it."""
+    """Return the misalignment from the frame before a capture and the cargo in that frame."""
     conditions = before.work.conditions
     return Captured(
         next((abs(c.value) for c in conditions if c.name in _OFF), None),

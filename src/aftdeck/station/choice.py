@@ -1,4 +1,4 @@
-"""The scenarios that a station can fly: those built in, and the file that it was given."""
+"""Scenarios that a station can run: the built-in ones, and the user's own file if one was given."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.station import to_page
 
 FIRST = ("tutorial", "first-flight")
-"""Where a newcomer begins stands first; the others follow by name."""
+"""Scenarios for newcomers, listed first; the others follow in alphabetical order."""
 
 
 class Choice:
-    """The list that whoever flies chooses from.
+    """List of scenarios from which the operator chooses.
 
     Attributes:
-        scenarios: as pages are told of them.
-        flown: number of the one that is flown.
-        coming: number of the one that is made ready to be flown next.
+        scenarios: entries of the list, as sent to the pages.
+        flown: number of the scenario that is running.
+        coming: number of the scenario that is being prepared to run next; None if none is.
     """
 
     def __init__(self, given: Scenario) -> None:
@@ -32,14 +32,14 @@ class Choice:
         self.coming: int | None = None
 
     def message(self) -> to_page.Scenarios:
-        """What pages are told."""
+        """Return the message that sends the list and its state to the pages."""
         return to_page.Scenarios(self.scenarios, self.flown, self.coming)
 
     def choose(self, number: int) -> None:
-        """One of them shall be made ready.
+        """Choose the scenario that is prepared to run next.
 
         Raises:
-            CommandError: it is flown already, there is none such, or another is being made ready.
+            CommandError: the scenario is running already, its number does not exist, or another is being prepared.
         """
         if number >= len(self.scenarios):
             raise CommandError(f"scenarios are numbered 0 to {len(self.scenarios) - 1}, got {number}")
@@ -50,10 +50,10 @@ class Choice:
         self.coming = number
 
     def load(self, number: int) -> Scenario:
-        """The scenario itself.
+        """Return a scenario of the list, loaded.
 
         Raises:
-            ScenarioError: it cannot be read.
+            ScenarioError: the scenario cannot be read.
         """
         info = self.scenarios[number]
         return self._given if info.given and self._given is not None else load_scenario(info.name)

@@ -1,4 +1,4 @@
-"""What a page asks for: held against what there is, and as the simulation's inputs."""
+"""Checks of the commands from a page, and their conversion to inputs of the simulation."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.station import from_page, to_page
 
 FARTHEST = 1000.0
-"""Greatest component of a keyed-in position that is looked at [m]; the arm itself reaches 16 m."""
+"""Largest magnitude of a component of a keyed-in position [m]; the arm itself reaches 16 m."""
 MOST_TURNED = 100.0
-"""Greatest angle of a keyed-in attitude that is looked at [rad]."""
+"""Largest magnitude of an angle of a keyed-in attitude [rad]."""
 
 _SWITCHES: dict[type, tuple[str, str]] = {
     from_page.EnterMode: ("mode", "mode"),
@@ -34,22 +34,22 @@ _SWITCHES: dict[type, tuple[str, str]] = {
     from_page.SetMaster: ("master", "angles"),
     from_page.Initialise: ("initialise", "part"),
 }
-"""Messages that put one switch: its name among the inputs, and the message's field that says where."""
+"""Messages that set one switch: field of `Inputs` to set, and field of the message that has the value."""
 
 
 def travel(sticks: from_page.Sticks) -> tuple[float, ...]:
-    """Every stick and switch that springs back."""
+    """Return the deflections of all sticks and of all switches that spring back."""
     return (*sticks.translation, *sticks.rotation, sticks.drive, sticks.telescope, *sticks.orbiter)
 
 
 def check_sticks(sticks: from_page.Sticks) -> None:
-    """Raises `CommandError` for a stick beyond its travel."""
+    """Raise `CommandError` if a stick is beyond its travel."""
     if not all(-1.0 <= s <= 1.0 for s in travel(sticks)):
         raise CommandError("sticks lie between -1 and 1; this message was not flown")
 
 
 def check_camera(message: from_page.DriveCamera, welcome: to_page.Welcome) -> None:
-    """Raises `CommandError` for a camera that cannot be turned, or a switch beyond its travel."""
+    """Raise `CommandError` if the camera does not exist or has no drive, or if a switch is beyond its travel."""
     driven = [camera.name for camera in welcome.cameras if camera.drive is not None]
     if message.camera not in driven:
         there = ", ".join(driven) or "none"
@@ -59,19 +59,19 @@ def check_camera(message: from_page.DriveCamera, welcome: to_page.Welcome) -> No
 
 
 def check_shown(message: from_page.Shown, welcome: to_page.Welcome) -> None:
-    """Raises `CommandError` for a camera that there is not."""
+    """Raise `CommandError` if a camera does not exist."""
     _check_names("camera", [name for monitor in message.monitors for name in monitor], _cameras(welcome))
 
 
 def check_light(lighting: Lighting, welcome: to_page.Welcome) -> None:
-    """Raises `CommandError` for a condition, a lamp or a camera that there is not."""
+    """Raise `CommandError` if a light condition, a lamp or a camera does not exist."""
     _check_names("condition of light", [lighting.condition], [condition.name for condition in welcome.conditions])
     _check_names("lamp", lighting.lamps, welcome.lamps)
     _check_names("camera", [locked.camera for locked in lighting.locked], _cameras(welcome))
 
 
 def check_switch(message: from_page.FromPage, welcome: to_page.Welcome) -> None:
-    """Raises `CommandError` for a switch position that does not exist, or a target beyond all reason."""
+    """Raise `CommandError` if a switch position does not exist or a target exceeds `FARTHEST` or `MOST_TURNED`."""
     match message:
         case from_page.SelectJoint(joint=joint) if not 0 <= joint < len(welcome.joints):
             raise CommandError(f"joints are numbered 0 to {len(welcome.joints) - 1}, got {joint}")
@@ -92,12 +92,12 @@ def check_switch(message: from_page.FromPage, welcome: to_page.Welcome) -> None:
 def inputs_of(
     sticks: from_page.Sticks, message: from_page.FromPage | None, target: Callable[[from_page.SetTarget], Pose]
 ) -> Inputs:
-    """One step's inputs: sticks, and a message that puts a switch.
+    """Return the inputs of one step: the sticks, and at most one message that sets a switch.
 
     Args:
-        sticks: of the page that flies.
-        message: what the page asks for in this step, checked before.
-        target: gives a keyed-in target, panel components, as frame 7 in L.
+        sticks: deflections from the page in control.
+        message: command of the page for this step, already checked; None if there is none.
+        target: converts a keyed-in target from panel components to frame 7 in L.
     """
     inputs = Inputs(
         translation=sticks.translation,

@@ -1,4 +1,4 @@
-"""What lanes and strips are made of: of a whole recording, or of a flight's last minutes."""
+"""Elements of lanes and strips, for a whole recording or for the last minutes of a live run."""
 
 from __future__ import annotations
 
@@ -23,52 +23,55 @@ Quantity = Literal[
     "milliseconds",
     "words",
 ]
-"""What a number is, from which the page takes its unit: a length or a gap in inches where the operator reads inches, a
-distance in feet; a share in per cent."""
+"""Kind of a number, from which the page chooses its unit.
+
+Where the operator reads inches, a length or a gap is shown in inches and a distance in feet. A share is shown in per
+cent.
+"""
 
 
 class Stretch(msgspec.Struct, frozen=True):
-    """A part of a lane through which one thing was so."""
+    """Stretch of a lane: an interval in which the label and the level do not change."""
 
     start_s: float
     end_s: float
     label: str
-    """What was so; empty: nothing that this lane tells of."""
+    """State during the stretch; empty if the lane has nothing to show."""
     level: Level
 
 
 class Lane(msgspec.Struct, frozen=True):
-    """A row of stretches that follow one another from the run's beginning to its end."""
+    """Row of consecutive stretches, up to the last frame."""
 
     name: str
     stretches: tuple[Stretch, ...]
 
 
 class Curve(msgspec.Struct, frozen=True):
-    """A line of a strip, thinned so that no peak is lost."""
+    """Line of a strip, thinned so that no peak is lost."""
 
     role: Literal["actual", "commanded"]
     times_s: tuple[float, ...]
     values: tuple[float | None, ...]
-    """None: there was no such thing."""
+    """None where the quantity had no value."""
 
 
 class Strip(msgspec.Struct, frozen=True):
-    """A quantity over the run."""
+    """Strip chart of one quantity over the run."""
 
     name: str
     quantity: Quantity
     curves: tuple[Curve, ...]
     low: float
     high: float
-    """Range of all values, with zero in it where zero means rest."""
+    """`low` and `high`: range of all values, including zero if zero means rest."""
     limit: float | None
-    """A bound to draw across it."""
+    """Limit to draw as a line across the strip; None if there is none."""
     caution: float | None
-    """Values below this are cautioned of; of a clearance, as the scenario has it."""
+    """Values below this one cause a caution; for a clearance, the scenario's threshold. None if there is none."""
     warning: float | None
-    """Values below this are warned of."""
+    """Values below this one cause a warning; None if there is none."""
     shown: bool
-    """Drawn until the reader chooses others."""
+    """True if the strip is drawn until the reader chooses other strips."""
     rests: bool
-    """Zero means rest, and belongs into the picture."""
+    """True if zero means rest; the drawn range then includes zero."""

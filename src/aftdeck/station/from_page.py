@@ -1,4 +1,4 @@
-"""Every message from a page to the server, and what they hold."""
+"""Messages from a page to the server, and the structures in them."""
 
 from __future__ import annotations
 
@@ -25,24 +25,25 @@ from aftdeck.station.kinds import (
 
 
 class Hello(WireMessage, frozen=True, tag="hello"):
-    """First message of a page: the protocol that it speaks."""
+    """First message of a page, with the version of the protocol that the page uses."""
 
     protocol: int
     shows: bool = False
-    """A second window, or a page too narrow to fly from: it shows the flight and is nobody's hands (`TakeSeat`)."""
+    """True for a secondary window or a too narrow page: it only shows the run and cannot take control (`TakeSeat`)."""
     strips: bool = False
-    """It draws strips: it is sent the flight's last minutes, too."""
+    """True if the page draws strips: the server then also sends it the last minutes of the run (`Recent`)."""
 
 
 class Sticks(WireMessage, frozen=True, tag="sticks"):
-    """Where the hand controllers stand, after deadband and expo, each axis in [-1, 1].
+    """Deflections of the hand controllers, after deadband and expo, each axis in [-1, 1].
 
-    Sent whenever they change and at least every 0.2 s while they are deflected or RATE HOLD keeps a rate: sticks
-    that have been silent for 0.5 s return to zero, and nobody is held to be at the controls (`HandsOff`).
+    The page sends them whenever they change. While a stick is deflected or RATE HOLD keeps a rate, it sends them at
+    least every 0.2 s: after 0.5 s of silence the server sets the sticks to zero and treats the controls as unattended
+    (`HandsOff`).
     """
 
     seq: Seq
-    """Grows with every message of a page; an older one is refused."""
+    """Increases with every message of a page; the server rejects a number that is not greater than the last."""
     translation: Vec3
     """THC: +X, +Y, +Z of the present control frame."""
     rotation: Vec3
@@ -50,7 +51,7 @@ class Sticks(WireMessage, frozen=True, tag="sticks"):
     drive: float
     """SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT)."""
     telescope: float = 0.0
-    """The stand: + longer, - shorter, in [-1, 1]."""
+    """Telescope under the arm: + longer, - shorter, in [-1, 1]."""
     orbiter: Vec3 = (0.0, 0.0, 0.0)
     """Translation of the orbiter: forward, starboard, down, each in [-1, 1]."""
 
@@ -89,7 +90,7 @@ class SetTarget(WireMessage, frozen=True, tag="set_target"):
 
 
 class SelectLaw(WireMessage, frozen=True, tag="select_law"):
-    """Set the switch beside OPR CMD and AUTO 1-4: which of the report's modes 1 to 3 they fly."""
+    """Set the switch beside OPR CMD and AUTO 1-4, which selects the report's mode (1 to 3) that they fly."""
 
     seq: int
     law: LawChoice
@@ -103,79 +104,82 @@ class PayloadAxes(WireMessage, frozen=True, tag="payload_axes"):
 
 
 class RateHold(WireMessage, frozen=True, tag="rate_hold"):
-    """Press RATE HOLD: keep the present stick command; pressed again, let it go."""
+    """Press RATE HOLD: keep the present stick command, or cancel RATE HOLD if it is on."""
 
     seq: int
 
 
 class PositionHold(WireMessage, frozen=True, tag="position_hold"):
-    """Set POSITION HOLD: with sticks at rest, keep position and attitude."""
+    """Set POSITION HOLD: keep position and attitude while the sticks are centred."""
 
     seq: int
     on: bool
 
 
 class AskSticks(WireMessage, frozen=True, tag="ask_sticks"):
-    """A page that watches wants to fly; the one that flies gives or keeps within 10 s."""
+    """Ask for control of the arm; the page in control gives or keeps the sticks within 10 s, or the request expires."""
 
     seq: Seq
 
 
 class GiveSticks(WireMessage, frozen=True, tag="give_sticks"):
-    """Give the sticks, which are at rest, to the page that asks."""
+    """Give the sticks, which must be centred, to the page that asks for control."""
 
     seq: Seq
 
 
 class KeepSticks(WireMessage, frozen=True, tag="keep_sticks"):
-    """Keep the sticks; the page that asks is told."""
+    """Keep the sticks; the server informs the page that asks for control."""
 
     seq: Seq
 
 
 class SetName(WireMessage, frozen=True, tag="set_name"):
-    """What the person at this page is called from now on, to the other pages and in the log."""
+    """Set the name of the person at this page, for the other pages and for the log."""
 
     seq: Seq
     name: str
-    """One line of 24 characters at most; empty: the page goes by its number again."""
+    """One line of at most 24 characters; empty to call the page by its number again."""
 
 
 class LeaveSeat(WireMessage, frozen=True, tag="leave_seat"):
-    """The page has become too narrow to fly from: it shows the flight from now on, and the next page flies."""
+    """Leave the seat: the page has become too narrow to control the arm, and from now on only shows the run.
+
+    If this page was in control, the next page takes control.
+    """
 
     seq: Seq
 
 
 class TakeSeat(WireMessage, frozen=True, tag="take_seat"):
-    """The page is wide enough to fly from again: it flies if nobody else does, and else watches."""
+    """Take a seat again: the page is wide enough now. It takes control if no page has it, and otherwise observes."""
 
     seq: Seq
 
 
 class HandsOff(WireMessage, frozen=True, tag="hands_off"):
-    """Nobody is at the controls: sticks at rest, RATE HOLD let go, POSITION HOLD on; a sequence goes on."""
+    """Leave the controls unattended: sticks centred, RATE HOLD off, POSITION HOLD on. A sequence continues."""
 
     seq: Seq
     cause: Literal["page hidden", "device lost"]
 
 
 class SetBrakes(WireMessage, frozen=True, tag="brakes"):
-    """Set BRAKES: on, every joint stands at once."""
+    """Set BRAKES: on stops every joint at once."""
 
     seq: Seq
     on: bool
 
 
 class SetSafing(WireMessage, frozen=True, tag="safing"):
-    """Set SAFING: on, zero joint rates are commanded; off is its CANCEL."""
+    """Set SAFING: on commands zero joint rates; off is its CANCEL."""
 
     seq: Seq
     on: bool
 
 
 class LookAhead(WireMessage, frozen=True, tag="look_ahead"):
-    """How far to look ahead."""
+    """Set the time span of the look-ahead."""
 
     seq: Seq
     seconds: Annotated[float, msgspec.Meta(ge=2.0, le=20.0)]
@@ -183,47 +187,47 @@ class LookAhead(WireMessage, frozen=True, tag="look_ahead"):
 
 
 class Proceed(WireMessage, frozen=True, tag="proceed"):
-    """AUTO SEQ switch to PROCEED."""
+    """Set the AUTO SEQ switch to PROCEED."""
 
     seq: Seq
 
 
 class Stop(WireMessage, frozen=True, tag="stop"):
-    """AUTO SEQ switch to STOP; sticks go to zero too."""
+    """Set the AUTO SEQ switch to STOP. This also sets the sticks to zero and stops the end effector."""
 
     seq: Seq
 
 
 class SetEffector(WireMessage, frozen=True, tag="effector"):
-    """Put the end effector's switch: the prong closes or opens; the snares capture or release."""
+    """Set the end effector switch: the prong closes or opens; the snares capture or release."""
 
     seq: Seq
     switch: EffectorSwitch
 
 
 class SetEffectorMode(WireMessage, frozen=True, tag="effector_mode"):
-    """END EFFECTOR MODE of the snares: the whole sequence, or the snares alone."""
+    """Set END EFFECTOR MODE of the snares: the whole sequence (auto), or the snares alone (manual)."""
 
     seq: Seq
     mode: Literal["auto", "manual"]
 
 
 class SetRigid(WireMessage, frozen=True, tag="rigid"):
-    """END EFFECTOR MAN CONTR: the carriage alone, in manual."""
+    """Set END EFFECTOR MAN CONTR of the snares: in manual mode, it moves the carriage alone."""
 
     seq: Seq
     rigid: Literal["off", "rigid", "derigid"]
 
 
 class PressLatch(WireMessage, frozen=True, tag="latch"):
-    """Hold the payload in its seat (retention latches, docking port), or let it go."""
+    """Latch the payload in its seat (retention latches, docking port), or unlatch it."""
 
     seq: Seq
     latch: Literal["latch", "unlatch"]
 
 
 class SetMaster(WireMessage, frozen=True, tag="master"):
-    """Put the master arm, which MASTER follows."""
+    """Set the joint angles of the master arm, which the arm follows in MASTER."""
 
     seq: Seq
     angles: Six
@@ -244,63 +248,66 @@ class Restart(WireMessage, frozen=True, tag="restart"):
 
 
 class FlyScenario(WireMessage, frozen=True, tag="fly_scenario"):
-    """Leave this flight and fly another scenario; what is recorded of this one is finished and kept."""
+    """Leave this run and run another scenario; the recording of this run is finished and kept."""
 
     seq: Seq
     number: Annotated[int, msgspec.Meta(ge=0)]
-    """Its place in `Scenarios.scenarios`."""
+    """Index in `Scenarios.scenarios`."""
 
 
 class DriveCamera(WireMessage, frozen=True, tag="drive_camera"):
-    """The switches that turn a camera, each in [-1, 1]; sent and forgotten as `Sticks` are."""
+    """Set the switches that drive a camera, each in [-1, 1]; they expire after 0.5 s of silence, as `Sticks` do."""
 
     seq: Seq
     camera: Name
     pan: float
-    """To the right in the picture."""
+    """+ to the right in the picture."""
     tilt: float
-    """Upwards."""
+    """+ upwards."""
     zoom: float
-    """In, to a narrower field of view."""
+    """+ zooms in, to a narrower field of view."""
     slow: bool
-    """At the low speed, where the drive has two."""
+    """True for the low speed, if the drive has two."""
 
 
 class Shown(WireMessage, frozen=True, tag="shown"):
-    """What the page measures of itself and shows, told once a second and when it changes; for recording and strips."""
+    """Report the latency that the page measures and the cameras that it shows, for the recording and the strips.
+
+    The page sends it once a second and when a monitor shows another camera.
+    """
 
     seq: Seq
     latency_ms: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] | None
-    """Stick to picture, 95th percentile of the last 10 s [ms]."""
+    """Time from stick to picture, 95th percentile of the last 10 s [ms]; null if there is no measurement."""
     monitors: Annotated[tuple[Monitor, ...], msgspec.Meta(max_length=2)] = ()
-    """What MON 1 and MON 2 show."""
+    """Cameras that MON 1 and MON 2 show."""
 
 
 class SetLight(WireMessage, frozen=True, tag="set_light"):
-    """How the light shall stand from now on, as a whole; it is no input of the flight, and is recorded."""
+    """Set the whole lighting from now on. It is recorded, but it is not an input of the simulation."""
 
     seq: Seq
     lighting: Lighting
 
 
 class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A device that moves the hand controllers, and what each part of it is put to."""
+    """Device that moves the hand controllers, with its settings and the use of its keys, buttons and axes."""
 
     kind: ControllerKind
     name: Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
-    """As the browser calls it."""
+    """Name that the browser gives the device."""
     deadband: Annotated[float, msgspec.Meta(ge=0.0, le=0.5)]
     """Part of an axis' travel about its centre that counts as zero."""
     expo: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
-    """0 straight, 1 the cube: (1 - expo) x + expo x**3 of what is left beyond the deadband."""
+    """0 linear, 1 cubic: (1 - expo) x + expo x**3, where x is the deflection beyond the deadband."""
     bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=64)]
-    """What is pressed or moved, and what it does: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
+    """Key, button or axis, and its use: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
     centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=16)]
-    """Where each axis rests, as the operator has confirmed; beyond the last: 0."""
+    """Rest position of each axis, as the operator has confirmed it; 0 for the axes beyond the last."""
 
 
 class Controllers(WireMessage, frozen=True, tag="controllers"):
-    """The hand controllers in use, told when the page begins to fly and whenever they change; for the recording."""
+    """Report the hand controllers in use, for the recording: when the page takes control and whenever they change."""
 
     seq: Seq
     controllers: Annotated[tuple[ControllerInUse, ...], msgspec.Meta(max_length=5)]

@@ -1,8 +1,8 @@
-"""What the messages between server and page have in common; `from_page` and `to_page` define them, each once.
+"""Definitions that the messages in both directions share; `from_page` and `to_page` define the messages, each once.
 
-Messages are JSON objects whose ``type`` names the struct; the page's TypeScript is generated from those types
+Messages are JSON objects; their ``type`` is the tag of the struct. The page's TypeScript is generated from these types
 (``make generate``). All quantities are SI and radians. *panel* components are X = -Xo, Y = Yo, Z = -Zo with pitch, yaw,
-roll applied in that order; *scene* is x aft, y starboard, z up with its origin at Xo 942, Yo 0, Zo 400 in. Quaternions
+roll applied in that order. *scene* is x aft, y starboard, z up, with its origin at Xo 942, Yo 0, Zo 400 in. Quaternions
 are wxyz.
 """
 
@@ -13,10 +13,10 @@ from typing import Annotated, Literal
 import msgspec
 
 PROTOCOL = 3
-"""Version of this protocol; a page that speaks another one is refused in the handshake."""
+"""Version of this protocol; the server rejects a page of another version in the handshake."""
 
 MAX_MESSAGE_BYTES = 16_384
-"""Longest message accepted from a page [bytes]: `Controllers` with full mappings; others have under 400."""
+"""Longest message accepted from a page [bytes]: `Controllers` with full mappings; others have fewer than 400."""
 
 Vec3 = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]
@@ -30,11 +30,11 @@ ControllerKind = Literal["keyboard", "pad", "thc pad", "rhc pad", "thc joystick"
 Binding = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9+]{1,16} [A-Za-z0-9+ -]{1,16}$")]
 Offset = Annotated[float, msgspec.Meta(ge=-0.3, le=0.3)]
 Seq = Annotated[int, msgspec.Meta(ge=0, le=2**53 - 1)]
-"""Number of a page's message: a whole number that JavaScript carries exactly."""
+"""Number of a page's message: an integer that JavaScript represents exactly."""
 Name = Annotated[str, msgspec.Meta(max_length=64)]
 Monitor = Annotated[tuple[Name, ...], msgspec.Meta(min_length=1, max_length=2)]
-"""Names of the cameras that a monitor shows: one, or two halves from the left."""
+"""Names of the cameras that a monitor shows: one, or two for a split monitor, the left half first."""
 
 
 class WireMessage(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="type"):
-    """A frozen, tagged message that refuses unknown fields."""
+    """Frozen, tagged message that rejects unknown fields."""

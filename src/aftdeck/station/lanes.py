@@ -1,4 +1,4 @@
-"""A replay's lanes: what was so from when to when."""
+"""Lanes of a playback or a live run: intervals of phase, mode, monitors, alarms and limits."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ MONITORS = ("MON 1", "MON 2")
 
 
 class Lanes:
-    """Phase, mode, alarms and limits of a run, collected frame by frame.
+    """Phase, mode, monitors, alarms and limits of a run, collected frame by frame.
 
     Attributes:
-        begun: how many stretches have begun.
+        begun: number of stretches that have begun.
     """
 
     def __init__(self, period_s: float) -> None:
@@ -33,11 +33,11 @@ class Lanes:
         self._shown: tuple[tuple[str, ...], ...] = ((), ())
 
     def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
-        """What the monitors show from the next frame on."""
+        """Set the cameras that the monitors show from the next frame on."""
         self._shown = monitors
 
     def add(self, frame: Frame, lamps: Iterable[Lamp]) -> None:
-        """The next frame and the lamps lit in it."""
+        """Add the next frame and the lamps lit in it."""
         alarms = {lamp.name: lamp.level for lamp in lamps if lamp.level != "info"}
         worst: Level = "warning" if "warning" in alarms.values() else "caution" if alarms else "info"
         self._put("Phase", phase_of(frame), "info")
@@ -55,13 +55,16 @@ class Lanes:
             self.begun += 1
 
     def forget(self, before: int) -> None:
-        """Let go what ended before a tick."""
+        """Delete the stretches that ended before a tick."""
         for stretches in self._lanes.values():
             while len(stretches) > 1 and stretches[1][0] < before:
                 del stretches[0]
 
     def lanes(self) -> tuple[Lane, ...]:
-        """The lanes, their stretches without a gap from zero to the last frame; phases, monitors if there were any."""
+        """Return the lanes, each with consecutive stretches up to the last frame.
+
+        The stretches begin at zero, or later after `forget`. A phase or monitor lane without any label is left out.
+        """
         return tuple(
             Lane(name, self._stretches(stretches))
             for name, stretches in self._lanes.items()
@@ -80,5 +83,9 @@ class Lanes:
 
 
 def phase_of(frame: Frame) -> str:
-    """The script's phase; by hand, where there is a payload to work on, the report's mode: ``extraction``."""
+    """Return the script's phase, or, in manual flight with payloads, the report's mode (``extraction``).
+
+    Returns:
+        Name of the phase or mode; "" if there is neither.
+    """
     return frame.phase or (TASKS[frame.work.task] if frame.work.cargo else "")

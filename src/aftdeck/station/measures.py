@@ -1,4 +1,4 @@
-"""A replay's figures of the whole run."""
+"""Figures of a whole recorded run, for playback."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _RANK: dict[Level, int] = {"info": 0, "caution": 1, "warning": 2}
 
 
 class Measures:
-    """Figures collected frame by frame."""
+    """Figures of a run, collected frame by frame."""
 
     def __init__(self, period_s: float) -> None:
         self._period_s = period_s
@@ -41,7 +41,7 @@ class Measures:
         self._monitors: dict[int, tuple[str, ...]] = {}
 
     def add(self, frame: Frame, lamps: tuple[Lamp, ...]) -> None:
-        """The next frame and the lamps lit in it."""
+        """Add the next frame and the lamps lit in it."""
         if self._last is not None:
             self._path += math.dist(frame.position, self._last.position)
             self._capture(self._last, frame)
@@ -61,13 +61,13 @@ class Measures:
         self._sticks(frame)
 
     def use(self, controllers: tuple[ControllerRecord, ...]) -> None:
-        """What moves the sticks from here on."""
+        """Add the controllers that move the sticks from now on."""
         self._used |= {used.kind: used for used in controllers}
 
     def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
-        """What the monitors show from the next frame on."""
+        """Set the cameras that the monitors show from the next frame on, and count the changes."""
         for monitor, names in enumerate(monitors):
-            if not names:  # the page has gone, or does not tell
+            if not names:  # the page has left, or does not report its cameras
                 continue
             self._cameras += names != self._monitors.get(monitor, names)
             self._monitors[monitor] = names
@@ -78,7 +78,7 @@ class Measures:
             self._nearest = near.clearance, f"{near.a} to {near.b}", frame.time_s
 
     def _capture(self, before: Frame, frame: Frame) -> None:
-        """How it stood in the step before something was held."""
+        """Count captures, and keep the misalignment of the last one, from the step before it."""
         for was, now in zip(before.work.cargo, frame.work.cargo, strict=True):
             if now.held and not was.held:
                 self._captures += 1
@@ -96,7 +96,11 @@ class Measures:
                 self._signs[i] = sign
 
     def measures(self, ended: str) -> tuple[Measure, ...]:
-        """All figures, those of a target only where the run ended with one."""
+        """Return all figures that the run has data for.
+
+        Figures of a target, for example, are included only if the run ended with one. `ended` says how the run ended;
+        it is empty for a recording that was cut short.
+        """
         frame = self._last
         assert frame is not None, "a recording without a frame is refused before"
         duration = self._ticks * self._period_s
@@ -167,7 +171,7 @@ class Measures:
         return [*figures, _figure("Rate at capture", "speed", rate, about)]
 
     def _camera_figures(self) -> list[Measure]:
-        """Where a page told what its monitors showed."""
+        """Return the count of camera changes, if a page reported what its monitors showed."""
         if not self._monitors:
             return []
         about = "Times that a monitor was given another camera, or split."
@@ -183,6 +187,6 @@ def _worse(*levels: Level) -> Level:
 
 
 def _told(used: ControllerRecord) -> str:
-    """A controller and how it was set: ``Test pad, deadband 8 %, expo 0.3``; keys have neither."""
+    """Return a controller's name and settings: ``Test pad, deadband 8 %, expo 0.3``. A keyboard has no settings."""
     set_to = "" if used.kind == "keyboard" else f", deadband {used.deadband:.0%}, expo {used.expo:g}".replace("%", " %")
     return f"{used.name}{set_to}"

@@ -1,8 +1,8 @@
-"""A recording as one HTML file that any browser plays without a server: page, index and frames, all inside.
+"""Recording as one HTML file that any browser plays without a server, with page, index and frames inside.
 
-The page is the one that the station serves, its script, style and fonts put in; index and blocks are compressed
-and written in base64. Numbers keep what a picture and a read-out need, and a long run keeps every second, third ...
-frame only, so that the file stays below `LIMIT`.
+The page is the one that the station serves, with its script, style and fonts included. The index and the blocks are
+compressed and written in base64. Numbers keep the decimals that a picture and a read-out need. Of a long run, only
+every second, third ... frame is kept, so that the file stays below `LIMIT`.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ from aftdeck.station.reel import Reel
 from aftdeck.station.verdict import verdict
 
 LIMIT = 4_950_000
-"""Longest file [bytes]; five megabytes pass through most mail."""
+"""Longest file [bytes]; most mail servers accept five megabytes."""
 DECIMALS = 4
-"""Of numbers in frames and strips: a tenth of a millimetre, six thousandths of a degree."""
+"""Decimals of all numbers in index and blocks: a tenth of a millimetre, six thousandths of a degree."""
 ROUND, ROUND_A_BLOCK = 1000, 60
-"""More than the elements round all the data, and round a block, take [bytes]."""
+"""Allowance for the HTML elements around all the data, and around each block [bytes]."""
 
 _SCRIPT = re.compile(r'<script type="module"[^>]* src="\./([^"]+)"></script>')
 _STYLE = re.compile(r'<link rel="stylesheet"[^>]* href="\./([^"]+)">')
@@ -43,10 +43,10 @@ def write_html(path: Path, out: Path) -> None:
 
     Args:
         path: the recording.
-        out: the file to make.
+        out: the file to write.
 
     Raises:
-        RecordingError: a recording that cannot be read, or a file that exists already or cannot be written.
+        RecordingError: the recording cannot be read or is too long, or the file exists already or cannot be written.
         StationError: the page was not built.
     """
     page = _whole_page(built_page())
@@ -63,7 +63,7 @@ def write_html(path: Path, out: Path) -> None:
 
 
 def _fitting(page: str, reel: Reel, path: Path) -> str:
-    """The file's text, with as many frames as fit."""
+    """Return the file's text, with as many frames as fit into `LIMIT`."""
     found = verdict(path)
     index = _packed(msgspec.to_builtins(reel.index(found)))
     room = LIMIT - len(page.encode()) - len(index) - ROUND
@@ -96,7 +96,7 @@ def _packed(value: object) -> str:
 
 
 def _rounded(value: object) -> object:
-    """The same with `DECIMALS`, and no negative zeros."""
+    """Return the value with its numbers rounded to `DECIMALS`, and without negative zeros."""
     if type(value) is float:
         return round(value, DECIMALS) + 0.0
     if type(value) is dict:
@@ -115,7 +115,7 @@ def _filled(page: str, path: Path, index: str, blocks: list[str]) -> str:
 
 
 def _whole_page(page: str) -> str:
-    """The built page with everything that it would fetch."""
+    """Return the built page with its script, style and fonts inside, so that it fetches no file."""
     page = _STYLE.sub(lambda found: f"<style>{_style(found[1])}</style>", page)
     return _SCRIPT.sub(lambda found: f'<script type="module">{_script(found[1])}</script>', page)
 

@@ -1,4 +1,4 @@
-"""Who may talk to a station: its own pages alone."""
+"""Access control of a station: only its own pages may send requests."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from starlette.websockets import WebSocket
 
 
 class OwnOriginOnly:
-    """Refuses requests that another site's page makes, and host names that are not this machine's."""
+    """Middleware that rejects requests from other sites' pages, and host names that are not this machine's."""
 
     def __init__(self, app: ASGIApp, hosts: frozenset[str] | None) -> None:
         self._app, self._hosts = app, hosts
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass on what comes from this station's own page."""
+        """Pass on requests from this station's own pages, and reject all others."""
         if scope["type"] not in ("http", "websocket") or self._own(scope):
             await self._app(scope, receive, send)
         elif scope["type"] == "websocket":
@@ -35,7 +35,7 @@ class OwnOriginOnly:
 
 
 def _host_name(url: str) -> str | None:
-    """The host in a URL, in lower case; None where there is none."""
+    """Return the host of a URL in lower case; None if the URL has no valid host."""
     try:
         return urlsplit(url).hostname
     except ValueError:
@@ -43,8 +43,8 @@ def _host_name(url: str) -> str | None:
 
 
 def keep_to_own(app: Starlette, host: str) -> Starlette:
-    """The app, which from now on answers its own page alone; `host` is what it listens on."""
-    everywhere = host in ("0.0.0.0", "::")  # the caller's wish: any name may be ours
+    """Make the app answer its own pages only, and return it; `host` is the address that it listens on."""
+    everywhere = host in ("0.0.0.0", "::")  # the caller chose all interfaces: any host name may be this machine's
     app.add_middleware(
         OwnOriginOnly, hosts=None if everywhere else frozenset({host.lower(), "127.0.0.1", "localhost", "::1"})
     )

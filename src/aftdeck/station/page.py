@@ -1,4 +1,4 @@
-"""One connected page: its handshake, what it asks for, and what it is told."""
+"""One connected page: its handshake, its commands, and the messages sent to it."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from aftdeck.station.recent import Mark
 from aftdeck.station.session import Phase
 
 HELLO_WITHIN = 5.0
-"""How long a page may take to say hello [s]."""
+"""Time within which a page must send its hello [s]."""
 MOST_PAGES = 32
-"""Pages connected at once."""
+"""Maximum number of pages connected at once."""
 MOST_WRONG = 20
-"""Messages refused one after the other after which a connection is closed."""
+"""Number of consecutive rejected messages after which the connection is closed."""
 LONGEST_REASON = 123
 """Longest reason in a WebSocket's close frame [bytes]; RFC 6455, 5.5."""
 
@@ -36,7 +36,7 @@ _AT_REST = (
     | from_page.KeepSticks
     | from_page.FlyScenario
 )
-"""What is looked at while another scenario is made ready: nothing that moves the arm."""
+"""Messages accepted while another scenario is being prepared: none of them moves the arm."""
 
 _encoder = msgspec.json.Encoder()
 _hello = msgspec.json.Decoder(from_page.Hello)
@@ -47,7 +47,7 @@ class Page:
     """One connected page, from hello to goodbye.
 
     Attributes:
-        answers: what others have it told; its own sender sends them, so that nobody waits for its connection.
+        answers: messages that `Pages` queues for it; its own sender sends them, so that no page waits for another.
     """
 
     def __init__(self, pages: Pages, socket: WebSocket) -> None:
@@ -58,7 +58,7 @@ class Page:
         self.answers: deque[to_page.Refused] = deque()
 
     async def serve(self) -> None:
-        """Handshake, then receive and send until one side goes."""
+        """Do the handshake, then receive and send until one side disconnects."""
         if not await self._handshake():
             return
         self.pages.come(self)
@@ -144,7 +144,7 @@ class Page:
         session = self.pages.session
         if self.pages.choice.coming is not None and not isinstance(message, _AT_REST):
             if isinstance(message, from_page.Sticks | from_page.DriveCamera):
-                return  # on their way when the scenario was chosen
+                return  # sent before the page learned that a scenario was chosen
             raise CommandError("another scenario is made ready; the arm rests meanwhile")
         match message:
             case from_page.GiveSticks() | from_page.KeepSticks():
@@ -165,22 +165,22 @@ class Page:
                 session.command(message)
 
     async def refuse(self, seq: int, text: str, *, counts: bool = True) -> None:
-        """Tell the page what was not taken; `counts`: among those after which the connection is closed."""
+        """Report a rejected message to the page; `counts` is False if the message does not count for `MOST_WRONG`."""
         self.wrong += counts
         await self._send(to_page.Refused(seq, text))
 
     # --- to the page --------------------------------------------------------------------------------------
 
     async def _send_news(self) -> None:
-        """Send scenarios, role, log and newest frame whenever they change; frames that came meanwhile are skipped.
+        """Send scenarios, role, log and newest frame whenever they change, and skip older frames.
 
-        A window that draws strips gets a frame with every sample, and no others.
+        A window that draws strips gets only the frames that come with a new sample.
         """
         session = self.welcomed
         scenarios, role, lines, sent = None, None, 0, b""
         told: Mark | None = None
         while self.pages.session.phase is not Phase.CLOSED:
-            fresh = self.pages.fresh  # taken before looking, so that nothing new is missed
+            fresh = self.pages.fresh  # read before the news, so that no later change is missed
             if session is not self.pages.session:
                 session, lines, sent = self.pages.session, 0, b""
                 await self._send(session.welcome)

@@ -1,4 +1,4 @@
-"""All pages connected to one station: what is flown, who flies, who watches."""
+"""All pages connected to one station: their session, the page in control, and the observers."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from aftdeck.station.session import Session
 
 
 class Connected(Protocol):
-    """A page, as far as the others are concerned.
+    """Part of a page that `Pages` and the other pages use.
 
     Attributes:
-        shows: it is nobody's hands.
+        shows: True if the page only shows the run and cannot take control.
         seq: number of its last message.
-        answers: what others have it told; its own sender sends them, so that nobody waits for its connection.
+        answers: messages that `Pages` queues for it; its own sender sends them, so that no page waits for another.
     """
 
     shows: bool
@@ -32,7 +32,7 @@ class Connected(Protocol):
 
 
 class Pages:
-    """The pages connected to one station: what is flown, who flies, and waking their senders."""
+    """Pages connected to one station, with their session and their control roles."""
 
     def __init__(self, session: Session, told: Callable[[], None]) -> None:
         self.session, self._told = session, told
@@ -43,15 +43,15 @@ class Pages:
         self.change: asyncio.Task[None] | None = None
 
     def wake(self) -> None:
-        """Tell every sender that there is something new."""
+        """Wake the sender of every page, because there is something new to send."""
         self.fresh.set()
         self.fresh = asyncio.Event()
 
     def fly(self, number: int, asking: Connected) -> None:
-        """Make another scenario ready and then fly it; the arm comes to rest meanwhile.
+        """Prepare another scenario and then run it; the arm comes to rest meanwhile.
 
         Raises:
-            CommandError: it cannot be chosen.
+            CommandError: the scenario cannot be chosen.
         """
         self.choice.choose(number)
         self.session.let_go("another scenario")
@@ -59,15 +59,15 @@ class Pages:
         self.change = asyncio.create_task(self._change(number, asking))
 
     async def _change(self, number: int, asking: Connected) -> None:
-        """Leave the present session for another; where that cannot be made, the present one goes on."""
+        """Replace the present session by one of another scenario; if that cannot be made, the present one continues."""
         before, choice = self.session, self.choice
         try:
             self.session = await _abandonable(lambda: before.another(choice.load(number)))
             choice.flown = number
             self.wake()
-            await asyncio.to_thread(before.close)  # its recording is finished before the next begins
+            await asyncio.to_thread(before.close)  # its recording must be finished before the next one begins
             self.session.start(self._told)
-        except Exception as error:  # whoever asked must hear of it, whatever it was
+        except Exception as error:  # any error must reach the page that asked
             asking.answers.append(to_page.Refused(-1, f"{choice.scenarios[number].title!r} cannot be flown: {error}"))
             if not isinstance(error, AftdeckError):
                 raise
@@ -76,21 +76,21 @@ class Pages:
             self.wake()
 
     async def close(self) -> None:
-        """The server ends: nothing more is made ready, and the flight stops."""
+        """Cancel the preparation of a scenario and close the session, because the server stops."""
         if self.change is not None:
             self.change.cancel()
             await asyncio.wait([self.change])
         self.session.close()
 
     def come(self, page: Connected) -> None:
-        """Take a page on: with hands it has a seat, one that only shows has none."""
+        """Add a page; a page that only shows the run gets no seat."""
         if page.shows:
             self.windows.add(page)
         else:
             self.seats.come(page)
 
     def leave(self, page: Connected, cause: str = "page gone") -> None:
-        """Take a page off, for one of `unattended.CAUSES`; the sticks go to zero if it flew."""
+        """Remove a page, for one of `unattended.CAUSES`; if it was in control, the sticks go to zero."""
         if page.shows:
             self.windows.remove(page)
             return
@@ -100,16 +100,16 @@ class Pages:
             self.session.let_go(cause if self.seats.flier is None else f"{cause}, another flies")
 
     def reseat(self, page: Connected, *, seated: bool) -> None:
-        """A page has become wide enough to have hands, or too narrow for it."""
+        """Give a seat to a page that has become wide enough to take control, or take it from a too narrow one."""
         if seated is not page.shows:
-            return  # it is so already
+            return  # nothing changes
         self.leave(page, "page narrow")
         page.shows = not seated
         self.come(page)
         self.wake()
 
     def role(self, page: Connected) -> to_page.Role:
-        """What a page is told of who flies."""
+        """Return the message that tells a page its role, and which page is in control."""
         seats = self.seats
         number, flier, asking = (
             0 if one is None or one.shows else seats.number(one) for one in (page, seats.flier, seats.asking)
@@ -125,29 +125,29 @@ class Pages:
         )
 
     def name(self, page: Connected, name: str) -> None:
-        """Somebody says who he is.
+        """Set the name of the person at a page.
 
         Raises:
-            InputError: what can be no name.
+            InputError: the name is not valid.
         """
         self.seats.give_name(page, name)
         self.wake()
 
     def ask(self, page: Connected) -> None:
-        """A page asks for the sticks; when the time to answer is over, all are told.
+        """Request control for a page; when the time to answer is over, all pages are informed.
 
         Raises:
-            CommandError: it flies, or another asks.
+            CommandError: the page is in control already, or another page is asking.
         """
         self.seats.ask(page)
         self.wake()
         asyncio.get_running_loop().call_later(ANSWER_WITHIN, self.wake)
 
     def answer(self, gives: bool) -> None:
-        """The page that flies gives the sticks, or keeps them.
+        """Give the sticks to the page that asks for control, or keep them, as the page in control decided.
 
         Raises:
-            CommandError: nobody asks, or a stick is not at rest.
+            CommandError: no page asks for control, or a stick is not centred.
         """
         seats = self.seats
         asked = seats.who_asks()
@@ -162,7 +162,10 @@ class Pages:
 
 
 async def _abandonable(make: Callable[[], Session]) -> Session:
-    """What a thread makes that the end of the process need not wait for: compiling may take half a minute."""
+    """Make a session in a daemon thread and return it.
+
+    The end of the process does not wait for that thread: compiling may take half a minute.
+    """
     loop = asyncio.get_running_loop()
     made: asyncio.Future[Session] = loop.create_future()
 

@@ -1,8 +1,8 @@
-"""A recording as the page plays it: what is known of the whole run, and its frames in blocks.
+"""Recording as the page plays it: data of the whole run, and the frames in blocks.
 
-The replay's server and the page in one file hand over the same two things: a `PlaybackIndex` at first, a `Block`
-whenever the playhead comes near it. The page's TypeScript is generated from these types. All quantities are SI and
-radians; times are simulated ones, from the run's beginning.
+The playback server and the one-file page deliver the same two things: first a `PlaybackIndex`, then a `Block` whenever
+the playhead comes near it. The page's TypeScript is generated from these types. All quantities are SI and radians;
+times are simulated times, counted from the beginning of the run.
 """
 
 from __future__ import annotations
@@ -16,79 +16,79 @@ from aftdeck.station.kinds import Level
 from aftdeck.station.to_page import Event, Frame, Welcome
 
 BLOCK = 256
-"""Moments in a block, but the last one: 5 s of a recording at 50 steps a second."""
+"""Number of moments in each block but the last: about 5 s of a recording at 50 steps a second."""
 
 
 class Pictured(msgspec.Struct, frozen=True):
-    """What the monitors of the page that flew showed from a time on."""
+    """Cameras that the monitors of the page in control showed from a time on."""
 
     time_s: float
     monitors: tuple[tuple[str, ...], ...]
-    """Of MON 1 and MON 2: the camera's name, two where it was split; none: no page flew."""
+    """Camera names of MON 1 and MON 2: two if the monitor was split, none if no page was in control."""
 
 
 class Measure(msgspec.Struct, frozen=True):
-    """A figure of the whole run."""
+    """Figure of the whole run."""
 
     name: str
     quantity: Quantity
     value: float | None
     text: str
-    """In words, where the quantity is such."""
+    """Value in words if `quantity` is ``words``; otherwise empty."""
     about: str
-    """How it is reckoned, in a sentence."""
+    """Explanation of the figure, in a sentence."""
     angle: float | None = None
-    """What belongs to a distance: how far the two are turned against each other [rad]."""
+    """Angle that belongs to a distance: rotation of the two objects relative to each other [rad]; null if none."""
     level: Level = "info"
-    """The worst alarm that it stands for."""
+    """Worst alarm level that belongs to the figure."""
 
 
 class Verdict(msgspec.Struct, frozen=True):
-    """Whether the recomputed frames are equal to the recorded ones."""
+    """Result of comparing the re-simulated frames with the recorded ones."""
 
     state: Literal["checking", "equal", "different", "impossible"]
     text: str
-    """For people: ``all 2002 frames equal``."""
+    """Text for display: ``all 2002 frames equal``."""
 
 
 class Recorded(msgspec.Struct, frozen=True):
-    """A recording in the folder of a station that records."""
+    """Recording in the folder of a station that records."""
 
     file: str
-    """The file's name, without its folder."""
+    """Name of the file, without its folder."""
     changed: str
-    """Wall time at which it was written to last, ISO 8601, UTC."""
+    """Wall time of the last write to the file, ISO 8601, UTC."""
     now: bool
-    """The present flight goes on in it."""
+    """True if the present run is being recorded into this file."""
 
 
 class PlaybackIndex(msgspec.Struct, frozen=True):
-    """All that is known of a recording before its first frame is drawn."""
+    """Data of a recording that the page needs before it draws the first frame."""
 
     welcome: Welcome
     file: str
-    """The file's name, without its folder."""
+    """Name of the file, without its folder."""
     began: str
     """Wall time at which the run began, ISO 8601, UTC."""
     version: str
-    """Of the Aftdeck that recorded it."""
+    """Version of Aftdeck that made the recording."""
     seed: int
     changes: tuple[str, ...]
-    """KEY=VALUE, where a replay changed the scenario."""
+    """KEY=VALUE for each change that a re-run made to the scenario."""
     participant: str
-    """Code of who took part; empty: none was given."""
+    """Participant's code; empty if none was given."""
     condition: str
-    """Of the trial; empty: none was given."""
+    """Condition of the trial; empty if none was given."""
     period_s: float
-    """A control step."""
+    """Duration of a control step [s]."""
     ticks: int
-    """Steps that the recording holds."""
+    """Number of steps in the recording."""
     stride: int
-    """Steps from one drawn frame to the next; 1: every frame is drawn."""
+    """Steps from one drawn frame to the next; 1 if every frame is drawn."""
     block: int
-    """Moments in each block but the last."""
+    """Number of moments in each block but the last."""
     ended: str
-    """How the run ended; empty where the recording was cut short."""
+    """Reason for the end of the run; empty if the recording was cut short."""
     verdict: Verdict
     events: tuple[Event, ...]
     lanes: tuple[Lane, ...]
@@ -98,14 +98,14 @@ class PlaybackIndex(msgspec.Struct, frozen=True):
 
 
 class Moment(msgspec.Struct, frozen=True):
-    """One recorded frame, with each curve's exact value in it."""
+    """One recorded frame, with the exact value of each curve in it."""
 
     frame: Frame
     values: tuple[float | None, ...]
-    """Of every curve, strip after strip."""
+    """Values of all curves, strip after strip; null where a curve has no value."""
     worst: str
-    """The joint that is nearest to its rate limit; empty at rest."""
+    """Joint nearest to its rate limit; empty at rest."""
 
 
 Block = tuple[Moment, ...]
-"""Moments that follow one another, `PlaybackIndex.stride` steps apart."""
+"""Consecutive moments, `PlaybackIndex.stride` steps apart."""

@@ -1,4 +1,4 @@
-"""A recording as its page asks for it: the page as built, the recording's index, and its frames block by block."""
+"""Web routes of a playback: the built page, the recording's index, its frames block by block, and the verdict."""
 
 from __future__ import annotations
 
@@ -16,30 +16,30 @@ from aftdeck.station.reel import Reel
 from aftdeck.station.verdict import CHECKING, verdict
 
 WHERE = '<meta name="recording" content="recording/" />'
-"""Tells the page that it plays, and where from."""
+"""HTML element that makes the page play a recording, with the path to load it from."""
 FLYING = '<meta name="flying" content="../../" />'
-"""Tells it where the station is flown that plays."""
+"""HTML element that gives the page the path back to the live station."""
 
 
 class Player:
-    """A recording as its page asks for it."""
+    """Server side of one recording that a page plays."""
 
     def __init__(self, reel: Reel, path: Path, told: str = WHERE) -> None:
-        """`told`: what the page is told of where it is."""
+        """Serve `reel`, read from `path`; `told` is the HTML elements to add to the page's head."""
         self._reel, self._path, self._told = reel, path, told
         self._found = CHECKING
         self._encode = msgspec.json.Encoder().encode
 
     def check(self) -> None:
-        """Begin to check the recomputed frames, in a thread of its own; the end of the server does not wait for it."""
+        """Start to re-simulate and compare the frames in a daemon thread; the server ends without waiting for it."""
         Thread(target=self._check, name="recomputing", daemon=True).start()
 
     def close(self) -> None:
-        """Let the recording go."""
+        """Close the recording."""
         self._reel.close()
 
     def routes(self) -> list[BaseRoute]:
-        """The page as built, the recording's index, its blocks, and the verdict."""
+        """Return the routes of the built page, the recording's index, its blocks, and the verdict."""
         return [
             Route("/", self._page),
             Route("/index.html", self._page),

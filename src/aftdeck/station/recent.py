@@ -1,4 +1,4 @@
-"""The last minutes of a flight, for windows that draw them as strips."""
+"""Last minutes of a run, for windows that draw them as strips."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from aftdeck.station.lanes import Lanes
 from aftdeck.station.strips import blank, readings, worst_joint
 
 KEPT_S = 300.0
-"""How much of the flight is kept [s]."""
+"""Length of the part of the run that is kept [s]."""
 SPACING_S = 0.1
-"""From one sample to the next, as a page's figures change [s]."""
+"""Time from one sample to the next [s]; a page's figures change at the same rate."""
 DECIMALS = 5
-"""Of a sample's values: a hundredth of a millimetre."""
+"""Decimals of a sample's values: a hundredth of a millimetre."""
 
 
 class Mark(NamedTuple):
-    """How far a page was told of a flight.
+    """Amount of a run's data that a page has received.
 
     Attributes:
-        flight: of which one.
-        samples: how many.
-        begun: stretches of its lanes that had begun.
+        flight: the run.
+        samples: number of samples that the run had.
+        begun: number of stretches of the lanes that had begun.
     """
 
     flight: RecentFlight
@@ -37,7 +37,7 @@ class Mark(NamedTuple):
 
 
 class RecentFlight:
-    """Every strip's values and the lanes, as far back as they are kept; fed by one thread, asked by another."""
+    """Values of all strips, and the lanes, of the last `KEPT_S` seconds; one thread adds to them, another reads."""
 
     def __init__(self, scenario: Scenario) -> None:
         period = scenario.control_period
@@ -57,7 +57,7 @@ class RecentFlight:
         latency_ms: float | None,
         monitors: Sequence[tuple[str, ...]],
     ) -> None:
-        """The next frame, the lamps lit in it, what its page measures and what its monitors show."""
+        """Add the next frame, with its lit lamps, the latency that the page measured, and the monitors' cameras."""
         with self._lock:
             self._lanes.shown((*monitors, (), ())[:2])
             self._lanes.add(frame, lamps)
@@ -70,7 +70,14 @@ class RecentFlight:
             self._count += 1
 
     def news(self, told: Mark | None) -> tuple[to_page.Recent, Mark] | None:
-        """What a page does not know yet, and how far it will have been told; None: there is nothing."""
+        """Return what a page has not received yet, and the mark for the next call.
+
+        Args:
+            told: mark that the last call returned; None: the page has received nothing.
+
+        Returns:
+            Message and new mark; None if there is no new sample.
+        """
         with self._lock:
             begins = told is None or told.flight is not self
             known = 0 if begins or told is None else told.samples

@@ -1,4 +1,4 @@
-"""The recordings of a station that records: listed for its page, and played in it."""
+"""Recordings of a station that records, listed for its page and played in it."""
 
 from __future__ import annotations
 
@@ -20,33 +20,33 @@ from aftdeck.station.player import FLYING, WHERE, Player
 from aftdeck.station.reel import Reel
 
 MOST_LISTED = 50
-"""Recordings that are listed, the newest first."""
+"""Maximum number of recordings listed; the newest are listed."""
 MOST_OPEN = 3
-"""Recordings that are kept open; the one played longest ago is let go for another."""
+"""Maximum number of recordings kept open; to open another one, the one opened first is closed."""
 
 
 class Recordings:
-    """The folder that a station records into."""
+    """Recordings in the folder that a station records into."""
 
     def __init__(self, folder: Path, present: Callable[[], Path | None]) -> None:
-        """`present`: the file that the present flight goes on in; None: none does."""
+        """Serve `folder`; `present` returns the file of the present run, or None if that is not recorded."""
         self._folder, self._present = folder, present
         self._open: dict[tuple[str, int], tuple[Player, Router]] = {}
         self._lock = Lock()
 
     def routes(self) -> list[BaseRoute]:
-        """Where the page finds them."""
+        """Return the routes of the list and of the playback pages."""
         return [Route("/recordings.json", self._listed), Mount("/replay/{file}", app=self._play)]
 
     def listed(self) -> tuple[Recorded, ...]:
-        """The recordings, the newest first."""
+        """Return the newest recordings, newest first."""
         now = self._present()
         files = []
         for path in self._folder.glob("*.mcap"):
             try:
                 files.append((path.stat().st_mtime, path))
             except OSError:
-                continue  # taken away meanwhile
+                continue  # deleted meanwhile
         files.sort(reverse=True)
         return tuple(
             Recorded(path.name, datetime.fromtimestamp(changed, UTC).isoformat(), path == now)
@@ -54,7 +54,7 @@ class Recordings:
         )
 
     def close(self) -> None:
-        """Let all recordings go."""
+        """Close all recordings."""
         with self._lock:
             for player, _ in self._open.values():
                 player.close()
@@ -74,11 +74,11 @@ class Recordings:
         await played(scope, receive, send)
 
     def _router(self, file: str, *, fresh: bool) -> Router:
-        """Plays a recording of the folder; one that has grown is read anew as its page is opened (`fresh`).
+        """Return the router that plays a recording; if `fresh` (its page opens), read a file of changed size again.
 
         Raises:
-            RecordingError: it cannot be played.
-            OSError: there is none of this name.
+            RecordingError: the recording cannot be played.
+            OSError: there is no file of this name.
         """
         path = self._folder / file
         if path.name != file or path.suffix != ".mcap":

@@ -1,7 +1,7 @@
-"""A recording made ready to be played: read once from beginning to end, its frames kept aside in blocks.
+"""Recording prepared for playback: read once from beginning to end, its frames stored in blocks.
 
-A recording is read forwards only and may be hours long, so its frames wait in a temporary file, packed block by
-block, until the page asks for them; what is known of the whole run is collected on the way.
+A recording can only be read forwards and may be hours long. Its frames are therefore stored in a temporary file,
+compressed block by block, until the page asks for them. The data of the whole run is collected during the reading.
 """
 
 from __future__ import annotations
@@ -34,20 +34,20 @@ from aftdeck.station.verdict import CHECKING
 from aftdeck.station.wire import Translator
 
 _QUICK = 1
-"""Level of the temporary file's compression."""
+"""Compression level of the temporary file."""
 
 _encoder = msgspec.msgpack.Encoder()
 _records = msgspec.msgpack.Decoder(tuple[FrameRecord, ...])
 
 
 class Reel:
-    """A recording, ready to be played; close it after use."""
+    """Recording ready for playback; close it after use."""
 
     def __init__(self, path: Path) -> None:
-        """Read a recording as far as it goes.
+        """Read a recording to its end, or to the point where it was cut short.
 
         Raises:
-            RecordingError: no recording, a damaged one, or one without a step.
+            RecordingError: the file is not a recording, is damaged, has no step, or its frames cannot be stored.
         """
         recording = Recording(path)
         scenario = scenario_of(recording.opening)
@@ -62,48 +62,48 @@ class Reel:
             self._opened = opened.pop_all()
 
     def __enter__(self) -> Reel:
-        """Itself."""
+        """Return the reel itself."""
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        """Close it."""
+        """Close the reel."""
         self.close()
 
     def close(self) -> None:
-        """Let the temporary file go."""
+        """Close the temporary file, which deletes it."""
         self._opened.close()
 
     @property
     def ticks(self) -> int:
-        """Steps that it holds."""
+        """Number of steps in the recording."""
         return self._index.ticks
 
     @property
     def blocks(self) -> int:
-        """How many blocks there are, each of `BLOCK` frames but the last."""
+        """Number of blocks; each but the last has `BLOCK` frames."""
         return len(self._ends) - 1
 
     def index(self, verdict: Verdict, stride: int = 1) -> PlaybackIndex:
-        """What is known of the whole run.
+        """Return the data of the whole run.
 
         Args:
-            verdict: of the recomputation.
-            stride: steps from one frame that is handed over to the next.
+            verdict: result of the re-simulation.
+            stride: steps from one delivered frame to the next.
         """
         return replace(self._index, verdict=verdict, stride=stride)
 
     def block(self, number: int) -> Block:
-        """A block's moments, every step of them; may be called from any thread.
+        """Return the moments of a block, one for each step; may be called from any thread.
 
         Raises:
-            IndexError: there is no such block.
+            IndexError: the block does not exist.
         """
         return tuple([self._moment(record) for record in self._unpack(number)])
 
     def moments(self, stride: int) -> Iterator[Moment]:
-        """Every stride-th moment of the run, from the first."""
+        """Yield every `stride`-th moment of the run, beginning with the first."""
         for number in range(self.blocks):
             for record in self._unpack(number):
                 if (record.tick - 1) % stride == 0:
@@ -190,7 +190,7 @@ class Reel:
         )
 
     def _lighting(self, tick: int) -> Lighting:
-        """How the light stood in a step."""
+        """Return the lighting in a step."""
         return self._lights[bisect(self._lights, tick, key=lambda light: light[0]) - 1][1]
 
 

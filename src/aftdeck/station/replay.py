@@ -1,4 +1,4 @@
-"""Playing a recording in the page, by a server of its own."""
+"""Playback of a recording in the page, by a server of its own."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from aftdeck.station.reel import Reel
 from aftdeck.station.serve import address_of, listen, make_server, run_server
 
 LARGE = 10_000_000
-"""A longer recording [bytes] takes more than a few seconds to read."""
+"""Size above which a recording takes more than a few seconds to read [bytes]."""
 
 
 def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> None:
-    """Serve a recording to the page until interrupted; prints the page's address when it can be played.
+    """Serve a recording to the page until interrupted; print the page's address when it can be played.
 
     Raises:
-        RecordingError: what cannot be read.
-        StationError: the page was not built, or the address cannot be had.
+        RecordingError: the recording cannot be read.
+        StationError: the page was not built, or the server cannot listen on the address.
     """
     built_page()
     if path.is_file() and path.stat().st_size > LARGE:
@@ -37,7 +37,7 @@ def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> 
 
 
 def replay_app(reel: Reel, path: Path, host: str = "127.0.0.1") -> Starlette:
-    """The server of a recording."""
+    """Return the web app that serves a recording."""
     player = Player(reel, path)
 
     @contextlib.asynccontextmanager

@@ -1,4 +1,8 @@
-"""Who flies: the page that came first, the next one when it leaves, and whoever it gives the sticks to; their names."""
+"""Control roles: which page is in control of the arm, requests for control, and the names of the pages.
+
+The first page takes control. When it leaves, the page connected longest takes control. The page in control can also
+give the sticks to a page that asks for them.
+"""
 
 from __future__ import annotations
 
@@ -13,28 +17,28 @@ from aftdeck.errors import CommandError, InputError
 from aftdeck.lines import one_line
 
 ANSWER_WITHIN = 10.0
-"""The page that flies gives the sticks within this time of being asked, or keeps them [s]."""
+"""Time within which the page in control gives the sticks or keeps them, after a request [s]."""
 
 MOST_OF_A_NAME = 24
-"""Characters of a person's name."""
+"""Maximum number of characters of a person's name."""
 
 P = TypeVar("P")
 
 
 @dataclass(frozen=True)
 class Asked(Generic[P]):
-    """A page wants the sticks."""
+    """Request of a page for the sticks."""
 
     page: P
     until: float
-    """[s], as `time.monotonic`."""
+    """Time at which the request expires [s], on the clock of `time.monotonic`."""
 
 
 class Seats(Generic[P]):
-    """The pages of one flight, each with its number and the name of who sits there; one of them flies.
+    """Pages of one station, each with its number and the name of its user; one of them is in control.
 
     Attributes:
-        flier: the page that flies; None: there is none.
+        flier: the page in control; None if there is none.
     """
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
@@ -48,25 +52,25 @@ class Seats(Generic[P]):
         return len(self._numbers)
 
     def number(self, page: P) -> int:
-        """What a page is called without a name: the lowest number that was free when it came."""
+        """Return the number of a page: the lowest number that was free when it came."""
         return self._numbers[page]
 
     def give_name(self, page: P, name: str) -> None:
-        """Who sits at a page; empty: nobody in particular.
+        """Set the name of the person at a page; an empty name removes it.
 
         Raises:
-            InputError: too long, not to be read on one line, or what a page without a name is called.
+            InputError: the name is too long, is not one line of visible text, or is reserved (``page 1``).
         """
         if re.fullmatch(r"page \d+", name, re.IGNORECASE):
             raise InputError(f"{name!r} is what a page without a name is called")
         self._names[page] = one_line("a name", name, MOST_OF_A_NAME) if name else ""
 
     def name(self, page: P) -> str:
-        """The name that was given at a page; empty: none."""
+        """Return the name that was given at a page; empty if none was given."""
         return self._names.get(page, "")
 
     def named(self) -> list[tuple[int, str]]:
-        """Numbers and names of the pages that have one; of two alike each has its number behind it."""
+        """Return numbers and names of the pages that have a name; the page's number is appended to equal names."""
         given = [(self._numbers[page], name) for page, name in self._names.items() if name]
         shown = {number: name for number, name in given}
         while alike := {name for name, pages in Counter(shown.values()).items() if pages > 1}:
@@ -74,19 +78,19 @@ class Seats(Generic[P]):
         return list(shown.items())
 
     def called(self, page: P) -> str:
-        """What a page is called in a sentence."""
+        """Return the name of a page for use in a sentence; ``page 1`` for a page without a name."""
         number = self._numbers[page]
         return dict(self.named()).get(number, f"page {number}")
 
     def come(self, page: P) -> None:
-        """Take a seat; whoever finds none that flies, flies."""
+        """Add a page; it takes control if no page is in control."""
         taken = set(self._numbers.values())
         self._numbers[page] = next(n for n in range(1, len(taken) + 2) if n not in taken)
         if self.flier is None:
             self.flier = page
 
     def leave(self, page: P) -> None:
-        """Leave the seat; the sticks go to the page longest here."""
+        """Remove a page; if it was in control, the page that has been here longest takes control."""
         del self._numbers[page]
         self._names.pop(page, None)
         if self.asking == page:
@@ -97,16 +101,16 @@ class Seats(Generic[P]):
 
     @property
     def asking(self) -> P | None:
-        """The page that wants the sticks, until it is answered or `ANSWER_WITHIN` is over."""
+        """Page that asks for the sticks, until it is answered or `ANSWER_WITHIN` is over; None if no page asks."""
         if self._asked is not None and self._clock() >= self._asked.until:
             self._asked = None
         return None if self._asked is None else self._asked.page
 
     def ask(self, page: P) -> None:
-        """Ask for the sticks.
+        """Request the sticks for a page.
 
         Raises:
-            CommandError: it has them, or another page is asking.
+            CommandError: the page has the sticks already, or another page is asking.
         """
         if page == self.flier:
             raise CommandError("you fly: there is nobody to ask for the sticks")
@@ -118,17 +122,17 @@ class Seats(Generic[P]):
         """Give the sticks to the page that asks, or keep them.
 
         Raises:
-            CommandError: nobody asks.
+            CommandError: no page asks for the sticks, or the request has expired.
         """
         page, self._asked = self.who_asks(), None
         if gives:
             self.flier = page
 
     def who_asks(self) -> P:
-        """The page that asks.
+        """Return the page that asks for the sticks.
 
         Raises:
-            CommandError: nobody asks.
+            CommandError: no page asks for the sticks, or the request has expired.
         """
         if (page := self.asking) is None:
             raise CommandError("nobody asks for the sticks, or no longer")

@@ -1,4 +1,4 @@
-"""Starting the station: a socket, the address for the user, the browser, the server."""
+"""Start of the station: its socket, the address for the user, the browser, and the web server."""
 
 from __future__ import annotations
 
@@ -35,22 +35,22 @@ def serve(
     trial: Trial = NO_TRIAL,
     viewers: int | None = None,
 ) -> None:
-    """Serve a flight until interrupted; prints the page's address first.
+    """Serve a scenario until interrupted; print the page's address first.
 
     Args:
-        scenario: what is flown.
-        seed: in place of the scenario's.
+        scenario: the scenario to run.
+        seed: random seed in place of the scenario's; None: the scenario's own.
         host: address to listen on.
-        port: port to listen on; 0 takes any free one.
-        open_browser: open the page.
-        demo: let the script fly until a stick moves.
-        record: folder to record each flight into.
-        trial: who takes part, and under which condition: each recording says so, and nothing else.
-        viewers: port at which Foxglove may attach; None: it may not.
+        port: port to listen on; 0 selects any free port.
+        open_browser: whether to open the page in a browser.
+        demo: whether the script flies until the operator moves a stick or sends a command.
+        record: folder to record each run into; None: runs are not recorded.
+        trial: participant and condition, stored in each recording and nowhere else.
+        viewers: port to which Foxglove can attach; None: there is no such port.
 
     Raises:
-        StationError: the page was not built, or the address cannot be had.
-        RecordingError: the viewers' port cannot be had.
+        StationError: the page was not built, or the server cannot listen on the address.
+        RecordingError: the viewers' port cannot be opened.
     """
     built_page()
     listener = listen(host, port)
@@ -69,21 +69,21 @@ def serve(
 
 
 def address_of(listener: socket.socket, host: str) -> str:
-    """The page's address for the user."""
+    """Return the page's address for the user."""
     shown = f"[{host}]" if ":" in host else host
     return f"http://{shown}:{listener.getsockname()[1]}/"
 
 
 def run_server(server: uvicorn.Server, listener: socket.socket, opened: str | None) -> None:
-    """Run a server until interrupted; `opened` is the address to open a browser on."""
+    """Run a server until interrupted; open a browser at the address `opened` first, unless it is None."""
     if opened is not None:
         webbrowser.open(opened)
-    with contextlib.suppress(KeyboardInterrupt):  # uvicorn passes Ctrl+C on after an orderly end
+    with contextlib.suppress(KeyboardInterrupt):  # uvicorn raises Ctrl+C again after an orderly shutdown
         server.run(sockets=[listener])
 
 
 def make_server(app: Starlette) -> uvicorn.Server:
-    """The web server of an app; the length of a page's messages is bounded."""
+    """Return the web server of an app, with a limit on the length of a page's messages."""
     return uvicorn.Server(
         uvicorn.Config(
             app,
@@ -97,14 +97,14 @@ def make_server(app: Starlette) -> uvicorn.Server:
 
 
 def listen(host: str, port: int) -> socket.socket:
-    """A listening socket; port 0 takes a free one."""
+    """Return a listening socket; port 0 selects a free port."""
     if not 0 <= port <= LAST_PORT:
         raise StationError(f"ports are numbered 0 to {LAST_PORT}, got {port}")
     try:
         family, kind, protocol, _, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
     except (OSError, UnicodeError) as error:
         raise StationError(f"the host {host!r} is not known: {error}") from None
-    listener = socket.socket(family, kind, protocol)  # asyncio sends without delay only where TCP is named
+    listener = socket.socket(family, kind, protocol)  # asyncio sends without delay only if TCP is named
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind(place)

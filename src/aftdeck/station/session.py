@@ -1,7 +1,7 @@
-"""A flight that pages share: one thread steps the simulation, pages send commands and get its frames.
+"""Session that pages share: one thread steps the simulation, pages send commands and get its frames.
 
-The thread never waits for a page: frames are handed over newest first, commands wait in a bounded queue, one
-a step. One page flies, the others watch; the first comes first, and when it leaves the next one takes over.
+The thread never waits for a page: only the newest frame is handed over, and commands wait in a bounded queue, one for
+each step. One page is in control, the others observe. The first page takes control; when it leaves, the next one does.
 """
 
 from __future__ import annotations
@@ -45,29 +45,29 @@ from aftdeck.station.unattended import left_alone
 from aftdeck.station.wire import Translator, controller_records
 
 LOST = 2.0
-"""Deflected sticks that are silent for longer than this are seen at rest before they are flown again [s]."""
+"""Silence after which deflected sticks must be centred before they act again [s]."""
 SILENCE = 0.5
-"""Sticks not heard of for this long [s] go to zero."""
+"""Silence after which sticks and camera switches go to zero [s]."""
 MOST_WAITING = 32
-"""Commands that may wait to be flown; one is taken a step."""
+"""Maximum number of waiting commands; each step takes one."""
 MOST_BEHIND = 0.25
-"""A step this late [s] is not caught up on: the clock starts afresh from there."""
+"""Largest delay of a step that is caught up [s]; after a larger one, the clock restarts from there."""
 LOOK_EVERY = 10
-"""Steps from one look ahead to the next."""
+"""Steps from one look-ahead to the next."""
 LOOK_S = 5.0
-"""How far is looked ahead until a page says otherwise [s]."""
+"""Time span of the look-ahead until a page sets another one [s]."""
 MOVED = 1e-3
-"""Stick deflection from which a person takes over from the demonstration."""
+"""Stick deflection above which a person takes over from the demonstration."""
 NO_CONTROLLERS = from_page.Controllers(0, ())
 HANDS_OFF = from_page.Sticks(-1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
 STILL = CameraDrive("")
-"""No camera turns."""
+"""Camera command that moves no camera."""
 
 _encoder = msgspec.json.Encoder()
 
 
 class Phase(Enum):
-    """Life of a session."""
+    """Phase in the life of a session."""
 
     READY = "ready"
     FLYING = "flying"
@@ -76,14 +76,14 @@ class Phase(Enum):
 
 
 class Session:
-    """One scenario in flight.
+    """Session of one scenario: its simulation, the thread that steps it, and its recordings.
 
     Attributes:
-        scenario: what is flown.
-        phase: where in its life the session is.
-        failure: why it failed, in a sentence.
-        welcome: what a new page is told.
-        recent: the last minutes of the present flight.
+        scenario: the scenario that is run.
+        phase: phase in the life of the session.
+        failure: reason for a failure, in a sentence; empty if there was none.
+        welcome: first message to a new page.
+        recent: the last minutes of the present run.
     """
 
     def __init__(
@@ -106,7 +106,7 @@ class Session:
         warm_up(scenario)
         self._sim = Simulation(scenario, seed)
         self.recent = RecentFlight(scenario)
-        self._translator.frame(Simulation(scenario, seed).step(Inputs()), -1)  # its own laws too
+        self._translator.frame(Simulation(scenario, seed).step(Inputs()), -1)  # compiles its laws too
         self._lock = threading.Lock()
         self._record, self._trial, self._live = record, trial, live
         self._tape = Tape(record, Index(), live, trial)
@@ -137,19 +137,19 @@ class Session:
     # --- called by the server -----------------------------------------------------------------------------
 
     def another(self, scenario: Scenario) -> Session:
-        """A session as this one was asked for, of another scenario; its recording goes into the same folder."""
+        """Return a session of another scenario with the same settings; it records into the same folder."""
         return Session(
             scenario, self._seed, demo=self._start_demo, record=self._record, trial=self._trial, live=self._live
         )
 
     def start(self, told: Callable[[], None]) -> None:
-        """Begin to fly; `told` is called from the simulation's thread after each step."""
+        """Start the run; the simulation's thread calls `told` after each step and after a failure."""
         self._told = told
         self.phase = Phase.FLYING
         self._thread.start()
 
     def close(self) -> None:
-        """Stop flying and wait for the thread."""
+        """Stop the run and wait for the thread, for at most 5 s."""
         self._stop.set()
         if self._thread.is_alive():
             self._thread.join(timeout=5.0)
@@ -158,31 +158,31 @@ class Session:
 
     @property
     def folder(self) -> Path | None:
-        """Where its flights are recorded; None: nowhere."""
+        """Folder into which the runs are recorded; None if they are not recorded."""
         return self._record
 
     @property
     def file(self) -> Path | None:
-        """What the present flight is recorded into; None: nothing."""
+        """File into which the present run is recorded; None if it is not recorded."""
         return self._tape.file
 
     @property
     def newest(self) -> bytes:
-        """The newest frame, encoded; empty before the first."""
+        """Newest frame, encoded as JSON; empty before the first one."""
         return self._newest
 
     def log_since(self, index: int) -> tuple[Event, ...]:
-        """The log's lines from an index on."""
+        """Return the lines of the log from an index on."""
         with self._lock:
             return tuple(self._log[index:])
 
     def steer(self, sticks: from_page.Sticks) -> None:
-        """Where the sticks of the page that flies stand.
+        """Set the stick deflections that the page in control has sent.
 
-        Those that were deflected and silent for longer than `LOST` are flown again when they have been at rest.
+        Deflected sticks that were silent for longer than `LOST` act again only after they have been centred.
 
         Raises:
-            CommandError: a stick beyond its travel, or one that was lost and is still deflected, told once.
+            CommandError: a stick is beyond its travel, or is still deflected after such a silence (raised once).
         """
         check_sticks(sticks)
         with self._lock:
@@ -199,10 +199,10 @@ class Session:
             self._sticks, self._lost = sticks, ""
 
     def turn(self, message: from_page.DriveCamera) -> None:
-        """How the switches stand that turn a camera.
+        """Set the switches that drive a camera.
 
         Raises:
-            CommandError: a camera that cannot be turned, a switch beyond its travel, or the script flies.
+            CommandError: the camera does not exist or has no drive, a switch is beyond its travel, or the script flies.
         """
         check_camera(message, self.welcome)
         if self._demo:
@@ -212,40 +212,42 @@ class Session:
             self._camera_heard = time.monotonic()
 
     def shown(self, message: from_page.Shown) -> None:
-        """What the page that flies measures of itself and shows.
+        """Set the latency that the page in control measures, and the cameras that it shows.
 
         Raises:
-            CommandError: a camera that there is not.
+            CommandError: a camera does not exist.
         """
         check_shown(message, self.welcome)
         self._latency_ms, self._monitors = message.latency_ms, message.monitors
 
     def light(self, message: from_page.SetLight) -> None:
-        """How the light shall stand; whoever flies may say so, the script's onlooker too.
+        """Set the lighting; the page in control may do so even while the script flies.
 
         Raises:
-            CommandError: a condition, a lamp or a camera that there is not.
+            CommandError: a light condition, a lamp or a camera does not exist.
         """
         check_light(message.lighting, self.welcome)
         self._lighting = message.lighting
 
     def controllers_in_use(self, message: from_page.Controllers) -> None:
-        """What moves the sticks of the page that flies, and how."""
+        """Set the controllers that move the sticks of the page in control, with their settings."""
         with self._lock:
             self._controllers = message
 
     def let_go(self, cause: str = "page gone") -> None:
-        """Sticks to zero and commands forgotten: nobody is at the controls, for one of `unattended.CAUSES`."""
+        """Set the sticks to zero and delete all commands: the controls are unattended, with a cause of `CAUSES`."""
         with self._lock:
             self._sticks, self._camera, self._zeroed, self._lost = HANDS_OFF, STILL, False, ""
             self._commands.clear()
             self._left = cause
-            self._under_way = self._none_under_way()  # whoever comes numbers its sticks anew
+            self._under_way = self._none_under_way()  # the next page in control has sticks with numbers of its own
             self._controllers = NO_CONTROLLERS
         self._latency_ms, self._monitors = None, ()
 
     def hand_over(self, text: str) -> None:
-        """Another page will fly, as the log says: nothing moves meanwhile.
+        """Set the sticks to zero and delete all commands, because another page takes control; log `text`.
+
+        The controls then count as unattended for one step, so that nothing moves meanwhile.
 
         Raises:
             CommandError: a stick is deflected.
@@ -261,13 +263,13 @@ class Session:
         self._latency_ms = None
 
     def command(self, message: from_page.FromPage) -> None:
-        """Queue a switch's movement for one of the next steps.
+        """Queue a switch command for one of the next steps.
 
-        STOP overtakes: what waits is forgotten, so that it is never refused and never late.
+        STOP deletes all waiting commands, so that STOP itself is never rejected and never late.
 
         Raises:
-            CommandError: a switch position that does not exist, a target beyond all reason, or too many
-                commands at once.
+            CommandError: a switch position does not exist, a target is out of range, or too many commands are
+                waiting.
         """
         check_switch(message, self.welcome)
         with self._lock:
@@ -282,7 +284,7 @@ class Session:
     # --- the simulation's thread --------------------------------------------------------------------------
 
     def _fly(self) -> None:
-        """Step at the control period until told to stop."""
+        """Do one step in each control period until the session is closed."""
         try:
             self._tape.begin(self.scenario, self._sim.seed)
             due = time.perf_counter()
@@ -295,7 +297,7 @@ class Session:
                     due += late
                 elif late < 0.0:
                     self._stop.wait(-late)
-        except Exception as error:  # the pages must hear of it, whatever it was
+        except Exception as error:  # any error must reach the pages
             self.failure = f"the simulation stopped at {self._time():.2f} s: {error}"
             self.phase = Phase.FAILED
             self._told()
@@ -357,11 +359,11 @@ class Session:
         self._note_all(frame)
 
     def _none_under_way(self) -> deque[int]:
-        """Numbers of the sticks that the command delay holds back, as the simulation does their inputs: nobody's."""
+        """Return a queue of stick numbers, as long as the command delay; all are -1, the number of no page's sticks."""
         return deque([-1] * self.scenario.delay)
 
     def _keep_light(self, time_s: float) -> None:
-        """Take over what was said of the light, with this step."""
+        """Apply a change of the lighting from this step on, record it, and log a change of condition or lamps."""
         lighting, before = self._lighting, self._lighting_kept
         if lighting == before:
             return
@@ -381,9 +383,9 @@ class Session:
         return inputs
 
     def _in_hand(self, now: float) -> bool:
-        """A stick is deflected, or RATE HOLD keeps one: the page has to be heard of.
+        """Return whether a stick is deflected or RATE HOLD keeps a rate, so that the page must not be silent.
 
-        RATE HOLD that was let go for a silent page stays on until that has come through the command delay.
+        RATE HOLD that the station has cancelled stays on during the command delay; it does not count meanwhile.
         """
         frame = self._sim.frame
         kept = not self._demo and frame is not None and frame.rate_hold and now >= self._left_until
@@ -399,7 +401,7 @@ class Session:
         self._monitors_kept = ()
         self._lighting, self._lighting_kept = self.scenario.lighting, None
         self._tape.begin(self.scenario, self._sim.seed)
-        self._recorded = NO_CONTROLLERS  # the new file is told anew
+        self._recorded = NO_CONTROLLERS  # the new file must have the controllers too
         self._note("restart", f"{self.scenario.title}: from the beginning")
 
     def _note(self, kind: str, text: str, level: Level = "info") -> None:
@@ -415,7 +417,7 @@ class Session:
 
 
 def _deflected(frame: SimFrame) -> Axis | None:
-    """The axis that is deflected most, and which way; None: the sticks rest."""
+    """Return the axis with the largest deflection, and its sign; None if the sticks are centred."""
     axes = (*frame.rotation, *frame.translation, frame.drive)
     most = max(range(len(axes)), key=lambda k: abs(axes[k]))
     if axes[most] == 0.0:
@@ -424,6 +426,6 @@ def _deflected(frame: SimFrame) -> Axis | None:
 
 
 def _arriving(way: deque[int], number: int) -> int:
-    """Number of the sticks that arrive as these are taken."""
+    """Add a stick number to the command delay, and return the number that leaves it in this step."""
     way.append(number)
     return way.popleft()

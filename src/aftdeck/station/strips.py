@@ -1,4 +1,4 @@
-"""A replay's strips: quantities over the run, thinned for drawing so that no peak is lost."""
+"""Strips of a playback or a live run: quantities over the run, thinned for drawing so that no peak is lost."""
 
 from __future__ import annotations
 
@@ -16,15 +16,18 @@ from aftdeck.simulation.log import spoken
 from aftdeck.station.curves import Curve, Quantity, Strip
 
 BUCKETS = 1000
-"""Equal parts of a run, of each of which a curve keeps its least and greatest value: two to a pixel's width."""
+"""Number of equal parts of a run. A curve keeps two values of each part, the least and the greatest.
+
+These are two values to a pixel's width.
+"""
 
 Role = Literal["actual", "commanded"]
 Value = Callable[[Frame, float | None], float | None]
-"""Of a frame and of the latency that its page showed [ms]."""
+"""Function that returns a curve's value from a frame and the latency that its page showed [ms]."""
 
 
 class Source(NamedTuple):
-    """Where a strip's curves come from."""
+    """Definition of a strip, with the functions that read the values of its curves."""
 
     name: str
     quantity: Quantity
@@ -34,11 +37,11 @@ class Source(NamedTuple):
     warning: float | None = None
     shown: bool = False
     rests: bool = True
-    """Zero means rest, and belongs into the picture."""
+    """True if zero means rest; the drawn range then includes zero."""
 
 
 def sources(scenario: Scenario) -> tuple[Source, ...]:
-    """Every strip that a recording of this scenario can show."""
+    """Return the definition of every strip that a recording of this scenario can show."""
     return (
         Source(
             "Clearance",
@@ -80,13 +83,13 @@ def sources(scenario: Scenario) -> tuple[Source, ...]:
 
 
 def readings(scenario: Scenario) -> Callable[[Frame, float | None], tuple[float | None, ...]]:
-    """What reads every curve's value, strip after strip, of a frame and the latency that its page showed [ms]."""
+    """Return a function that reads every curve's value, strip after strip, from a frame and its latency [ms]."""
     values = [value for source in sources(scenario) for _, value in source.curves]
     return lambda frame, latency_ms: tuple([value(frame, latency_ms) for value in values])
 
 
 class Strips:
-    """Every curve of a run, collected frame by frame."""
+    """All curves of a run, collected frame by frame."""
 
     def __init__(self, scenario: Scenario, period_s: float) -> None:
         self._sources = sources(scenario)
@@ -94,12 +97,12 @@ class Strips:
         self._period_s = period_s
 
     def add(self, values: Sequence[float | None]) -> None:
-        """The next frame's readings."""
+        """Add the readings of the next frame."""
         for curve, value in zip(self._curves, values, strict=True):
             curve.append(math.nan if value is None else value)
 
     def strips(self) -> tuple[Strip, ...]:
-        """All strips, thinned; one that never had a value has no points."""
+        """Return all strips, thinned; a curve that never had a value has no points."""
         curves = iter(self._curves)
         return tuple(self._strip(source, [next(curves) for _ in source.curves]) for source in self._sources)
 
@@ -119,12 +122,12 @@ class Strips:
 
 
 def blank(scenario: Scenario) -> tuple[Strip, ...]:
-    """Every strip, its curves without a point."""
+    """Return all strips, with curves that have no points."""
     return tuple(_strip(source, [Curve(role, (), ()) for role, _ in source.curves], ()) for source in sources(scenario))
 
 
 def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> Strip:
-    """A strip of curves whose values end there."""
+    """Return a strip of these curves, whose range includes all of `ends`."""
     ends = tuple(ends)
     return Strip(
         source.name,
@@ -141,13 +144,16 @@ def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> St
 
 
 def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Which of the values to draw: ends, and the least and greatest of each part; inside a level line, none.
+    """Return the indices of the values to draw.
+
+    These are both ends, both sides of each gap's edge, and the least and the greatest value of each part. Values inside
+    a level line are left out.
 
     Args:
-        values: one a step, not empty; NaN where there is none.
+        values: one value for each step, not empty; NaN where there is no value.
 
     Returns:
-        Their places, ascending.
+        Indices, ascending.
     """
     last = len(values) - 1
     width = -(-len(values) // BUCKETS)
@@ -167,14 +173,14 @@ def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
 
 
 def worst_rate(rates: Six, limits: Six) -> tuple[float, int]:
-    """Largest |rate| of a limit in force, and its joint; -1 at rest."""
+    """Return the largest |rate| as a part of its limit in force, and the joint that has it; -1 at rest."""
     parts = [abs(rate) / limit for rate, limit in zip(rates, limits, strict=True)]
     worst = max(parts)
     return worst, parts.index(worst) if worst > 0 else -1
 
 
 def worst_joint(frame: Frame, scenario: Scenario) -> str:
-    """For people, the joint that is nearest to its rate limit; empty at rest."""
+    """Return the name, for display, of the joint nearest to its rate limit; empty at rest."""
     _, joint = worst_rate(frame.rates, frame.rate_limits)
     return spoken(scenario.arm.joints[joint]) if joint >= 0 else ""
 

@@ -1,4 +1,4 @@
-"""Every message from the server to a page, and what they hold."""
+"""Messages from the server to a page, and the structures in them."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ from aftdeck.station.kinds import (
 
 
 class JointInfo(msgspec.Struct, frozen=True):
-    """One joint of the arm flown: names, limits [rad] and rate limits [rad/s]."""
+    """One joint of the arm: names, limits [rad] and rate limits [rad/s]."""
 
     name: str
-    """As in the arm file: ``shoulder_yaw``."""
+    """Name in the arm file: ``shoulder_yaw``."""
     label: str
-    """As on the page: ``Sho yaw``."""
+    """Name on the page: ``Sho yaw``."""
     stick: str
-    """The axis of the hand controllers that turns the master arm's: ``THC Y``."""
+    """Axis of the hand controllers that turns this joint of the master arm: ``THC Y``."""
     hard: tuple[float, float]
     soft: tuple[float, float]
     reach: tuple[float, float]
@@ -45,32 +45,34 @@ class ModeInfo(msgspec.Struct, frozen=True):
     """One position of the MODE rotary."""
 
     position: str
-    """As printed on the panel: ``ORB UNL``."""
+    """Name as printed on the panel: ``ORB UNL``."""
     laws: tuple[int, ...]
-    """The report's mode numbers that it can fly, the default first; 0 TEST, 9 DIRECT, 10 MASTER."""
+    """The report's mode numbers that the position can fly, the default first; 0 TEST, 9 DIRECT, 10 MASTER."""
     title: str
-    """What it flies, in a few words."""
+    """Motion that it flies, in a few words: ``tip along its own axes``."""
     kind: Literal["automatic", "manual", "single", "test", "master"]
     point: str
-    """The point that it moves: ``tip``, ``payload``."""
+    """Point that it moves: ``tip``, ``payload``."""
     enabled: bool
-    """Whether this scenario has what it needs, as AUTO 1-4 their points. Those that move a payload need one in the
-    grasp as well."""
+    """True if this scenario has what the position needs, such as the stored points of AUTO 1-4.
+
+    A position that moves a payload also needs a captured payload.
+    """
     axes: str
-    """The axes that the sticks act along: ``orbiter axes``."""
+    """Axes that the sticks act along: ``orbiter axes``."""
     axis_names: tuple[str, str, str]
-    """What + means for the THC: ``+X fwd``, ``+Y stbd``, ``+Z down``."""
+    """Meaning of + for the three axes of the THC: ``+X fwd``, ``+Y stbd``, ``+Z down``."""
 
 
 class BodyInfo(msgspec.Struct, frozen=True):
-    """A rigid body to draw; its pose is found in `Frame.poses` at its index in `Welcome.bodies`."""
+    """Rigid body to draw; its pose is in `Frame.poses`, at the body's index in `Welcome.bodies`."""
 
     name: str
     shapes: tuple[Shape, ...]
 
 
 class StandInfo(msgspec.Struct, frozen=True):
-    """The telescope that an arm stands on."""
+    """Telescope that an arm stands on: its length and its rate."""
 
     least: float
     """[m]"""
@@ -80,54 +82,54 @@ class StandInfo(msgspec.Struct, frozen=True):
 
 
 class WorkInfo(msgspec.Struct, frozen=True):
-    """What can be done at this worksite."""
+    """Equipment of the worksite, and thresholds of its clearances."""
 
     hand: Literal["prong", "snares"]
-    """Which kind of end effector the arm has."""
+    """Kind of the arm's end effector."""
     stand: StandInfo | None
-    """None: the arm stands on no telescope."""
+    """Telescope of the arm; null if the arm stands on none."""
     cargo: tuple[str, ...]
-    """Names of the payloads; each has a body of that name."""
+    """Names of the payloads; each payload has a body of the same name."""
     seats: tuple[str, ...]
-    """Where payloads can be fixed, for people."""
+    """Titles, for display, of the seats where payloads can be fixed."""
     parts: tuple[ProblemPart, ...]
-    """The parts of the problem that can be begun anew."""
+    """Parts of the problem at which the operator can re-initialise."""
     caution: float
-    """Clearance under which the page cautions [m]."""
+    """Clearance below which the page shows a caution [m]."""
     warning: float
-    """Clearance under which the page warns [m]."""
+    """Clearance below which the page shows a warning [m]."""
 
 
 class PayloadInfo(msgspec.Struct, frozen=True):
-    """A row of the payload table (SPEC 94 item 3): what the steering keeps to with this payload in the grasp."""
+    """Row of the payload table (SPEC 94 item 3): limits that the steering obeys with this payload captured."""
 
     id: int
-    """PL ID; 0: nothing is held."""
+    """PL ID; 0 if no payload is held."""
     name: str
     mass: float
     """[kg]"""
     translation: tuple[float, float]
-    """Greatest speed of the point of resolution, coarse and vernier [m/s]."""
+    """Speed limit of the point of resolution, coarse and vernier [m/s]."""
     rotation: tuple[float, float]
-    """The same of its rotation [rad/s]."""
+    """Angular rate limit of the point of resolution, coarse and vernier [rad/s]."""
     coarse: Six
-    """Joint rates of SINGLE, DIRECT and MASTER [rad/s]."""
+    """Joint rate limits in SINGLE, DIRECT and MASTER, coarse; `vernier` has those of vernier [rad/s]."""
     vernier: Six
 
 
 class StoredPoint(msgspec.Struct, frozen=True):
-    """A prestored point of AUTO 1-4, panel components."""
+    """Prestored point of AUTO 1-4, in panel components."""
 
     position: Vec3
     """X, Y, Z [m]."""
     attitude: Vec3
     """Pitch, yaw, roll [rad], each in [0, 2 pi)."""
     pause: bool
-    """It is waited at for PROCEED; else only come near."""
+    """True if the sequence waits for PROCEED at this point; false for a fly-by point."""
 
 
 class StoredSequence(msgspec.Struct, frozen=True):
-    """What one of AUTO 1-4 flies through (SPEC 94 items 13-16)."""
+    """Points that one of AUTO 1-4 flies through (SPEC 94 items 13-16)."""
 
     position: str
     """As `ModeInfo.position`."""
@@ -135,89 +137,95 @@ class StoredSequence(msgspec.Struct, frozen=True):
 
 
 class Welcome(WireMessage, frozen=True, tag="welcome"):
-    """Answer to `Hello`: all that a page needs to know once."""
+    """Answer to `Hello`, sent again when the scenario changes: data that stays the same in a session."""
 
     protocol: int
     version: str
     scenario: str
     title: str
     text: str
-    """What the scenario asks of the operator, a sentence or two."""
+    """Task of the operator in this scenario, in a sentence or two."""
     arm: str
     control_period_s: float
     command_delay_s: float
-    """How long a command is under way before the arm has it [s]."""
+    """Time from a command to its arrival at the arm [s]."""
     telemetry_delay_s: float
-    """So late the page shows figures, lamps and log [s]."""
+    """Delay with which the page shows figures, lamps and log [s]."""
     camera_delay_s: float
-    """So late it shows pictures [s]."""
+    """Delay with which the page shows pictures [s]."""
     units: Literal["ft-in", "SI"]
-    """The arm file's preference for the panel's read-outs."""
+    """Units of the panel's read-outs, as the arm file prefers them."""
     joints: tuple[JointInfo, ...]
     modes: tuple[ModeInfo, ...]
     bodies: tuple[BodyInfo, ...]
     ghost: tuple[int, ...]
-    """Indices of the bodies that `Frame.ahead` tells of."""
+    """Indices of the bodies whose poses are in `Ahead.poses`."""
     cameras: tuple[Camera, ...]
     work: WorkInfo
     conditions: tuple[LightCondition, ...]
-    """Where sun and Earth can stand."""
+    """Light conditions that can be selected: directions of sun and Earth."""
     lamps: tuple[str, ...]
-    """Switches of the lamps that are there."""
+    """Switches of the lamps that this scenario has."""
     payloads: tuple[PayloadInfo, ...]
-    """By PL ID, from 0."""
+    """Payload table by PL ID, from 0."""
     sequences: tuple[StoredSequence, ...]
     singular: float
-    """Normalised distance under which a singularity is cautioned of."""
+    """Normalised distance from a singularity below which the page shows a caution."""
     phases: tuple[str, ...] = ()
-    """Names of the script's phases in order, as in `Frame.phase`; empty where the scenario has none."""
+    """Names of the script's phases in order, as in `Frame.phase`.
+
+    Empty if the scenario has none, or if the session does not begin with the script.
+    """
 
 
 class ScenarioInfo(msgspec.Struct, frozen=True):
-    """A scenario that this station can fly."""
+    """Scenario that this station can run."""
 
     name: str
     title: str
     text: str
-    """What it asks of the operator, a sentence or two."""
+    """Task of the operator, in a sentence or two."""
     given: bool
-    """The user's own file; the others are built in."""
+    """True for the user's own file; the others are built in."""
 
 
 class Scenarios(WireMessage, frozen=True, tag="scenarios"):
-    """What this station can fly: sent on connection and whenever something of it changes."""
+    """Scenarios that this station can run: sent on connection and whenever something in the message changes."""
 
     scenarios: tuple[ScenarioInfo, ...]
     flown: int
-    """Number of the one that is flown."""
+    """Number of the scenario that is running."""
     coming: int | None
-    """Number of the one that is made ready; the sticks rest meanwhile. Then every page is welcomed anew."""
+    """Number of the scenario that is being prepared; null if there is none.
+
+    The sticks are at zero meanwhile. When the scenario runs, every page gets a new `Welcome`.
+    """
 
 
 class NamedPage(msgspec.Struct, frozen=True):
-    """A page at which somebody has given a name."""
+    """Page at which a person has given a name."""
 
     number: int
     name: str
-    """As the others are told it: with the page's number behind it where two have given the same."""
+    """Name as the other pages get it: the page's number is appended if two pages have the same name."""
 
 
 class Role(WireMessage, frozen=True, tag="role"):
-    """Who flies: sent on connection and whenever it changes."""
+    """Role of this page, and which page is in control: sent on connection and whenever it changes."""
 
     flying: bool
     watchers: int
-    """Pages that watch, besides the one that flies."""
+    """Number of observers: pages with a seat, without the one in control."""
     number: int
-    """What this page is called, from 1."""
+    """Number of this page, from 1; 0 if it only shows the run."""
     flier: int
-    """The page that flies."""
+    """Number of the page in control; 0 if there is none."""
     asking: int
-    """The page that asks for the sticks; 0: none."""
+    """Number of the page that asks for the sticks; 0 if there is none."""
     name: str
-    """As it was given at this page; empty: none was."""
+    """Name as it was given at this page; empty if none was given."""
     names: tuple[NamedPage, ...]
-    """Of all pages that have one, this one too."""
+    """Names of all pages that have one, this page included."""
 
 
 class Limit(msgspec.Struct, frozen=True):
@@ -225,13 +233,13 @@ class Limit(msgspec.Struct, frozen=True):
 
     kind: LimitKind
     joint: int
-    """0 to 5, or -1 where no single joint is concerned."""
+    """0 to 5, or -1 if the limit does not concern a single joint."""
     text: str
-    """For people: ``elbow pitch at its rate limit``."""
+    """Text for display: ``elbow pitch at its rate limit``."""
 
 
 FlightLamp = Literal["SINGULAR", "REACH LIM", "SOFT STOP", "RATE LIM", "CLEARANCE", "DERIGIDIZE", "RELEASE"]
-"""The lamps that a flight lights; the page has others of its own, and a place for each."""
+"""Lamps that the simulation lights; the page has others of its own, and a place for each."""
 
 
 class Lamp(msgspec.Struct, frozen=True):
@@ -240,30 +248,30 @@ class Lamp(msgspec.Struct, frozen=True):
     name: FlightLamp
     level: Level
     text: str
-    """The cause: ``elbow 0.12 from straight``."""
+    """Cause: ``elbow 0.12`` for SINGULAR."""
 
 
 class Check(msgspec.Struct, frozen=True):
-    """CMD CK: what a rehearsal of the way to a target found."""
+    """Result of CMD CK: a rehearsal of the motion to a target."""
 
     good: bool
     text: str
 
 
 class WayOut(msgspec.Struct, frozen=True):
-    """How to leave a singularity or a joint's stop."""
+    """Escape direction: command that leads away from a singularity or from a joint's limit."""
 
     cause: str
     """``shoulder``, ``elbow``, ``wrist`` (a singularity) or a joint's name."""
     text: str
-    """For people: ``THC −X``, ``RHC +pitch``, ``SINGLE elbow pitch −``."""
+    """Text for display: ``THC −X``, ``RHC +pitch``, ``SINGLE elbow pitch −``."""
     stick: Literal["translation", "rotation", "joint"]
     axis: int
     sign: int
 
 
 class Resolution(msgspec.Struct, frozen=True):
-    """The point of resolution, panel components."""
+    """Point of resolution, in panel components."""
 
     position: Vec3
     """X, Y, Z [m]."""
@@ -276,64 +284,64 @@ class Resolution(msgspec.Struct, frozen=True):
 
 
 class Aim(msgspec.Struct, frozen=True):
-    """The keyed-in target of an automatic mode and what is left to it."""
+    """Target of an automatic mode, in panel components, and what remains of the motion to it."""
 
     position: Vec3
     attitude: Vec3
     distance: float
-    """[m]"""
+    """Distance from the tip to the target [m]."""
     angle: float
-    """[rad]"""
+    """Angle between the present attitude and the target's [rad]."""
     remaining_s: float
-    """Estimated time to go [s]; 0 when not under way."""
+    """Estimated time to go [s]; 0 if the motion is not in progress."""
 
 
 class Near(msgspec.Struct, frozen=True):
-    """Two watched parts; points and directions in the scene."""
+    """Two monitored parts; points and directions are in the scene."""
 
     a: str
     b: str
     clearance: float
-    """[m], negative where they overlap."""
+    """Distance of the two parts [m]; negative if they overlap."""
     closing: float
     """Speed at which the closest points approach [m/s]."""
     point_a: Vec3
     point_b: Vec3
     plane: Vec3
-    """A point of the plane between them, halfway."""
+    """Point of the plane between the two parts, halfway between the closest points."""
     normal: Vec3
-    """The plane's unit normal, from a to b; zero where they collide."""
+    """Unit normal of this plane, from a to b; zero if the parts collide."""
     essential: bool
-    """Made to touch: inhibits nothing."""
+    """True if the task requires the two parts to touch; the contact then inhibits nothing."""
 
 
 class Condition(msgspec.Struct, frozen=True):
-    """A condition of a capture, a docking or a latching."""
+    """Condition of a capture, a docking or a latching."""
 
     name: str
     holds: bool
     value: float
-    """In `unit`: m, rad, m/s, or a number."""
+    """Measured value, in `unit`: m, rad, m/s, or a plain number."""
     limit: float
     unit: str
     margin: float
-    """By how much it holds, or fails where negative, in `unit`."""
+    """Margin by which the condition holds, in `unit`; negative if it fails."""
     text: str
-    """For people: ``palm 2.5 in above the bar: 0 to 0.75 in``."""
+    """Text for display: ``palm 2.5 in above the bar, 0 to 0.75 in allowed``."""
 
 
 class HandFrame(msgspec.Struct, frozen=True):
-    """The end effector."""
+    """State of the end effector."""
 
     switch: EffectorSwitch
     opening: float
-    """0 closed to 1 open: of the prong, or of the snares."""
+    """Opening of the prong or of the snares, from 0 closed to 1 open."""
     spacing: float | None
-    """Prong to fixed finger [m]."""
+    """Distance from the prong to the fixed finger [m]; null if the arm has none."""
     carriage: float | None
-    """0 extended to 1 rigid."""
+    """Position of the carriage, from 0 extended to 1 rigid; null if the arm has none."""
     flags: tuple[str, ...]
-    """Lit: ``CAPTURE``, ``CLOSE``, ``RIGID``, ``EXTEND``, ``OPEN``, ``DERIGID``."""
+    """Flags that are lit: ``CAPTURE``, ``CLOSE``, ``RIGID``, ``EXTEND``, ``OPEN``, ``DERIGID``."""
     mode: Literal["auto", "manual"]
     """END EFFECTOR MODE of the snares."""
     rigid: Literal["off", "rigid", "derigid"]
@@ -341,87 +349,93 @@ class HandFrame(msgspec.Struct, frozen=True):
 
 
 class CargoFrame(msgspec.Struct, frozen=True):
-    """A payload of the worksite; its pose is its body's."""
+    """Payload of the worksite; its pose is the pose of its body."""
 
     name: str
     held: bool
     seat: str
-    """Title of the seat that it is fixed to, as in `WorkInfo.seats`; empty: none."""
+    """Title of the seat that the payload is fixed to, as in `WorkInfo.seats`; empty if there is none."""
     speed: float
-    """Of its centre against the arm's base [m/s]."""
+    """Speed of its centre relative to the arm's base [m/s]."""
 
 
 class WorkFrame(msgspec.Struct, frozen=True):
-    """Contacts, captures and the worksite's things."""
+    """State of the worksite: clearances, contacts, captures, the end effector and the payloads."""
 
     task: int
     """The report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked."""
     nearest: Near | None
     clearance_level: Level
-    """What the clearance of `nearest` calls for, by the scenario's thresholds."""
+    """Alarm level of the clearance of `nearest`, by the scenario's thresholds."""
     contacts: tuple[Near, ...]
     arm_inhibit: bool
     finger_inhibit: bool
     inhibits: tuple[str, ...]
-    """Why the arm or the finger is inhibited, and what frees it."""
+    """Reasons why the arm or the finger is inhibited, and what frees it."""
     pursuit: str
-    """What the conditions are for: ``acquire payload``; empty: nothing is near."""
+    """Purpose of the conditions: ``acquire payload``; empty if nothing is near enough."""
     conditions: tuple[Condition, ...]
     hand: HandFrame
     stand: float | None
-    """Length of the telescope [m]."""
+    """Length of the telescope [m]; null if the arm stands on none."""
     orbiter: Vec3
-    """How far the orbiter has moved: forward, starboard, down [m]."""
+    """Displacement of the orbiter: forward, starboard, down [m]."""
     orbiter_velocity: Vec3
-    """[m/s]"""
+    """Velocity of the orbiter along the same axes [m/s]."""
     cargo: tuple[CargoFrame, ...]
     master: Six | None
-    """Where the master arm stands [rad]; null in other modes than MASTER."""
+    """Joint angles of the master arm [rad]; null in modes other than MASTER."""
     fixture: float | None
-    """From the empty snares to where they would be at the nearest grapple fixture [m]; null: there is none for them."""
+    """Distance from the empty snares to their position at the nearest grapple fixture [m].
+
+    Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
+    """
     to_fixture: Vec3 | None
-    """The same way, along the axes that the sticks move the end effector along [m]; null in modes without sticks."""
+    """Vector of this distance, along the axes that the sticks act along [m]; null also in modes without sticks."""
 
 
 class Ahead(msgspec.Struct, frozen=True):
-    """Look ahead: what the sticks as they stand would do in some seconds; told five times a second."""
+    """Look-ahead: state of the arm in some seconds with the present stick command.
+
+    It is computed every 10 control steps: five times a second with the default control period.
+    """
 
     seconds: float
-    """How far is looked [s]."""
+    """Time span of the look-ahead [s]."""
     held: bool
-    """The sticks as they stand; false: they rest, and this is the last axis used at full deflection."""
+    """True for the present stick command; false if the sticks are centred: the last axis used, at full deflection."""
     moves: bool
-    """Whether the arm is then elsewhere than now."""
+    """True if the arm is then at another place than now."""
     clearance: float | None
-    """Least clearance then [m]; null: nothing is watched."""
+    """Smallest clearance then [m]; null if no pair is monitored."""
     a: str
-    """The two parts that have it."""
+    """`a` and `b`: the two parts with this clearance; empty if no pair is monitored."""
     b: str
     contact_s: float | None
-    """When the first contact is found on the way [s]; null: none is."""
+    """Time to the first contact found on the way [s]; null if none is found."""
     stopping: float
-    """How far the tip goes on if the sticks are let go now [m]."""
+    """Distance that the tip still moves if the sticks are released now [m]."""
     joint: int
-    """The joint nearest to a reach limit then, 0 to 5."""
+    """Joint nearest to a reach limit then, 0 to 5."""
     room: float
-    """How far it is from that limit then; negative past it [rad]."""
+    """Angle from this joint to that limit then [rad]; negative past the limit."""
     poses: tuple[float, ...]
     """Seven numbers for each body of `Welcome.ghost`, as in `Frame.poses`."""
 
 
 class Frame(WireMessage, frozen=True, tag="frame"):
-    """All that the page shows of one instant; newest wins, frames may be skipped."""
+    """All data that the page shows of one instant; the newest frame counts, and older ones may be skipped."""
 
     tick: int
     time_s: float
     stick_seq: int
-    """`seq` of the last `Sticks` that this step has taken; the page times stick-to-picture by it."""
+    """`seq` of the last `Sticks` that this step has taken; the page uses it to time stick-to-picture."""
     flown_seq: int
-    """`seq` of the last `Sticks` that this step has flown, after the command delay; -1: none, or the script flew."""
+    """`seq` of the last `Sticks` that this step has flown, after the command delay; -1 if none, or the script flew."""
     recording_s: float | None
-    """How long the recording goes on already [s]; null: nothing is recorded."""
+    """Simulated time in the recording so far [s]; null if the run is not recorded."""
     phase: str
-    """Name of the script's phase; empty when flown by hand."""
+    """Name of the script's phase; empty in manual flight."""
     by: Literal["hand", "script"]
     mode: str
     law: int
@@ -437,48 +451,48 @@ class Frame(WireMessage, frozen=True, tag="frame"):
     sequence: Literal["idle", "checking", "ready", "in progress"]
     """READY and IN PROG of the automatic modes."""
     point: int
-    """AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes."""
+    """AUTO 1-4: number of the present or the next point, from 1; 0 in other modes."""
     points: int
     check: Check | None
     """CMD CK of the present target."""
     translation: Vec3
     rotation: Vec3
     drive: float
-    """Sticks as this step has flown them."""
+    """`translation`, `rotation` and `drive`: the sticks as this step has flown them."""
     joints: Six
-    """Actual [rad]."""
+    """Joint angles, measured [rad]."""
     joints_commanded: Six
-    """Where the commanded rates would have brought them [rad]."""
+    """Joint angles to which the commanded rates would have brought the joints [rad]."""
     rates: Six
-    """Actual [rad/s]."""
+    """Joint rates, measured [rad/s]."""
     rates_commanded: Six
     rate_limits: Six
-    """In force in this mode [rad/s]."""
+    """Joint rate limits in force in this mode [rad/s]."""
     zones: tuple[int, int, int, int, int, int]
     """Per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop."""
     actual: Resolution
     commanded: Resolution
     por_limits: tuple[float, float]
-    """POR translation [m/s] and rotation [rad/s] limits in force."""
+    """Limits in force of POR translation [m/s] and POR rotation [rad/s]."""
     payload: int
-    """PL ID of what is in the grasp, as in `Welcome.payloads`."""
+    """PL ID of the captured payload, as in `Welcome.payloads`; 0 if there is none."""
     por_offset: Vec3
-    """From the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]."""
+    """Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]."""
     limits: tuple[Limit, ...]
-    """Limits acting in this step."""
+    """Limits that act in this step."""
     singularity: Vec3
-    """Shoulder, elbow, wrist: signed normalised distances, 0 at the singularity."""
+    """Signed normalised distances of shoulder, elbow and wrist, 0 at the singularity."""
     ways_out: tuple[WayOut, ...]
-    """For each singularity that is near and each joint past a limit: what leads away from it."""
+    """Escape directions, for each singularity that is near and each joint past a limit."""
     lamps: tuple[Lamp, ...]
     aim: Aim | None
     work: WorkFrame
     ahead: Ahead | None
-    """The newest look ahead; null: none was made yet."""
+    """Newest look-ahead; null if none was made yet."""
     axes: Quat
-    """The control frame's axes in the scene, for the frame axes in the pictures."""
+    """Axes of the control frame in the scene, for the frame axes in the pictures."""
     poses: tuple[float, ...]
-    """Seven numbers a body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z in the scene."""
+    """Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene."""
     views: tuple[Vec3, ...]
     """Pan, tilt and horizontal field of view [rad] of the cameras that have a drive, in the order of
     `Welcome.cameras`."""
@@ -501,31 +515,34 @@ class Events(WireMessage, frozen=True, tag="events"):
 
 
 class Refused(WireMessage, frozen=True, tag="refused"):
-    """A message or command that was not taken, and why, in a sentence for the operator."""
+    """Rejection of a message or command, with the reason in a sentence for the operator."""
 
     seq: int
-    """`seq` of the message, or -1 where it could not be read."""
+    """`seq` of the message; -1 if the message could not be read, or if the rejection concerns no single message."""
     text: str
 
 
 class Sample(msgspec.Struct, frozen=True):
-    """What every strip shows of one instant."""
+    """Values of all strips at one instant."""
 
     time_s: float
     values: tuple[float | None, ...]
-    """Of every curve, strip after strip."""
+    """Values of all curves, strip after strip; null where a curve has no value."""
     worst: str
-    """The joint that is nearest to its rate limit; empty at rest."""
+    """Joint nearest to its rate limit; empty at rest."""
 
 
 class Recent(WireMessage, frozen=True, tag="recent"):
-    """To a window that draws strips: at first the flight's last minutes, then what is new."""
+    """Data for a window that draws strips: first the last minutes of the run, then only new data."""
 
     strips: tuple[Strip, ...]
-    """Every strip, its curves without a point: a flight begins, and what was told is over. Empty: it goes on."""
+    """All strips, with curves that have no points: a run begins, and the data sent before is no longer valid.
+
+    Empty while the run continues.
+    """
     samples: tuple[Sample, ...]
     lanes: tuple[Lane, ...]
-    """Of the last minutes, when something in them has begun, else none; the last stretch of each goes on."""
+    """Lanes of the last minutes if a stretch has begun, otherwise empty; the last stretch of each lane continues."""
 
 
 FromServer = Welcome | Scenarios | Role | Frame | Events | Recent | Refused

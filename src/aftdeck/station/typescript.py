@@ -1,8 +1,8 @@
-"""TypeScript of wire and playback: ``python -m aftdeck.station.typescript`` prints ``web/src/protocol.ts``.
+"""TypeScript of messages and playback: ``python -m aftdeck.station.typescript`` prints ``web/src/protocol.ts``.
 
-Every struct becomes an interface, every alias of theirs and of the shapes (tuple, literal or union) a
-type of the same name, docstrings of structs and fields their comments. The encoder writes every field, even
-one at its default, so that no field is optional.
+Every struct becomes an interface. Every alias (tuple, literal or union) in `MODULES` and in `shapes` becomes a type of
+the same name. The docstrings of structs and fields become comments. The encoder writes every field, even one at its
+default, so that no field is optional.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ HEADER = """\
 """
 
 MODULES = (kinds, from_page, to_page, playback)
-"""Modules whose structs the page knows."""
+"""Modules whose structs the page uses."""
 
 _PLAIN: dict[object, str] = {
     float: "number",
@@ -36,16 +36,16 @@ _PLAIN: dict[object, str] = {
 
 
 def typescript() -> str:
-    """The whole file, ending in a newline.
+    """Return the whole file, ending in a newline.
 
     Raises:
-        TypeError: A field has a type that JSON cannot carry, or two structs have one name.
+        TypeError: a field has a type that has no TypeScript here, or two structs have the same name.
     """
     return _Writer().file()
 
 
 class _Writer:
-    """Collects both modules' structs and all that they hold, in order of need."""
+    """Collector of the structs of `MODULES` and of all structs that they contain."""
 
     def __init__(self) -> None:
         self.aliases: dict[object, str] = {}
@@ -69,12 +69,12 @@ class _Writer:
         return "\n".join(parts)
 
     def name(self, hint: object) -> str:
-        """The hint in TypeScript, by its alias where it has one."""
+        """Return a type hint in TypeScript, by its alias if it has one."""
         alias = self.aliases.get(hint)
         return self.structure(hint) if alias is None else alias
 
     def structure(self, hint: object) -> str:
-        """The hint in TypeScript, spelt out."""
+        """Return a type hint in TypeScript, spelt out."""
         plain = _PLAIN.get(hint)
         if plain is not None:
             return plain
@@ -92,7 +92,7 @@ class _Writer:
             if hint not in self.interfaces:
                 if any(known.__name__ == hint.__name__ for known in self.interfaces):
                     raise TypeError(f"two structs are called {hint.__name__}; the page needs a name for each")
-                self.interfaces[hint] = ""  # reserves its place, and ends recursion
+                self.interfaces[hint] = ""  # reserves the place of the struct, and ends a recursion
                 self.interfaces[hint] = self.interface(hint)
             return hint.__name__
         raise TypeError(

@@ -1,4 +1,4 @@
-"""Nobody is at the controls: what the station then does with the panel, as a careful operator would before leaving."""
+"""Safe state of the panel while the controls are unattended, as a careful operator would set it before leaving."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ CAUSES = {
     "sticks silent": "the page that flies is silent",
     "handed over": "the sticks are handed over",
 }
-"""Why nobody is there, as the log says it."""
+"""Causes for which the controls are unattended, and their texts in the log."""
 
 
 def left_alone(inputs: Inputs, frame: Frame | None, cause: str, *, under_way: bool) -> tuple[Inputs, str]:
-    """Inputs that let RATE HOLD go and set POSITION HOLD, and what the log says; no text: nothing had to change.
+    """Return inputs that cancel RATE HOLD and set POSITION HOLD, and the text for the log.
 
-    Without a page that could stop it, a sequence is stopped, too.
+    A sequence is stopped too, if there is no page in control that could stop it. The text is empty if nothing changes.
 
     Args:
-        inputs: what is flown in this step otherwise.
-        frame: the step before; None: there was none.
+        inputs: inputs of this step without these changes.
+        frame: frame of the step before; None if there was none.
         cause: one of `CAUSES`.
-        under_way: RATE HOLD was let go already, through the command delay.
+        under_way: whether a command to cancel RATE HOLD was sent already and is still in the command delay.
     """
     if frame is None:
         return inputs, ""
     changed = False
     if frame.rate_hold and not under_way:
-        inputs = msgspec.structs.replace(inputs, rate_hold=True)  # pressed again
+        inputs = msgspec.structs.replace(inputs, rate_hold=True)  # a second press cancels it
         changed = True
     if not frame.position_hold:
         inputs = msgspec.structs.replace(inputs, position_hold=True)

@@ -1,4 +1,4 @@
-"""Whether a recording's recomputed frames are equal to the recorded ones, as the page tells it."""
+"""Result of re-simulating a recording and comparing the frames with the recorded ones, for the page."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ CHECKING = Verdict("checking", "checking")
 
 
 def verdict(path: Path) -> Verdict:
-    """Simulate a recording's inputs anew and compare; takes its time, and never raises: what cannot be is told."""
+    """Re-simulate a recording and compare all frames. Slow. An `AftdeckError` is returned as ``impossible``."""
     try:
         found = verify(path)
     except AftdeckError as error:

@@ -1,4 +1,4 @@
-"""From the simulation's values to the page's: the welcome, and each frame with its lamps."""
+"""Conversion of the simulation's values to the page's: the welcome, and each frame with its lamps."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from aftdeck.steering.mode import MODES, STICK_AXES, Mode
 from aftdeck.version import __version__
 
 VIEW = 6
-"""Decimals of a camera's angles on the page [rad]: a pixel is a thousand times as wide."""
+"""Decimals of a camera's angles on the page [rad]; a pixel is a thousand times as wide."""
 
 
 class Translator:
-    """Turns one scenario's frames into the page's."""
+    """Converter of one scenario's frames to the page's frames."""
 
     def __init__(self, scenario: Scenario, *, demo: bool) -> None:
         self._scenario = scenario
@@ -93,7 +93,7 @@ class Translator:
         )
 
     def _ghost(self, count: int) -> tuple[int, ...]:
-        """The arm's bodies and the worksite's payloads, of so many."""
+        """Return the indices of the arm's bodies and of the worksite's payloads, among `count` bodies."""
         first, cargo = len(self._scenario.worksite.bodies), len(self._scenario.cargo)
         return (*range(first, first + len(self._arm.model.frames)), *range(count - cargo, count))
 
@@ -101,7 +101,7 @@ class Translator:
         return not mode.position.startswith("AUTO") or mode.position in self._scenario.sequences
 
     def ahead(self, ahead: Ahead, frame: sim.Frame) -> to_page.Ahead:
-        """A look ahead from a frame as the page takes it."""
+        """Return a look-ahead, made from `frame`, in the form that the page uses."""
         near = ahead.nearest
         return to_page.Ahead(
             seconds=ahead.seconds,
@@ -126,7 +126,7 @@ class Translator:
         lighting: Lighting | None = None,
         flown_seq: int = -1,
     ) -> to_page.Frame:
-        """A frame of the simulation as the page takes it; the light is the scenario's, where none is given."""
+        """Return a frame in the form that the page uses; without `lighting`, the lighting is the scenario's."""
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         resolution, axes = np.array(frame.resolution), self._shown_axes(frame, tip, loaded)
@@ -181,12 +181,12 @@ class Translator:
         )
 
     def _payload(self, frame: sim.Frame) -> int:
-        """PL ID of what is in the grasp."""
+        """Return the PL ID of the captured payload; 0 if there is none."""
         return frame.attached or next((i for i, cargo in enumerate(frame.work.cargo, 1) if cargo.held), 0)
 
     def _por_offset(self, frame: sim.Frame, tip: Pose) -> kinds.Vec3:
-        """From the tip to the point that ORB LD and PL move, in the end effector's axes."""
-        if frame.payload is None or self._scenario.strict:  # the source moves the tip in every mode
+        """Return the vector from the tip to the point that ORB LD and PL move, in the end effector's axes [m]."""
+        if frame.payload is None or self._scenario.strict:  # as published, every mode moves the tip
             return (0.0, 0.0, 0.0)
         centre, axes = np.array(frame.payload[0]), np.array(frame.payload[1])
         own = self._scenario.own_payloads[frame.attached - 1] if frame.attached else None
@@ -194,24 +194,24 @@ class Translator:
         return _vec3(((point - tip.position) @ tip.rotation @ self._hand).tolist())
 
     def target(self, message: from_page.SetTarget) -> Pose:
-        """A keyed-in target, panel components, as frame 7 in L."""
+        """Return a keyed-in target, given in panel components, as frame 7 in L."""
         return self._arm.from_panel(message.position, message.attitude)
 
     def _shortened(self, views: tuple[Setting, ...]) -> tuple[kinds.Vec3, ...]:
-        """The settings to a microradian; while no camera moves, what was made before."""
+        """Return the settings rounded to a microradian; while no camera moves, the result of the last call."""
         if views is not self._views[0]:
             short = [(round(pan, VIEW), round(tilt, VIEW), round(zoom, VIEW)) for pan, tilt, zoom in views]
             self._views = views, tuple(short)
         return self._views[1]
 
     def _shown_axes(self, frame: sim.Frame, tip: Pose, loaded: bool) -> Array:
-        """Axes in L whose attitude the panel shows: the payload's in the payload's modes, else the end effector's."""
+        """Return the axes in L whose attitude the panel shows: the payload's in its modes, else the end effector's."""
         if loaded and frame.payload is not None:
             return np.array(frame.payload[1])
         return tip.rotation @ self._hand
 
     def _commanded(self, frame: sim.Frame, tip: Pose, shown: Pose) -> Pose:
-        """What the panel shows, were the hand where the commanded rates would have brought it, in L."""
+        """Return the pose in L that the panel would show if the arm had followed the commanded rates."""
         stand = frame.work.stand
         if stand is not None and stand != self._raised.stand:
             self._raised = self._arm.at(stand=stand)
@@ -220,7 +220,7 @@ class Translator:
         return Pose(there.position + turn @ (shown.position - tip.position), turn @ shown.rotation)
 
     def _control_axes(self, frame: sim.Frame, tip: Pose) -> Array:
-        """The axes that the sticks act along, in panel components."""
+        """Return the axes that the sticks act along, in panel components."""
         along = STICK_AXES.get(frame.law)
         if along == "end effector":
             hand = tip.rotation if self._scenario.strict else tip.rotation @ self._hand
@@ -230,7 +230,7 @@ class Translator:
         return np.eye(3)
 
     def _resolution(self, pose: Pose, twist: sim.Six) -> to_page.Resolution:
-        """A point with axes in L and its twist, panel components."""
+        """Return a point of resolution in panel components; `pose` and `twist` are in L."""
         shown = self._mount.to("panel", pose)
         turn = self._mount.rotation @ np.array(twist[:3])
         velocity = self._mount.rotation @ np.array(twist[3:])
@@ -250,7 +250,7 @@ class Translator:
         return to_page.Aim(position, panel_attitude(shown.rotation), goal.distance, goal.angle, goal.remaining_s)
 
     def lamps(self, frame: sim.Frame) -> tuple[to_page.Lamp, ...]:
-        """The lit lamps, each with its cause."""
+        """Return the lit lamps, each with its cause."""
         joints = [spoken(name) for name in self._arm.joints]
         lamps = []
         if frame.singular:
@@ -281,7 +281,7 @@ class Translator:
 
 
 def controller_records(message: from_page.Controllers) -> tuple[ControllerRecord, ...]:
-    """The hand controllers in use, as they are recorded."""
+    """Return the hand controllers in use, in the form in which they are recorded."""
     return tuple(
         ControllerRecord(used.kind, used.name, used.deadband, used.expo, used.bindings, used.centres)
         for used in message.controllers

@@ -1,4 +1,4 @@
-"""What the page of targets and payloads shows (SPEC 94 PDRS CONTROL): the payload table and the stored points."""
+"""Data of the page of targets and payloads (SPEC 94 PDRS CONTROL): the payload table and the stored points."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from aftdeck.steering.rules import rules_of
 
 
 def payload_table(scenario: Scenario) -> tuple[to_page.PayloadInfo, ...]:
-    """By PL ID: nothing, then each of the scenario's own payloads, or each of the worksite's."""
+    """Return the payload table by PL ID: no payload, then the scenario's own payloads, then the worksite's."""
     own = [("payload" if k == 1 else f"payload {k}", one.mass) for k, one in enumerate(scenario.own_payloads, 1)]
     loads = (("no payload", 0.0), *own, *((cargo.name, cargo.mass) for cargo in scenario.cargo))
     return tuple(_row(scenario, number, name, mass) for number, (name, mass) in enumerate(loads))
 
 
 def _row(scenario: Scenario, number: int, name: str, mass: float) -> to_page.PayloadInfo:
-    """The limits in the steering's own rules with a payload of so much mass [kg], which is all that sets them."""
+    """Return a row of the table: the steering's limits with a payload, which depend on its mass [kg] alone."""
     model = scenario.arm.model
     rules = rules_of(model, por_with(model, mass, scenario.por), scenario.control_period)
     coarse, vernier = rules["SINGLE", "coarse", 8], rules["SINGLE", "vernier", 8]
@@ -36,7 +36,7 @@ def _row(scenario: Scenario, number: int, name: str, mass: float) -> to_page.Pay
 
 
 def stored_sequences(scenario: Scenario) -> tuple[to_page.StoredSequence, ...]:
-    """The points of AUTO 1-4, panel components."""
+    """Return the points of AUTO 1-4, in panel components."""
     return tuple(
         to_page.StoredSequence(position, tuple(_stored(scenario, point) for point in points))
         for position, points in sorted(scenario.sequences.items())

@@ -1,4 +1,4 @@
-"""From the worksite's values to the page's: what can be done there, and how things stand, in the scene."""
+"""Conversion of the worksite's values to the page's: its equipment, and its state in each frame, in the scene."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from aftdeck.worksite.report import Near, Vec3, Work
 
 
 def work_info(scenario: Scenario) -> to_page.WorkInfo:
-    """What can be done at a scenario's worksite."""
+    """Return the equipment of a scenario's worksite and its clearance thresholds."""
     has = scenario.arm.model.equipment
     return to_page.WorkInfo(
         hand="snares" if has.prong is None else "prong",
@@ -29,7 +29,7 @@ def work_info(scenario: Scenario) -> to_page.WorkInfo:
 
 
 def effector_lamps(work: Work) -> tuple[to_page.Lamp, ...]:
-    """DERIGIDIZE and RELEASE, while a payload is in snares that do not hold it rigid, or let it go."""
+    """Return DERIGIDIZE while the snares hold a payload that is not rigid, and RELEASE too while they release it."""
     hand = work.hand
     if hand.carriage is None or "RIGID" in hand.flags or not any(cargo.held for cargo in work.cargo):
         return ()
@@ -43,7 +43,7 @@ def effector_lamps(work: Work) -> tuple[to_page.Lamp, ...]:
 
 
 class WorkTranslator:
-    """Turns what happens at one scenario's worksite into the page's coordinates."""
+    """Converter of the state of one scenario's worksite to the page's coordinates."""
 
     def __init__(self, scenario: Scenario) -> None:
         mount = scenario.arm.model.mount
@@ -54,12 +54,12 @@ class WorkTranslator:
         self._origin = SCENE_FROM_PANEL_AXES @ mount.origin - scenario.worksite.origin
 
     def frame(self, work: Work, tip: Array, control: Array | None) -> to_page.WorkFrame:
-        """The worksite in a frame.
+        """Return the state of the worksite in a frame.
 
         Args:
-            work: as it is.
-            tip: (3,) the end effector's, in L [m].
-            control: (3, 3) the axes that the sticks act along, in panel components; None: the mode takes none.
+            work: state of the worksite.
+            tip: (3,) position of the end effector's tip, in L [m].
+            control: (3, 3) the axes that the sticks act along, in panel components; None if the mode uses no sticks.
         """
         hand, way = work.hand, self._to_fixture(work, tip)
         return to_page.WorkFrame(
@@ -90,7 +90,11 @@ class WorkTranslator:
         )
 
     def _to_fixture(self, work: Work, tip: Array) -> Array | None:
-        """(3,) from the empty snares to the nearest fixture, panel components [m]."""
+        """Return the (3,) vector from the empty snares to the nearest fixture, in panel components [m].
+
+        Returns:
+            The vector; None if the arm has no snares, a payload is held, or no payload has a grapple fixture.
+        """
         if work.hand.carriage is None or any(cargo.held for cargo in work.cargo):
             return None
         ways = (

@@ -1,7 +1,7 @@
 """LATRAJ: line of sight and angle of sight from a pose to a target.
 
-JSC-12628, subroutine LATRAJ, with the angle from an arc tangent, which keeps its digits at small angles, and
-the axis beyond 90 deg from the symmetric part, which keeps them up to and at 180 deg.
+JSC-12628, subroutine LATRAJ. The angle comes from an arc tangent, which is accurate at small angles. Beyond 90 deg the
+axis comes from the symmetric part, which is accurate up to and at 180 deg.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from aftdeck.law import law
 
 
 class Aim(NamedTuple):
-    """The way to a target: how far and which way, in translation and in rotation, in L."""
+    """Distance [m] and direction to a target, and angle [rad] and axis of the rotation to it, in L."""
 
     distance: float
     ux: float
@@ -29,7 +29,7 @@ class Aim(NamedTuple):
 
 @law
 def latraj(tip: Tip, target: Array) -> Aim:
-    """LATRAJ: from the tip to a target (12,): position [m], then rotation row by row."""
+    """Return the aim from the tip to a target (12,): position [m], then rotation row by row (LATRAJ)."""
     dx, dy, dz = target[0] - tip.x, target[1] - tip.y, target[2] - tip.z
     distance = math.sqrt(dx * dx + dy * dy + dz * dz)
     per = 1.0 / distance if distance > 0.0 else 0.0
@@ -60,9 +60,9 @@ def latraj(tip: Tip, target: Array) -> Aim:
 def _axis_of_large_turn(
     b11: float, b22: float, b33: float, b12: float, b13: float, b23: float, cosine: float
 ) -> tuple[float, float, float]:
-    """The axis, but for its sign, of a turn beyond 90 deg, from the matrix's diagonal and symmetric sums.
+    """Return the axis of a rotation beyond 90 deg, except for its sign, from the diagonal and the symmetric sums.
 
-    The largest component is taken first, the others from its column (LATRAJ's 180 deg case).
+    The largest component is computed first, the others from its column (LATRAJ's 180 deg case).
     """
     xx, yy, zz = b11 - cosine, b22 - cosine, b33 - cosine
     if xx >= yy and xx >= zz:

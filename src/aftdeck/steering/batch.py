@@ -1,7 +1,7 @@
-"""Closed-loop steering of many arms at once: each arm straight towards a target of its own.
+"""Closed-loop steering of many arms at once, each arm straight towards its own target.
 
-Not modelled: profiles and limits of the point of resolution, joint stops, and slowing before singularities, near
-which the rate law divides by a floor.
+Not modelled: profiles and limits of the point of resolution, joint stops, and slowing before singularities. Near a
+singularity the rate law divides by a minimum value instead.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ from aftdeck.kinematics.arm import Arm
 from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blocks
 
 _HAIR = 1.0 + 1e-15
-"""Keeps the fastest joint's rate, after rounding, at or under its limit."""
+"""Factor that keeps the fastest joint's rate, after rounding, at or below its limit [1]."""
 _THREADED = 20_000
-"""Arm-steps from which a second thread is worth its start."""
+"""Number of arm-steps from which a second thread is worth its start."""
 LINE = 64
-"""A cache line [bytes]."""
+"""Length of a cache line [bytes]."""
 _SHARES = 8
-"""Shares of the blocks for each thread: one whose processor others use too takes fewer of them."""
+"""Shares of the blocks per thread; a thread on a busy processor takes fewer shares."""
 _ROTATION_TOLERANCE = 1e-6
-"""How far from orthonormal a target's rotation may be [1]."""
+"""Maximum deviation of a target's rotation from an orthonormal one [1]."""
 
 
 class Steered(NamedTuple):
-    """Where the arms are after the last step, and what is left to their targets.
+    """State of the arms after the last step, and the errors that remain to their targets.
 
     Attributes:
         angles: (..., 6) joint angles [rad].
         position_error: (..., 3) target less tip position, in L [m].
-        rotation_error: (..., 3) axis of the turn that is left times the sine of its angle, in L [1].
+        rotation_error: (..., 3) axis of the remaining rotation times the sine of its angle, in L [1].
     """
 
     angles: Array
@@ -47,10 +47,10 @@ class Steered(NamedTuple):
 
 
 def pace_of(arm: Arm, period: float, gain: float) -> Array:
-    """The pace (8,) of an arm whose joints are held to its servo maxima.
+    """Return the pace (8,) of an arm whose joints are limited to its servo maxima.
 
     Raises:
-        InputError: a period or gain that goes nowhere, or past the target.
+        InputError: a period or gain that does not move the arm, or moves it past the target.
     """
     if not period > 0.0:
         raise InputError(f"the control period is above 0 s, got {period:g}")
@@ -65,13 +65,13 @@ def steer_batch(
     """Fly many arms in closed loop, on every processor that this process may use.
 
     Args:
-        arm: which arm they all are.
+        arm: arm model of all the arms.
         angles: (..., 6) joint angles [rad].
         targets: tip poses in L, with the leading shape of `angles` or one for all: a Pose, or (..., 12), position
             [m], then rotation row by row.
         steps: control periods to fly.
-        period: of a step [s].
-        gain: twist per way and turn left [1/s].
+        period: duration of a step [s].
+        gain: twist per remaining distance and rotation [1/s].
 
     Raises:
         InputError: numbers of the wrong shape or range.
@@ -92,7 +92,7 @@ def steer_batch(
 
 
 def _fly(arm: Arm, pace: Array, blocks: Array, steps: int) -> None:
-    """`steer_blocks`, the blocks shared out among threads, each of which takes the next share when it is done."""
+    """Run `steer_blocks` with the blocks shared among threads; a free thread takes the next share."""
     links, pace_tuple = tuple(arm.model.links.tolist()), tuple(pace.tolist())
     workers = min(_processors(), len(blocks)) if len(blocks) * LANES * steps >= _THREADED else 1
     if workers <= 1:
@@ -109,21 +109,21 @@ def _fly(arm: Arm, pace: Array, blocks: Array, steps: int) -> None:
 
 
 def _aligned(count: int) -> Array:
-    """Zeros that begin at a cache line: no vector of theirs lies across two."""
+    """Return zeros that begin at a cache line, so that no processor vector crosses two lines."""
     room = np.zeros(count + LINE // 8)
     skip = -room.ctypes.data % LINE // 8
     return room[skip : skip + count]
 
 
 def _processors() -> int:
-    """How many processors this process may use."""
+    """Return the number of processors that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
 
 
 def _finite(values: ArrayLike, what: str, width: int) -> Array:
-    """Checked (..., width) floats."""
+    """Return values as (..., width) floats; raise InputError if shape or values are wrong."""
     try:
         array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):
@@ -136,7 +136,7 @@ def _finite(values: ArrayLike, what: str, width: int) -> Array:
 
 
 def _targets(targets: Pose | ArrayLike, lead: tuple[int, ...]) -> Array:
-    """(*lead, 12) checked targets."""
+    """Return targets as (*lead, 12) floats; raise InputError if shape or values are wrong."""
     if isinstance(targets, Pose):
         position, rotation = _finite(targets.position, "positions", 3), _finite(targets.rotation, "rotations", 3)
         if rotation.shape != (*position.shape, 3):
@@ -163,7 +163,7 @@ def _targets(targets: Pose | ArrayLike, lead: tuple[int, ...]) -> Array:
 
 
 def _scatter(fields: Array, rows: Array) -> None:
-    """Rows (n, k) into the lanes of fields (blocks, k, LANES); lanes left over stay as they are."""
+    """Write rows (n, k) into the lanes of fields (blocks, k, LANES); leave the remaining lanes unchanged."""
     whole, rest = divmod(len(rows), LANES)
     fields[:whole] = rows[: whole * LANES].reshape(whole, LANES, rows.shape[1]).swapaxes(1, 2)
     if rest:
@@ -171,5 +171,5 @@ def _scatter(fields: Array, rows: Array) -> None:
 
 
 def _gathered(fields: Array, count: int) -> Array:
-    """Rows (count, k) out of the lanes of fields (blocks, k, LANES)."""
+    """Return rows (count, k) read from the lanes of fields (blocks, k, LANES)."""
     return np.ascontiguousarray(fields.swapaxes(1, 2)).reshape(len(fields) * LANES, fields.shape[1])[:count]

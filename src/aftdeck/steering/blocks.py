@@ -1,8 +1,8 @@
-"""One closed-loop step towards a target, of one arm and of blocks of arms, from the same laws.
+"""One closed-loop step towards a target, for one arm and for blocks of arms, from the same laws.
 
-A step: LNKAGE, what is left to the target, RMSRAT for a twist proportional to it, RATLMT (rates only), and the rates
-flown for one control period. In a block each field of `LANES` arms stands in a row, so that the processor takes
-several arms in one instruction; every arm comes out as it would alone, bit for bit.
+A step consists of LNKAGE, the remaining error to the target, RMSRAT for a twist proportional to that error, RATLMT
+(rates only), and motion at these rates for one control period. In a block, each field of `LANES` arms is one row, so
+that the processor handles several arms in one instruction. Each arm's result equals its result alone, bit for bit.
 Source: JSC-12628, subroutines LNKAGE, RMSRAT, RATLMT.
 """
 
@@ -29,23 +29,27 @@ from aftdeck.steering.msteer import NEAR_FLOOR
 Six = tuple[float, float, float, float, float, float]
 
 LANES = 40
-"""Arms in a block: a whole number of vectors and of cache lines, and rows that are no power of two apart in memory."""
+"""Arms in a block: a whole number of vectors and cache lines; the row spacing in memory is not a power of two."""
 TARGET, LEFT, FIELDS = 6, 18, 24
-"""Rows of a block: joint angles (6) [rad], from TARGET target (12) as `latraj` takes it, from LEFT what is left (6)."""
+"""Rows of a block: joint angles (6) [rad], from TARGET the target (12) as in `latraj`, from LEFT the error (6)."""
 
 PER, QUARTERS, WORK = 12, 15, 21
-"""Rows of the work: sines (6) and cosines (6), from PER one over the rate law's denominators (3), from QUARTERS the
-whole quarters of a turn in each link's angle (6)."""
+"""Rows of the work array.
+
+Sines (6) and cosines (6), from PER one over the rate law's denominators (3), from QUARTERS the whole quarter turns in
+each link's angle (6).
+"""
 
 PERIOD, GAIN, PER_RATE = 0, 1, 2
-"""Places in a pace: control period [s], gain [1/s], from PER_RATE one over each joint's greatest rate [s/rad]."""
+"""Indices in a pace: control period [s], gain [1/s], from PER_RATE one over each joint's maximum rate [s/rad]."""
 
 
 @law
 def turn_left(t: Nine, target: Floats) -> Three:
-    """What is left to turn from the tip's axes to those of a target (12,), in L: axis times sine of the angle.
+    """Return the remaining rotation from the tip's axes to those of a target (12,), in L: axis times sine of the angle.
 
-    Half the sum of the cross products of the axes, old with new: nothing at 180 deg, where it does not turn the tip.
+    It is half the sum of the cross products of the axes, present with target. At 180 deg it is zero, so that the tip
+    does not turn.
     """
     r11, r12, r13, r21, r22, r23, r31, r32, r33 = t
     return (
@@ -60,15 +64,16 @@ def turn_left(t: Nine, target: Floats) -> Three:
 
 @law
 def way_left(t: Three, target: Floats) -> Three:
-    """What is left to go from the tip's place to that of a target, whose first three numbers it is, in L [m]."""
+    """Return the distance from the tip to a target's position, the target's first three numbers, in L [m]."""
     return target[0] - t[0], target[1] - t[1], target[2] - t[2]
 
 
 @law
 def flown(pace: Floats, r: Rates, q: Floats) -> Six:
-    """Joint angles [rad] a control period on, at the rates (6,) for what is left times the gain, cut by RATLMT.
+    """Return the joint angles [rad] after one control period at the gain times the rates `r`, cut by RATLMT.
 
-    The rate law is linear: gain times its rates are its rates for gain times the way.
+    `r` are the rates for the remaining error. The rate law is linear: gain times these rates are the rates for gain
+    times the error.
     """
     upper = max(abs(r.r1) * pace[PER_RATE], abs(r.r2) * pace[PER_RATE + 1], abs(r.r3) * pace[PER_RATE + 2])
     lower = max(abs(r.r4) * pace[PER_RATE + 3], abs(r.r5) * pace[PER_RATE + 4], abs(r.r6) * pace[PER_RATE + 5])
@@ -78,7 +83,7 @@ def flown(pace: Floats, r: Rates, q: Floats) -> Six:
 
 @law
 def steer_one(arm: Array, pace: Array, angles: Array, target: Array) -> None:
-    """One step of one arm: angles (6,) [rad], changed in place, towards a target (12,)."""
+    """Make one step of one arm towards a target (12,); the angles (6,) [rad] are changed in place."""
     a = sines(arm, angles[0], angles[1], angles[2], angles[3], angles[4], angles[5])
     wx, wy, wz = turn_left(axes(arm, a), target)
     vx, vy, vz = way_left(place(arm, a), target)
@@ -88,7 +93,7 @@ def steer_one(arm: Array, pace: Array, angles: Array, target: Array) -> None:
 
 @law
 def _three(rows: Array, first: int, i: int) -> Three:
-    """Three fields of one arm, from row `first` on."""
+    """Return three fields of one arm, from row `first` on."""
     n = first * LANES + i
     return rows[n], rows[n + LANES], rows[n + 2 * LANES]
 
@@ -102,7 +107,7 @@ def _keep_three(rows: Array, first: int, i: int, values: Three) -> None:
 
 @law
 def _six(rows: Array, first: int, i: int) -> Six:
-    """Six fields of one arm, from row `first` on."""
+    """Return six fields of one arm, from row `first` on."""
     return _three(rows, first, i) + _three(rows, first + 3, i)
 
 
@@ -115,7 +120,7 @@ def _keep_six(rows: Array, first: int, i: int, values: Six) -> None:
 
 @law
 def _sines_of(work: Array, i: int) -> Sines:
-    """One arm's sines and cosines."""
+    """Return one arm's sines and cosines."""
     s1, s2, s23, sw, s5, s6 = _six(work, 0, i)
     c1, c2, c23, cw, c5, c6 = _six(work, 6, i)
     return Sines(s1, c1, s2, c2, s23, c23, sw, cw, s5, c5, s6, c6)
@@ -123,9 +128,9 @@ def _sines_of(work: Array, i: int) -> Sines:
 
 @law
 def _look(arm: Floats, block: Array, work: Array) -> None:
-    """From a block's angles in `work` to sines and cosines, one over the denominators, and what is left.
+    """Compute sines and cosines, one over the denominators, and the remaining error from a block's angles in `work`.
 
-    `law.sincos` in three goes: each is short enough for the processor to have several vectors of arms under way.
+    `law.sincos` is split into three loops, each short enough for the processor to overlap several vectors of arms.
     """
     for n in range(6 * LANES):
         work[n], work[n + QUARTERS * LANES] = reduced(work[n])
@@ -144,16 +149,16 @@ def _look(arm: Floats, block: Array, work: Array) -> None:
 
 @law
 def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int) -> None:
-    """Many steps of many arms, in place.
+    """Make many steps of many arms, in place.
 
-    Each family has loops of its own, in which its kind of wrist is a constant: the choice between families inside
-    the loops would cost a quarter more time.
+    Each family has its own loops, in which its kind of wrist is a constant: a choice between families inside the
+    loops would cost a quarter more time.
 
     Args:
-        arm: the arm's constants, a tuple.
-        pace: a tuple.
+        arm: the arm's constants, as a tuple.
+        pace: the pace, as a tuple.
         blocks: (blocks, FIELDS * LANES), field by field.
-        work: (WORK * LANES,) to be written over.
+        work: (WORK * LANES,) work array, overwritten.
         steps: control periods to fly.
     """
     l1, l2, l3, l4, l5, upper, lower, wrist = arm
@@ -165,11 +170,10 @@ def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: i
 
 @law
 def _steer_family(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: int) -> None:
-    """As `steer_blocks`, for a kind of wrist that the compiler knows.
+    """Make the steps of `steer_blocks` for a kind of wrist that the compiler knows.
 
-    A step goes over a block several times: in a short loop more arms are under way in the processor at once. Rows
-    are addressed in one array by strides that are constants, without which the compiler does not see that they
-    never overlap.
+    A step makes several passes over a block: in a short loop the processor overlaps more arms. Rows are addressed in
+    one array by constant strides; otherwise the compiler does not see that the rows never overlap.
     """
     for b in range(blocks.shape[0]):
         block = blocks[b]

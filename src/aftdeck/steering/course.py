@@ -1,7 +1,7 @@
-"""OPERIN's start of an automatic motion: from rest, where CMD CK rehearsed it.
+"""OPERIN's start of an automatic motion, from rest, as CMD CK rehearsed it.
 
-JSC-12628, subroutine OPERIN, plans from wherever the arm is, as if it stood still; `strict` does the same. Corrected,
-the arm first comes to rest, and the motion is planned from there.
+JSC-12628, subroutine OPERIN, plans from the arm's present pose as if the arm were at rest; `strict` does the same.
+Corrected, the arm first comes to rest, and the motion is planned from there.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from aftdeck.steering.layout import GO, LAW, MEASURED, STRICT
 from aftdeck.steering.modes import open_loop, position
 
 AT_REST = 1e-6
-"""Joint rate under which a joint is at rest [rad/s]: a step of 0.2 s moves the tip by less than 0.01 mm (assumed)."""
+"""Joint rate below which a joint is at rest [rad/s]: in 0.2 s the tip moves by less than 0.01 mm (assumed)."""
 
 
 @law
 def may_start(rules: Array, state: Array) -> bool:
-    """Whether an automatic motion may start: once no joint moves; under `strict` at once."""
+    """Return whether an automatic motion may start: when no joint moves; under `strict` at once."""
     fastest = 0.0
     for i in range(6):
         fastest = max(fastest, abs(state[MEASURED + i]))
@@ -26,9 +26,10 @@ def may_start(rules: Array, state: Array) -> bool:
 
 @law
 def set_off(rules: Array, command: Array, state: Array) -> None:
-    """Plan and go, if the arm may start; called before each step until `command` says GO.
+    """Plan and start the motion if the arm may start; call this before each step until GO is set in `command`.
 
-    `command` holds the law's number, the target and, in mode 1, the final joint angles where its plan will stand.
+    `command` holds the law's number and the target. In mode 1 it also holds the final joint angles, at the index of
+    the plan that replaces them.
     """
     if not may_start(rules, state):
         return

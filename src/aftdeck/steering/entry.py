@@ -1,4 +1,4 @@
-"""The rate law for callers in Python: RMSRAT with RATLMT in one call, twelve numbers in, six out."""
+"""Rate law for callers in Python: RMSRAT with RATLMT in one call, twelve numbers in, six out."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from aftdeck.steering.layout import RATE
 
 @law
 def limited_rates(rules: Array, numbers: Array, out: Array) -> None:
-    """RMSRAT and RATLMT: joint rates for a tip twist, cut by one ratio to within the rate limits.
+    """Compute the joint rates for a tip twist, cut by one ratio to within the rate limits (RMSRAT and RATLMT).
 
     Args:
-        rules: of a mode, as `steering.rules` makes them.
+        rules: rules of a mode, as `steering.rules` returns them.
         numbers: (12,) six joint angles [rad], then the tip's twist in L [rad/s], [m/s].
-        out: (6,) takes the joint rates [rad/s].
+        out: (6,) receives the joint rates [rad/s].
     """
     a = sines(rules, numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5])
     twist = Twist(numbers[6], numbers[7], numbers[8], numbers[9], numbers[10], numbers[11])

@@ -1,8 +1,8 @@
-"""AVCLMT and RATLMT: what the tip and the joints are held to.
+"""AVCLMT and RATLMT: limits of the tip's twist and of the joint rates.
 
-JSC-12628, subroutines AVCLMT and RATLMT. RATLMT's one ratio for all joints keeps the direction of motion; here
-it also holds the joints before their stops and the arm before its singularities, by letting a rate grow only
-with the root of the way that is left, so that the same ratio slows the arm smoothly and to rest.
+JSC-12628, subroutines AVCLMT and RATLMT. RATLMT's one ratio for all joints keeps the direction of motion. Here it also
+stops the joints before their stops and the arm before its singularities. The rate allowed before a stop follows the
+root of the remaining angle, that before a singularity the remaining distance; so the arm slows smoothly to rest.
 """
 
 from __future__ import annotations
@@ -33,21 +33,24 @@ from aftdeck.steering.layout import (
 )
 
 CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop", "joint acceleration", "joint acceleration passed")
-"""Which limit acted on the joint rates, by the number in a report. 4 is given by mode 8, whose stops are the hard ones;
-6 means that no factor of the motion kept the acceleration, and the line was kept instead."""
+"""Limits that act on the joint rates, by the number in a report.
+
+The modes with hard stops, 8 and DIRECT, give 4. The number 6 means that no factor of the motion kept the joint
+acceleration limit, and the line was kept instead.
+"""
 BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION, PAST_ACCELERATION = 1, 2, 3, 4, 5, 6
 
 NEAREST = 0.02
 """Normalised distance at which an approach to a singularity comes to rest (assumed: 1.1 deg of elbow)."""
 APPROACH = 0.5
-"""Rate of approach to a singularity per distance left [1/s] (assumed)."""
+"""Rate of approach to a singularity per remaining distance [1/s] (assumed)."""
 OUTSIDE = 1e-9
-"""How far past a stop a joint has to be to count as past it [rad]."""
+"""Angle beyond a stop from which a joint counts as past it [rad]."""
 
 
 @law
 def rate_ratio(rules: Array, state: Array) -> float:
-    """Largest |commanded joint rate| / limit in force, of the steering's rules and state."""
+    """Return the largest |commanded joint rate| / limit in force, from the steering's rules and state."""
     greatest = 0.0
     for i in range(6):
         greatest = max(greatest, abs(state[RATES + i]) / rules[RATE + i])
@@ -55,12 +58,12 @@ def rate_ratio(rules: Array, state: Array) -> float:
 
 
 class Ratio(NamedTuple):
-    """What RATLMT leaves of commanded rates, and why.
+    """Share of commanded rates that RATLMT allows, and the limit that acts.
 
     Attributes:
-        ratio: 0 to 1.
-        cause: a number of `CAUSES`; 0 where nothing limits.
-        culprit: the joint, or for a singularity 0 shoulder, 1 elbow, 2 wrist; -1 where nothing limits.
+        ratio: allowed share, 0 to 1.
+        cause: index in `CAUSES`; 0 if no limit acts.
+        culprit: the joint, or for a singularity 0 shoulder, 1 elbow, 2 wrist; -1 if no limit acts.
     """
 
     ratio: float
@@ -70,10 +73,10 @@ class Ratio(NamedTuple):
 
 @law
 def braked(gap: float, deceleration: float, dt: float) -> float:
-    """Greatest rate from which steps of `dt` with this deceleration come to rest within `gap`; 0 beyond it.
+    """Return the greatest rate from which steps of `dt` at this deceleration end at rest within `gap`; 0 if gap <= 0.
 
-    With n the least number of steps that will do, n rates, each lower by deceleration * dt than the one before
-    and the last above zero, cover the gap exactly.
+    Let n be the least sufficient number of steps. Then n rates, each lower than the previous one by
+    deceleration * dt and the last above zero, cover the gap exactly.
     """
     if gap <= 0.0:
         return 0.0
@@ -84,15 +87,15 @@ def braked(gap: float, deceleration: float, dt: float) -> float:
 
 @law
 def avclmt(rules: Array, wanted: Twist, present: Twist) -> tuple[Twist, int]:
-    """AVCLMT: the tip twist that limits of speed and acceleration allow.
+    """Return the tip twist that the limits of speed and acceleration allow (AVCLMT).
 
-    As restored, acceleration is limited first and speed after it. Mended, speed first: the two differ only
-    where the present speed is above its limit because the limit was just lowered, and then the source brakes
+    As published, acceleration is limited first and speed second. Corrected, speed is limited first. The two differ
+    only if the present speed is above its limit because the limit was just lowered; the published version then brakes
     at once.
 
     Returns:
-        The allowed twist and which limits were met, added up: acceleration 1 and speed 2 of translation,
-        acceleration 4 and rate 8 of rotation.
+        The allowed twist, and the sum of the numbers of the limits that acted: acceleration 1 and speed 2 of
+        translation, acceleration 4 and rate 8 of rotation.
     """
     dt = rules[DT]
     wx, wy, wz, turn_met = _held(
@@ -110,7 +113,7 @@ def avclmt(rules: Array, wanted: Twist, present: Twist) -> tuple[Twist, int]:
 def _held(
     x: float, y: float, z: float, px: float, py: float, pz: float, most: float, change: float, strict: float
 ) -> tuple[float, float, float, int]:
-    """One vector of AVCLMT: wanted, present, its greatest length, its greatest change in a step."""
+    """Limit one vector of AVCLMT, given its wanted and present values, maximum length and maximum change in a step."""
     met = 0
     if strict == 0.0:
         k = _shortening(x, y, z, most)
@@ -130,22 +133,23 @@ def _held(
 
 @law
 def _met(shortening: float, number: int) -> int:
-    """The number where a shortening is more than a rounding error, else 0."""
+    """Return `number` if a shortening is more than a rounding error, else 0."""
     return number if shortening < 1.0 - 1e-9 else 0
 
 
 @law
 def _shortening(x: float, y: float, z: float, most: float) -> float:
-    """The factor, at most 1, that brings a vector's length down to `most`."""
+    """Return the factor, at most 1, that reduces a vector's length to `most`."""
     length = math.sqrt(x * x + y * y + z * z)
     return most / length if length > most else 1.0
 
 
 @law
 def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
-    """RATLMT: the ratio by which commanded joint rates are cut so that each is within its limit.
+    """Return the ratio by which commanded joint rates are cut so that each is within its limit (RATLMT).
 
-    Where the rules are guarded, it slows the arm before its stops and singularities too. The source knows rates alone.
+    If the rules are guarded, the ratio also slows the arm before its stops and singularities. The source limits rates
+    only.
     """
     limit = joint_ratio(rules, state, rates)
     return singularity_ratio(rules, a, rates, limit) if rules[GUARDED] != 0.0 else limit
@@ -153,7 +157,7 @@ def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
 
 @law
 def joint_ratio(rules: Array, state: Array, rates: Rates) -> Ratio:
-    """Return RATLMT's ratio for the joints' own limits: their rates and, where the rules are guarded, their stops."""
+    """Return RATLMT's ratio for the joints' own limits: rates and, if the rules are guarded or as flown, stops."""
     ratio, cause, culprit = 1.0, 0, -1
     as_flown, guarded = rules[AS_FLOWN] != 0.0, rules[GUARDED] != 0.0
     for i in range(6):
@@ -176,7 +180,7 @@ def joint_ratio(rules: Array, state: Array, rates: Rates) -> Ratio:
 
 @law
 def singularity_ratio(rules: Array, a: Sines, rates: Rates, limit: Ratio) -> Ratio:
-    """Return a ratio, or the smaller one that slows the arm before a singularity."""
+    """Return the ratio `limit`, or a smaller one that slows the arm before a singularity."""
     ratio, cause, culprit = limit.ratio, limit.cause, limit.culprit
     for k in range(3):
         distance, towards = closing(rules, a, rates, k)
@@ -190,7 +194,7 @@ def singularity_ratio(rules: Array, a: Sines, rates: Rates, limit: Ratio) -> Rat
 
 @law
 def closing(rules: Array, a: Sines, rates: Rates, which: int) -> tuple[float, float]:
-    """A singularity's signed distance and how fast its magnitude falls [1/s]."""
+    """Return a singularity's signed distance, and the rate at which the magnitude of the distance falls [1/s]."""
     shoulder, elbow, wrist = distances(rules, a)
     upper, lower, hand = rates.r2, rates.r2 + rates.r3, rates.r2 + rates.r3 + rates.r4
     if which == 0:

@@ -1,4 +1,4 @@
-"""The MODE rotary: its twelve positions and MASTER, and which of the report's eight modes each one flies."""
+"""Positions of the MODE rotary and MASTER, and which of the report's eight modes each position flies."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ PanelPosition = Literal[
     "OPR CMD", "AUTO 1", "AUTO 2", "AUTO 3", "AUTO 4", "TEST", "ORB UNL", "END EFF", "ORB LD", "PL", "SINGLE", "DIRECT",
     "MASTER",
 ]  # fmt: skip
-"""The twelve positions of the MODE rotary on panel A8, and the concept's way of flying, which takes any arm."""
+"""The twelve positions of the MODE rotary on panel A8, and MASTER, the concept's mode, which works with any arm."""
 
 AUTOMATIC_LAWS: dict[LawChoice, int] = {"position": 1, "closed loop": 2, "open loop": 3}
-"""The report's modes 1 to 3, as the switch beside OPR CMD and AUTO 1-4 names them."""
+"""The report's modes 1 to 3, by the names on the switch beside OPR CMD and AUTO 1-4."""
 
 
 @dataclass(frozen=True)
@@ -24,13 +24,13 @@ class Mode:
     """One position of the MODE rotary.
 
     Attributes:
-        position: as printed.
-        laws: the report's mode numbers that it can fly, the default first.
-        title: what it flies, in a few words.
-        kind: how it is commanded: a target, sticks, one joint's drive switch, the master arm, or not at all.
-        point: the point that it moves.
-        axes: the axes that the sticks act along.
-        axis_names: what + means for the THC's three axes.
+        position: name as printed on the panel.
+        laws: the report's mode numbers that the position can fly, the default first.
+        title: short description.
+        kind: kind of command: a target, sticks, one joint's drive switch, the master arm, or none.
+        point: point that the mode moves.
+        axes: axes along which the sticks act.
+        axis_names: positive directions of the THC's three axes.
     """
 
     position: PanelPosition
@@ -43,7 +43,7 @@ class Mode:
 
     @property
     def loaded(self) -> bool:
-        """Whether it needs a payload in the grasp."""
+        """Whether the mode needs a payload in the grasp."""
         return self.point == "payload"
 
 
@@ -82,18 +82,18 @@ MODES: dict[str, Mode] = {
         ),
     )
 }  # fmt: skip
-"""Every position, by its name: down the panel's left column, then its right one, and last what is not on that panel."""
+"""Every position by name, in order: the panel's left column, its right column, then MASTER, which is not on it."""
 
 
 NUMBERED = range(1, 9)
-"""The numbers of JSC-12628's own modes."""
+"""Numbers of JSC-12628's own modes."""
 
 StickAxes = Literal["orbiter", "end effector", "payload"]
 STICK_AXES: dict[int, StickAxes] = {4: "orbiter", 5: "end effector", 6: "payload", 7: "orbiter"}
-"""Of the report's modes that sticks fly, along whose axes they move the point; mode 7 turns it about the payload's."""
+"""Axes along which the sticks translate, by the report's manual modes; mode 7 rotates about the payload's axes."""
 
 
 def position_of(law: int) -> tuple[PanelPosition, int] | None:
-    """The panel position that flies one of the report's modes 1 to 8 first, and the law; None for other numbers."""
+    """Return the first panel position that flies one of the report's modes 1 to 8, and the law; None for others."""
     first = next((mode.position for mode in MODES.values() if law in mode.laws), None)
     return None if first is None or law not in NUMBERED else (first, law)

@@ -1,10 +1,12 @@
 """MSTEER: one steering step, from the measured arm and the command to six joint rates.
 
 JSC-12628, subroutine MSTEER: JACOBI, LNKAGE, ERATES, the mode's twist (VOTRAN), AVCLMT, RMSRAT, RATLMT, and
-ERATES times RATIO fed back to the next step's AVCLMT. Three things are added unless `strict`: the mode's demand
-is first cut to what the joints can give (RATLMT's ratio, taken before AVCLMT, so that no acceleration is spent
-on a hopeless speed-up); the rate law is evaluated at the middle of the coming step; and one factor
-(`steering.one_factor`) cuts the whole motion, so that modes 1 and 3 stay on their plans.
+ERATES times RATIO fed back to the next step's AVCLMT. Unless `strict`, three things are added:
+
+- The mode's demand is first cut to what the joints can give, by RATLMT's ratio before AVCLMT. No acceleration is
+  then spent on a speed that the joints cannot reach.
+- The rate law is evaluated at the middle of the coming step.
+- One factor (`steering.one_factor`) cuts the whole motion, so that modes 1 and 3 stay on their plans.
 """
 
 from __future__ import annotations
@@ -49,15 +51,15 @@ from aftdeck.steering.one_factor import one_factor
 from aftdeck.steering.turn import from_hand
 
 NEAR_FLOOR = 0.5 * NEAREST
-"""Normalised distance from a singularity that the guarded rate law works with at least, where the arm starts nearer."""
+"""Minimum normalised distance from a singularity in the guarded rate law, for an arm that starts nearer."""
 
 
 @law
 def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
-    """MSTEER: the joint rates for the coming step, into `state`; how they came about, into `report`.
+    """Compute the joint rates for the coming step into `state`, and how they were limited into `report` (MSTEER).
 
     The arrays are those of `steering.layout`. `state` holds measured angles, and the rates and the twist that
-    the last step commanded; both are replaced.
+    the last step commanded; this function replaces the rates and the twist.
     """
     report[RATIO], report[CAUSE], report[CULPRIT], report[POR_CAUSE] = 1.0, 0.0, -1.0, 0.0
     report[DISTANCE], report[ANGLE], report[REMAINING], report[ARRIVED] = 0.0, 0.0, 0.0, 0.0
@@ -72,13 +74,13 @@ def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
 
 @law
 def measured(angles: Array, rates: Array, rise: float, state: Array) -> None:
-    """Take over what is measured.
+    """Copy the measurements into the state.
 
     Args:
         angles: (6,) joint angles [rad].
         rates: (6,) joint rates [rad/s].
-        rise: how much higher the shoulder is than in `rules` [m].
-        state: takes them.
+        rise: height of the shoulder above that in `rules` [m].
+        state: receives the measurements.
     """
     state[RISE] = rise
     for i in range(6):
@@ -88,7 +90,7 @@ def measured(angles: Array, rates: Array, rise: float, state: Array) -> None:
 
 @law
 def _sines_at(rules: Array, state: Array, ahead: float) -> Sines:
-    """Sines and cosines where the joints will be in a while [s] at their measured rates."""
+    """Return sines and cosines of the joint angles after a time `ahead` [s] at the measured rates."""
     return sines(
         rules,
         state[ANGLES] + ahead * state[MEASURED],
@@ -102,7 +104,7 @@ def _sines_at(rules: Array, state: Array, ahead: float) -> Sines:
 
 @law
 def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian) -> None:
-    """Modes 1 and 8, DIRECT and MASTER, which command joint rates: singularities do not concern them."""
+    """Steer in modes 1 and 8, DIRECT and MASTER, which command joint rates; singularities do not affect them."""
     if command[LAW] == 1.0:
         wanted = position.rates(rules, command, state, report)
         factor = _position_factor(rules, command, state, report, a, j, wanted)
@@ -125,9 +127,9 @@ def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: 
 def _position_factor(
     rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian, wanted: Rates
 ) -> float:
-    """How much of mode 1's joint rates is flown; the limits that act, into the report.
+    """Return the share of mode 1's joint rates that is flown; write the limits that act into the report.
 
-    The tip's limits hold as well, but not in the source, where RATLMT alone acts.
+    The tip's limits apply as well, but not under `strict`: in the source only RATLMT acts.
     """
     limit = joint_ratio(rules, state, wanted)
     if rules[STRICT] != 0.0 or command[GO] == 0.0:
@@ -142,7 +144,7 @@ def _position_factor(
 
 @law
 def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian) -> None:
-    """Modes 2 to 7, which command a twist of the point of resolution."""
+    """Steer in modes 2 to 7, which command a twist of the point of resolution."""
     here = lifted(tip(rules, _sines_at(rules, state, 0.0)), state[RISE])
     wanted = _wanted(rules, command, state, report, here)
     _note_demand(report, wanted)
@@ -150,12 +152,12 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
     x, y, z = 0.0, 0.0, 0.0
     if offset:
         x, y, z = from_hand(tip(rules, a), rules[OFFSET], rules[OFFSET + 1], rules[OFFSET + 2])
-        if command[LAW] < 4.0:  # POSITION HOLD in the payload's modes: mode 2 asks a twist of the tip
+        if command[LAW] < 4.0:  # POSITION HOLD in the payload's modes: mode 2 demands a twist of the tip
             wanted = _carried(wanted, x, y, z)
     floor = NEAR_FLOOR if rules[GUARDED] != 0.0 else FLOOR
     present = _present(rules, state, a, j, offset, x, y, z)
     planned = command[LAW] == 3.0 and command[GO] != 0.0 and rules[STRICT] == 0.0
-    if not planned:  # mode 3 keeps to its plan by one factor alone
+    if not planned:  # one factor alone keeps mode 3 on its plan
         if rules[STRICT] == 0.0:
             possible = ratlmt(rules, state, a, rmsrat(rules, a, _carried(wanted, -x, -y, -z), floor))
             wanted = scaled(wanted, possible.ratio)
@@ -174,7 +176,7 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
     if cause != 0:
         report[CAUSE], report[CULPRIT] = cause, culprit
     if report[CAUSE] == BY_RATE and _below_limit(rules, rates, factor, int(report[CULPRIT])):
-        report[CAUSE], report[CULPRIT] = 0.0, -1.0  # it would be met later, but the arm is still speeding up
+        report[CAUSE], report[CULPRIT] = 0.0, -1.0  # the arm is still accelerating; this limit would act only later
     state[PACE] = 1.0 if rules[STRICT] != 0.0 else report[RATIO]
     state[CLOCK] += state[PACE] * rules[DT]
     feed_back(state, cut(rules, rates, factor), scaled(wanted, factor), 1.0 if offset else 0.0)
@@ -182,21 +184,21 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
 
 @law
 def _note_demand(report: Array, t: Twist) -> None:
-    """Write the twist that the mode asks for into the report."""
+    """Write the twist that the mode demands into the report."""
     report[DEMAND], report[DEMAND + 1], report[DEMAND + 2] = t.wx, t.wy, t.wz
     report[DEMAND + 3], report[DEMAND + 4], report[DEMAND + 5] = t.vx, t.vy, t.vz
 
 
 @law
 def _below_limit(rules: Array, r: Rates, k: float, joint: int) -> bool:
-    """Whether a joint is well below its rate limit."""
+    """Return whether a joint is well below its rate limit."""
     below: bool = abs(k * r[joint]) < 0.999 * rules[RATE + joint]
     return below
 
 
 @law
 def _wanted(rules: Array, command: Array, state: Array, report: Array, here: Tip) -> Twist:
-    """What the mode asks of the point of resolution."""
+    """Return the twist that the mode demands of the point of resolution; zero in modes without one."""
     number = command[LAW]
     if number == 2.0:
         wanted = closed_loop.demand(rules, command, here, report)
@@ -210,11 +212,12 @@ def _wanted(rules: Array, command: Array, state: Array, report: Array, here: Tip
 
 @law
 def _present(rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x: float, y: float, z: float) -> Twist:
-    """The present twist of the point of resolution, from which accelerations count.
+    """Return the present twist of the point of resolution, relative to which accelerations are limited.
 
-    The source works it out by ERATES from the measured joint rates at the new angles. Corrected, it is the twist that
-    the last step commanded, so that the turning of the arm under constant rates is no error to be limited, and what
-    the joints did beside their commanded rates. (x, y, z) is the point's position from the tip, in L.
+    The source computes it by ERATES from the measured joint rates at the new angles. Corrected, it is the twist that
+    the last step commanded, plus the twist of the difference between measured and commanded joint rates. The turning of
+    the arm under constant rates is then not an error to be limited. (x, y, z) is the point's position from the tip,
+    in L.
     """
     actual = Rates(
         state[MEASURED], state[MEASURED + 1], state[MEASURED + 2],
@@ -223,7 +226,7 @@ def _present(rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x:
     was = state[POINT] != 0.0
     if rules[STRICT] != 0.0:
         return _carried(erates(a, j, actual), x, y, z)
-    if was and not offset:  # the point has been given up: the tip's own velocity follows from the joint rates
+    if was and not offset:  # the payload's point is no longer used: the tip's own velocity follows from the joint rates
         return erates(a, j, actual)
     beside = Rates(
         actual.r1 - state[RATES], actual.r2 - state[RATES + 1], actual.r3 - state[RATES + 2],
@@ -241,7 +244,7 @@ def _present(rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x:
 
 @law
 def _carried(t: Twist, x: float, y: float, z: float) -> Twist:
-    """The twist of a point at (x, y, z) from the one whose twist is given, on the same body."""
+    """Return the twist of a point at (x, y, z) from the point with the twist `t`, on the same body."""
     return Twist(
         t.wx,
         t.wy,
@@ -254,20 +257,20 @@ def _carried(t: Twist, x: float, y: float, z: float) -> Twist:
 
 @law
 def carried_to_tip(rules: Array, here: Tip, t: Twist) -> Twist:
-    """The tip's twist from that of the point of resolution."""
+    """Return the tip's twist from that of the point of resolution."""
     x, y, z = from_hand(here, rules[OFFSET], rules[OFFSET + 1], rules[OFFSET + 2])
     return _carried(t, -x, -y, -z)
 
 
 @law
 def scaled(t: Twist, k: float) -> Twist:
-    """A twist times a number."""
+    """Return a twist times a number."""
     return Twist(k * t.wx, k * t.wy, k * t.wz, k * t.vx, k * t.vy, k * t.vz)
 
 
 @law
 def cut(rules: Array, r: Rates, k: float) -> Rates:
-    """Rates times RATIO, less a rounding error where one is at its limit."""
+    """Return rates times RATIO, without the rounding error that could exceed a limit."""
     return Rates(
         _within(k * r.r1, rules[RATE]),
         _within(k * r.r2, rules[RATE + 1]),
@@ -285,7 +288,7 @@ def _within(value: float, most: float) -> float:
 
 @law
 def feed_back(state: Array, r: Rates, t: Twist, point: float) -> None:
-    """Keep what was commanded for the next step's AVCLMT."""
+    """Store the commanded rates and twist for the next step's AVCLMT."""
     state[RATES], state[RATES + 1], state[RATES + 2] = r.r1, r.r2, r.r3
     state[RATES + 3], state[RATES + 4], state[RATES + 5] = r.r4, r.r5, r.r6
     state[TWIST], state[TWIST + 1], state[TWIST + 2] = t.wx, t.wy, t.wz

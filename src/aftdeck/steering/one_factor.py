@@ -1,9 +1,11 @@
-"""One factor for a whole motion, so that what limits it changes neither its line nor its proportions.
+"""One factor for a whole motion, so that limits change neither its line nor its proportions.
 
-Modes 1 and 3 fly a plan: cut by different factors, translation and rotation would leave it. Here every limit gives a
-range of factors, and the greatest factor that all of them take is flown. Joint rates, stops and singularities (RATLMT)
-are never passed; joint accelerations come next; the accelerations of the point of resolution last, which are passed
-where the joints demand it. Where no factor keeps a joint's acceleration, the line is kept and the joint is named.
+Modes 1 and 3 fly a plan; if translation and rotation were cut by different factors, they would leave the plan. Here
+every limit gives a range of factors, and the greatest factor that all limits allow is flown. The order of priority:
+
+1. Joint rates, stops and singularities (RATLMT), which are never exceeded.
+2. Joint accelerations. If no factor keeps a joint's acceleration, the line is kept and the joint is reported.
+3. Accelerations of the point of resolution, which are exceeded if the joints require it.
 
 Not in JSC-12628, whose AVCLMT and RATLMT cut translation, rotation and joint rates one after the other.
 """
@@ -20,23 +22,23 @@ from aftdeck.steering.layout import DT, MEASURED, MOST_UP, SPEED, SPEED_UP, TURN
 from aftdeck.steering.limiters import BY_ACCELERATION, PAST_ACCELERATION, Ratio
 
 ROUNDING = 1e-11
-"""Share by which rounding may pass a limit [1]."""
+"""Share by which rounding may exceed a limit [1]."""
 NO_RATE = 1e-12
-"""A joint rate that no factor changes [rad/s]."""
+"""Joint rate at or below which a factor has no effect [rad/s]."""
 SEARCHES = 60
-"""Steps of the search for the factor that passes a joint's acceleration least: each leaves two thirds."""
+"""Steps of the search for the factor with the least excess acceleration; each leaves two thirds of the range."""
 UNBOUNDED = 1e9
-"""A factor that stands for any factor [1]."""
+"""Factor that represents no limit [1]."""
 
 
 class Factor(NamedTuple):
-    """How much of a motion is flown, and which limits held it back.
+    """Share of a motion that is flown, and the limits that act.
 
     Attributes:
-        factor: 0 to 1.
-        cause: a number of `limiters.CAUSES`; 0 where nothing limits.
-        culprit: the joint, or for a singularity 0 shoulder, 1 elbow, 2 wrist; -1 where nothing limits.
-        por_cause: limits of the point of resolution, numbered as `limiters.avclmt` numbers them.
+        factor: share that is flown, 0 to 1.
+        cause: index in `limiters.CAUSES`; 0 if no such limit acts.
+        culprit: the joint, or for a singularity 0 shoulder, 1 elbow, 2 wrist; -1 if no such limit acts.
+        por_cause: limit of the point of resolution, as `limiters.avclmt` numbers it; 0 if none acts.
     """
 
     factor: float
@@ -46,7 +48,7 @@ class Factor(NamedTuple):
 
 
 class Range(NamedTuple):
-    """Factors that a limit takes, from `low` to `high`; none where `low` is the greater."""
+    """Factors that a limit allows, from `low` to `high`; none if `low` is greater than `high`."""
 
     low: float
     high: float
@@ -54,14 +56,14 @@ class Range(NamedTuple):
 
 @law
 def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: Twist, limit: Ratio) -> Factor:
-    """Return the factor of a motion that keeps every limit, and what holds it back.
+    """Return the factor of a motion that keeps every limit, and the limits that act.
 
     Args:
-        rules: of the mode.
-        state: with the measured joint rates.
+        rules: rules of the mode.
+        state: state with the measured joint rates.
         rates: joint rates of the whole motion [rad/s].
-        twist: its twist of the point of resolution.
-        present: the twist of that point now.
+        twist: twist of the point of resolution in the whole motion.
+        present: present twist of that point.
         limit: RATLMT's ratio of `rates`.
     """
     most, cause, culprit, por_cause = limit.ratio, limit.cause, limit.culprit, 0
@@ -69,7 +71,7 @@ def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: 
     low, high = max(joints.low, 0.0), min(joints.high, most)
     if low > high:
         if limit.cause != 0 and _excess(rules, state, rates, most)[0] <= _excess(rules, state, rates, 0.99 * most)[0]:
-            return Factor(most, cause, culprit, 0)  # a stop, a singularity or a rate limit stops the joints so quickly
+            return Factor(most, cause, culprit, 0)  # a stop, a singularity or a rate limit requires this deceleration
         factor = _least_excess(rules, state, rates, most)
         excess, joint = _excess(rules, state, rates, factor)
         if excess > 1.0 + ROUNDING:
@@ -81,13 +83,13 @@ def one_factor(rules: Array, state: Array, rates: Rates, twist: Twist, present: 
     factor = max(min(high, por.high), low)
     if factor < high:
         cause, culprit, por_cause = 0, -1, por.cause
-        if factor > por.high:  # the joints do not stop as quickly as the point could
+        if factor > por.high:  # the joints cannot slow as quickly as the point's limit requires
             cause, culprit = BY_ACCELERATION, quickest
     return Factor(factor, cause, culprit, por_cause)
 
 
 class PointRange(NamedTuple):
-    """The greatest factor that the limits of the point of resolution take, and which of them gives it."""
+    """Greatest factor that the limits of the point of resolution allow, and the number of the limit that gives it."""
 
     high: float
     cause: int
@@ -95,7 +97,7 @@ class PointRange(NamedTuple):
 
 @law
 def _of_point(rules: Array, twist: Twist, present: Twist) -> PointRange:
-    """Return what the point's greatest speeds and accelerations take: speed falls no faster than they permit."""
+    """Return the greatest factor that the point's limits allow; speed limits never exceed the maximum deceleration."""
     dt = rules[DT]
     v = math.sqrt(twist.vx * twist.vx + twist.vy * twist.vy + twist.vz * twist.vz)
     w = math.sqrt(twist.wx * twist.wx + twist.wy * twist.wy + twist.wz * twist.wz)
@@ -114,7 +116,7 @@ def _of_point(rules: Array, twist: Twist, present: Twist) -> PointRange:
 
 @law
 def _of_joints(rules: Array, state: Array, rates: Rates) -> tuple[Range, int, int]:
-    """Return the factors that all joint accelerations take, and the joints that give the greatest and the least."""
+    """Return the factors that all joint accelerations allow, and the joints that give the greatest and the least."""
     low, high, slowest, quickest = -UNBOUNDED, UNBOUNDED, -1, -1
     for i in range(6):
         change = rules[MOST_UP + i] * rules[DT] * (1.0 + ROUNDING)
@@ -131,7 +133,7 @@ def _of_joints(rules: Array, state: Array, rates: Rates) -> tuple[Range, int, in
 
 @law
 def _of_vector(x: float, y: float, z: float, px: float, py: float, pz: float, change: float) -> Range:
-    """Return the factors of a vector that lie within `change` of the present one; the nearest where none does."""
+    """Return the factors that bring a vector within `change` of the present one; the nearest if no factor does."""
     square = x * x + y * y + z * z
     if square < NO_RATE * NO_RATE:
         return Range(-UNBOUNDED, UNBOUNDED)
@@ -144,7 +146,7 @@ def _of_vector(x: float, y: float, z: float, px: float, py: float, pz: float, ch
 
 @law
 def _excess(rules: Array, state: Array, rates: Rates, factor: float) -> tuple[float, int]:
-    """Return the greatest joint acceleration over its limit [1] with this factor, and whose it is."""
+    """Return the greatest ratio of joint acceleration to its limit [1] with this factor, and the joint."""
     greatest, joint = 0.0, -1
     for i in range(6):
         share = abs(factor * rates[i] - state[MEASURED + i]) / (rules[MOST_UP + i] * rules[DT])
@@ -155,7 +157,7 @@ def _excess(rules: Array, state: Array, rates: Rates, factor: float) -> tuple[fl
 
 @law
 def _least_excess(rules: Array, state: Array, rates: Rates, most: float) -> float:
-    """Return the factor, at most `most`, with which joint accelerations are passed least."""
+    """Return the factor, at most `most`, that exceeds joint acceleration limits least."""
     low, high = 0.0, most
     for _ in range(SEARCHES):
         third = (high - low) / 3.0

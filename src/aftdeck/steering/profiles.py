@@ -1,8 +1,8 @@
-"""VCLOSE and VTOPEN: how fast towards a target, so that translation and rotation end together.
+"""VCLOSE and VTOPEN: speeds towards a target at which translation and rotation end together.
 
-JSC-12628, subroutines VCLOSE and VTOPEN. Three things of VCLOSE are mended (`strict` leaves them as they were):
-braking is that of finite steps, so that the last one ends on the target; the two estimates of the time left join
-without a jump; and the part that waits for the other never divides by a time that has run out.
+JSC-12628, subroutines VCLOSE and VTOPEN. VCLOSE has three corrections, which `strict` leaves out. Braking is computed
+for finite steps, so that the last step ends on the target. The two estimates of the remaining time join without a
+jump. The part that waits for the other never divides by a time that has run out.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from aftdeck.steering.limiters import braked
 
 
 class Profile(NamedTuple):
-    """Speed [m/s] and angular rate [rad/s] towards the target, and the time left [s].
+    """Speed [m/s] and angular rate [rad/s] towards the target, and the remaining times [s].
 
-    That is ETA - TP for both together, and ETAP - TP for the rotation alone.
+    `remaining` is ETA - TP for both together; `turn_remaining` is ETAP - TP for the rotation alone.
     """
 
     speed: float
@@ -30,7 +30,7 @@ class Profile(NamedTuple):
 
 @law
 def vclose(rules: Array, distance: float, angle: float) -> Profile:
-    """VCLOSE: the demanded rates for what is left [m], [rad]."""
+    """Return the demanded speeds for a remaining distance [m] and angle [rad] (VCLOSE)."""
     if rules[STRICT] != 0.0:
         return _as_restored(rules, distance, angle)
     dt = rules[DT]
@@ -47,7 +47,7 @@ def vclose(rules: Array, distance: float, angle: float) -> Profile:
 
 @law
 def _alone(left: float, most: float, up: float, dt: float) -> tuple[float, float, float]:
-    """Rate, time left and braking time of a motion that need not wait for another, in steps of dt.
+    """Return rate, remaining time and braking time of a motion that need not wait for another, in steps of dt.
 
     Braking from n * up * dt takes n steps and covers half of (n + 1) * dt times that rate.
     """
@@ -63,9 +63,9 @@ def _alone(left: float, most: float, up: float, dt: float) -> tuple[float, float
 
 @law
 def _as_restored(rules: Array, distance: float, angle: float) -> Profile:
-    """VCLOSE as the source has it, with TP = 0 and its small time epsilon taken as one step.
+    """Return the profile of VCLOSE as published, with TP = 0 and its small time epsilon taken as one step.
 
-    Each division is by at least half the time that the waiting part needs by itself: above 0 unless that part is done.
+    Each divisor is at least half the time that the waiting part needs by itself: above 0 unless that part is done.
     """
     t_v, eta = rules[SPEED] / rules[SPEED_UP], distance / rules[SPEED]
     if t_v <= eta:
@@ -88,9 +88,9 @@ def _as_restored(rules: Array, distance: float, angle: float) -> Profile:
 
 
 class OpenProfile(NamedTuple):
-    """Greatest speed [m/s] and angular rate [rad/s], and times [s].
+    """Maximum speed [m/s] and angular rate [rad/s], and times [s].
 
-    The times are the phase's length ETA, that of its rotation alone at the greatest rate (ETAP), and both
+    The times are the phase's length ETA, that of its rotation alone at the maximum rate (ETAP), and both
     acceleration times.
     """
 
@@ -104,7 +104,7 @@ class OpenProfile(NamedTuple):
 
 @law
 def vtopen(rules: Array, distance: float, angle: float) -> OpenProfile:
-    """VTOPEN: the open-loop profile of a way [m], [rad], worked out once."""
+    """Return the open-loop profile for a distance [m] and an angle [rad], computed once (VTOPEN)."""
     eta, t_v1 = _ramped_alone(distance, rules[SPEED], rules[SPEED_UP])
     etap, t_w1 = _ramped_alone(angle, rules[TURN], rules[TURN_UP])
     eta = max(eta, etap)
@@ -115,7 +115,7 @@ def vtopen(rules: Array, distance: float, angle: float) -> OpenProfile:
 
 @law
 def _ramped_alone(way: float, most: float, up: float) -> tuple[float, float]:
-    """Length of a motion that need not wait for another, and its acceleration time [s]."""
+    """Return the length and the acceleration time [s] of a motion that need not wait for another."""
     ramp, eta = most / up, way / most
     if ramp <= eta:
         return eta + ramp, ramp

@@ -1,4 +1,4 @@
-"""How modes 8 and MASTER bring a joint to a rate, or to an angle, within its acceleration and before its stops."""
+"""Joint motion in mode 8 and MASTER: to a rate or an angle, within the joint's acceleration and before its stops."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ def rate_towards(rules: Array, state: Array, goal: float, i: int) -> float:
 
 @law
 def ramped(rules: Array, state: Array, report: Array, asked: float, i: int, stop: int) -> float:
-    """Return the rate of joint i [rad/s]: towards what is asked by at most its acceleration, and in time for its stop.
+    """Return the rate of joint i [rad/s] towards the wanted rate, within its acceleration and braking for its stop.
 
     Args:
-        rules: of the mode.
+        rules: rules of the mode.
         state: measured angles and rates.
-        report: takes the stop where it acts.
+        report: receives the stop if it acts.
         asked: the rate wanted [rad/s].
         i: the joint, 0 to 5.
-        stop: which kind of stop acts: a number of `limiters.CAUSES`.
+        stop: kind of stop that may act: an index in `limiters.CAUSES`.
     """
     change, before = rules[RATE_UP + i] * rules[DT], state[MEASURED + i]
     rate = before + min(max(asked - before, -change), change)

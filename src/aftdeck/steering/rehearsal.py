@@ -1,4 +1,4 @@
-"""Flying a motion ahead of time: the same steering on an arm that follows exactly, as fast as it computes."""
+"""Rehearsal of a motion: the same steering on an arm that follows exactly, computed faster than real time."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from aftdeck.steering.layout import ANGLES, ARRIVED, DT, GO, MEASURED, RATES, RA
 from aftdeck.steering.msteer import msteer
 
 STANDSTILL = 1e-3
-"""RATIO [1] under which a motion counts as held at a standstill."""
+"""RATIO [1] below which a motion counts as stopped by a limit."""
 GIVEN_UP = 2.0
-"""How long [s] it may be held there before it is given up."""
+"""Time [s] for which the motion may be stopped before the rehearsal ends."""
 
 
 @law
 def rehearse(rules: Array, command: Array, state: Array, report: Array, most: float) -> bool:
-    """Fly `command` from `state` for at most `most` seconds, its start included; the arrays are used up.
+    """Fly `command` from `state` for at most `most` seconds, including its start; return whether the motion ends.
 
-    Afterwards `state` holds where the arm has come to. Returns whether the motion came to its end.
+    The arrays are overwritten. Afterwards `state` holds the arm's last state.
     """
     dt = rules[DT]
     held, step = 0, 0

@@ -1,4 +1,4 @@
-"""The `rules` array of each panel position, rate setting and steering law: the limits that the law keeps."""
+"""The `rules` array for each panel position, rate setting and steering law: the limits that the law keeps."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from aftdeck.steering.mode import MODES, Mode
 
 Rate = Literal["coarse", "vernier"]
 Key = tuple[str, Rate, int]
-"""A panel position, its rate setting, and the steering law that it flies."""
+"""Panel position, rate setting, and steering law that the position flies."""
 
 POSITION_LAW = 1
 """The report's mode 1, which commands joint rates in the automatic panel positions."""
@@ -57,7 +57,7 @@ def rules_of(
     """Return the rules of every panel position, rate setting and steering law.
 
     Coarse and vernier choose the POR limits, and the joint rates in modes 1 and 8, DIRECT and MASTER. The joints of
-    modes 2 to 7 are held to the servo maxima, and under `strict` those of mode 1 too. With a payload the coarse and
+    modes 2 to 7 are limited to the servo maxima, and under `strict` those of mode 1 too. With a payload the coarse and
     vernier joint rates fall in proportion to the POR's speed (assumed). Accelerations are those of the coarse limits,
     with either setting.
     """
@@ -93,5 +93,5 @@ def rules_of(
 
 
 def _by_joint(mode: Mode, law: int, strict: bool) -> bool:
-    """Return whether the coarse and vernier joint rates hold, not the servo maxima."""
+    """Return whether the coarse and vernier joint rates apply, not the servo maxima."""
     return mode.kind in ("single", "master") or (law == POSITION_LAW and not strict)

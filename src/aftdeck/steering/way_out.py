@@ -1,7 +1,7 @@
-"""Which stick direction leads out of a singularity or away from a stop.
+"""Stick direction that leads out of a singularity or away from a stop.
 
-Every direction of the six stick axes is tried on the laws themselves: the joint rates that RMSRAT and RATLMT
-leave of it, and how fast they take the arm away. Where no stick does it, one joint in SINGLE does.
+Every direction of the six stick axes is tried with the laws themselves: the joint rates that RMSRAT and RATLMT
+allow, and the speed at which they move the arm away. If no stick direction does, one joint in SINGLE does.
 """
 
 from __future__ import annotations
@@ -22,23 +22,23 @@ from aftdeck.steering.msteer import NEAR_FLOOR, carried_to_tip
 DIRECTIONS = 12
 """Stick directions tried: + and - of roll, pitch, yaw, X, Y, Z, in that order."""
 LOOK = math.radians(0.5)
-"""How finely the way of a joint out of a singularity is looked along [rad]."""
+"""Step of the search along a joint's path out of a singularity [rad]."""
 
 
 @law
 def way_out(
     rules: Array, command: Array, state: Array, singularity: int, joint: int, inward: float, tried: Array
 ) -> None:
-    """How fast each stick direction leads away, into `tried` (12,).
+    """Compute the speed at which each stick direction leads away, into `tried` (12,).
 
     Args:
-        rules: of a manual mode.
-        command: its law counts; its sticks are used up.
-        state: where the arm is.
-        singularity: 0 shoulder, 1 elbow, 2 wrist: rates of its distance [1/s]; or -1, and
-        joint: that joint's rate [rad/s] in the direction of
-        inward: +1 or -1.
-        tried: (12,) out; positive leads away.
+        rules: rules of a manual mode.
+        command: command whose law is used; its sticks are overwritten.
+        state: state of the arm.
+        singularity: 0 shoulder, 1 elbow, 2 wrist: `tried` gives the rates of its distance [1/s]; -1 to use `joint`.
+        joint: joint whose rates [rad/s] `tried` gives, if `singularity` is -1.
+        inward: +1 or -1: the joint's direction in which `tried` is positive.
+        tried: (12,) output; positive leads away.
     """
     a = sines(
         rules,
@@ -61,7 +61,7 @@ def way_out(
 
 @law
 def _stick_rates(rules: Array, command: Array, a: Sines, here: Tip, k: int) -> Rates:
-    """The joint rates that one of the stick directions asks for, before their limits."""
+    """Return the joint rates that one of the stick directions demands, before their limits."""
     for i in range(6):
         command[STICKS + i] = 0.0
     command[STICKS + k // 2] = 1.0 if k % 2 == 0 else -1.0
@@ -71,7 +71,7 @@ def _stick_rates(rules: Array, command: Array, a: Sines, here: Tip, k: int) -> R
 
 @law
 def stick_rates(rules: Array, command: Array, state: Array, tried: Array) -> None:
-    """The joint rates that each stick direction is left with, into `tried` (12, 6) [rad/s]; else as `way_out`."""
+    """Compute each stick direction's limited joint rates into `tried` (12, 6) [rad/s]; arguments as in `way_out`."""
     a = sines(
         rules,
         state[ANGLES],
@@ -91,19 +91,19 @@ def stick_rates(rules: Array, command: Array, state: Array, tried: Array) -> Non
 
 @law
 def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, threshold: float) -> tuple[int, int]:
-    """The joint that leaves a singularity with the least turning inside its reach limits, and which way.
+    """Return the joint that leaves a singularity with the least rotation inside its reach limits, and its direction.
 
-    The whole way is looked at, not its beginning alone: what leads away at first may end at a limit.
+    The whole path is checked, not only its beginning: a path that leads away at first may end at a limit.
 
     Args:
         arm: links, as `kinematics.linkage` packs them.
-        angles: (6,) where the arm is [rad].
+        angles: (6,) joint angles [rad].
         reach: (6, 2) reach limits [rad].
         singularity: 0 shoulder, 1 elbow, 2 wrist.
-        threshold: normalised distance from which it is left behind [1].
+        threshold: normalised distance beyond which the arm has left the singularity [1].
 
     Returns:
-        The joint, 0 to 5, and +1 or -1; where no joint leads out, the first that changes the distance, and -1.
+        The joint, 0 to 5, and +1 or -1; if no joint leads out, the first that changes the distance, and -1.
     """
     first, last = (1, 3) if singularity == 0 else (2, 2) if singularity == 1 else (4, 4)
     found, which, least = first, -1, math.inf
@@ -120,7 +120,7 @@ def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, thresho
 
 @law
 def _turned_distance(arm: Array, angles: Array, joint: int, by: float, singularity: int) -> float:
-    """The signed distance from a singularity with one joint turned by some angle [rad]."""
+    """Return the signed distance from a singularity after one joint has turned by an angle [rad]."""
     d = distances(
         arm,
         sines(

@@ -1,4 +1,4 @@
-"""The worksite: what stands round the arm, what it collides as, where cargo is kept, and the cameras."""
+"""The worksite: the bodies around the arm, their solids for collision, the seats of cargo, and the cameras."""
 
 from aftdeck.worksite.load import load_worksite, worksites
 from aftdeck.worksite.model import Body, Cargo, Seat, Worksite

@@ -1,13 +1,14 @@
-"""MODE 1, acquisition: the palm and two fingers of the concept arm about the bar of a payload.
+"""MODE 1, acquisition: the conditions under which the concept arm's palm and two fingers enclose the bar of a payload.
 
-The effector's hexahedra are numbered in the axes (-Z2, Y2, X2) of the hand, so that face d of the palm (HEX 1) looks to
-the bar, b of the fixed finger (HEX 2) and e of the prong (HEX 3) look inwards. The bar (RECPT) has its length along its
-own x axis, front end face a, and face c on top. Source: the final report of the Remote Manipulator Simulation,
-acquisition conditions 1 to 6 (restored).
+The effector's hexahedra are numbered in the axes (-Z2, Y2, X2) of the hand. Face d of the palm (HEX 1) therefore faces
+the bar; face b of the fixed finger (HEX 2) and face e of the prong (HEX 3) face inwards. The bar (RECPT) has its length
+along its own x axis, front end face a, and face c on top. Source: the final report of the Remote Manipulator
+Simulation, acquisition conditions 1 to 6 (restored).
 
-The law takes many placed bodies and says which of them are meant; what it finds is a packed array. Beside the six
-conditions it finds how far the hand may still turn about the centre of face d before one of the first three fails; such
-a turn changes none of the others. With a long bar the pitch is by far the tightest.
+The law takes many placed bodies and the indices of the four that it needs, and writes its results into a packed array.
+Besides the six conditions it computes how far the hand may still turn about the centre of face d before one of the
+first three conditions fails. Such a turn changes none of the other conditions. With a long bar the limit on pitch is by
+far the tightest.
 """
 
 from __future__ import annotations
@@ -27,53 +28,56 @@ from aftdeck.worksite.conditions import Condition, Units, within
 PALM, FIXED, PRONG = 0, 1, 2
 """Least height of the bar's vertices over face d of the palm, b of the fixed finger, e of the prong [m]."""
 SPACING = 3
-"""From the middle of the prong's face e to the fixed finger's face b [m]."""
+"""Height of the middle of the prong's face e above the fixed finger's face b [m]."""
 HEIGHT = 4
-"""Of the centre of face d over the bar's face c [m]."""
+"""Height of the centre of face d above the bar's face c [m]."""
 ALONG = 5
-"""Of the centre of face d from the middle of the bar, along the bar's axis, positive to its rear end [m]."""
+"""Offset of the centre of face d from the middle of the bar, along the bar's axis, positive to its rear end [m]."""
 HALF = 6
 """Half the bar's length [m]."""
 AWAY = 7
-"""From the centre of face d to that of the bar's face c [m]."""
+"""Distance from the centre of face d to the centre of the bar's face c [m]."""
 SIDE = 8
-"""Z2 times the bar's axis, UZ2·XR of the report: negative where the prong stands at the bar's face b [1]."""
+"""Dot product of Z2 and the bar's axis, UZ2·XR of the report: negative if the prong is at the bar's face b [1]."""
 PITCH, ROLL, YAW = 9, 10, 11
-"""How far the hand may turn about Y2, Z2 and X2 through the centre of face d; negative: has to, to be right [rad]."""
+"""Angles by which the hand may turn about Y2, Z2 and X2 through the centre of face d [rad].
+
+If negative, the hand has to turn by that angle before the first three conditions hold.
+"""
 FOUND = 12
-"""Length of what is found."""
+"""Length of the array of results."""
 
 SPACING_MOST, WINDOW, FRONT, REAR, FINGERS_WITHIN = 0, 1, 2, 3, 4
-"""Where the fields of `Tolerances` stand in its packed form [m]."""
+"""Indices of the fields of `Tolerances` in its packed form; the fields are in [m]."""
 
 _A, _B, _C, _D, _E, _F = range(6)
 
 
 class Tolerances(msgspec.Struct, frozen=True):
-    """What acquisition allows."""
+    """Tolerances of acquisition."""
 
     spacing: float
     """PRGSPC: greatest spacing of the fingers' inner faces [m]; the report's value is lost."""
     window: float
     """TOPB: greatest height of the palm over the bar [m]; the report has 1/16 ft [S]."""
     front: float
-    """FRONT: how far inside the bar's front end the palm's centre has to be [m]; the report has 0.5 ft [S]."""
+    """FRONT: least distance of the palm's centre inside the bar's front end [m]; the report has 0.5 ft [S]."""
     rear: float
-    """REAR: the same at its rear end [m]; 0.5 ft [S]."""
+    """REAR: least distance of the palm's centre inside the bar's rear end [m]; the report has 0.5 ft [S]."""
     fingers_within: float
-    """Between palm and bar; beyond it the fingers are not tested and hold nothing [m]; the report has 8 ft [S]."""
+    """Distance of palm and bar beyond which the fingers are not tested and hold nothing [m]; report: 8 ft [S]."""
 
     def packed(self) -> Array:
-        """(5,) as the law takes it."""
+        """Return the tolerances as an array (5,) for the law."""
         return np.array([self.spacing, self.window, self.front, self.rear, self.fingers_within])
 
 
 class Grasp(NamedTuple):
-    """How a hand stands about a bar.
+    """Orientation of a hand around a bar, and the turns that remain possible.
 
     Attributes:
-        prong_at: the bar's face that the prong touches.
-        pitch: how far the hand may turn about Y2 before it is no more about the bar; negative: has to, to be [rad].
+        prong_at: the bar's face at which the prong is.
+        pitch: how far the hand may turn about Y2 and still enclose the bar [rad]; if negative, the turn needed for it.
         roll: the same about Z2, which is along the bar [rad].
         yaw: the same about X2, out of the palm [rad].
     """
@@ -92,7 +96,7 @@ class _Vector(NamedTuple):
 
 @law
 def _middle(body: Array, f: int) -> _Vector:
-    """The mean of a face's four vertices."""
+    """Return the mean of a face's four vertices."""
     p, q, r, s = CORNERS[f, 0], CORNERS[f, 1], CORNERS[f, 2], CORNERS[f, 3]
     return _Vector(
         0.25 * (body[X + p] + body[X + q] + body[X + r] + body[X + s]),
@@ -103,7 +107,7 @@ def _middle(body: Array, f: int) -> _Vector:
 
 @law
 def _normal(body: Array, f: int) -> _Vector:
-    """A face's outward unit normal."""
+    """Return a face's outward unit normal."""
     return _Vector(body[NX + f], body[NY + f], body[NZ + f])
 
 
@@ -119,17 +123,18 @@ def _dot(p: _Vector, q: _Vector) -> float:
 
 @law
 def _over(body: Array, f: int, p: _Vector) -> float:
-    """Height of a point over a face's plane."""
+    """Return the height of a point above a face's plane."""
     return _dot(_normal(body, f), p) - float(body[D + f])
 
 
 @law
 def _turn(bar: Array, body: Array, f: int, centre: _Vector, axis: _Vector) -> float:
-    """The tangent of half the turn about an axis that brings the first vertex of the bar into a face's plane.
+    """Return the tangent of half the turn about an axis that brings the first vertex of the bar into a face's plane.
 
-    A vertex of height h over the plane, h = B sin t + A cos t - d after a turn t of the plane, comes to it where
-    (A + d) k² - 2 B k - h = 0, k = tan(t / 2). Taken is the root of smaller size, with the sign of h, and the least of
-    all vertices; infinite where no turn brings any there.
+    After a turn t of the plane, the height of a vertex over the plane is B sin t + A cos t - d. The vertex reaches the
+    plane where (A + d) k² - 2 B k - h = 0, with k = tan(t / 2) and h the height before the turn. The result uses the
+    root of smaller size, with the sign of h, and is the least over all vertices; infinite if no turn brings a vertex
+    into the plane.
     """
     n = _normal(body, f)
     along = _dot(n, axis)
@@ -152,13 +157,13 @@ def _turn(bar: Array, body: Array, f: int, centre: _Vector, axis: _Vector) -> fl
 
 @law
 def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
-    """Whether the bar is acquired: the six conditions of mode 1. Fills `found` (12,).
+    """Return whether the bar is acquired by the six conditions of mode 1, and fill `found` (12,).
 
     Args:
-        bodies: (n, 48) packed bodies, all placed in one frame.
-        which: (4,) of them, the palm, the fixed finger, the prong and the bar.
+        bodies: (n, 48) packed bodies, all placed in one coordinate frame.
+        which: (4,) indices of the palm, the fixed finger, the prong and the bar in `bodies`.
         rules: (5,) packed tolerances.
-        found: (12,) what is measured and what is left.
+        found: (12,) output: measured values and remaining turns.
     """
     palm, fixed, prong, bar = bodies[which[0]], bodies[which[1]], bodies[which[2]], bodies[which[3]]
     x2, y2 = _normal(palm, _D), _normal(prong, _E)
@@ -194,12 +199,12 @@ def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
 
 
 def grasp(found: Array) -> Grasp:
-    """Which way round the hand stands, and how far it may turn: what the law found, by name."""
+    """Return the orientation of the hand and its remaining turns, from the law's result (12,)."""
     return Grasp("b" if found[SIDE] < 0.0 else "e", float(found[PITCH]), float(found[ROLL]), float(found[YAW]))
 
 
 def acquisition(found: Array, tolerances: Tolerances, units: Units) -> tuple[Condition, ...]:
-    """The six conditions, in the report's order, from what the law found (12,)."""
+    """Return the six conditions, in the report's order, from the law's result (12,)."""
     value = found.tolist()
     half = value[HALF]
     return (
@@ -239,7 +244,10 @@ def _beside(
     says: tuple[str, str],
     far: tuple[str, str],
 ) -> Condition:
-    """Condition 2 or 3: all of the bar inside a finger; far from the bar, that it is too far to be tested."""
+    """Return condition 2 or 3: the whole bar is inside a finger.
+
+    If the palm is too far from the bar to test the finger, the condition fails and its text says so.
+    """
     name = f"{finger} beside bar"
     if away > tolerances.fingers_within:
         return within(name, away, -inf, tolerances.fingers_within, "m", units, far)

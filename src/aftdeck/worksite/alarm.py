@@ -1,4 +1,4 @@
-"""What a clearance calls for: nothing, a caution or a warning."""
+"""Alarm level of a clearance: none, caution or warning."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ from typing import Literal
 Level = Literal["info", "caution", "warning"]
 
 CLEAR: Level = "info"
-"""A clearance that calls for nothing."""
+"""Level of a clearance that needs no alarm."""
 HYSTERESIS = 0.03
-"""A level is left only when its threshold is passed by this part, so that no lamp flickers [1]; assumed."""
+"""Fraction by which the clearance has to exceed a threshold to end its level, so that no lamp flickers [1]; assumed."""
 
 
 def level_of(clearance: float, caution: float, warning: float, before: Level = CLEAR) -> Level:
-    """What a clearance calls for.
+    """Return the alarm level of a clearance.
 
     Args:
-        clearance: negative where the two overlap [m].
-        caution: below this a caution is due [m].
-        warning: below this a warning is due [m].
-        before: what the clearance called for until now.
+        clearance: negative if the two parts overlap [m].
+        caution: below this threshold the level is caution [m].
+        warning: below this threshold the level is warning [m].
+        before: the level until now.
     """
 
     def under(threshold: float, was: bool) -> bool:

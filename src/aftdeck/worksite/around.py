@@ -1,4 +1,4 @@
-"""A step of the worksite in one compiled call: where everything is, what is near, and what touches."""
+"""One step of the worksite in one compiled call: poses of all frames, clearances of groups, and contacts."""
 
 from __future__ import annotations
 
@@ -26,19 +26,20 @@ def place_everything(
     prong: float,
     frames: Array,
 ) -> None:
-    """Where every frame is: the orbiter's, the arm's, that of space, one for each cargo.
+    """Compute the poses of all coordinate frames: the orbiter's, the arm's, ``space``, and one for each cargo.
 
     Args:
         joints: (6, 4) as `kinematics.frames.Frames.joints`.
         scene: (12,) the orbiter's frame in L.
-        axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
-        orbiter: (3,) how far the orbiter has moved along them [m].
-        carrier: (c,) for each cargo, the row of the frame that carries it; negative: it floats.
-        rides: (c, 12) its pose in that frame; where it floats, in L as that stood at the start.
+        axes: (3, 3) the orbiter's axes (forward, starboard, down) in L, as columns.
+        orbiter: (3,) how far the orbiter has moved along its axes [m].
+        carrier: (c,) for each cargo, the row of the frame that carries it; negative if the cargo floats.
+        rides: (c, 12) pose of each cargo in the carrying frame. The pose of a floating cargo is in the frame fixed in
+            space that coincided with L at the start.
         angles: (6,) joint angles [rad].
         stand: height of the shoulder above L's origin [m].
         prong: y2 of the prong's inner face [m].
-        frames: (F, 12) out, in L.
+        frames: (F, 12) output: poses in L.
     """
     space = len(frames) - len(carrier) - 1
     place_frames(joints, angles, stand, prong, frames[1:space])
@@ -61,9 +62,9 @@ class Around(NamedTuple):
     """Result of `look_around`.
 
     Attributes:
-        touching: some group is in contact.
-        changed: a contact began, ended or is in its second step.
-        nearest: the group of least clearance of those that count; -1: none.
+        touching: at least one group is in contact.
+        changed: a contact began, ended or reached its second step.
+        nearest: the group of least clearance among those that count; -1 if there is none.
     """
 
     touching: bool
@@ -102,9 +103,9 @@ def look_around(
     found: Array,
     count: Mask,
 ) -> Around:
-    """`place_everything`, `watch` and `count_frames`, whose arguments these are.
+    """Run `place_everything`, `watch` and `count_frames`; the arguments are those of these three laws.
 
-    `now` holds the frames of the last step, which go to `before`, and then those of this one.
+    On entry `now` holds the frames of the last step. They are copied to `before`, and `now` receives the new frames.
     """
     before[:] = now
     place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, now)
@@ -118,14 +119,14 @@ def look_around(
 
 @law
 def nearest_place(frames: Array, row: int, rows: Indices, places: Array, within: float) -> int:
-    """The place nearest to a frame's origin, if one is nearer than `within` [m]; else -1.
+    """Return the index of the place nearest to a frame's origin, or -1 if none is nearer than `within` [m].
 
     Args:
-        frames: (F, 12) in L.
-        row: of the frame.
-        rows: (n,) of the frames that the places are in.
-        places: (n, 12) their poses there.
-        within: how far is looked [m].
+        frames: (F, 12) poses of the frames, in L.
+        row: row of the frame.
+        rows: (n,) rows of the frames in which the places are given.
+        places: (n, 12) poses of the places in these frames.
+        within: search radius [m].
     """
     best, least = -1, within * within
     for p in range(len(rows)):

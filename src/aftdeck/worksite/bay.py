@@ -1,4 +1,4 @@
-"""Whether something is in the bay."""
+"""Test for solids inside the payload bay."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from aftdeck.law import law
 
 @law
 def any_inside(placed: Array, which: Indices, frame: Array, low: Array, high: Array) -> bool:
-    """Whether a vertex of these solids is in a box.
+    """Return whether a vertex of the selected solids is inside a box.
 
     Args:
         placed: (n, 52) solids in L.
-        which: (k,) those that are asked for.
-        frame: (12,) that the box is told in, in L.
-        low: (3,) the box's least coordinates there [m].
-        high: (3,) the greatest [m].
+        which: (k,) indices of the selected solids.
+        frame: (12,) pose in L of the frame in which the box is given.
+        low: (3,) the box's least coordinates in that frame [m].
+        high: (3,) the box's greatest coordinates in that frame [m].
     """
     for i in which:
         for v in range(VERTICES):

@@ -1,11 +1,12 @@
 """Berthing: trunnions in their V-guides and on their seats, and the retention of a payload that needs no latch.
 
-A guide is a V that opens upwards from the seat, in the plane square to its trunnion: it funnels the trunnion one way,
-as far aside as the V is wide at that height. A payload is ready to latch when every trunnion is on its seat, the
-payload is turned as it will be stowed, and both switches of every latch show it. Source: SSV (guides, tolerance, the
-dual switches of DISP 97).
+A guide is a V that opens upwards from the seat, in the plane perpendicular to its trunnion. The guide funnels the
+trunnion in one direction and admits offsets up to the V's half width at the trunnion's height. A payload is ready to
+latch when every trunnion is on its seat, the payload has its stowed attitude, and both switches of every latch show
+ready-for-latch. Source: SSV (guides, tolerance, the dual switches of DISP 97).
 
-Not modelled: a guide's force on a trunnion; the two switches of a latch see the same.
+Not modelled: the force of a guide on a trunnion, and any difference between the two switches of a latch, except failed
+switches.
 """
 
 from __future__ import annotations
@@ -27,53 +28,54 @@ from aftdeck.worksite.conditions import Condition, Units, within
 Vec3 = tuple[float, float, float]
 
 SWITCHES = ("A", "B")
-"""Each latch has two that show ready-for-latch."""
+"""Names of the two switches of each latch that show ready-for-latch."""
 _SQUARE = 1e-9
-"""How exactly a guide's directions have to be square and of unit length [1]."""
+"""Tolerance for a guide's directions being perpendicular and of unit length [1]."""
 
 
 class Guide(msgspec.Struct, frozen=True):
-    """A V-guide with its latch, in the frame of the body that it stands on."""
+    """A V-guide with its latch, in the frame of the body that carries it."""
 
     name: str
-    """``forward port``."""
+    """Name of the guide, for example ``forward port``."""
     seat: Vec3
     """The trunnion's centre when it is stowed [m]."""
     up: Vec3
     """Unit vector out of the V."""
     along: Vec3
-    """Unit vector in which the V funnels: along the bay for a longeron's, across it for the keel's."""
+    """Unit vector along which the V funnels: along the bay for a longeron guide, across the bay for the keel guide."""
     half_angle: float
-    """Of the V's opening, from `up` [rad]; assumed, no figure published."""
+    """Half angle of the V's opening, from `up` [rad]; assumed, no figure published."""
     height: float
-    """From the seat to the guide's top [m]; SSV has models of 22 in and 24 in [S]."""
+    """Height of the guide's top above the seat [m]; SSV has models of 22 in and 24 in [S]."""
     throat: float
     """Half the width of the V at its seat, less the trunnion's radius [m]; assumed."""
     play: float
-    """How far the trunnion may stand either way along its own axis [m]; assumed."""
+    """Greatest offset of the trunnion along its own axis, in either direction [m]; assumed."""
 
 
 class SeatTolerances(msgspec.Struct, frozen=True):
-    """How near to its stowed pose a payload has to be for its latches, or to be retained."""
+    """Greatest deviation from its stowed pose at which a payload is ready to latch, or is retained."""
 
     distance: float
-    """Of each trunnion, or of the centre [m]; SSV has 0.05 m [I]."""
+    """Distance of each trunnion, or of the payload's centre, from its stowed position [m]; SSV has 0.05 m [I]."""
     angle: float
-    """Of the whole turn [rad]; SSV has 1 deg [I]."""
+    """Angle of the rotation from the stowed attitude, about any axis [rad]; SSV has 1 deg [I]."""
 
 
 class Guides(NamedTuple):
-    """Guides with their directions as arrays.
+    """Guides of a seat, with their directions and dimensions as arrays.
 
     Attributes:
-        guides: as they were given.
-        seats: (n, 3) [m].
+        guides: the guides as given.
+        seats: (n, 3) `Guide.seat` of each guide [m].
         axes: (n, 3, 3) unit vectors as rows: along, across (the trunnion's axis), up.
-        opening: (n,) of each V, its half width by its height [1].
-        throat: (n,) of each, as of `Guide`, and so are
-        height: (n,) and
-        play: (n,).
-        says: of each, how a trunnion's place is told: its height, how far it is aside, how far askew.
+        opening: (n,) half width of each V per height, the tangent of its half angle [1].
+        throat: (n,) `Guide.throat` of each guide [m].
+        height: (n,) `Guide.height` of each guide [m].
+        play: (n,) `Guide.play` of each guide [m].
+        says: for each guide, the texts for a trunnion's height, its offset along the funnel, and its offset along the
+            trunnion's own axis.
     """
 
     guides: tuple[Guide, ...]
@@ -87,10 +89,10 @@ class Guides(NamedTuple):
 
 
 def prepare(guides: Sequence[Guide]) -> Guides:
-    """The guides of a seat.
+    """Return the guides of a seat with their arrays.
 
     Raises:
-        InputError: directions that are not unit vectors square to each other; names the guide.
+        InputError: the directions are not perpendicular unit vectors; names the guide.
     """
     axes = np.empty((len(guides), 3, 3))
     for k, guide in enumerate(guides):
@@ -110,7 +112,7 @@ def prepare(guides: Sequence[Guide]) -> Guides:
 
 
 def _said(name: str) -> tuple[tuple[str, str], tuple[str, str], tuple[str, str]]:
-    """How a trunnion's place in the guide of that name is told."""
+    """Return the text templates for a trunnion's position in the guide of that name."""
     who = f"{name} trunnion"
     aside = f"{who} {{}} from its guide's middle"
     askew = f"{who} {{}} from its guide, along the trunnion"
@@ -118,11 +120,11 @@ def _said(name: str) -> tuple[tuple[str, str], tuple[str, str], tuple[str, str]]
 
 
 def places(trunnions: Array, payload: Pose) -> Array:
-    """Where trunnions are, (n, 3) [m], in the frame that the payload's pose is given in.
+    """Return the trunnions' centres (n, 3) in the frame in which the payload's pose is given [m].
 
     Args:
-        trunnions: (n, 3) their centres in the payload's frame [m].
-        payload: its pose.
+        trunnions: (n, 3) centres in the payload's frame [m].
+        payload: pose of the payload.
     """
     return np.asarray(payload.position + trunnions @ payload.rotation.T)
 
@@ -132,7 +134,7 @@ def inside(trunnions: Array, guides: Guides) -> Array:
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        guides: of the seat.
+        guides: guides of the seat.
     """
     along, across, up = _local(trunnions, guides)
     room = guides.throat + np.maximum(up, 0.0) * guides.opening
@@ -140,13 +142,13 @@ def inside(trunnions: Array, guides: Guides) -> Array:
 
 
 class Over(NamedTuple):
-    """How trunnions stand over their guides.
+    """Position of a payload's trunnions relative to their guides.
 
     Attributes:
-        least: height of the lowest over its seat [m].
-        most: height of the highest [m].
-        room: to the guides' sides, for the one with the least, where it enters the mouth, or where it is in it when it
-            is lowered straight; negative outside [m].
+        least: height of the lowest trunnion above its seat [m].
+        most: height of the highest trunnion above its seat [m].
+        room: least distance of a trunnion to the sides of its guide; negative outside [m]. It is taken at the
+            trunnion's height, or at the mouth for a trunnion above its guide, as if lowered straight.
     """
 
     least: float
@@ -159,18 +161,18 @@ def over(
     seat: Array, payload: Array, trunnions: Array, seats: Array, axes: Array, opening: Array, throat: Array,
     height: Array, play: Array,
 ) -> Over:  # fmt: skip
-    """Return how a payload's trunnions stand over the guides of a seat.
+    """Return the position of a payload's trunnions relative to the guides of a seat.
 
     Args:
-        seat: (12,) the frame of the guides, in L.
-        payload: (12,) its frame, in L.
-        trunnions: (n, 3) their centres in the payload's frame, in the order of the guides [m].
-        seats: of the guides, as of `Guides`, and so are
-        axes: along, across and up.
-        opening: of each V.
-        throat: of each.
-        height: of each.
-        play: of each.
+        seat: (12,) pose in L of the frame in which the guides are given.
+        payload: (12,) pose of the payload's frame in L.
+        trunnions: (n, 3) centres of the trunnions in the payload's frame, in the order of the guides [m].
+        seats: `Guides.seats`.
+        axes: `Guides.axes`: along, across and up.
+        opening: `Guides.opening`.
+        throat: `Guides.throat`.
+        height: `Guides.height`.
+        play: `Guides.play`.
     """
     least, most, room = np.inf, -np.inf, np.inf
     place, local = np.empty(3), np.empty(3)
@@ -193,17 +195,19 @@ def over(
 
 
 def _local(trunnions: Array, guides: Guides) -> Array:
-    """(3, n) where trunnions are in the axes of their guides: along, across, up from the seat [m]."""
+    """Return the trunnions' offsets (3, n) from their seats in the guides' axes: along, across, up [m]."""
     return np.asarray((guides.axes @ (trunnions - guides.seats)[:, :, None])[:, :, 0].T)
 
 
 def in_guides(trunnions: Array, guides: Guides, units: Units) -> tuple[Condition, ...]:
-    """Whether each trunnion is in the capture region of its guide: a condition for each, told by what is tightest.
+    """Return for each trunnion the condition that it is in the capture region of its guide.
+
+    Each condition reports the tightest of the trunnion's height and its two offsets.
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        guides: of the seat.
-        units: the operator's.
+        guides: guides of the seat.
+        units: the operator's units.
     """
     local, opened = _local(trunnions, guides).T.tolist(), guides.opening.tolist()
     found = []
@@ -228,15 +232,17 @@ def ready_to_latch(
     units: Units,
     failed: Set[str] = frozenset(),
 ) -> tuple[Condition, ...]:
-    """The conditions of latching: one for each latch, told by what is wrong with it, and the attitude.
+    """Return the conditions of latching: one for each latch, and one for the payload's attitude.
+
+    A latch's condition reports the trunnion's distance from its seat, or else the failed switches of the latch.
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        payload: its pose in the seat's frame: what is left of position and turn.
-        guides: of the seat.
-        tolerances: of the seat.
-        units: the operator's.
-        failed: switches that show nothing, ``forward port B``.
+        payload: pose of the payload in the seat's frame, that is, its remaining offset and rotation.
+        guides: guides of the seat.
+        tolerances: tolerances of the seat.
+        units: the operator's units.
+        failed: names of switches that show nothing, for example ``forward port B``.
     """
     off = [math.hypot(x, y, z) for x, y, z in (trunnions - guides.seats).tolist()]
     found = []
@@ -255,7 +261,7 @@ def ready_to_latch(
 def switches(
     trunnions: Array, guides: Guides, tolerances: SeatTolerances, failed: Set[str] = frozenset()
 ) -> tuple[tuple[bool, bool], ...]:
-    """Ready-for-latch switches A and B of each latch, as DISP 97 shows them; arguments as of `ready_to_latch`."""
+    """Return the ready-for-latch switches A and B of each latch, as on DISP 97; arguments as of `ready_to_latch`."""
     off = np.linalg.norm(trunnions - guides.seats, axis=1).tolist()
     return tuple(
         (
@@ -267,12 +273,12 @@ def switches(
 
 
 def retained(payload: Pose, tolerances: SeatTolerances, units: Units) -> tuple[Condition, ...]:
-    """The conditions under which a payload that is let go stays where it is, in the concept's bay.
+    """Return the conditions under which a released payload stays in its place in the concept's bay.
 
     Args:
-        payload: its pose in the seat's frame: how far its centre is from the stowed place, and its turn.
-        tolerances: of the seat.
-        units: the operator's.
+        payload: pose of the payload in the seat's frame: offset of its centre from the stowed position, and rotation.
+        tolerances: tolerances of the seat.
+        units: the operator's units.
     """
     distance = math.hypot(*payload.position.tolist())
     return (

@@ -1,4 +1,4 @@
-"""A cargo from the dimensions that its file gives: its look and what it collides as, from the same numbers."""
+"""Construction of a cargo from the dimensions in its file: shapes and solids are made from the same numbers."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start
 from aftdeck.worksite.solids import CORNERS, as_solids, checked, drawn, moved
 
 FITTINGS = ("probe", "receptacle", "grapple fixture", "trunnions")
-"""What a cargo may have besides its body; such a part is called after the cargo and the fitting."""
+"""Fittings that a cargo may have besides its body; such a part is named after the cargo and the fitting."""
 _UPWARDS = pi / 2
-"""Where the middle of a prism's first side stands, from y to z [rad]: one is on top, one below."""
+"""Angle of the middle of a prism's first side, from y to z [rad]: one side is on top, one below."""
 _ROUNDING = 1e-9
-"""How far a bar may end beyond its payload's top [m]: not at all, but for rounding."""
+"""Allowance for rounding in the check that a bar does not extend beyond its payload's top [m]."""
 _REPORT = np.diag([1.0, -1.0, -1.0])
-"""The report's axes (x aft, y port, z down) as columns in a cargo's."""
+"""The report's axes (x aft, y port, z down) as columns, in a cargo's axes."""
 
 
 class _Piece(NamedTuple):
-    """A part of a cargo: its hexahedra (n, 8, 3) in the cargo's axes [m], and its look."""
+    """A part of a cargo: its hexahedra (n, 8, 3) in the cargo's axes [m], and its shapes."""
 
     fitting: str
     bodies: Array
@@ -37,11 +37,12 @@ class _Piece(NamedTuple):
 
 
 def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
-    """The cargo that a file describes, at its start.
+    """Return the cargo that a file describes, at its start.
 
     Raises:
-        InputError: sizes of which no convex bodies can be made.
-        ValueError: a seat to start in that is not listed, or that holds on to what the cargo lacks.
+        InputError: no convex bodies can be made of the given sizes.
+        ValueError: the seat to start in is not listed or holds a fitting that the cargo lacks, or the bar extends
+            beyond the payload's top.
     """
     pieces = tuple(_pieces(file))
     bar = next((frozen(piece.bodies[0]) for piece in pieces if piece.fitting == "receptacle"), None)
@@ -69,7 +70,7 @@ def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
 
 
 def part_of(cargo: str, fitting: str) -> str:
-    """What a part of a cargo is called; its body is called as the cargo."""
+    """Return the name of a part of a cargo; the body has the name of the cargo."""
     return f"{cargo} {fitting}" if fitting else cargo
 
 
@@ -96,24 +97,24 @@ def _pieces(file: CargoFile) -> Iterator[_Piece]:
 
 
 def _across_flats(across: float, sides: int) -> float:
-    """Half the distance of two opposite sides of a regular polygon, from that of its opposite corners."""
+    """Return half the distance between opposite sides of a regular polygon, given that between opposite corners."""
     return across / 2.0 * cos(pi / sides)
 
 
 def _apothem(file: CargoFile) -> float:
-    """Height of the body's top over its axis [m]."""
+    """Return the height of the body's top above its axis [m]."""
     body = file.body
     return _across_flats(body.across, body.sides) if isinstance(body, PrismBody) else float(body.radius)
 
 
 def _bar(bar: ReceptacleFile, top: float) -> Array:
-    """The report's RECPT, numbered in the report's axes, so that c is its top."""
+    """Return the report's RECPT (1, 8, 3), numbered in the report's axes, so that face c is its top."""
     own = (CORNERS - 0.5) * np.array([bar.length, bar.width, bar.height])
     return moved(own[None], Pose(np.array([*bar.at, top + bar.height / 2.0], dtype=np.float64), _REPORT))
 
 
 def _check_on_top(file: CargoFile, bar: ReceptacleFile) -> None:
-    """Refuse a bar that ends beyond the flat top of its payload (ValueError); a cylinder's top is as wide as it is."""
+    """Reject a bar that extends beyond the top of its payload (ValueError); a cylinder's top has its full diameter."""
     wide = file.body.across * sin(pi / file.body.sides) if isinstance(file.body, PrismBody) else 2.0 * file.body.radius
     for axis, middle, size, room in (("x", bar.at[0], bar.length, file.body.length), ("y", bar.at[1], bar.width, wide)):
         beyond = abs(middle) + 0.5 * size - 0.5 * room
@@ -125,7 +126,10 @@ def _check_on_top(file: CargoFile, bar: ReceptacleFile) -> None:
 
 
 def _fixture(grapple: GrappleFile) -> _Piece:
-    """Its base and its target. The pin, and the ramps round it, go into the end effector: they are not solid."""
+    """Return a grapple fixture's base and target.
+
+    The pin and the ramps around it enter the end effector and are therefore not solid.
+    """
     base = prism(grapple.radius, grapple.depth) + np.array([grapple.depth / 2.0, 0.0, 0.0])
     place, turn = _plain(grapple.position), _plain(grapple.rotation)
     look = (Group(position=place, rotation=turn, shapes=grapple.shapes),) if grapple.shapes else ()
@@ -134,9 +138,10 @@ def _fixture(grapple: GrappleFile) -> _Piece:
 
 
 def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
-    """A box (1, 8, 3) round what is drawn flat beside the fixture's axis, plate and ring, and one round the rod there.
+    """Yield the boxes (1, 8, 3) of the target beside the fixture's axis.
 
-    One box round both would stand in the end effector's way as far out as the rod.
+    One box encloses the flat shapes (plate and ring), another one the rod. A single box around both would obstruct the
+    end effector as far out as the end of the rod.
     """
     halves = [(shape.position, half) for shape in shapes if any(shape.position[1:]) and (half := _half(shape))]
     boxes = np.array(halves, dtype=np.float64).reshape(-1, 2, 3)
@@ -147,10 +152,10 @@ def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
 
 
 def _half(shape: Shape) -> Vec3 | None:
-    """Half the size of the box round a shape along x; None for a group, whose marks lie on the others.
+    """Return half the size of the box around a shape along x; None for a group, whose marks lie on the other shapes.
 
     Raises:
-        InputError: another kind of shape, or one that stands otherwise.
+        InputError: the shape is of another kind, or has another orientation.
     """
     match shape:
         case Group():
@@ -172,7 +177,7 @@ def _half(shape: Shape) -> Vec3 | None:
 
 
 def _pins(trunnions: TrunnionsFile) -> _Piece:
-    """Round pins, each covered by a prism of as few hexahedra as cover can make, a square."""
+    """Return the trunnions: round pins, each covered by a square prism, which needs the fewest hexahedra."""
     (inner, outer), (low, high) = trunnions.span, trunnions.keel_span
     radius, material = float(trunnions.radius), trunnions.material
     across = prism(radius, outer - inner, axis="y", sides=4)
@@ -198,7 +203,7 @@ def _pin(middle: Vec3, radius: float, length: float, material: Material, axis: s
 
 
 def _latched(trunnions: TrunnionsFile | None) -> Array:
-    """(n, 3) the points that latches hold: port and starboard of each pair, then the keel's."""
+    """Return the points (n, 3) that latches hold: port and starboard of each pair, then the keel pin's."""
     if trunnions is None:
         return frozen(np.empty((0, 3)))
     pairs = [(x, side * trunnions.y, trunnions.z) for x in sorted(trunnions.x) for side in (-1.0, 1.0)]
@@ -206,24 +211,24 @@ def _latched(trunnions: TrunnionsFile | None) -> Array:
 
 
 def _names(pairs: int) -> tuple[str, ...]:
-    """What the points of `_latched` are called, pair by pair."""
+    """Return the names of the points of `_latched`, pair by pair."""
     numbers = tuple(str(k + 1) for k in range(pairs))
     where = ("forward", "aft") if numbers == ("1", "2") else numbers
     return (*(f"{place} {side}" for place in where for side in ("port", "starboard")), "keel")
 
 
 def _probe_tip(file: CargoFile) -> Pose | None:
-    """The middle of the probe's forward face, in the cargo's axes."""
+    """Return the pose of the middle of the probe's forward face in the cargo's axes; None without a probe."""
     if file.probe is None:
         return None
     return Pose(frozen([-file.body.length / 2.0 - file.probe.length, 0.0, 0.0]), frozen(np.eye(3)))
 
 
 def start_of(file: StartFile, seats: Mapping[str, Seat], probe: Pose | None, trunnions: Array) -> Start:
-    """Where a cargo with this probe and these trunnions starts.
+    """Return the start of a cargo with this probe and these trunnions.
 
     Raises:
-        ValueError: a seat that is not there, or holds on to what the cargo does not have.
+        ValueError: the seat does not exist, or holds a fitting that the cargo does not have.
     """
     if file.seat is None:
         return Start("", _pose(file), frozen(file.velocity), frozen(file.rates))

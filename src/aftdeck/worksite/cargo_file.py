@@ -1,4 +1,4 @@
-"""A cargo as a worksite's file describes it: the dimensions that its solids and its look are made from."""
+"""A cargo in a worksite's file: the dimensions from which its solids and its shapes are made."""
 
 from __future__ import annotations
 
@@ -8,28 +8,28 @@ from aftdeck.worksite.tables import Placed, Range, Table, Text, Turn, ordered, p
 
 
 class PrismBody(Table, frozen=True, kw_only=True, tag_field="kind", tag="prism"):
-    """A regular prism along x with two of its sides up and down, covered exactly."""
+    """A regular prism along x with one side on top and one below; its solids cover it exactly."""
 
     sides: int = 6
     across: Length
-    """Across corners."""
+    """Distance between opposite corners."""
     length: Length
     material: Material
 
     def __post_init__(self) -> None:
-        """Refuse sizes that are not above zero (ValueError)."""
+        """Reject sizes that are not above zero (ValueError)."""
         positive(across=self.across, length=self.length)
 
 
 class CylinderBody(Table, frozen=True, kw_only=True, tag_field="kind", tag="cylinder"):
-    """A cylinder along x, covered from outside by a prism of twelve sides."""
+    """A cylinder along x; a prism of twelve sides encloses it for collision."""
 
     radius: Length
     length: Length
     material: Material
 
     def __post_init__(self) -> None:
-        """Refuse sizes that are not above zero (ValueError)."""
+        """Reject sizes that are not above zero (ValueError)."""
         positive(radius=self.radius, length=self.length)
 
 
@@ -38,68 +38,68 @@ class ProbeFile(Table, frozen=True, kw_only=True):
 
     sides: int = 6
     across: Length
-    """Across corners."""
+    """Distance between opposite corners."""
     length: Length
     material: Material
 
     def __post_init__(self) -> None:
-        """Refuse sizes that are not above zero (ValueError)."""
+        """Reject sizes that are not above zero (ValueError)."""
         positive(across=self.across, length=self.length)
 
 
 class ReceptacleFile(Table, frozen=True, kw_only=True):
-    """The bar that the concept's hand grips, on the cargo's top."""
+    """The bar on the cargo's top that the concept's hand grips."""
 
     length: Length
-    """Along x."""
+    """Size along x."""
     width: Length
-    """Along y."""
+    """Size along y."""
     height: Length
-    """Along z."""
+    """Size along z."""
     at: tuple[Length, Length] = (Length(0.0), Length(0.0))
-    """x and y of its middle, from the middle of the top."""
+    """x and y of the bar's middle, from the middle of the top."""
     material: Material
 
     def __post_init__(self) -> None:
-        """Refuse sizes that are not above zero (ValueError)."""
+        """Reject sizes that are not above zero (ValueError)."""
         positive(length=self.length, width=self.width, height=self.height)
 
 
 class GrappleFile(Placed, frozen=True, kw_only=True):
-    """A grapple fixture: its place is that of the end effector's own axes E (x out of the hand) at a perfect grasp."""
+    """A grapple fixture: its pose is that of the end effector's own axes E (x out of the hand) at a perfect grasp."""
 
     radius: Length
-    """Of its base, which begins where the end effector's rim ends."""
+    """Radius of the fixture's base, which begins where the end effector's rim ends."""
     depth: Length
-    """Of its base."""
+    """Depth of the fixture's base."""
     shapes: tuple[Shape, ...] = ()
-    """What it looks like, in the fixture's axes. Boxes, cylinders, rings and spheres listed beside its axis are its
-    target and collide, groups of marks on them do not."""
+    """Shapes that draw the fixture, in its axes. Boxes, cylinders, rings and spheres beside its axis form the target
+    and collide; groups of marks on them do not collide."""
 
     def __post_init__(self) -> None:
-        """Refuse sizes that are not above zero (ValueError)."""
+        """Reject sizes that are not above zero (ValueError)."""
         positive(radius=self.radius, depth=self.depth)
 
 
 class TrunnionsFile(Table, frozen=True, kw_only=True):
-    """Pins to either side, and one down to the keel, that the bay's latches hold."""
+    """Pins on both sides, and one down to the keel, that the bay's latches hold."""
 
     x: tuple[Length, ...]
-    """Where along the cargo there is a pair of them."""
+    """Position of each pair of pins along the cargo."""
     y: Length
-    """Of the points on them that the latches hold, on either side."""
+    """Distance to either side of the points on the pins that the latches hold."""
     z: Length
     keel: tuple[Length, Length]
     """x and z of the point on the keel pin that its latch holds."""
     radius: Length
     span: Range
-    """Of |y|: from where to where the pins go."""
+    """Range of |y| over which the pins extend."""
     keel_span: Range
-    """Of z, upwards."""
+    """Range of z over which the keel pin extends, upwards."""
     material: Material
 
     def __post_init__(self) -> None:
-        """Refuse no pins, and pins that are none (ValueError)."""
+        """Reject an empty list of pins, sizes that are not above zero, and spans that do not ascend (ValueError)."""
         if not self.x:
             raise ValueError("x lists no pair of trunnions; it needs at least 1")
         positive(radius=self.radius, y=self.y)
@@ -107,32 +107,32 @@ class TrunnionsFile(Table, frozen=True, kw_only=True):
 
 
 class StartFile(Placed, frozen=True, kw_only=True):
-    """Where a cargo is at the start: in a seat, or free, at a pose in the scene."""
+    """Start of a cargo: in a seat, or free at a pose in the scene."""
 
     seat: Text | None = None
     velocity: tuple[Speed, Speed, Speed] = (Speed(0.0), Speed(0.0), Speed(0.0))
-    """In the scene's axes, against the orbiter."""
+    """Velocity relative to the orbiter, in the scene's axes."""
     rates: tuple[AngularRate, AngularRate, AngularRate] = (AngularRate(0.0), AngularRate(0.0), AngularRate(0.0))
-    """About the cargo's own axes."""
+    """Angular rates about the cargo's own axes."""
 
     def __post_init__(self) -> None:
-        """Refuse a pose or a motion in a seat (ValueError)."""
+        """Reject a pose or a motion if a seat is given (ValueError)."""
         if self.seat is not None and any(map(any, (self.position, self.rotation, self.velocity, self.rates))):
             raise ValueError(f"it stands in the seat {self.seat!r}; a position, rotation or motion is for a free cargo")
 
 
 class LimitCycleFile(Table, frozen=True, kw_only=True):
-    """How a free cargo's attitude control wanders about its attitude, about each of its own axes."""
+    """Limit cycle of a free cargo's attitude control, about each of the cargo's own axes."""
 
     deadband: Turn
-    """To either side."""
+    """Greatest angle to either side."""
     rate: tuple[AngularRate, AngularRate, AngularRate]
-    """How fast each angle changes; its sign is the way it sets out."""
+    """Rate of each angle; the sign is the initial direction."""
     start: Turn = (Angle(0.0), Angle(0.0), Angle(0.0))
-    """Each angle at the start."""
+    """Angles at the start."""
 
     def __post_init__(self) -> None:
-        """Refuse a deadband that is not above zero, and a start outside of it (ValueError)."""
+        """Reject a deadband that is not above zero, and a start outside the deadband (ValueError)."""
         for axis, deadband, start in zip("xyz", self.deadband, self.start, strict=True):
             positive(**{f"deadband about {axis}": deadband})
             if not abs(start) <= deadband:
@@ -142,7 +142,7 @@ class LimitCycleFile(Table, frozen=True, kw_only=True):
 
 
 class CargoFile(Table, frozen=True, kw_only=True):
-    """Something that the arm can hold; its own frame is at its body's centre, x along it. A scenario names it."""
+    """An object that the arm can hold; its own frame is at its body's centre, x along it. A scenario names it."""
 
     name: Text
     title: Text
@@ -150,7 +150,7 @@ class CargoFile(Table, frozen=True, kw_only=True):
     mass: Mass
     body: PrismBody | CylinderBody
     shapes: tuple[Shape, ...] = ()
-    """What more it looks like."""
+    """Additional shapes that draw the cargo."""
     probe: ProbeFile | None = None
     receptacle: ReceptacleFile | None = None
     grapple: GrappleFile | None = None
@@ -159,7 +159,7 @@ class CargoFile(Table, frozen=True, kw_only=True):
     limit_cycle: LimitCycleFile | None = None
 
     def __post_init__(self) -> None:
-        """Refuse no mass, and no way or two ways to be held (ValueError)."""
+        """Reject a mass that is not above zero, and neither or both of receptacle and grapple (ValueError)."""
         positive(mass=self.mass)
         if (self.receptacle is None) == (self.grapple is None):
             given = "neither" if self.receptacle is None else "both"

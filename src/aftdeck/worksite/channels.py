@@ -1,9 +1,9 @@
 """The operator's thirteen input channels, TABLE I, in units of V.
 
-Switches have levels, which encode exactly and decode from the nearest one; the six joint angles of the master arm are
-proportional ("scaling set by analog adjustments"): 8 rad at 1 V, a power of two, so that no bit of an angle is lost on
-the way there and back. Source: the final report of the Remote Manipulator Simulation, TABLE I; the levels of channels
-10 and G are read as 1/2 V where the scan shows 3 V.
+Switches have levels: encoding writes the exact level, decoding takes the nearest one. The six joint angles of the
+master arm are proportional ("scaling set by analog adjustments"), with 8 rad at 1 V. The scale is a power of two, so
+that encoding and decoding lose no bit of an angle. Source: the final report of the Remote Manipulator Simulation,
+TABLE I; the levels of channels 10 and G are read as 1/2 V where the scan shows 3 V.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ Angles = tuple[float, float, float, float, float, float]
 CHANNELS = 13
 JOINTS = ("HO", "PO", "P1", "H2", "P2", "R2")
 FULL_SCALE: Final = 8.0
-"""Joint angle at 1 V [rad]; ours: more than a whole turn."""
+"""Joint angle at 1 V [rad]; our choice: more than a whole turn."""
 NOISE: Final = 0.125
-"""How far beyond -1 to 1 V a channel may be read [V]: half the least step between levels (assumed)."""
+"""Allowed excess of a channel beyond -1 to 1 V [V]: half the least step between levels (assumed)."""
 
 RUN: Mapping[bool, float] = {False: 0.0, True: 1.0}
 START: Mapping[Start, float] = {"full problem": 0.0, "mode 1": 1.0, "mode 2 or 3": -1.0}
@@ -47,12 +47,12 @@ assert set(STATION) == set(get_args(Station))
 
 
 class OperatorInputs(NamedTuple):
-    """What the operator sets.
+    """The operator's settings on all channels.
 
     Attributes:
-        initialise: channel 1: initialise, else run.
-        start: channel 2: what to initialise to.
-        angles: channels 3 to 8: HO, PO, P1, H2, P2, R2 of the master arm [rad], at most 8 either way.
+        initialise: channel 1: True to initialise, False to run.
+        start: channel 2: the state to initialise to.
+        angles: channels 3 to 8: HO, PO, P1, H2, P2, R2 of the master arm [rad], from -8 to 8.
         telescope: channel 9: 1 longer, -1 shorter, 0 stop.
         camera: channel 10.
         zoom: channel 11: 1 in, -1 out, 0 none.
@@ -71,10 +71,10 @@ class OperatorInputs(NamedTuple):
 
 
 def encode_inputs(inputs: OperatorInputs) -> tuple[float, ...]:
-    """The thirteen channels [V].
+    """Return the voltages of the thirteen channels [V].
 
     Raises:
-        InputError: a setting without a level, or an angle beyond the scale; names the channel.
+        InputError: a setting has no level, or an angle is beyond the scale; names the channel.
     """
     angles = []
     for channel, (name, angle) in enumerate(zip(JOINTS, inputs.angles, strict=True), 3):
@@ -94,10 +94,12 @@ def encode_inputs(inputs: OperatorInputs) -> tuple[float, ...]:
 
 
 def decode_inputs(volts: Sequence[float]) -> OperatorInputs:
-    """What thirteen channels say [V]; each switch takes the level that is nearest, the upper one of two as near.
+    """Return the operator's settings from the voltages of the thirteen channels [V].
+
+    Each switch takes the nearest level, or the upper of two levels that are equally near.
 
     Raises:
-        InputError: another number of channels, or one that is not finite or lies beyond the scale.
+        InputError: the number of channels is wrong, or a voltage is not finite or is beyond the scale.
     """
     if len(volts) != CHANNELS:
         raise InputError(f"the operator has {CHANNELS} channels; {len(volts)} are given")

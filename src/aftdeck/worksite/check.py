@@ -1,4 +1,4 @@
-"""What can be wrong with a worksite as a whole: names, and cameras that stand in something."""
+"""Checks of a worksite as a whole: names, parts and their frames, cameras inside solids, and the bay's walls."""
 
 from __future__ import annotations
 
@@ -17,14 +17,18 @@ from aftdeck.worksite.model import Bay, Body, Cargo
 from aftdeck.worksite.schema import WorksiteFile
 
 ARM = "arm."
-"""What the names of an arm's frames begin with; whether a camera's frame is one of the arm's, a scenario has to say."""
+"""Prefix of the names of an arm's frames. Only a scenario can check whether the arm has the frame of a camera."""
 FRAMES = ("orbiter", "space")
 _WALL = 0.05
-"""How far from where the bay's inside ends its walls may begin [m]: those of a tube cover it from outside."""
+"""Greatest distance of a wall from the end of the bay's inside [m]: hexahedra cover a tube's wall from outside."""
 
 
 def misnamed(file: WorksiteFile) -> Iterator[Problem]:
-    """No body, a first one that is not the scene, names used twice, and names of what is not there."""
+    """Yield problems with names and with the first body.
+
+    These are: no body, a first body that is not the scene, names used twice or reserved for the arm's frames, and names
+    of items that do not exist.
+    """
     if not file.body:
         yield Problem(("body",), "none is listed; the first one gives the scene frame")
     elif file.body[0].fixed_to != "orbiter" or any(file.body[0].position) or any(file.body[0].rotation):
@@ -50,7 +54,10 @@ def misnamed(file: WorksiteFile) -> Iterator[Problem]:
 
 
 def _homeless(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Problem]:
-    """Housings of drives that are not listed, and cameras that would have one where no body carries it."""
+    """Yield problems with housings.
+
+    These are: drives that are not listed or have two housings, and cameras with a housing that no body carries.
+    """
     drives, housed = [drive.name for drive in file.drive], [housing.drive for housing in file.housing]
     for i, drive in enumerate(housed):
         if drive not in drives:
@@ -65,14 +72,14 @@ def _homeless(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Problem]:
 
 
 def _repeated(kind: str, names: Sequence[str], taken: Sequence[str]) -> Iterator[Problem]:
-    """Names that others before them have, or that are taken."""
+    """Yield a problem for each name that occurs earlier in the list or is taken."""
     for i, name in enumerate(names):
         if name in (*names[:i], *taken):
             yield Problem((kind, i), f"the name {name!r} is taken; names have to differ")
 
 
 def parts_in_two_frames(listed: Sequence[tuple[Where, Sequence[Solid]]]) -> Iterator[Problem]:
-    """Parts that stand in two frames, of the solids that are listed at each place: a part moves as one."""
+    """Yield a problem for each part with solids in two frames, at its location in the file: a part moves as one."""
     homes: dict[str, str] = {}
     for where, solids in listed:
         for part, frame in dict.fromkeys((solid.part, solid.frame) for solid in solids):
@@ -87,11 +94,12 @@ def blind_cameras(
     cargoes: Sequence[Cargo],
     clearance: float,
 ) -> Iterator[Problem]:
-    """Cameras that stand in a solid, or nearer to one than a clearance [m]; `cameras` by their index in the file.
+    """Yield a problem for each camera in a solid, or nearer to one than a clearance [m].
 
-    A camera on a body is held against all bodies' solids, as they stand at the start; one on a cargo against the
-    cargo's own. What a camera is itself made of is called after it (``camera A``) and left out. Cameras on the arm,
-    eyes behind windows, and what comes near a camera in flight, are not looked at.
+    `cameras` is keyed by the index in the file. A camera on a body is checked against the solids of all bodies, at
+    their poses at the start. A camera on a cargo is checked against the cargo's own solids. The camera's own housing is
+    named after the camera (``camera A``) and is left out. Not checked are cameras on the arm, eyes behind windows, and
+    solids that come near a camera during a run.
     """
     still = {body.name: body.pose for body in bodies}
     own = {cargo.name: cargo.solids for cargo in cargoes}
@@ -112,7 +120,7 @@ def blind_cameras(
 
 
 def bay_without_walls(bay: Bay, solids: Sequence[Solid]) -> Iterator[Problem]:
-    """Sides of the bay's inside, but for its top, that do not end where solids of the orbiter's begin."""
+    """Yield a problem for each side of the bay's inside, except the top, that has no wall of the orbiter at its end."""
     bodies = [pack(solid.vertices) for solid in solids if solid.frame == "orbiter"]
     low, high = np.array(bay.low), np.array(bay.high)
     across = np.linspace(low + (high - low) / 10.0, high - (high - low) / 10.0, 5)
@@ -132,7 +140,7 @@ def bay_without_walls(bay: Bay, solids: Sequence[Solid]) -> Iterator[Problem]:
 
 
 def _in_any(points: Array, bodies: Sequence[Array]) -> NDArray[np.bool_]:
-    """(n,) whether points (n, 3) are in one of the bodies."""
+    """Return whether each of the points (n, 3) is in one of the bodies, (n,)."""
     found = np.zeros(len(points), bool)
     for body in bodies:
         found |= (points @ body[NX:D].reshape(3, 6) <= body[D:]).all(axis=1)
@@ -144,7 +152,7 @@ def _in_scene(pose: Pose, position: Sequence[float]) -> Array:
 
 
 def distance(point: Array, vertices: Array) -> float:
-    """How far a point (3,) is from a hexahedron (8, 3) [m]; 0 inside."""
+    """Return the distance of a point (3,) from a hexahedron (8, 3) [m]; 0 inside."""
     body = pack(vertices)
     normals, distances = body[NX:D].reshape(3, 6).T, body[D:]
     heights = normals @ point - distances
@@ -158,13 +166,19 @@ def distance(point: Array, vertices: Array) -> float:
 
 
 def depth_in(point: Array, vertices: Array) -> float:
-    """How far a point (3,) has to go to leave a hexahedron (8, 3) [m]; negative outside."""
+    """Return the depth of a point (3,) below the nearest face plane of a hexahedron (8, 3) [m]; negative outside."""
     body = pack(vertices)
     return -float((body[NX:D].reshape(3, 6).T @ point - body[D:]).max())
 
 
 def _from_face(foot: Array, height: float, rim: Array) -> float:
-    """Distance from a face, given the foot of the plumb line on its plane, its height, and the rim (4, 3) [m]."""
+    """Return the distance of a point from a face [m].
+
+    Args:
+        foot: (3,) foot of the point's perpendicular on the face's plane [m].
+        height: height of the point above the plane [m].
+        rim: (4, 3) the face's vertices, in order around it [m].
+    """
     ways = np.roll(rim, -1, axis=0) - rim
     sides = np.cross(ways, foot - rim)
     if (sides @ sides.sum(axis=0) >= 0.0).all():

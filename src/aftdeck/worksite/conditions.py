@@ -1,6 +1,7 @@
-"""Conditions: what has to hold before something is captured, docked or latched, and by how much it does.
+"""Conditions that have to hold before a payload is captured, docked or latched, and their margins.
 
-Each is measured against bounds that count as inside. Its text is for the operator, in the operator's units.
+Each condition compares a measured value with bounds; a value equal to a bound is allowed. The text of a condition is
+for the operator, in the operator's units.
 """
 
 from __future__ import annotations
@@ -23,16 +24,19 @@ _INCHES_BELOW, _MILLIMETRES_BELOW = 2.0 * FOOT, 1.0
 """Lengths under these [m] are shown in the smaller unit."""
 _FIGURES, _MOST_FIGURES = 3, 9
 _LIKE = 0.02
-"""Values nearer to their limit than this share of it, or than `_TINY`, may look like it."""
+"""Share of the limit [1]: a value beyond it by less than this share plus `_TINY` could have the same text.
+
+Such a value is shown with as many figures as distinguish it from the limit.
+"""
 _TINY = 1e-4
 _MOST_DECIMALS = 3
-"""Of what is smaller than `_SMALLEST`, shown with no more than the usual figures."""
+"""Decimals shown of a number smaller than `_SMALLEST`, when the usual number of figures is asked for."""
 _SMALLEST, _GREATEST = 1e-3, 999.5
-"""Numbers between these are short when written to some figures; neither has Python an exponent for them."""
+"""Range of numbers that are written to significant figures: their text is short and Python adds no exponent."""
 
 
 class Condition(msgspec.Struct, frozen=True, gc=False):
-    """One condition as it stands."""
+    """One condition with its measured value, its limit and its margin."""
 
     name: Annotated[str, told("which: `palm height`")]
     holds: Annotated[bool, told("whether it holds")]
@@ -54,16 +58,17 @@ def within(
     units: Units,
     says: tuple[str, str],
 ) -> Condition:
-    """The condition least <= value <= greatest; either bound may be infinite, not both.
+    """Return the condition least <= value <= greatest; one of the bounds may be infinite, but not both.
 
     Args:
-        name: what it is called.
-        value: measured; NaN holds nowhere.
-        least: what is allowed, from here
-        greatest: to here.
-        unit: of these three.
-        units: the operator's.
-        says: how the value is told, a pair of braces for its size: where it is positive or 0, and where negative.
+        name: name of the condition.
+        value: measured value; with NaN the condition fails.
+        least: lower bound.
+        greatest: upper bound.
+        unit: unit of the value and the bounds.
+        units: the operator's units.
+        says: two text templates for the value, with braces for its size: the first for a value of 0 or more, the
+            second for a negative value.
     """
     below, above = value - least, greatest - value
     margin, limit = (below, least) if below < above else (above, greatest)
@@ -78,33 +83,36 @@ def within(
 
 
 def all_hold(conditions: Iterable[Condition]) -> bool:
-    """Whether every one of them holds."""
+    """Return whether all conditions hold."""
     return all(condition.holds for condition in conditions)
 
 
 def failing(conditions: Iterable[Condition]) -> tuple[Condition, ...]:
-    """Those that do not hold."""
+    """Return the conditions that fail."""
     return tuple(condition for condition in conditions if not condition.holds)
 
 
 def reasons(conditions: Iterable[Condition]) -> str:
-    """What each of those says that do not hold; empty where all hold."""
+    """Return the texts of all failed conditions, joined by "; "; empty if all hold."""
     return "; ".join(condition.text for condition in failing(conditions))
 
 
 def refusal(what: str, conditions: Iterable[Condition]) -> str:
-    """``CAPTURE refused: palm 2.5 in above the bar, 0 to 0.75 in allowed; ...``; empty where all hold."""
+    """Return the text that rejects a command because of failed conditions; empty if all hold.
+
+    For example ``CAPTURE refused: palm 2.5 in above the bar, 0 to 0.75 in allowed; ...``.
+    """
     why = reasons(conditions)
     return f"{what} refused: {why}" if why else ""
 
 
 def tightest(conditions: Iterable[Condition], unit: Unit) -> Condition | None:
-    """The condition with the least margin of those measured in a unit; None where there are none."""
+    """Return the condition with the least margin among those measured in a unit; None if there are none."""
     return min((c for c in conditions if c.unit == unit), key=lambda c: c.margin, default=None)
 
 
 def shown(value: float, unit: Unit, units: Units, figures: int = _FIGURES) -> str:
-    """A value [unit] in the operator's units.
+    """Return the text of a value [unit] in the operator's units.
 
     Examples:
         >>> shown(0.0635, "m", "ft-in"), shown(0.0635, "m", "SI"), shown(3.81, "m", "ft-in"), shown(0.02, "rad", "SI")
@@ -115,7 +123,10 @@ def shown(value: float, unit: Unit, units: Units, figures: int = _FIGURES) -> st
 
 
 def _told_apart(value: float, limit: float, unit: Unit, units: Units) -> str:
-    """A value to as many figures as tell it from a limit: "0.75 in above, 0 to 0.75 in allowed" would say nothing."""
+    """Return the text of a value with as many figures as distinguish it from a limit.
+
+    Otherwise a text such as "0.75 in above, 0 to 0.75 in allowed" could result.
+    """
     for figures in range(_FIGURES, _MOST_FIGURES):
         if (text := shown(value, unit, units, figures)) != shown(limit, unit, units, figures):
             return text
@@ -123,7 +134,7 @@ def _told_apart(value: float, limit: float, unit: Unit, units: Units) -> str:
 
 
 def _scale(size: float, unit: Unit, units: Units) -> tuple[float, str]:
-    """What one of a unit is in the operator's, for a value of that size, and how this is written."""
+    """Return the factor from a unit to the operator's unit, for a value of that size, and the suffix of that unit."""
     feet = units == "ft-in"
     match unit:
         case "m" if feet:
@@ -143,7 +154,7 @@ def _scale(size: float, unit: Unit, units: Units) -> tuple[float, str]:
 
 
 def _digits(value: float, figures: int) -> str:
-    """A number to so many significant figures, without an exponent and without zeros at its end."""
+    """Return the text of a number to so many significant figures, without an exponent and without trailing zeros."""
     if _SMALLEST <= abs(value) < _GREATEST:
         text = f"{value:.{figures}g}"
     else:
@@ -157,7 +168,7 @@ def _digits(value: float, figures: int) -> str:
 
 @functools.lru_cache(maxsize=256)
 def _allowed(least: float, greatest: float, unit: Unit, units: Units, holds: bool) -> str:
-    """What is allowed, for people; of what may only not be negative, nothing while it holds."""
+    """Return the text of the allowed range; empty if only a negative value is not allowed and the condition holds."""
     if least == 0.0 and greatest == math.inf:
         return "" if holds else "none"
     if least in (-math.inf, -greatest):

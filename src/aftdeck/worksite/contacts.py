@@ -1,12 +1,12 @@
-"""Contacts, detrimental and essential, and the two-frame rule: what a collision inhibits.
+"""Contacts, detrimental and essential, and the two-frame rule: which motions a collision inhibits.
 
 Source: *Remote Manipulator Simulation*, final report, chapter IV.B, subroutine COLLIDE. A detrimental collision raises
-its flag in the first frame. Found in the second frame in succession it inhibits motion, until it is relieved. In mode 1
-any collision of the effector, the prong (HEX 3) included, inhibits the arm, and one of the prong inhibits the finger as
-well. In the later modes every collision inhibits both. Frames are control steps here.
+its flag in the first frame. If it is found in the second successive frame as well, it inhibits motion until it is
+relieved. In mode 1 any collision of the effector, the prong (HEX 3) included, inhibits the arm; a collision of the
+prong inhibits the finger as well. In the later modes every collision inhibits both. Frames are control steps here.
 
-Essential contacts inhibit nothing. A pair of parts is essential only where its relation permits the contact
-(`simulation.relations`) or where what the arm holds slides along a wall (`worksite.sliding`).
+Essential contacts inhibit nothing. A contact of two parts is essential only where their relation permits it
+(`simulation.relations`), or where the payload that the arm holds slides along a wall (`worksite.sliding`).
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from aftdeck.worksite.layout import Layout
 ACQUISITION = 1
 """The report's mode in which the prong moves by itself."""
 FRAMES = 2
-"""In how many successive frames a collision is found before it inhibits."""
+"""Number of successive frames in which a collision is found before it inhibits motion."""
 _TOLD = 5e-4
-"""Depths below this are told without a number [m]."""
+"""Depth below which the text of a contact gives no number [m]."""
 
 
 class Inhibit(NamedTuple):
-    """Flags that the contacts of a step set.
+    """Inhibit flags that the contacts of a step set.
 
     Attributes:
         arm: the arm's motion is inhibited.
@@ -50,7 +50,7 @@ class Counted(NamedTuple):
     """Result of `count_frames`.
 
     Attributes:
-        touching: some group is in contact.
+        touching: at least one group is in contact.
         changed: a count changed.
     """
 
@@ -63,7 +63,7 @@ def count_frames(found: Array, count: Mask) -> Counted:
     """Update the number of successive steps in which each group was in contact.
 
     Args:
-        found: (g, 15) of this step.
+        found: (g, 15) measurements of this step, as in `worksite.found`.
         count: (g,) updated; at most 2.
     """
     touching, changed = False, False
@@ -77,12 +77,12 @@ def count_frames(found: Array, count: Mask) -> Counted:
 
 @law
 def two_frames(count: Mask, essential: Mask, arm: Mask, prong: Mask, mode: int) -> tuple[bool, bool]:
-    """Return whether arm and finger are inhibited.
+    """Return whether the arm and the finger are inhibited.
 
     Args:
-        count: (g,) in how many successive steps each group was in contact.
+        count: (g,) number of successive steps in which each group was in contact.
         essential: (g,) 1 for groups whose contact belongs to the task: they never inhibit.
-        arm: (g,) 1 for groups of which a part moves with the arm; other contacts are not the arm's to relieve.
+        arm: (g,) 1 for groups with a part that moves with the arm; the arm cannot relieve other contacts.
         prong: (g,) 1 for groups of the prong.
         mode: the report's mode, 1 to 4.
     """
@@ -98,13 +98,13 @@ class Contact(msgspec.Struct, frozen=True):
     """Two parts in contact.
 
     Attributes:
-        group: which, of the layout.
+        group: index of the group in the layout.
         a: the first part.
         b: the second part.
-        depth: how far they are in each other, 0 where they merely touch [m].
-        essential: made to touch: never inhibits.
-        inhibits: detrimental, of the arm, and found in two successive frames.
-        text: for people.
+        depth: penetration depth, 0 if the parts merely touch [m].
+        essential: the contact belongs to the task and never inhibits.
+        inhibits: the contact is detrimental, of the arm, and found in two successive frames.
+        text: sentence for the operator.
     """
 
     group: int
@@ -117,13 +117,13 @@ class Contact(msgspec.Struct, frozen=True):
 
 
 class Contacts(StatePart):
-    """The contacts of a flight, frame after frame.
+    """Contact state of all groups, updated in every frame.
 
     Attributes:
         essential: (g,) 1 for groups whose contact belongs to the task; the caller sets it.
-        arm: (g,) 1 for groups of which a part moves with the arm, what it holds included; the caller sets it.
-        count: (g,) in how many successive frames each group has been in contact, at most 2.
-        inhibit: what the contacts of the last frame do.
+        arm: (g,) 1 for groups with a part that moves with the arm, a held payload included; the caller sets it.
+        count: (g,) number of successive frames in which each group has been in contact, at most 2.
+        inhibit: flags set by the contacts of the last frame.
     """
 
     essential: Mask
@@ -132,18 +132,18 @@ class Contacts(StatePart):
     inhibit: Inhibit = Inhibit(arm=False, finger=False, changed=False)
 
     def look(self, found: Array, prong: Mask, mode: int) -> Inhibit:
-        """Take what `Watch.look` found (g, 15) as one more step; the rest as of `judge`."""
+        """Count the contacts of one more step, from the result of `Watch.look` (g, 15), and return `judge` of them."""
         counted = count_frames(found, self.count)
         return self.judge(counted.touching, counted.changed, prong, mode)
 
     def judge(self, touching: bool, changed: bool, prong: Mask, mode: int) -> Inhibit:
-        """Set and return the flags, from the counts as they are now and what `count_frames` returned.
+        """Set and return the flags, from the present counts and the result of `count_frames`.
 
         Args:
-            touching: some group is in contact.
+            touching: at least one group is in contact.
             changed: a count changed.
-            prong: (g,) 1 for groups of the prong; none, of an arm without one.
-            mode: the report's, 1 to 4.
+            prong: (g,) 1 for groups of the prong; all 0 for an arm without a prong.
+            mode: the report's mode, 1 to 4.
         """
         arm, finger = False, False
         if touching:
@@ -152,7 +152,7 @@ class Contacts(StatePart):
         return self.inhibit
 
     def standing(self, layout: Layout, found: Array, units: Units) -> tuple[Contact, ...]:
-        """Every contact of the frame that was looked at last, deepest first, told in the operator's units."""
+        """Return all contacts of the last frame, deepest first, with texts in the operator's units."""
         groups = np.flatnonzero(self.count)
         return tuple(
             self._contact(int(g), layout, found, units)
@@ -168,7 +168,7 @@ class Contacts(StatePart):
 
 
 def told(a: str, b: str, depth: float, essential: bool, units: Units) -> str:
-    """A contact as a sentence.
+    """Return a contact as a sentence.
 
     Examples:
         >>> told("lower boom", "bay wall port", 0.0213, False, "ft-in")

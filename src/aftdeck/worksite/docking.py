@@ -1,12 +1,12 @@
-"""MODE 3, docking: the payload's probe in the port's envelope, at the port, and turned as the port is.
+"""MODE 3, docking: the payload's probe in the port's envelope, at the port, and aligned with the port's axes.
 
-The port stands in the middle of a side face, c, of the central assembly element (CAE), a regular prism. The *docking
-envelope* is what lies before that face and, of the prism's next two sides and its two ends, all extended, inside: a
-wedge, which with six sides closes one apothem before the face. Source: the final report of the Remote Manipulator
-Simulation, mode 3 (restored).
+The port is in the middle of a side face, c, of the central assembly element (CAE), a regular prism. The *docking
+envelope* is the space before that face and inside the extended planes of the prism's two adjacent sides and its two
+ends. The envelope is a wedge, which with six sides closes one apothem before the face. Source: the final report of the
+Remote Manipulator Simulation, mode 3 (restored).
 
-A port's axes are those of the payload that is docked to it. The report compares the two y axes alone, which leaves a
-turn about y free; by default all three are compared.
+A port's axes are those of the payload that is docked to it. The report compares only the two y axes, which leaves a
+rotation about y free; by default all three axes are compared.
 """
 
 from __future__ import annotations
@@ -23,28 +23,28 @@ from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, Units, within
 
 BEFORE = 0
-"""Least height of the probe's vertices over face c [m]."""
+"""Least height of the probe's vertices above face c [m]."""
 INSIDE = 1
-"""How far inside the envelope's other planes the vertex nearest to one is; negative outside [m]."""
+"""Least distance of a probe vertex inside the envelope's other planes; negative outside [m]."""
 DISTANCE = 2
-"""From the centre of the probe's face to the port's centre [m]."""
+"""Distance from the centre of the probe's face to the port's centre [m]."""
 TURNED = 3
-"""Angles of the payload's x, y and z axes from the port's, three numbers [rad]."""
+"""First of three angles: those of the payload's x, y and z axes from the port's [rad]."""
 FOUND = 6
-"""Length of what is found."""
+"""Length of the array of results."""
 
 FEWEST_SIDES = 4
 
 
 class DockingTolerances(msgspec.Struct, frozen=True):
-    """What docking allows."""
+    """Tolerances of docking."""
 
     distance: float
-    """From the centre of the probe's forward face to the port's centre [m]; the report has 0.25 ft [S]."""
+    """Greatest distance from the centre of the probe's forward face to the port's centre [m]; report: 0.25 ft [S]."""
     angle: float
-    """Of each axis compared [rad]; the report has 2 deg 32 min [S]."""
+    """Greatest angle of each axis that is compared [rad]; the report has 2 deg 32 min [S]."""
     axes: Literal["all", "y"] = "all"
-    """Which axes are compared; the report has y alone [S]."""
+    """Axes that are compared; the report has y alone [S]."""
 
 
 def envelope(
@@ -56,21 +56,21 @@ def envelope(
     axis: tuple[float, float, float] = (0.0, 0.0, 1.0),
     offset: tuple[float, float] = (0.0, 0.0),
 ) -> Array:
-    """The docking envelope of a port on a side of a regular prism, in the port's axes about the port's centre.
+    """Return the docking envelope of a port on a side of a regular prism, in the port's axes about the port's centre.
 
     Args:
-        apothem: from the prism's axis to its sides [m].
-        length: of the prism [m].
-        sides: how many, an even number; six is likely what the report had, whose drawings are lost.
-        outward: unit vector out of the port's face, square to
+        apothem: distance from the prism's axis to its sides [m].
+        length: length of the prism [m].
+        sides: number of sides, even; the report, whose drawings are lost, probably had six.
+        outward: unit vector out of the port's face, perpendicular to `axis`.
         axis: unit vector along the prism.
-        offset: the port's centre from that of its face [m]: along axis x outward, and along axis.
+        offset: offset of the port's centre from the centre of its face [m]: along axis x outward, and along axis.
 
     Returns:
         (5, 4) planes, each a unit normal n [1] and a distance d [m]: inside is n·p <= d. The first is that of face c.
 
     Raises:
-        InputError: sizes that make no prism, or vectors that are not square unit vectors.
+        InputError: the sizes make no prism, or the vectors are not perpendicular unit vectors.
     """
     if not (0.0 < apothem < inf and 0.0 < length < inf):
         raise InputError(f"the prism's apothem is {apothem:g} m and its length {length:g} m; both have to be above 0")
@@ -101,15 +101,15 @@ def envelope(
 
 @law
 def approach(probe: Array, face: Array, payload: Array, port: Array, planes: Array, found: Array) -> None:
-    """Measure how a probe stands to a port; fills `found` (6,).
+    """Measure the position of a probe relative to a port and fill `found` (6,).
 
     Args:
         probe: (n, 3) vertices in the payload's frame [m].
         face: (3,) centre of the probe's forward face, in the payload's frame [m].
-        payload: (12,) pose of the payload: position [m], then its rotation row by row; in one frame with
-        port: (12,) pose of the port.
-        planes: (k, 4) the envelope in the port's frame, face c's first.
-        found: (6,) what is measured.
+        payload: (12,) pose of the payload: position [m], then its rotation row by row.
+        port: (12,) pose of the port, in the same frame as that of the payload.
+        planes: (k, 4) the envelope in the port's frame, the plane of face c first.
+        found: (6,) output.
     """
     x, y, z = payload[0] - port[0], payload[1] - port[1], payload[2] - port[2]
     px = port[3] * x + port[6] * y + port[9] * z
@@ -140,7 +140,7 @@ def approach(probe: Array, face: Array, payload: Array, port: Array, planes: Arr
 
 
 def docking(found: Array, tolerances: DockingTolerances, units: Units) -> tuple[Condition, ...]:
-    """The conditions of docking from what the law found (6,)."""
+    """Return the conditions of docking from the law's result (6,)."""
     value = found.tolist()
     if tolerances.axes == "y":
         letter, angle = "y", value[TURNED + 1]
@@ -159,4 +159,4 @@ _BEFORE_SAYS = ("probe {} before the port's face", "probe {} behind the port's f
 _INSIDE_SAYS = ("probe {} inside the docking envelope", "probe {} outside the docking envelope")
 _DISTANCE_SAYS = ("probe {} from the port", "")
 _SQUARE = 1e-9
-"""How exactly a port's directions have to be square and of unit length [1]."""
+"""Tolerance for a port's directions being perpendicular and of unit length [1]."""

@@ -1,6 +1,6 @@
-"""Drawing in: a misalignment that goes to nothing while a mechanism pulls a body into its seat.
+"""Drawing in: a misalignment that decreases to zero while a mechanism pulls a body into its seat.
 
-Both the end effector's carriage and a retention latch do so. Not modelled: forces, and what gives way to them.
+Both the end effector's carriage and a retention latch draw a body in. Not modelled: forces, and parts that give way.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ from aftdeck.law import law
 
 @law
 def remaining(whole: Array, fraction: float, out: Array) -> None:
-    """What is left of a misalignment: that fraction of its offset, and of its turn about the turn's own axis.
+    """Compute a fraction of a misalignment: that fraction of its offset, and of its rotation about the same axis.
 
     Args:
-        whole: (12,) pose of the body in its seat's frame [m]; no turn when it is seated.
-        fraction: 1 all of it, 0 nothing.
-        out: (12,) what is left.
+        whole: (12,) pose of the body in its seat's frame [m]; zero offset and no rotation when the body is seated.
+        fraction: 1 for the whole misalignment, 0 for none.
+        out: (12,) output: the remaining misalignment, as a pose.
     """
     r = whole[3:]
-    # (w, x, y, z), but for its length, by its largest part
+    # quaternion (w, x, y, z), not normalised, from its largest component for accuracy
     w, x, y, z = 1.0 + r[0] + r[4] + r[8], r[7] - r[5], r[2] - r[6], r[3] - r[1]
     if 1.0 + r[0] - r[4] - r[8] > w and r[0] >= r[4] and r[0] >= r[8]:
         w, x, y, z = r[7] - r[5], 1.0 + r[0] - r[4] - r[8], r[3] + r[1], r[2] + r[6]

@@ -1,9 +1,9 @@
-"""Free flight: what floats without anything that holds it, and the orbiter's own translation.
+"""Free flight: motion of bodies that nothing holds, and the orbiter's own translation.
 
 A free flyer either turns at a constant rate about an axis of its own, or is *limit cycling*: its attitude control lets
-each axis drift from one side of a deadband to the other and back, a triangle wave. Both are exact in time: the same
-instant is the same pose, whatever the steps on the way, but for rounding. Not modelled: gravity gradient, orbital
-motion, torque-free tumbling of bodies with three unlike moments of inertia.
+each axis drift from one side of a deadband to the other and back, in a triangle wave. Both motions are exact in time:
+except for rounding, the pose at an instant does not depend on the step sizes before it. Not modelled: gravity gradient,
+orbital motion, torque-free tumbling of bodies with three different moments of inertia.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ from aftdeck.law import law, sincos
 Vec3 = tuple[float, float, float]
 
 _SMALL = 1e-4
-"""Turns below it [rad] take the first terms of their sines' series, right to rounding."""
+"""Angle below which the first terms of the series of the sines are used, exact to rounding [rad]."""
 
 
 class LimitCycle(msgspec.Struct, frozen=True):
-    """Attitude control by thrusters that are only on or off, axis by axis; roll, pitch and yaw about 1, 2 and 3."""
+    """Limit cycle of on-off thrusters that control each axis separately: roll, pitch and yaw about axes 1, 2 and 3."""
 
     deadband: Vec3
-    """How far each angle goes to either side [rad]; a free flyer has 1 deg (assumed)."""
+    """Greatest angle to either side [rad]; a free flyer has 1 deg (assumed)."""
     rate: Vec3
-    """How fast each angle changes [rad/s]; its sign is the way it sets out; 0.02 deg/s (assumed)."""
+    """Rate of each angle [rad/s]; the sign is the initial direction; 0.02 deg/s (assumed)."""
     start: Vec3
-    """Each angle at time 0 [rad], within its deadband."""
+    """Angles at time 0 [rad], each within its deadband."""
 
     def packed(self) -> Array:
-        """(9,) as the law takes it.
+        """Return the limit cycle as an array (9,) for the law.
 
         Raises:
-            InputError: a start outside its deadband.
+            InputError: a start angle is outside its deadband.
         """
         for axis, (band, start) in enumerate(zip(self.deadband, self.start, strict=True), 1):
             if not abs(start) <= band < inf:
@@ -50,7 +50,7 @@ class LimitCycle(msgspec.Struct, frozen=True):
 
 
 class _Wave(NamedTuple):
-    """An angle [rad] and how fast it changes [rad/s]."""
+    """An angle [rad] and its rate of change [rad/s]."""
 
     angle: float
     slope: float
@@ -58,11 +58,11 @@ class _Wave(NamedTuple):
 
 @law
 def _wave(band: float, rate: float, start: float, time: float) -> _Wave:
-    """A triangle wave between -band and band. Where it turns back its slope is that to come."""
+    """Return a triangle wave between -band and band. At a turning point the slope is the one after it."""
     if band == 0.0 or rate == 0.0:
         return _Wave(start, 0.0)
     sense = 1.0 if rate > 0.0 else -1.0
-    # How far along the wave, from the side that it leaves, across and back again.
+    # Path covered along the wave, from the side where it begins, across the band and back.
     gone = (sense * start + band + abs(rate) * time) % (4.0 * band)
     if gone < 2.0 * band:
         return _Wave(sense * (gone - band), rate)
@@ -71,16 +71,16 @@ def _wave(band: float, rate: float, start: float, time: float) -> _Wave:
 
 @law
 def limit_cycle(cycle: Array, reference: Array, time: float, pose: Array, motion: Array) -> None:
-    """The attitude of a limit-cycling body at a time since its cycle began.
+    """Compute the attitude and angular velocity of a limit-cycling body at a time since its cycle began.
 
-    It is turned from the reference by yaw, then pitch, then roll (as ENDORI).
+    The attitude is the reference turned by yaw, then pitch, then roll (as ENDORI).
 
     Args:
-        cycle: (9,) packed.
-        reference: (3, 3) attitude about which it cycles, its axes as columns.
-        time: [s].
-        pose: (12,) position and rotation row by row; the rotation is written.
-        motion: (6,) angular velocity in the body's axes [rad/s], which is written, and velocity.
+        cycle: (9,) packed limit cycle.
+        reference: (3, 3) attitude about which the body cycles, its axes as columns.
+        time: time since the cycle began [s].
+        pose: (12,) position, then rotation row by row; only the rotation is written.
+        motion: (6,) angular velocity in the body's axes [rad/s], then velocity; only the angular velocity is written.
     """
     roll = _wave(cycle[0], cycle[3], cycle[6], time)
     pitch = _wave(cycle[1], cycle[4], cycle[7], time)
@@ -102,7 +102,7 @@ def limit_cycle(cycle: Array, reference: Array, time: float, pose: Array, motion
 
 @law
 def coast(pose: Array, motion: Array, dt: float) -> None:
-    """Move a pose on by a step at constant velocity and constant body rates.
+    """Advance a pose by one step at constant velocity and constant body rates.
 
     Args:
         pose: (12,) position [m], then the rotation row by row; changed.
@@ -119,7 +119,7 @@ def coast(pose: Array, motion: Array, dt: float) -> None:
     else:
         s, c = sincos(0.5 * angle)
         a, b = 2.0 * s * c / angle, 2.0 * s * s / square
-    for k in range(3):  # each row r becomes r + a r×v + b (r×v)×v: the rotation's rows times exp of the turn v
+    for k in range(3):  # each row r becomes r + a r×v + b (r×v)×v: the row times the exponential of the turn v
         p, q, r = pose[3 + 3 * k], pose[4 + 3 * k], pose[5 + 3 * k]
         u, v, w = q * z - r * y, r * x - p * z, p * y - q * x
         pose[3 + 3 * k] = p + a * u + b * (v * z - w * y)
@@ -130,7 +130,7 @@ def coast(pose: Array, motion: Array, dt: float) -> None:
 
 @law
 def _square_up(pose: Array) -> None:
-    """Take rounding out of a rotation: one step of Newton's towards the nearest orthonormal one, R (3 - RᵀR) / 2."""
+    """Remove rounding from a rotation: one Newton step towards the nearest orthonormal matrix, R (3 - RᵀR) / 2."""
     xx = pose[3] * pose[3] + pose[6] * pose[6] + pose[9] * pose[9]
     yy = pose[4] * pose[4] + pose[7] * pose[7] + pose[10] * pose[10]
     zz = pose[5] * pose[5] + pose[8] * pose[8] + pose[11] * pose[11]
@@ -146,17 +146,17 @@ def _square_up(pose: Array) -> None:
 
 @law
 def translate(position: Array, velocity: Array, command: Array, speed: float, reached_in: float, dt: float) -> None:
-    """Translate the orbiter for a step: axis by axis to the commanded speed at a constant acceleration, then on.
+    """Translate the orbiter by one step: each axis accelerates constantly to the commanded speed, then keeps it.
 
-    The position is integrated exactly, also where the speed is reached within the step. Without a command it comes to
-    rest as it set out. Section VII.2 of the report; 0.2 ft/s reached in 2 s (assumed).
+    The position is integrated exactly, even if the speed is reached within the step. Without a command the orbiter
+    slows to rest at the same acceleration. Section VII.2 of the report; 0.2 ft/s reached in 2 s (assumed).
 
     Args:
-        position: (3,) how far it has gone [m]; changed.
-        velocity: (3,) [m/s]; changed.
+        position: (3,) how far the orbiter has moved [m]; updated.
+        velocity: (3,) velocity of the orbiter [m/s]; updated.
         command: (3,) -1, 0 or 1 for each axis.
-        speed: greatest, of each axis [m/s].
-        reached_in: the time in which it is reached from rest [s].
+        speed: commanded speed of each axis [m/s].
+        reached_in: time to reach the speed from rest [s].
         dt: the step [s].
     """
     for k in range(3):

@@ -1,22 +1,22 @@
-"""What is found of each watched group in a step: a row of numbers, in L."""
+"""Measurements of one watched group (a monitored pair of parts) in a step: indices of a row of numbers, in L."""
 
 from __future__ import annotations
 
 CLEARANCE = 0
-"""The least clearance of the group's solids, negative where they overlap [m]; inf where the group does not count."""
+"""Least clearance of the group's solids, negative if they overlap [m]; inf if the group was not measured."""
 SPEED = 1
-"""How fast that clearance closes, positive as they approach [m/s]."""
+"""Closing speed of that clearance, positive while the parts approach [m/s]."""
 POINT_A, POINT_B = 2, 5
 """The closest points, of the first and the second part [m]."""
 NORMAL, DISTANCE = 8, 11
-"""The plane square to the shortest way, halfway: unit normal from the first to the second part [1], distance [m].
+"""Plane halfway along the shortest way, perpendicular to it: unit normal from first to second part [1], distance [m].
 
-Of solids in contact the way is that which takes them apart, and the plane does not separate them; of all others it
-does, with all sixteen vertices of the two solids looked at.
+If the solids are apart, the plane separates all sixteen vertices of the two. If the solids are in contact, the way is
+the one that takes them apart, and the plane does not separate them.
 """
 FEATURE_A, FEATURE_B = 12, 13
-"""What penetrates, touches or is closest, as in `aftdeck.bodies.pair`."""
+"""Features that penetrate, touch or are closest, as in `aftdeck.bodies.pair`."""
 WHICH = 14
-"""Which pair of solids of the layout it is."""
+"""Index in the layout of the pair of solids with this clearance."""
 FOUND = 15
 """Length of a row."""

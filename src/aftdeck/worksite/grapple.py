@@ -1,4 +1,4 @@
-"""The capture envelope of the Shuttle arm's end effector: where a grapple fixture's pin can be taken by the snares."""
+"""The capture envelope of the Shuttle arm's end effector: poses at which the snares can capture the grapple pin."""
 
 from __future__ import annotations
 
@@ -11,30 +11,30 @@ from aftdeck.worksite.conditions import Condition, Units, within
 
 
 class CaptureEnvelope(msgspec.Struct, frozen=True):
-    """Where the grapple fixture may stand, in the end effector's axes, for the snares to take its pin."""
+    """Range of poses of the grapple fixture, in the end effector's axes, in which the snares can capture its pin."""
 
     radial: float
-    """From the end effector's axis [m]; SSV has 4 in [S]."""
+    """Greatest distance from the end effector's axis [m]; SSV has 4 in [S]."""
     nearest: float
-    """Along the axis, outwards, from where it stands when rigid [m]."""
+    """Least position along the axis, outwards from the rigid position [m]."""
     farthest: float
-    """The same; the cylinder is about 4 in deep [R]."""
+    """Greatest position along the axis, as `nearest` [m]; the cylinder is about 4 in deep [R]."""
     pitch: float
-    """About axis 2, to either side [rad]; SSV has 10 deg for all three [S], others 15 deg for pitch and yaw [R]."""
+    """Limit about axis 2, to either side [rad]; SSV has 10 deg for all three [S], others 15 deg for pitch, yaw [R]."""
     yaw: float
-    """About axis 3 [rad]."""
+    """Limit about axis 3, to either side [rad]."""
     roll: float
-    """About axis 1 [rad]."""
+    """Limit about axis 1, to either side [rad]."""
 
 
 def in_envelope(fixture: Pose, envelope: CaptureEnvelope, units: Units) -> tuple[Condition, ...]:
-    """The conditions of capture.
+    """Return the conditions of capture.
 
     Args:
-        fixture: pose of the grapple fixture in the end effector's axes (1 outwards), whose own axes are the end
-            effector's when it is rigid, its origin theirs.
-        envelope: where it may stand.
-        units: the operator's.
+        fixture: pose of the grapple fixture in the end effector's axes (1 outwards). When rigid, the fixture's axes
+            and origin coincide with those of the end effector.
+        envelope: the capture envelope.
+        units: the operator's units.
     """
     out, y, z = fixture.position.tolist()
     roll, pitch, yaw = oriend(fixture.rotation)

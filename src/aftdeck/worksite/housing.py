@@ -1,4 +1,4 @@
-"""What cameras are made of: drawn and solid where the camera stands, which its own table alone says."""
+"""Housings of cameras: their shapes and solids, placed where the camera's own table puts the camera."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ class Housed(NamedTuple):
     """The housings on a body, in its axes.
 
     Attributes:
-        shapes: how they look.
-        solids: by part (``camera A``), (1, 8, 3) vertices [m].
+        shapes: shapes that draw the housings.
+        solids: vertices (1, 8, 3) by name of the part (``camera A``) [m].
     """
 
     shapes: list[Shape]
@@ -28,7 +28,7 @@ class Housed(NamedTuple):
 
 
 def housed(cameras: Sequence[Camera], file: WorksiteFile, body: str) -> Housed:
-    """The housings of the cameras that stand on a body and whose drive has one."""
+    """Return the housings of the cameras that are mounted on a body and whose drive has a housing."""
     housings = {housing.drive: housing for housing in file.housing}
     drives = {camera.name: camera.drive for camera in file.camera}
     found = Housed([], {})
@@ -40,7 +40,7 @@ def housed(cameras: Sequence[Camera], file: WorksiteFile, body: str) -> Housed:
 
 
 def _add(found: Housed, camera: Camera, housing: HousingFile) -> None:
-    """A camera's housing about the point where the axes of its pan and tilt meet, the lens' way behind the lens."""
+    """Add a camera's housing at the point where its pan and tilt axes meet, `drive.lens` behind the lens."""
     lens = camera.drive.lens if camera.drive is not None else 0.0
     ahead = np.array(camera.boresight) / math.hypot(*camera.boresight)
     x, y, z = (np.array(camera.position) - lens * ahead).tolist()

@@ -1,6 +1,6 @@
-"""Payload retention latches: they close on trunnions that are ready, draw the payload into its seat, and open again.
+"""Payload retention latches: they close on trunnions that are ready, draw the payload into its seat, and release it.
 
-All latches of a seat go together. Sources: SCOM p. 704 and SSV (times).
+All latches of a seat move together. Sources: SCOM p. 704 and SSV (times).
 """
 
 from __future__ import annotations
@@ -14,31 +14,31 @@ from aftdeck.worksite.conditions import Condition, all_hold, refusal
 from aftdeck.worksite.said import Said, refused
 
 _THERE = 1e-9
-"""Latches so near to their end [1] are there: rounding, not travel."""
+"""Remaining travel that counts as none [1]: it is due to rounding."""
 
 
 class Latches(msgspec.Struct, frozen=True):
-    """The state of a seat's latches; a frozen value and so its own save."""
+    """State of a seat's latches; an immutable value, so it can be saved as it is."""
 
     closed: float = 0.0
-    """0 released, 1 latched."""
+    """Position of the latches: 0 released, 1 latched."""
     drawn: float = 0.0
-    """How far the payload has been drawn in since they began to close: their farthest."""
+    """Greatest value of `closed` since the latches began to close: the payload has been drawn in so far."""
     motion: Literal["", "latch", "unlatch"] = ""
 
     @property
     def hold(self) -> bool:
-        """Whether they hold the payload: from when they begin to close until they are released."""
+        """Whether the latches hold the payload: from when they begin to close until they are released."""
         return self.closed > 0.0
 
     @property
     def misaligned(self) -> float:
-        """The fraction that is left of the misalignment at which they began to close."""
+        """Remaining fraction of the misalignment at which the latches began to close."""
         return 1.0 - self.drawn
 
 
 class Moved(NamedTuple):
-    """A step's result."""
+    """Result of a step."""
 
     latches: Latches
     said: tuple[Said, ...]
@@ -51,14 +51,15 @@ def advance(
     dt: float,
     conditions: Sequence[Condition],
 ) -> Moved:
-    """The state after a step.
+    """Return the state of the latches after a step, with the log lines.
 
     Args:
-        latches: the state before it.
-        time: from released to latched [s]; 30 s with two motors, 60 s with one [F].
-        command: given in this step; a motion goes on to its end by itself, or until the other command.
+        latches: the state before the step.
+        time: time from released to latched [s]; 30 s with two motors, 60 s with one [F].
+        command: command given in this step, or "". A motion continues to its end without further commands, unless the
+            opposite command is given.
         dt: the step's length [s].
-        conditions: of latching, as `berthing.ready_to_latch` says them; empty where no payload is near. They matter
+        conditions: conditions of latching, from `berthing.ready_to_latch`; empty if no payload is near. They matter
             only for LATCH on released latches.
     """
     said: list[Said] = []
@@ -84,7 +85,7 @@ def _put(latches: Latches, closed: float) -> Latches:
 
 
 def _refusal(latches: Latches, command: Literal["", "latch", "unlatch"], conditions: Sequence[Condition]) -> str:
-    """Why a command is not obeyed; empty where it is."""
+    """Return why a command is rejected; empty if it is accepted."""
     if command == "unlatch":
         return "" if latches.hold else "UNLATCH refused: the latches are released already"
     if latches.closed == 1.0:

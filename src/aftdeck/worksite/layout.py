@@ -1,7 +1,7 @@
-"""All solids of a flight and which of them are watched, packed for the laws.
+"""All solids of a run and the monitored pairs of parts, packed for the laws.
 
-People are told of *parts* ("lower boom", "bay wall port"), the laws look at *solids*, of which a part has one or
-several. A *group* is a pair of parts that is watched; its clearance is the least of its solids' pairs.
+The operator reads the names of *parts* ("lower boom", "bay wall port"); the laws measure *solids*, of which a part has
+one or several. A *group* is a monitored pair of parts. The clearance of a group is the least over its pairs of solids.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ PartPair = tuple[str, str]
 POSE = 12
 """Length of a frame's pose: its origin [m], then its rotation row by row."""
 CENTRE, RADIUS = BODY, BODY + 3
-"""Where a packed solid's bounding sphere stands, behind its body [m]."""
+"""Indices of a packed solid's bounding sphere, behind its body; both in [m]."""
 SOLID = BODY + 4
 """Length of a packed solid."""
 _ROOM = 1e-9
-"""By how much a bounding sphere is too large [m]: more than rounding takes off it a kilometre from the origin."""
+"""Margin added to the radius of a bounding sphere [m]: more than rounding loses a kilometre from the origin."""
 
 
 class Layout(msgspec.Struct, frozen=True, eq=False):
-    """The solids of a flight in packed arrays, all read-only. Every index counts from zero."""
+    """The solids of a run in packed arrays, all read-only. Every index counts from zero."""
 
     frames: tuple[str, ...]
     """Names of the rows of every `frames` array, (F, 12)."""
@@ -45,41 +45,41 @@ class Layout(msgspec.Struct, frozen=True, eq=False):
     groups: Indices
     """(g, 2) the two parts of each group."""
     pairs: Indices
-    """(m, 2) the two solids of each pair, those of a group together and in the order of the groups."""
+    """(m, 2) the two solids of each pair; the pairs of a group are together, in the order of the groups."""
     begins: Indices
-    """(g + 1,) where each group's pairs begin; the last is m."""
+    """(g + 1,) index of each group's first pair; the last entry is m."""
     between_frames: Indices
     """(g, 2) the frames of the two parts of each group."""
     reach: Array
-    """(F,) how far from a frame's origin its solids reach [m]."""
+    """(F,) greatest distance of a frame's solids from its origin [m]."""
 
     @property
     def packed(self) -> tuple[Array, Indices, Indices, Indices, Indices, Array]:
-        """What `watch.watch` takes of it: solids, their frames, pairs, where groups begin, between what, reach."""
+        """Arrays for `watch.watch`: `solids`, `frame`, `pairs`, `begins`, `between_frames`, `reach`."""
         return self.solids, self.frame, self.pairs, self.begins, self.between_frames, self.reach
 
     def named(self, group: int) -> PartPair:
-        """What the two parts of a group are called."""
+        """Return the names of the two parts of a group."""
         a, b = self.groups[group].tolist()
         return self.parts[a], self.parts[b]
 
     def part(self, name: str) -> int:
-        """The index of a part.
+        """Return the index of a part.
 
         Raises:
-            InputError: no part of that name.
+            InputError: no part has that name.
         """
         if name not in self.parts:
             raise InputError(f"no part is called {name!r}; there are {', '.join(self.parts)}")
         return self.parts.index(name)
 
     def between(self, some: Collection[str], others: Collection[str]) -> Mask:
-        """(g,) 1 for each group that has one of `some` parts on one side and one of the `others` on the other."""
+        """Return a mask (g,): 1 for each group of one part in `some` and one part in `others`."""
         a, b = (np.isin(self.groups, [self.part(name) for name in names]) for names in (some, others))
         return ((a[:, 0] & b[:, 1]) | (a[:, 1] & b[:, 0])).astype(np.uint8)
 
     def carried(self, frames: Collection[str]) -> Mask:
-        """(g,) 1 for each group of which a part stands in one of these frames."""
+        """Return a mask (g,): 1 for each group with a part in one of these frames."""
         unknown = set(frames) - set(self.frames)
         if unknown:
             raise InputError(f"no frame is called {min(unknown)!r}; there are {', '.join(self.frames)}")
@@ -87,21 +87,21 @@ class Layout(msgspec.Struct, frozen=True, eq=False):
         return np.asarray(inside[self.groups[:, 0]] | inside[self.groups[:, 1]], np.uint8)
 
     def parts_in(self, frame: str) -> tuple[str, ...]:
-        """The parts that stand in a frame."""
+        """Return the names of the parts in a frame."""
         return tuple(part for part, k in zip(self.parts, self.part_frame, strict=True) if self.frames[k] == frame)
 
 
 def layout_of(frames: tuple[str, ...], solids: Sequence[Solid], part_pairs: Iterable[PartPair]) -> Layout:
-    """Checks and packs the solids of a flight.
+    """Check and pack the solids of a run.
 
     Args:
-        frames: names of the rows of the `frames` arrays to come.
-        solids: every solid; one whose part is in no pair is packed too.
-        part_pairs: which parts are watched, each pair once.
+        frames: names of the rows of the `frames` arrays.
+        solids: all solids, including those whose part is in no pair.
+        part_pairs: the monitored pairs of parts, each pair once.
 
     Raises:
-        InputError: a solid that is no convex hexahedron or whose frame is unknown, a part in two frames, a pair of
-            parts that are unknown, fixed to one frame, or named before.
+        InputError: a solid is not a convex hexahedron or has an unknown frame, a part has solids in two frames, or a
+            pair has unknown parts, parts fixed to one frame, or is listed twice.
     """
     home: dict[str, str] = {}
     for solid in solids:
@@ -143,7 +143,7 @@ def layout_of(frames: tuple[str, ...], solids: Sequence[Solid], part_pairs: Iter
 
 
 def _watchable(a: str, b: str, home: dict[str, str]) -> None:
-    """Refuses a pair of parts that is none."""
+    """Reject a pair of parts that cannot be monitored (InputError)."""
     for part in (a, b):
         if part not in home:
             raise InputError(f"{a} – {b}: no solid belongs to {part!r}; there are {', '.join(home)}")
@@ -152,7 +152,7 @@ def _watchable(a: str, b: str, home: dict[str, str]) -> None:
 
 
 def _packed(solids: Sequence[Solid]) -> Array:
-    """(n, 52) bodies with their bounding spheres: about the middle of their extent."""
+    """Return packed solids (n, 52): bodies with their bounding spheres, centred on the middle of their extent."""
     packed = np.empty((len(solids), SOLID))
     for row, solid in zip(packed, solids, strict=True):
         row[:BODY] = hexahedron(solid.vertices, solid.part)

@@ -1,4 +1,4 @@
-"""Read a worksite's file: built in by name, or any other by path."""
+"""Loading of worksite files: a built-in one by name, or any other by path."""
 
 from __future__ import annotations
 
@@ -37,42 +37,44 @@ _BUILT_IN = Path(__file__).parent
 
 
 def worksites() -> tuple[str, ...]:
-    """Names of the built-in worksites."""
+    """Return the names of the built-in worksites."""
     return tuple(sorted(path.stem for path in _BUILT_IN.glob("*.toml")))
 
 
 def load_worksite(name_or_path: str | Path, dimensions: Mapping[str, float | str] | None = None) -> Worksite:
-    """Worksite of a built-in name (``orbiter``) or of the TOML file at a path.
+    """Return the worksite of a built-in name (``orbiter``) or of the TOML file at a path.
 
     Args:
-        name_or_path: of the file.
-        dimensions: values in place of those in the file's ``[dimensions]``.
+        name_or_path: name of a built-in worksite, or path of a file.
+        dimensions: values that replace those in the file's ``[dimensions]``.
 
     Raises:
-        ScenarioError: no such name or file, or things in it that cannot be drawn or stand in each other's way; says
-            what and where.
+        ScenarioError: the name or file does not exist, or the file is invalid: for example, an item cannot be made, or
+            a camera is inside a solid. The message says what is wrong and where.
     """
     return _of_text(_file(name_or_path), tuple((dimensions or {}).items()))
 
 
 def dimensions_of(name_or_path: str | Path, over: Mapping[str, float | str]) -> dict[str, str | float]:
-    """Return a worksite's dimensions as derived, with others in place of its own; those that are wrong are left out.
+    """Return a worksite's derived dimensions, with the values in `over` replacing its own.
+
+    Invalid dimensions are left out.
 
     Raises:
-        ScenarioError: no such name, or a file that is no TOML.
+        ScenarioError: the name or file does not exist, or the file is not valid TOML.
     """
     file, _ = examine(_Dimensions, _file(name_or_path), {(KEY, key): value for key, value in over.items()}, derive)
     return {} if file is None else file.dimensions
 
 
 class _Dimensions(msgspec.Struct, frozen=True):
-    """What of a worksite's file names quantities."""
+    """The part of a worksite's file that names quantities."""
 
     dimensions: dict[str, str | float] = msgspec.field(default_factory=dict)
 
 
 def _file(name_or_path: str | Path) -> Text:
-    """The file of a built-in name or a path, as it was read."""
+    """Return the name and the unparsed text of the file with a built-in name or a path."""
     built_in = str(name_or_path) in worksites()
     path = _BUILT_IN / f"{name_or_path}.toml" if built_in else Path(name_or_path)
     if not path.is_file():
@@ -87,7 +89,7 @@ def _file(name_or_path: str | Path) -> Text:
 
 @functools.lru_cache(maxsize=8)
 def _of_text(source: Text, dimensions: tuple[tuple[str, float | str], ...]) -> Worksite:
-    """The worksite of a file's text, made and checked once: nothing changes it."""
+    """Return the worksite of a file's text. It is immutable, so it is made and checked only once and cached."""
     name, text = source
     file, problems = examine(WorksiteFile, source, {(KEY, key): value for key, value in dimensions}, derive)
     if file is None or problems:
@@ -103,7 +105,7 @@ def _of_text(source: Text, dimensions: tuple[tuple[str, float | str], ...]) -> W
 
 
 def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
-    """The worksite without what is wrong in it, which is noted."""
+    """Return the worksite without its invalid items, and add a problem for each of them to `problems`."""
     cameras = _cameras(file, problems)
     made = [
         _body(body, i, _discs(file, body.name), housed(tuple(cameras.values()), file, body.name), problems)
@@ -151,14 +153,14 @@ def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
 
 
 def _discs(file: WorksiteFile, body: str) -> list[Shape]:
-    """What shows a body's ports."""
+    """Return the shapes that mark a body's ports."""
     return [disc(seat) for seat in file.seat if isinstance(seat, PortFile) and seat.body == body]
 
 
 def _body(
     file: BodyFile, i: int, ports: list[Shape], cameras: Housed, problems: list[Problem]
 ) -> tuple[Body, tuple[Solid, ...]]:
-    """A body, and its solids in its frame of motion."""
+    """Return a body, and its solids in its frame of motion."""
     shapes = [*file.shapes, *ports, *cameras.shapes]
     body = Body(file.name, (), file.fixed_to, _plain(file.position), _plain(file.rotation))
     solids: list[Solid] = []
@@ -191,7 +193,7 @@ def _seats(
 
 
 def _cargoes(file: WorksiteFile, seats: Sequence[Seat], problems: list[Problem]) -> dict[int, Cargo]:
-    """The cargoes that can be made, by their index in the file."""
+    """Return the valid cargoes by their index in the file, and add a problem for each other one."""
     by_name = {seat.name: seat for seat in seats}
     cargoes = {}
     for i, cargo in enumerate(file.cargo):
@@ -203,7 +205,7 @@ def _cargoes(file: WorksiteFile, seats: Sequence[Seat], problems: list[Problem])
 
 
 def _cameras(file: WorksiteFile, problems: list[Problem]) -> dict[int, Camera]:
-    """The cameras that can be made, by their index in the file."""
+    """Return the valid cameras by their index in the file, and add a problem for each other one."""
     cameras = {}
     for i, camera in enumerate(file.camera):
         try:
@@ -214,7 +216,7 @@ def _cameras(file: WorksiteFile, problems: list[Problem]) -> dict[int, Camera]:
 
 
 def _named(name: str, parts: Collection[str]) -> tuple[str, ...]:
-    """The parts that a name stands for: that fitting of every cargo, both sides of what is mirrored, or itself."""
+    """Return the parts that a name refers to: that fitting of every cargo, a part and its mirror image, or one part."""
     if name in FITTINGS:
         return tuple(part for part in parts if part.endswith(f" {name}"))
     sides = tuple(part for part in (f"{name} port", f"{name} starboard") if part in parts)

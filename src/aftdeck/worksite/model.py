@@ -1,7 +1,7 @@
-"""The worksite: the bodies round the arm, what they collide as, where cargo is kept, and the cameras.
+"""Data model of the worksite: the bodies around the arm, their solids, the seats of cargo, and the cameras.
 
-Frames that solids and seats stand in are named ``orbiter`` (the scene's, fixed to the orbiter), ``space`` (the same at
-the start, but what stands in it does not move with the orbiter), and for each cargo its own name.
+The coordinate frames of solids and seats are ``orbiter`` (that of the scene, fixed to the orbiter), ``space`` and one
+named after each cargo. ``space`` coincides with ``orbiter`` at the start, but does not move with the orbiter.
 """
 
 from __future__ import annotations
@@ -24,18 +24,18 @@ class Body(msgspec.Struct, frozen=True):
     """A rigid body of the worksite."""
 
     name: str
-    """As cameras and the scene name it: ``orbiter``."""
+    """Name used by cameras and the scene, for example ``orbiter``."""
     shapes: tuple[Shape, ...]
-    """What it looks like, in its own frame."""
+    """Shapes that draw the body, in its own frame."""
     fixed_to: Frame = "orbiter"
     position: Vec3 = (0.0, 0.0, 0.0)
-    """Of its own frame, in the scene at the start [m]."""
+    """Position of the body's own frame in the scene at the start [m]."""
     rotation: Vec3 = (0.0, 0.0, 0.0)
     """Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]."""
 
     @property
     def pose(self) -> Pose:
-        """Its own frame in the scene at the start."""
+        """Pose of the body's own frame in the scene at the start."""
         return Pose(np.array(self.position), endori(*self.rotation))
 
 
@@ -43,17 +43,17 @@ class Guides(msgspec.Struct, frozen=True):
     """V-shaped guides over each longeron latch."""
 
     height: float
-    """From the trunnion's place to their upper ends [m]."""
+    """Height of the guides' upper ends above the stowed trunnion [m]."""
     half_angle: float
-    """Of the V's opening, from the vertical [rad]."""
+    """Half angle of the V's opening, from the vertical [rad]."""
     throat: float
-    """Half the width of the V at the trunnion's place, less the trunnion's radius [m]."""
+    """Half the width of the V at the stowed trunnion, less the trunnion's radius [m]."""
     play: float
-    """How far a trunnion may stand either way along its own axis [m]."""
+    """Greatest offset of a trunnion along its own axis, in either direction [m]."""
 
 
 class Seat(msgspec.Struct, frozen=True, eq=False):
-    """Where a cargo can be fixed: a docking port, or a place in the bay."""
+    """A seat, where a cargo can be fixed: a docking port, or a berth in the bay."""
 
     name: str
     title: str
@@ -61,28 +61,29 @@ class Seat(msgspec.Struct, frozen=True, eq=False):
     body: str
     frame: Frame
     pose: Pose
-    """In its frame: of the port's centre, or of a seated cargo."""
+    """Pose of the port's centre, or of a seated cargo, in `frame`."""
     latch: Literal["auto", "command"]
     time: float
-    """How long its latches take [s]."""
+    """Time that the latches take [s]."""
     distance: float
-    """How far from its place a cargo may be [m]."""
+    """Greatest distance of a cargo from its seated position for latching [m]."""
     angle: float
-    """How far it may be turned [rad]."""
+    """Greatest rotation of a cargo from its seated attitude for latching [rad]."""
     envelope: Array
-    """A port's, (5, 4) planes in the port's axes about its centre, each a unit normal n [1] and a distance d [m], of
-    the face that it is on and of the four beside it, extended. A point p is in it where n.p <= d for all."""
+    """Docking envelope of a port: (5, 4) planes in the port's axes about its centre. Each has a unit normal n [1] and a
+    distance d [m]. The planes are those of the port's face and of the four adjacent faces, extended. A point p is in
+    the envelope if n.p <= d for all planes."""
     guides: Guides | None
-    """Of a place in the bay; with them it takes only cargo that has trunnions."""
+    """Guides of a berth in the bay; a seat with guides takes only cargo that has trunnions."""
 
     def lacks(self, probe: Pose | None, trunnions: Array) -> str:
-        """What a cargo with this probe and these trunnions lacks to be held here; empty: nothing."""
+        """Return what a cargo with this probe and these trunnions lacks to be held here; empty if nothing."""
         if self.kind == "port":
             return "" if probe else "probe"
         return "trunnions" if self.guides and not len(trunnions) else ""
 
     def seated(self, probe: Pose | None) -> Pose:
-        """Pose of a cargo's own frame, in the seat's frame, when it is seated here, by its probe where it is a port."""
+        """Return the pose of a seated cargo's own frame, in the seat's frame; in a port, the probe is at the port."""
         if self.kind == "retention" or probe is None:
             return self.pose
         rotation = self.pose.rotation @ probe.rotation.T
@@ -90,144 +91,144 @@ class Seat(msgspec.Struct, frozen=True, eq=False):
 
 
 class Start(msgspec.Struct, frozen=True, eq=False):
-    """Where a cargo is at the start."""
+    """Position and motion of a cargo at the start."""
 
     seat: str
-    """Name of the seat that holds it; empty: it is free."""
+    """Name of the seat that holds the cargo; empty if the cargo is free."""
     pose: Pose
-    """In the scene at the start, also of a seated one."""
+    """Pose in the scene at the start, given for a seated cargo as well."""
     velocity: Array
-    """(3,) of its centre, in the scene, against the orbiter [m/s]."""
+    """(3,) velocity of the cargo's centre relative to the orbiter, in the scene [m/s]."""
     rates: Array
-    """(3,) about its own axes [rad/s]."""
+    """(3,) angular rates about the cargo's own axes [rad/s]."""
 
 
 class LimitCycle(msgspec.Struct, frozen=True, eq=False):
-    """How a free cargo's attitude control wanders about its attitude."""
+    """Limit cycle of a free cargo's attitude control."""
 
     deadband: Array
-    """(3,) to either side, about its own axes [rad]."""
+    """(3,) greatest angles to either side, about the cargo's own axes [rad]."""
     rate: Array
-    """(3,) how fast each angle changes; its sign is the way it sets out [rad/s]."""
+    """(3,) rate of each angle; the sign is the initial direction [rad/s]."""
     start: Array
-    """(3,) each angle at time 0, within its deadband [rad]."""
+    """(3,) angles at time 0, each within its deadband [rad]."""
 
 
 class Cargo(msgspec.Struct, frozen=True, eq=False):
-    """Something that the arm can hold. Its own frame is at its body's centre: x along it, to aft in the bay, z up."""
+    """An object that the arm can hold. Its own frame is at its body's centre: x along it, to aft in the bay, z up."""
 
     name: str
-    """Also of its frame."""
+    """Name of the cargo and of its frame."""
     title: str
     mass: float
-    """[kg]"""
+    """Mass [kg]."""
     shapes: tuple[Shape, ...]
-    """What it looks like."""
+    """Shapes that draw the cargo."""
     solids: tuple[Solid, ...]
-    """In its own frame; parts are called after the cargo and what they are: ``payload``, ``payload probe``."""
+    """Solids in the cargo's own frame; parts are named after cargo and fitting: ``payload``, ``payload probe``."""
     probe: Pose | None
-    """Centre of the probe's forward face; its axes are the cargo's."""
+    """Pose of the centre of the probe's forward face; its axes are the cargo's."""
     receptacle: Array | None
     """(8, 3) the bar [m], numbered as the report's RECPT in axes x aft, y port, z down: c on top, b and e its sides."""
     grapple: Pose | None
-    """The end effector's own axes E, about the tip, at a perfect grasp of the fixture."""
+    """Pose of the end effector's own axes E, about the tip, at a perfect grasp of the fixture."""
     trunnions: Array
-    """(n, 3) the points that the bay's latches hold, port and starboard of each pair, then the keel's [m]."""
+    """(n, 3) the points that the bay's latches hold, port and starboard of each pair, then the keel pin's [m]."""
     trunnion_names: tuple[str, ...]
-    """``forward port``, ``forward starboard`` … ``keel``; of more than two pairs ``2 port``."""
+    """``forward port``, ``forward starboard`` … ``keel``; unless there are two pairs, numbers such as ``2 port``."""
     start: Start
     limit_cycle: LimitCycle | None
 
 
 class BarAcquisition(msgspec.Struct, frozen=True):
-    """When the concept's hand has acquired a bar; the report's names in brackets."""
+    """Conditions for the concept's hand to acquire a bar; the report's names are in brackets."""
 
     prong_spacing: float
-    """From the palm's centre line to the prong's inner face, at most which the prong is closed (PRGSPC) [m]."""
+    """Greatest distance of the prong's inner face from the palm's centre line for a closed prong (PRGSPC) [m]."""
     window: float
-    """Of the palm's height over the bar's top (TOPB) [m]."""
+    """Greatest height of the palm above the bar's top (TOPB) [m]."""
     front: float
-    """How far inward of the bar's forward end the palm's centre has to be (FRONT) [m]."""
+    """Least distance of the palm's centre inward from the bar's forward end (FRONT) [m]."""
     rear: float
-    """The same of the aft end (REAR) [m]."""
+    """Least distance of the palm's centre inward from the bar's aft end (REAR) [m]."""
     fingers_within: float
     """Distance of palm and bar beyond which the fingers are not tested [m]."""
 
 
 class SnareCapture(msgspec.Struct, frozen=True):
-    """When the Shuttle's end effector can capture a fixture, and how long it takes."""
+    """Capture envelope of the Shuttle's end effector, and the durations of its motions."""
 
     radial: float
-    """From the end effector's axis [m]."""
+    """Greatest distance from the end effector's axis [m]."""
     nearest: float
-    """Along the axis, outwards, from where the fixture stands when it is rigid [m]."""
+    """Least position of the fixture along the axis, outwards from its rigid position [m]."""
     farthest: float
-    """The same [m]."""
+    """Greatest position of the fixture along the axis, as `nearest` [m]."""
     pitch: float
-    """About axis 2 of E, to either side [rad]."""
+    """Limit about axis 2 of E, to either side [rad]."""
     yaw: float
-    """About axis 3 [rad]."""
+    """Limit about axis 3 of E, to either side [rad]."""
     roll: float
-    """About axis 1 [rad]."""
+    """Limit about axis 1 of E, to either side [rad]."""
     ring: float
-    """To close or open the snares [s]."""
+    """Time to close or open the snares [s]."""
     carriage: float
-    """To retract or extend [s]."""
+    """Time to retract or extend the carriage [s]."""
     tension: float
-    """To rigidize or derigidize [s]."""
+    """Time to rigidize or derigidize [s]."""
 
 
 Relation = Literal["acquisition", "docking", "guides", "capture"]
-"""By which conditions two parts may touch: those of the bar, the port, the V-guides or the grapple fixture."""
+"""Conditions under which two parts may touch: those of the bar, the port, the V-guides or the grapple fixture."""
 
 
 class Essential(msgspec.Struct, frozen=True):
-    """Two parts that the task brings into contact, where and how deep they may touch."""
+    """Two parts that the task brings into contact, with the relation and depth within which they may touch."""
 
     parts: tuple[str, str]
-    """One is a cargo's, the other the arm's or a body's."""
+    """Names of a cargo's part and of a part of the arm or of a body."""
     relation: Relation
-    """Outside of it the contact is detrimental."""
+    """Relation of the two parts; if it does not hold, the contact is detrimental."""
     depth: float
-    """How deep the two may be in each other, and how far past the relation's planes [m]."""
+    """Greatest penetration of the two parts, and greatest distance past the relation's planes [m]."""
 
 
 class Bay(msgspec.Struct, frozen=True):
-    """The inside of the cargo bay, in the frame ``orbiter``; a cargo that is all above it has been extracted."""
+    """The inside of the cargo bay, in the frame ``orbiter``; a cargo completely above it has been extracted."""
 
     low: Vec3
-    """[m]"""
+    """Least coordinates [m]."""
     high: Vec3
-    """[m]"""
+    """Greatest coordinates [m]."""
 
 
 class Translation(msgspec.Struct, frozen=True):
-    """How the orbiter moves against what does not move with it."""
+    """Translation of the orbiter relative to the frame ``space``."""
 
     speed: float
-    """[m/s]"""
+    """Commanded speed of each axis [m/s]."""
     reached_in: float
-    """[s]"""
+    """Time to reach the speed from rest [s]."""
 
 
 class Worksite(msgspec.Struct, frozen=True, eq=False):
-    """A place of work. The first body's own frame is the scene frame."""
+    """A worksite. The first body's own frame is the scene frame."""
 
     name: str
     title: str
     bodies: tuple[Body, ...]
     cameras: tuple[Camera, ...]
     text: str
-    """The file, as it was read."""
+    """Text of the file, unparsed."""
     dimensions: dict[str, str | float]
-    """Its dimensions as derived, for which a scenario may give other values."""
+    """Derived dimensions; a scenario may replace their values."""
     origin: Vec3
     """Structural Xo, Yo, Zo of the scene's origin [m]."""
     solids: tuple[Solid, ...]
-    """Of the bodies, in the frames ``orbiter`` and ``space``."""
+    """Solids of the bodies, in the frames ``orbiter`` and ``space``."""
     seats: tuple[Seat, ...]
     cargoes: tuple[Cargo, ...]
-    """On offer: a scenario names those that are there."""
+    """Available cargoes; a scenario names those that are present."""
     essential: tuple[Essential, ...]
     """Pairs of parts that the task brings into contact; some parts are the arm's."""
     acquisition: BarAcquisition | SnareCapture | None

@@ -1,4 +1,4 @@
-"""How a frame moves, from where it was a step ago: the screw that takes it from there to here at a constant pace."""
+"""Motion of a coordinate frame, from its poses before and after a step: the constant screw motion between the two."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from aftdeck.law import law
 from aftdeck.worksite.layout import POSE
 
 _SMALL = 1e-2
-"""Angle below which the series is taken [rad]: its next term is 3e-13, what the closed form loses there 1e-12."""
+"""Angle below which the series is used [rad]: its next term is 3e-13, and the closed form loses 1e-12 there."""
 
 
 class Motion(NamedTuple):
@@ -26,9 +26,9 @@ class Motion(NamedTuple):
 
 @law
 def motion(before: Array, now: Array, period: float) -> Motion:
-    """The motion at the end of a step that took a frame from one pose to another, both (12,) in L.
+    """Return the motion of a frame at the end of a step, from its poses before and after, both (12,) in L.
 
-    Exact for a body that turns and moves at a constant twist; turns of half a circle in a step are not told apart.
+    The result is exact for a constant twist. Rotations of half a turn or more in one step are ambiguous.
     """
     still = True
     for k in range(POSE):
@@ -36,7 +36,7 @@ def motion(before: Array, now: Array, period: float) -> Motion:
     if still:
         return Motion(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     r, q = now[3:], before[3:]
-    # the turn R Q' less its transpose, and its trace
+    # axis times sine of the rotation R Qᵀ, from its antisymmetric part; the cosine below is from its trace
     x = 0.5 * (_dot(r, q, 6, 3) - _dot(r, q, 3, 6))
     y = 0.5 * (_dot(r, q, 0, 6) - _dot(r, q, 6, 0))
     z = 0.5 * (_dot(r, q, 3, 0) - _dot(r, q, 0, 3))
@@ -45,7 +45,8 @@ def motion(before: Array, now: Array, period: float) -> Motion:
     scale = angle / sine if sine > 0.0 else 1.0
     x, y, z = scale * x, scale * y, scale * z
     dx, dy, dz = now[0] - before[0], now[1] - before[1], now[2] - before[2]
-    # The way is a chord; at its end the origin goes along V^-1 d + angle x d, of the exponential's V.
+    # The displacement d is a chord of the screw motion: the velocity at its end is along V^-1 d + turn x d, where V is
+    # the matrix of the exponential map that takes a constant velocity to the displacement.
     ux, uy, uz = y * dz - z * dy, z * dx - x * dz, x * dy - y * dx
     wx, wy, wz = y * uz - z * uy, z * ux - x * uz, x * uy - y * ux
     square = angle * angle
@@ -63,14 +64,14 @@ def motion(before: Array, now: Array, period: float) -> Motion:
 
 @law
 def _dot(r: Array, q: Array, i: int, j: int) -> float:
-    """The product of two rows that begin at i and j."""
+    """Return the dot product of two rows, which begin at r[i] and q[j]."""
     product: float = r[i] * q[j] + r[i + 1] * q[j + 1] + r[i + 2] * q[j + 2]
     return product
 
 
 @law
 def velocity(frames: Array, motions: Array, f: int, x: float, y: float, z: float) -> tuple[float, float, float]:
-    """Velocity [m/s] of the point (x, y, z) that moves with frame f: poses (F, 12), motions (F, 6)."""
+    """Return the velocity [m/s] of the point (x, y, z) that moves with frame f; poses (F, 12), motions (F, 6)."""
     x, y, z = x - frames[f, 0], y - frames[f, 1], z - frames[f, 2]
     return (
         motions[f, 3] + motions[f, 1] * z - motions[f, 2] * y,

@@ -1,4 +1,4 @@
-"""Which parts are watched against which, and which of these pairs count at the moment."""
+"""Monitored pairs of parts, and the selection of those that count at present."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from aftdeck.errors import InputError
 from aftdeck.worksite.layout import Layout, PartPair
 
 STILL = ("space", "orbiter")
-"""Frames of the bodies around, which are named after what moves against them."""
+"""Frames of the bodies around the arm; in a pair, the part in one of these frames comes last, ``orbiter`` after all."""
 
 
 def part_pairs(solids: Sequence[Solid], chain: Sequence[str], apart: Iterable[PartPair] = ()) -> tuple[PartPair, ...]:
-    """Every pair of parts that can meet: the arm against all else, cargoes and the bodies around against each other.
+    """Return all pairs of parts that can meet: the arm with everything else, and cargoes and bodies with each other.
 
-    Parts of one frame are no pair, nor are parts of the arm whose frames follow each other in the chain (frames
-    without solids do not count): a joint holds them together. That a part of the arm and what the arm is mounted on
-    are no pair either, only the caller can know.
+    Two parts in one frame are not a pair. Two parts of the arm in successive frames of the chain are not a pair either,
+    because a joint holds them together; frames without solids do not count in the chain. The caller has to leave out
+    the pairs of a part of the arm and its mount.
 
     Args:
-        solids: of the whole flight.
-        chain: the arm's frames from its base to its tip; what moves on the tip comes last.
-        apart: pairs left out besides, in either order: joined, or never to meet.
+        solids: all solids of the run.
+        chain: the arm's frames from its base to its tip; a frame that moves on the tip comes last.
+        apart: further pairs to leave out, in either order: parts that are joined, or never meet.
 
     Returns:
-        The pairs; of the two parts, the arm's comes first, then a cargo's, then a body's.
+        The pairs; in each pair, a part of the arm comes first, then a cargo's, then a body's.
 
     Raises:
         InputError: `apart` names a part that has no solid.
@@ -60,13 +60,13 @@ def counting(
     held: Collection[str] = (),
     seated: Mapping[str, Collection[str]] | None = None,
 ) -> Mask:
-    """(g,) 1 for each group that is looked at: all but what holds a cargo, or what a cargo rests in.
+    """Return a mask (g,): 1 for each group that is measured, 0 for a cargo with its holder or with its seat's body.
 
     Args:
-        layout: the groups.
+        layout: the layout with the groups.
         holder: the parts of the arm that hold a cargo.
-        held: the parts of the cargo that they hold.
-        seated: by part of a cargo that lies in its seat and is not held, the parts of that seat's body.
+        held: the parts of the held cargo.
+        seated: for each part of a cargo that is in its seat and not held, the parts of that seat's body.
     """
     active = np.ones(len(layout.groups), np.uint8)
     active &= 1 - layout.between(holder, held)
@@ -76,10 +76,12 @@ def counting(
 
 
 def among(layout: Layout, pairs: Iterable[PartPair]) -> Mask:
-    """(g,) 1 for each group that is one of these pairs of parts, in either order; pairs not watched are passed over.
+    """Return a mask (g,): 1 for each group that is one of these pairs of parts, in either order.
+
+    Pairs that are not monitored are ignored.
 
     Raises:
-        InputError: no part of such a name.
+        InputError: a name is not that of a part.
     """
     found = np.zeros(len(layout.groups), np.uint8)
     for a, b in pairs:

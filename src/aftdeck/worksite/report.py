@@ -1,6 +1,6 @@
-"""What a reader may know of the worksite at one instant: contacts, captures, and where everything is.
+"""Record of the worksite at one instant: contacts, conditions of capture, and positions of everything.
 
-Of what is measured between bodies a hundredth of a millimetre is recorded, and five decimals of a direction.
+Measurements between bodies are recorded to a hundredth of a millimetre, directions to five decimals.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ Six = tuple[float, float, float, float, float, float]
 
 
 COARSE = 5
-"""Decimals of what is measured between bodies."""
+"""Decimals of measurements between bodies."""
 
 
 class Near(msgspec.Struct, frozen=True, gc=False):
-    """Two parts that are watched."""
+    """Two monitored parts."""
 
     a: Annotated[str, told("a part, for people: `lower boom`")]
     b: Annotated[str, told("the other part")]

@@ -1,4 +1,4 @@
-"""What a mechanism has to say of a step; the simulation stamps it with the time and logs it."""
+"""Log line that a mechanism emits during a step; the simulation adds the time and logs it."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ class Said(NamedTuple):
 
     Attributes:
         kind: ``captured``, ``missed``, ``released``, ``rigid``, ``latched``, ``unlatched``, ``refused``.
-        level: as the log has them.
-        text: a sentence for people.
+        level: level of the log line.
+        text: sentence for the operator.
     """
 
     kind: str
@@ -20,5 +20,5 @@ class Said(NamedTuple):
 
 
 def refused(text: str) -> Said:
-    """A command that was not taken, and why."""
+    """Return the log line for a rejected command, with the reason as its text."""
     return Said("refused", "caution", text)

@@ -1,8 +1,8 @@
-"""A worksite's file as it is written: every dimension of the place, each table with the source of its numbers.
+"""Schema of a worksite's file: every dimension of the worksite, each table with the source of its numbers.
 
-Places are in the axes of the body that a table belongs to; the first body's are the scene's: x aft, y starboard, z up.
-`source` says where a table's numbers come from, or ``assumed``. What types cannot say is checked where the parts are
-made (`solids`, `seats`, `cargo`) and in `check`.
+Positions are in the axes of the body that a table belongs to. The first body's axes are those of the scene: x aft,
+y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. Rules that types cannot express are
+checked where the parts are made (`solids`, `seats`, `cargo`) and in `check`.
 """
 
 from __future__ import annotations
@@ -25,48 +25,48 @@ FITTING_OF: dict[Relation, str] = {
     "guides": "trunnions",
     "capture": "grapple fixture",
 }
-"""Which of a cargo's fittings a relation is about."""
+"""Fitting of a cargo to which each relation applies."""
 
 
 class BodyFile(Placed, frozen=True, kw_only=True):
-    """A body that stands still on the orbiter, or in space."""
+    """A body that is fixed to the orbiter or in space."""
 
     name: Text
     fixed_to: Literal["orbiter", "space"] = "orbiter"
     source: Text
     shapes: tuple[Shape, ...] = ()
-    """What it looks like, besides the solids that have a material."""
+    """Shapes that draw the body, in addition to the solids that have a material."""
     solids: tuple[SolidFile, ...] = ()
 
 
 class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
-    """Where a cargo can be fixed to a body."""
+    """A seat, where a cargo can be fixed to a body."""
 
     name: Text
     title: Text
     body: Text
     latch: Literal["auto", "command"]
-    """Whether it holds a cargo as soon as it may, or when it is told to."""
+    """``auto`` to hold a cargo as soon as possible, ``command`` to wait for a command."""
     time: Time = Time(0.0)
-    """How long its latches take."""
+    """Time that the latches take."""
     distance: Length
-    """How far from its place a cargo may be."""
+    """Greatest distance of a cargo from its seated position for latching."""
     angle: Angle
-    """How far it may be turned."""
+    """Greatest rotation of a cargo from its seated attitude for latching."""
     source: Text
 
     def __post_init__(self) -> None:
-        """Refuse tolerances that are not above zero (ValueError)."""
+        """Reject tolerances that are not above zero, and a negative time (ValueError)."""
         positive(distance=self.distance, angle=self.angle)
         if self.time < 0.0:
             raise ValueError(f"time is {self.time:g} s; it cannot be below 0")
 
 
 class PortFile(_SeatFile, frozen=True, kw_only=True, tag="port"):
-    """A docking port: its centre lies on a face of a solid, its axes are those of a docked cargo; x looks outwards."""
+    """A docking port: its centre lies on a face of a solid, its axes are those of a docked cargo; x points outwards."""
 
     radius: Length
-    """Of the disc that shows where it is."""
+    """Radius of the disc that marks the port."""
     material: Material
 
 
@@ -74,72 +74,72 @@ class GuidesFile(Table, frozen=True, kw_only=True):
     """V-shaped guides over each longeron latch."""
 
     height: Length
-    """From the trunnion's place to their upper ends."""
+    """Height of the guides' upper ends above the stowed trunnion."""
     half_angle: Angle
-    """Of the V's opening, from the vertical."""
+    """Half angle of the V's opening, from the vertical."""
     throat: Length
-    """Half the width of the V at the trunnion's place, less the trunnion's radius."""
+    """Half the width of the V at the stowed trunnion, less the trunnion's radius."""
     play: Length
-    """How far a trunnion may stand either way along its own axis."""
+    """Greatest offset of a trunnion along its own axis, in either direction."""
 
     def __post_init__(self) -> None:
-        """Refuse what is not above zero (ValueError)."""
+        """Reject values that are not above zero (ValueError)."""
         positive(height=self.height, half_angle=self.half_angle, throat=self.throat, play=self.play)
 
 
 class RetentionFile(_SeatFile, frozen=True, kw_only=True, tag="retention"):
-    """A place in the bay: position and rotation are those of a seated cargo."""
+    """A berth in the bay: position and rotation are those of a seated cargo."""
 
     guides: GuidesFile | None = None
-    """With them a cargo needs trunnions."""
+    """V-guides; if they are given, a cargo needs trunnions."""
 
 
 SeatFile = PortFile | RetentionFile
 
 
 class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
-    """When the concept's hand has acquired a bar; the report's names in brackets."""
+    """Conditions for the concept's hand to acquire a bar; the report's names are in brackets."""
 
     prong_spacing: Length
-    """From the palm's centre line to the prong's inner face, at most which the prong is closed (PRGSPC)."""
+    """Greatest distance of the prong's inner face from the palm's centre line for a closed prong (PRGSPC)."""
     window: Length
-    """Of the palm's height over the bar's top (TOPB)."""
+    """Greatest height of the palm above the bar's top (TOPB)."""
     front: Length
-    """How far from the bar's forward end the palm's centre has to be, inwards (FRONT)."""
+    """Least distance of the palm's centre inward from the bar's forward end (FRONT)."""
     rear: Length
-    """The same of the aft end (REAR)."""
+    """Least distance of the palm's centre inward from the bar's aft end (REAR)."""
     fingers_within: Length
     """Distance of palm and bar beyond which the fingers are not tested."""
     source: Text
 
     def __post_init__(self) -> None:
-        """Refuse distances that are not above zero (ValueError)."""
+        """Reject spacing, window and finger distance that are not above zero (ValueError)."""
         positive(prong_spacing=self.prong_spacing, window=self.window, fingers_within=self.fingers_within)
 
 
 class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare"):
-    """When the Shuttle's end effector can capture a grapple fixture, and how long it takes."""
+    """Capture envelope of the Shuttle's end effector for a grapple fixture, and the durations of its motions."""
 
     radial: Length
-    """From the end effector's axis."""
+    """Greatest distance from the end effector's axis."""
     nearest: Length
-    """Along the axis, outwards, from where the fixture stands when it is rigid."""
+    """Least position of the fixture along the axis, outwards from its rigid position."""
     farthest: Length
-    """The same."""
+    """Greatest position of the fixture along the axis, as `nearest`."""
     pitch: Angle
-    """To either side."""
+    """Greatest angle to either side; likewise `yaw` and `roll`."""
     yaw: Angle
     roll: Angle
     ring: Time
-    """To close or open the snares."""
+    """Time to close or open the snares."""
     carriage: Time
-    """To retract or extend."""
+    """Time to retract or extend the carriage."""
     tension: Time
-    """To rigidize or derigidize."""
+    """Time to rigidize or derigidize."""
     source: Text
 
     def __post_init__(self) -> None:
-        """Refuse what is not above zero (ValueError)."""
+        """Reject values that are not above zero, and `nearest` that is not below `farthest` (ValueError)."""
         positive(radial=self.radial, pitch=self.pitch, yaw=self.yaw, roll=self.roll)
         positive(ring=self.ring, carriage=self.carriage, tension=self.tension)
         if not self.nearest < self.farthest:
@@ -147,20 +147,20 @@ class SnareFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="snare")
 
 
 class EssentialFile(Table, frozen=True, kw_only=True):
-    """Two parts that the task brings into contact: by which conditions they may touch, and how deep."""
+    """Two parts that the task brings into contact: the conditions under which they may touch, and how deep."""
 
     parts: tuple[Text, Text]
-    """A cargo's fitting by its own name (``receptacle``), of every cargo, and a part of the arm or of a body."""
+    """A fitting by its own name (``receptacle``), which means that of every cargo, and a part of the arm or a body."""
     relation: Relation
     """``acquisition``: the bar before the palm and between the fingers (conditions 1 to 3). ``docking``: the probe in
     the docking envelope, no farther from the port than docking allows. ``guides``: the trunnion in its V-guide.
     ``capture``: the pin in the capture envelope."""
     depth: Length
-    """How deep the two may be in each other, and how far past the planes of the relation."""
+    """Greatest penetration of the two parts, and greatest distance past the relation's planes."""
     source: Text
 
     def __post_init__(self) -> None:
-        """Refuse a depth that is not above zero, and a relation of another fitting (ValueError)."""
+        """Reject a depth that is not above zero, and a relation of another fitting (ValueError)."""
         positive(depth=self.depth)
         fitting = FITTING_OF[self.relation]
         if not any(part == fitting or part.endswith(f" {fitting}") for part in self.parts):
@@ -170,7 +170,7 @@ class EssentialFile(Table, frozen=True, kw_only=True):
 
 
 class _Inside(Table, frozen=True, kw_only=True):
-    """A box along the axes, by where it begins and ends."""
+    """A box along the axes, given by its range on each axis."""
 
     x: Range
     y: Range
@@ -178,37 +178,37 @@ class _Inside(Table, frozen=True, kw_only=True):
     source: Text
 
     def __post_init__(self) -> None:
-        """Refuse ranges without an inside (ValueError)."""
+        """Reject ranges that do not go upwards (ValueError)."""
         ordered(x=self.x, y=self.y, z=self.z)
 
 
 class BayFile(_Inside, frozen=True, kw_only=True):
-    """The inside of the cargo bay: a cargo that is all above it has been extracted."""
+    """The inside of the cargo bay: a cargo completely above it has been extracted."""
 
 
 class TranslationFile(Table, frozen=True, kw_only=True):
-    """How the orbiter moves against what does not move with it."""
+    """Translation of the orbiter relative to bodies that do not move with it."""
 
     speed: Speed
     reached_in: Time
     source: Text
 
     def __post_init__(self) -> None:
-        """Refuse what is not above zero (ValueError)."""
+        """Reject values that are not above zero (ValueError)."""
         positive(speed=self.speed, reached_in=self.reached_in)
 
 
 class HousingFile(_Inside, frozen=True, kw_only=True):
-    """What every camera of a drive is made of, about the point where the axes of pan and tilt meet, z up.
+    """Housing of every camera of a drive, about the point where the pan and tilt axes meet, z up.
 
-    The box is what collides: round all of it, however it turns.
+    The box is the solid that collides; it has to enclose the whole housing in every position of the drive.
     """
 
     drive: Text
     turned: tuple[Shape, ...] = ()
-    """How it looks that is turned as the camera is at the start, x ahead."""
+    """Shapes that are turned as the camera is at the start, x ahead."""
     upright: tuple[Shape, ...] = ()
-    """How what carries it looks."""
+    """Shapes of the support, which stay upright."""
 
 
 class WorksiteFile(Table, frozen=True, kw_only=True):
@@ -217,7 +217,7 @@ class WorksiteFile(Table, frozen=True, kw_only=True):
     name: Text
     title: Text
     dimensions: dict[str, str | float] = msgspec.field(default_factory=dict)
-    """Named quantities, of which others are derived (`aftdeck.dimensions`)."""
+    """Named quantities from which others are derived (`aftdeck.dimensions`)."""
     origin: Point
     """Structural Xo, Yo, Zo of the scene's origin."""
     body: tuple[BodyFile, ...]

@@ -1,4 +1,4 @@
-"""A seat from its file; a docking port takes its envelope from the face that it lies on."""
+"""Construction of a seat from its file; a docking port's envelope follows from the face that the port lies on."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from aftdeck.worksite.model import Body, Guides, Seat
 from aftdeck.worksite.schema import PortFile, SeatFile
 
 DISC = 0.02
-"""Thickness of the disc that shows a port, half of which stands out [m]; nothing collides with it."""
+"""Thickness of the disc that marks a port [m]; half of it protrudes, and nothing collides with it."""
 ON_FACE = 1e-6
-"""How far a port's centre may be off the face that it lies on [m]."""
+"""Greatest distance of a port's centre from the face that it lies on [m]."""
 
 
 def seat_of(file: SeatFile, body: Body, solids: Sequence[Solid]) -> Seat:
-    """The seat that a file describes, on its body.
+    """Return the seat that a file describes, on its body.
 
     Args:
-        file: as it is written.
-        body: that it names.
-        solids: the body's, in the body's frame of motion.
+        file: the seat's table.
+        body: the body that the table names.
+        solids: the body's solids, in the body's frame of motion.
 
     Raises:
-        ValueError: a port that lies on no face of its body's solids.
+        ValueError: a port does not lie on a face of its body's solids.
     """
     fixed, own = body.pose, endori(*file.rotation)
     position = fixed.rotation @ np.array(file.position, dtype=np.float64) + fixed.position
@@ -55,7 +55,7 @@ def seat_of(file: SeatFile, body: Body, solids: Sequence[Solid]) -> Seat:
 
 
 def disc(file: PortFile) -> Shape:
-    """What shows a port, in its body's axes."""
+    """Return the disc that marks a port, in its body's axes."""
     (x, y, z), (roll, pitch, yaw) = (map(float, values) for values in (file.position, file.rotation))
     return Cylinder(
         material=file.material, position=(x, y, z), rotation=(roll, pitch, yaw), length=DISC, radius=float(file.radius)
@@ -63,7 +63,7 @@ def disc(file: PortFile) -> Shape:
 
 
 def _envelope(port: Pose, solids: Sequence[Solid]) -> Array:
-    """(5, 4) planes, in the port's axes, of the face that it lies on, turned about, and of the four beside it."""
+    """Return planes (5, 4) in the port's axes: the face under the port, reversed, and the four faces beside it."""
     for solid in solids:
         body = pack(solid.vertices)
         normals, distances = body[NX:D].reshape(3, 6).T, body[D:]

@@ -1,8 +1,9 @@
-"""Sliding along what is touched: a commanded twist, less what would go into a wall.
+"""Sliding along walls: a commanded twist without the motion that would penetrate a wall.
 
 Remote Manipulator Simulation, final report, section VII.4: the payload shall slide up or down while it touches a side
-wall during extraction. The points of contact keep their way along the wall and lose that into it. Turning is kept as
-commanded where the tip can make room for it, else left out; where nothing else is left, the arm stands still.
+wall during extraction. The points of contact keep their velocity along the wall and lose the velocity into it. The
+rotation is kept as commanded if the tip's velocity can make room for it, and is left out otherwise. If neither is
+possible, the arm stops.
 """
 
 from __future__ import annotations
@@ -17,20 +18,20 @@ from aftdeck.kinematics.jacobian import Twist
 from aftdeck.law import law
 
 POINT, OUTWARD, LEAST = 0, 3, 6
-"""In a contact's row: the point [m]; the wall's unit normal towards what slides [1]; how fast at least the point goes
-along it [m/s]: 0 does not let it into the wall, less lets it come nearer, more makes it come out."""
+"""Indices in a contact's row: the point [m]; the wall's unit normal towards the sliding body [1]; the least speed of
+the point along the normal [m/s]. 0 keeps the point out of the wall, less lets it approach, more moves it out."""
 TOUCH = 7
 """Length of a contact's row."""
 SLACK = 1e-9
-"""How much slower than that a point may come out by rounding [m/s]."""
+"""Rounding allowance below the least speed of a point [m/s]."""
 _SAME = 1e-20
-"""Squared difference of two normals that count as one [1]: it moves speeds by less than SLACK."""
+"""Squared difference of two normals that count as equal [1]: it changes speeds by less than SLACK."""
 _PARALLEL = 1e-8
-"""Sine of the angle below which two walls, or a wall and the line that two others leave, are parallel [1]."""
+"""Sine of the angle below which two walls, or a wall and the line common to two others, count as parallel [1]."""
 
 
 class Velocity(NamedTuple):
-    """The tip's velocity [m/s], and how far it is from what was wanted, inf where there is none."""
+    """The tip's velocity, and its difference from the wanted one, inf if there is no velocity [m/s]."""
 
     x: float
     y: float
@@ -40,19 +41,19 @@ class Velocity(NamedTuple):
 
 @law
 def slide(touches: Array, x: float, y: float, z: float, wanted: Twist) -> Twist:
-    """The twist of the tip that is nearest to the one wanted and takes no touching point into its wall.
+    """Return the twist of the tip that is nearest to the wanted one and moves no touching point into its wall.
 
     Args:
         touches: (k, 7) contacts, in L.
-        x: the tip's place, with y and z [m].
+        x: x of the tip's position, in L; likewise y and z [m].
         y: see x.
         z: see x.
-        wanted: twist of the tip, in L.
+        wanted: wanted twist of the tip, in L.
 
     Returns:
-        The twist: as wanted where nothing is in its way; else its turning with the nearest velocity that makes room for
-        it; else the nearest velocity without turning; else zero, as with walls all round, or where points that have to
-        come out cannot.
+        The first of these that is possible: the wanted twist; its rotation with the nearest velocity that makes room
+        for the rotation; the nearest velocity without rotation; zero. The result is zero with walls on all sides, for
+        example, or if points that have to come out of a wall cannot.
     """
     walls, least = np.empty((len(touches), 3)), np.empty(len(touches))
     for share in (1.0, 0.0):
@@ -71,7 +72,7 @@ def slide(touches: Array, x: float, y: float, z: float, wanted: Twist) -> Twist:
 
 @law
 def _add(walls: Array, least: Array, count: int, nx: float, ny: float, nz: float, speed: float) -> int:
-    """Add a wall that the tip has to leave with at least some speed [m/s], or make that of one like it greater."""
+    """Add a wall that the tip has to leave at a least speed [m/s], or raise that of an equal wall; return the count."""
     for i in range(count):
         dx, dy, dz = nx - walls[i, 0], ny - walls[i, 1], nz - walls[i, 2]
         if dx * dx + dy * dy + dz * dz <= _SAME:
@@ -84,10 +85,10 @@ def _add(walls: Array, least: Array, count: int, nx: float, ny: float, nz: float
 
 @law
 def _kept_off(walls: Array, least: Array, x: float, y: float, z: float) -> Velocity:
-    """The velocity nearest to (x, y, z) that leaves every wall with at least its speed.
+    """Return the velocity nearest to (x, y, z) that leaves every wall at its least speed or faster.
 
-    It lies where one, two or three walls are left at just their speed, or none is: all of these are tried, and each
-    is looked at with every wall.
+    At the solution none, one, two or three walls are left at exactly their least speed. All these cases are tried, and
+    each candidate is checked against every wall.
     """
     best = _judged(walls, least, Velocity(np.inf, np.inf, np.inf, np.inf), x, y, z, x, y, z)
     if best.off == 0.0:
@@ -99,7 +100,7 @@ def _kept_off(walls: Array, least: Array, x: float, y: float, z: float) -> Veloc
         best = _judged(walls, least, best, x, y, z, x1, y1, z1)
         for j in range(i + 1, len(walls)):
             jx, jy, jz = walls[j]
-            # along wall i, square to the line that the two leave
+            # along wall i, perpendicular to the line common to both walls
             cosine = ix * jx + iy * jy + iz * jz
             tx, ty, tz = jx - cosine * ix, jy - cosine * iy, jz - cosine * iz
             square = tx * tx + ty * ty + tz * tz
@@ -122,7 +123,7 @@ def _kept_off(walls: Array, least: Array, x: float, y: float, z: float) -> Veloc
 def _judged(
     walls: Array, least: Array, best: Velocity, x: float, y: float, z: float, vx: float, vy: float, vz: float
 ) -> Velocity:
-    """The velocity v if it is nearer to (x, y, z) than the best so far and leaves every wall fast enough."""
+    """Return the velocity v if it is nearer to (x, y, z) than `best` and leaves every wall fast enough, else `best`."""
     dx, dy, dz = vx - x, vy - y, vz - z
     off = sqrt(dx * dx + dy * dy + dz * dz)
     if off >= best.off:

@@ -1,8 +1,8 @@
-"""Sliding along walls: what the arm holds keeps its way along them and loses that into them.
+"""Sliding along walls: the held payload keeps its velocity along the walls and loses the velocity into them.
 
 Remote Manipulator Simulation, final report, section VII.4: the payload slides up or down while it touches a side wall.
-The law of `worksite.slide` takes a step to be straight; here what the step bends is put right, to the last digits, so
-that a payload that is pressed against a wall stays in touch with it.
+The law of `worksite.slide` assumes that a step is straight. This module corrects for the curvature of the step almost
+to rounding, so that a payload pressed against a wall stays in contact with it.
 """
 
 from __future__ import annotations
@@ -24,27 +24,27 @@ from aftdeck.worksite.slide import LEAST, OUTWARD, POINT, slide
 from aftdeck.worksite.watch import nearest_group
 
 REACH_S = 2.0
-"""Walls that could be met within so many steps at the present speed are looked at."""
+"""Number of steps within which a wall has to be reachable at the present speed to be considered [1]."""
 LEAST_REACH = 1e-6
-"""[m]"""
+"""Least distance within which walls are considered [m]."""
 SIZE = 30.0
-"""Of a payload [m]: no point of it is farther from the point of resolution."""
+"""Size of a payload [m]: no point of a payload is farther from the point of resolution."""
 PASSES = 5
-"""Each takes off all but a thousandth of what a bent step does."""
+"""Greatest number of passes; each reduces the error due to a step's curvature to a thousandth."""
 EXACT = 2e-9
-"""Speed into a wall [m/s] that is left: 4e-11 m in a step of 0.02 s, which is contact."""
+"""Speed into a wall that is accepted [m/s]: 4e-11 m in a step of 0.02 s, which still counts as contact."""
 
 
 @law
 def met(found: Array, counts: Mask, steering: Array, stand: float, period: float) -> float:
-    """How near a wall is looked at [m]; 0 where none is as near as that.
+    """Return the distance within which walls are considered [m]; 0 if no wall is that near.
 
     Args:
-        found: (g, 15) of the last look.
-        counts: (g,) 1 for groups of what slides and a wall.
+        found: (g, 15) the last measurements.
+        counts: (g,) 1 for groups of a sliding part and a wall.
         steering: state of the steering, with the step's commanded twist.
         stand: speed of the telescope [m/s].
-        period: of a step [s].
+        period: duration of a step [s].
     """
     turn, speed = 0.0, stand
     for k in range(3):
@@ -59,16 +59,16 @@ def met(found: Array, counts: Mask, steering: Array, stand: float, period: float
 def slid(
     rules: Array, joints: Array, last: Array, height: float, turning: float, found: Array, steering: Array
 ) -> None:
-    """Replace the commanded rates by those that slide, within the joints' limits.
+    """Replace the commanded rates by rates that slide along the walls, within the joints' limits.
 
     Args:
-        rules: of the steering.
-        joints: (6, 4) of the arm's frames.
-        last: (12,) frame of the last joint, in L.
-        height: of the stand after the step [m].
-        turning: the share of the commanded turn that is flown.
-        found: (k, 7) touches of what is held.
-        steering: state of the steering; rates and twist are changed where they go into a wall.
+        rules: parameters of the steering.
+        joints: (6, 4) joints of the arm, as `kinematics.frames.Frames.joints`.
+        last: (12,) pose of the last joint's frame, in L.
+        height: height of the stand after the step [m].
+        turning: share of the commanded rotation that is kept [1].
+        found: (k, 7) touches of the held payload.
+        steering: state of the steering; rates and twist are changed if they go into a wall.
     """
     q = ANGLES
     a = sines(rules, steering[q], steering[q + 1], steering[q + 2], steering[q + 3], steering[q + 4], steering[q + 5])
@@ -105,12 +105,14 @@ def _asked(
     z: float,
     asked: Array,
 ) -> tuple[float, float]:
-    """Ask of a straight step what makes up for its bend: the least speeds in `asked` (k, 7), touches as `found`.
+    """Correct the least speeds in `asked` (k, 7), touches as `found`, for the curvature of the step.
 
-    A point's way in the step is that of the frame of the last joint, from where this is to where the rates take it.
+    The displacement of a point in the step is that of the last joint's frame, from its pose now to its pose after the
+    step at these rates.
 
     Returns:
-        By how much a point falls short of its least speed, at most, and how much what is asked has changed [m/s].
+        The greatest amount by which a point falls short of its least speed, and the greatest change of a speed in
+        `asked` [m/s].
     """
     rows, after = np.empty((9, POSE)), np.empty(6)
     for i in range(6):

@@ -1,12 +1,14 @@
-"""The Shuttle arm's snare end effector: three wires close on the grapple pin, a carriage pulls it in, and it is rigid.
+"""The Shuttle arm's snare end effector: three wires hold the grapple pin, a carriage draws it in, tension rigidizes it.
 
-CAPTURE: the snare ring closes; if the pin then stands in the capture envelope it is held, the carriage retracts and
-draws it to its seat, and the tension builds up (rigidize). RELEASE: the same backwards; the pin is free once the ring
-is open. END EFFECTOR MODE AUTO does the whole sequence; MAN the snares alone, with carriage and tension by MAN CONTR.
-Sources: SCOM p. 693 (principle, order of release), SSV (times, which switch does what).
+CAPTURE: the snare ring closes. If the pin is then in the capture envelope, the snares hold the pin, the carriage
+retracts and draws the pin to its seat, and the tension builds up (rigidize). RELEASE: the same in reverse order; the
+pin is free once the ring is open. END EFFECTOR MODE AUTO runs the whole sequence; MAN moves the snares only, and
+MAN CONTR moves carriage and tension. Sources: SCOM p. 693 (principle, order of release), SSV (times, functions of the
+switches).
 
-A state is a frozen value and so its own save. Motions are exact in time: what is left of a step when one part of a
-sequence ends goes to the next. Not modelled: slack wires that already pull, motor currents, failures.
+A state is an immutable value, so it can be saved as it is. Motions are exact in time: when one motion of a sequence
+ends within a step, the next motion uses the remaining time. Not modelled: slack wires that already pull, motor
+currents, failures.
 """
 
 from __future__ import annotations
@@ -23,51 +25,51 @@ Mode = Literal["AUTO", "OFF", "MAN"]
 Part = Literal["ring", "carriage", "tension"]
 
 _THERE = 1e-9
-"""A part so near to its end [1] is there: rounding, not travel."""
+"""Remaining travel of a part that counts as none [1]: it is due to rounding."""
 
 
 class SnareTimes(msgspec.Struct, frozen=True):
-    """How long each part takes from end to end."""
+    """Time of each part's travel from end to end."""
 
     ring: float
-    """To close or open the snares [s]; SSV has 2.5 s [S]."""
+    """Time to close or open the snares [s]; SSV has 2.5 s [S]."""
     carriage: float
-    """To retract or extend [s]; 7 s [S]."""
+    """Time to retract or extend the carriage [s]; SSV has 7 s [S]."""
     tension: float
-    """To rigidize or derigidize [s]; 4 s [S]."""
+    """Time to rigidize or derigidize [s]; SSV has 4 s [S]."""
 
 
 class SnareCommand(msgspec.Struct, frozen=True):
-    """The panel's switches, and the trigger in the step in which it is pressed."""
+    """Positions of the panel's switches, and the trigger in the step in which it is pressed."""
 
     mode: Mode
-    """END EFFECTOR MODE."""
+    """Position of END EFFECTOR MODE."""
     trigger: Literal["", "capture", "release"] = ""
     contr: Literal["RIGID", "OFF", "DERIGID"] = "OFF"
-    """MAN CONTR; acts in MAN for as long as it is held."""
+    """Position of MAN CONTR; it acts in MAN for as long as it is held."""
 
 
 class Snare(msgspec.Struct, frozen=True):
     """The end effector's state."""
 
     ring: float = 0.0
-    """0 open, 1 closed."""
+    """Position of the snare ring: 0 open, 1 closed."""
     carriage: float = 0.0
-    """0 extended, 1 retracted."""
+    """Position of the carriage: 0 extended, 1 retracted."""
     tension: float = 0.0
-    """0 derigidized, 1 rigid."""
+    """Tension: 0 derigidized, 1 rigid."""
     captured: bool = False
-    """The pin is in the snares."""
+    """True if the snares hold the pin."""
     drawn: float = 0.0
-    """How far the pin has been drawn in since it was captured: the carriage's farthest."""
+    """Greatest value of `carriage` since the pin was captured: the pin has been drawn in so far."""
     met: bool = False
-    """The pin was in the envelope at some time since the snares began to close."""
+    """True if the pin was in the envelope at some time since the snares began to close."""
     motion: Literal["", "capture", "release"] = ""
-    """What the trigger has set going."""
+    """Sequence that the trigger has started; empty if none is in progress."""
 
     @property
     def misaligned(self) -> float:
-        """The fraction that is left of the misalignment at which the pin was captured."""
+        """Remaining fraction of the misalignment at which the pin was captured."""
         return 1.0 - self.drawn
 
 
@@ -83,14 +85,14 @@ class Flags(NamedTuple):
 
 
 class Moved(NamedTuple):
-    """A step's result."""
+    """Result of a step."""
 
     snare: Snare
     said: tuple[Said, ...]
 
 
 def flags(snare: Snare) -> Flags:
-    """What the talkbacks show; between two ends both are off."""
+    """Return what the talkbacks show; while a part is between its ends, both of its talkbacks are off."""
     return Flags(
         CAPTURE=snare.captured,
         EXTEND=snare.carriage == 0.0,
@@ -104,15 +106,15 @@ def flags(snare: Snare) -> Flags:
 def advance(
     snare: Snare, times: SnareTimes, command: SnareCommand, dt: float, conditions: Sequence[Condition]
 ) -> Moved:
-    """The state after a step.
+    """Return the state of the end effector after a step, with the log lines.
 
     Args:
-        snare: the state before it.
-        times: of the parts.
+        snare: the state before the step.
+        times: times of the parts.
         command: switches and trigger.
         dt: the step's length [s].
-        conditions: of capture at the step's end, as `grapple.in_envelope` says them; empty where no fixture is
-            near. They matter only while the ring is closing.
+        conditions: conditions of capture at the step's end, from `grapple.in_envelope`; empty if no fixture is near.
+            They matter only while the ring is closing.
     """
     said: list[Said] = []
     if command.trigger and (why := _refuses(snare, command)):
@@ -141,7 +143,7 @@ def advance(
 
 
 def _refuses(snare: Snare, command: SnareCommand) -> str:
-    """Why the trigger is not obeyed; empty where it is."""
+    """Return why the trigger is rejected; empty if it is accepted."""
     if command.mode == "OFF":
         return "END EFFECTOR MODE is OFF; AUTO and MAN take the trigger"
     extended = _extended(snare)
@@ -161,7 +163,7 @@ def _refuses(snare: Snare, command: SnareCommand) -> str:
 
 
 def _stage(snare: Snare, command: SnareCommand) -> tuple[Part, float] | None:
-    """What moves next, and where to; None where nothing does."""
+    """Return the part that moves next, and its target; None if nothing moves."""
     if command.mode == "OFF":
         return None
     auto = command.mode == "AUTO"
@@ -177,7 +179,7 @@ def _stage(snare: Snare, command: SnareCommand) -> tuple[Part, float] | None:
 
 
 def _still_going(snare: Snare, mode: Mode) -> Snare:
-    """The state without a motion that the mode does not, or no longer, allow."""
+    """Return the state, without its motion if the mode does not allow it or no longer allows it."""
     ends = mode == "OFF" or (
         mode == "MAN"
         and (snare.ring == 1.0 if snare.motion == "capture" else not _extended(snare) or snare.ring == 0.0)
@@ -186,12 +188,12 @@ def _still_going(snare: Snare, mode: Mode) -> Snare:
 
 
 def _extended(snare: Snare) -> bool:
-    """Whether the carriage is out, so that snares may open and close."""
+    """Return whether the carriage is extended and derigidized, so that the snares may open and close."""
     return snare.carriage == 0.0 and snare.tension == 0.0
 
 
 def _next(snare: Snare, parts: tuple[Part, ...], target: float) -> tuple[Part, float] | None:
-    """The first of the parts that is not yet there."""
+    """Return the first of the parts that has not reached the target, with the target; None if all have."""
     return next(((part, target) for part in parts if getattr(snare, part) != target), None)
 
 
@@ -203,14 +205,14 @@ def _put(snare: Snare, part: Part, value: float) -> Snare:
 
 
 def _inside(conditions: Sequence[Condition]) -> bool:
-    """Whether a fixture is near and stands in the envelope."""
+    """Return whether a fixture is near and in the envelope."""
     return bool(conditions) and all_hold(conditions)
 
 
 def _reached(
     snare: Snare, part: Part, target: float, conditions: Sequence[Condition]
 ) -> tuple[Snare, tuple[Said, ...]]:
-    """What follows from a part's having come to its end."""
+    """Return the state and the log lines after a part has reached its end position."""
     change = msgspec.structs.replace
     match part, target:
         case "ring", 1.0 if snare.captured:
@@ -230,7 +232,7 @@ def _reached(
 
 
 def _why(snare: Snare, conditions: Sequence[Condition]) -> str:
-    """Why the snares found no pin between them."""
+    """Return why the snares closed without capturing the pin."""
     if not conditions:
         return "no grapple fixture was near"
     why = reasons(conditions)

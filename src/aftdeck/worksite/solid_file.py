@@ -1,4 +1,4 @@
-"""The solids of a body as a worksite's file lists them."""
+"""Schema of a body's solids in a worksite's file."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ Corner = tuple[Length, Length]
 
 
 class _SolidFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
-    """What collision takes a piece of a body to be: one convex hexahedron, or several."""
+    """A solid of a body for collision: one convex hexahedron, or several."""
 
     part: Text
-    """What people call it; several solids may share a part."""
+    """Name of the part, for the operator; several solids may share a part."""
     material: Material | None = None
-    """What it is drawn of; None: the body's `shapes` draw it."""
+    """Material with which the solid is drawn; None if the body's `shapes` draw it."""
     mirror: bool = False
-    """Make it once more, reflected in the plane y = 0 of the body; the parts are called ``… port``, ``… starboard``."""
+    """True to add a copy, reflected in the plane y = 0 of the body; the parts are named ``… port``, ``… starboard``."""
     source: Text | None = None
-    """Where its own numbers come from; None: as the body's."""
+    """Source of the solid's own numbers; None if it is the body's source."""
 
 
 class BlockFile(_SolidFile, frozen=True, kw_only=True, tag="block"):
-    """A box by its ends, or, with other ends of y or z at its far x, one that tapers."""
+    """A box given by its ranges, or a tapered one if the ranges of y or z differ at its far x."""
 
     x: Range
     y: Range
@@ -34,13 +34,13 @@ class BlockFile(_SolidFile, frozen=True, kw_only=True, tag="block"):
 
 
 class BoxFile(_SolidFile, frozen=True, kw_only=True, tag="box"):
-    """A box about its centre."""
+    """A box given by its size, about its centre."""
 
     size: Point
 
 
 class PlateFile(_SolidFile, frozen=True, kw_only=True, tag="plate"):
-    """A flat outline of four corners given thickness, half to each side; as a `shapes.Plate`."""
+    """A plate with an outline of four corners, half of its thickness to each side; as a `shapes.Plate`."""
 
     normal: Axis
     outline: tuple[Corner, Corner, Corner, Corner]
@@ -48,13 +48,13 @@ class PlateFile(_SolidFile, frozen=True, kw_only=True, tag="plate"):
 
 
 class HexahedronFile(_SolidFile, frozen=True, kw_only=True, tag="hexahedron"):
-    """Eight vertices, numbered as in `aftdeck.bodies.hexahedron`."""
+    """A hexahedron given by its eight vertices, numbered as in `aftdeck.bodies.hexahedron`."""
 
     vertices: tuple[Point, Point, Point, Point, Point, Point, Point, Point]
 
 
 class TubeWallFile(_SolidFile, frozen=True, kw_only=True, tag="tube_wall"):
-    """The wall of a tube, covered from outside; as `bodies.cover.tube_wall`."""
+    """The wall of a tube, covered from outside by hexahedra; as `bodies.cover.tube_wall`."""
 
     radius: Length
     thickness: Length
@@ -67,10 +67,10 @@ class TubeWallFile(_SolidFile, frozen=True, kw_only=True, tag="tube_wall"):
 
 
 class PrismFile(_SolidFile, frozen=True, kw_only=True, tag="prism"):
-    """A regular prism, or what covers a round body from outside; as `bodies.cover.prism`."""
+    """A regular prism, also to enclose a round body; as `bodies.cover.prism`."""
 
     radius: Length
-    """From the axis to a side's middle."""
+    """Distance from the axis to a side's middle."""
     length: Length
     radius_end: Length | None = None
     axis: Axis = "x"

@@ -1,4 +1,4 @@
-"""The convex hexahedra of a body, and their drawing, from the solids that its file lists."""
+"""Construction of a body's convex hexahedra, and of the shapes that draw them, from the solids in its file."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ from aftdeck.worksite.solid_file import (
 )
 
 CORNERS = np.array([(v >> 1 & 1, v >> 2 & 1, v & 1) for v in range(8)], dtype=np.float64)
-"""(8, 3) vertices of the unit cube, numbered as a hexahedron."""
+"""(8, 3) vertices of the unit cube, numbered as those of a hexahedron."""
 _REFLECTED = np.array([v ^ 4 for v in range(8)])
-"""Which vertex of a body becomes which of its reflection in y = 0."""
+"""For each vertex of a body's reflection in y = 0, the vertex of the body that it is the image of."""
 _ACROSS = {"x": (2, 0, 1), "y": (0, 2, 1), "z": (0, 1, 2)}
-"""Which of (first, second, across) of a plate is x, y and z."""
+"""For each normal of a plate, the indices of x, y and z in (first, second, across)."""
 
 
 def solids_of(file: SolidFile) -> dict[str, Array]:
-    """Each part that a listed solid makes, with its hexahedra (n, 8, 3) in the body's axes [m].
+    """Return the parts that a listed solid makes, each with its hexahedra (n, 8, 3) in the body's axes [m].
 
     Raises:
-        InputError: no convex hexahedra; names the part and the vertex.
+        InputError: the hexahedra are not convex; names the part and the vertex.
     """
     placed = moved(_own(file), Pose(np.array(file.position, dtype=np.float64), endori(*file.rotation)))
     if not file.mirror:
@@ -48,10 +48,10 @@ def solids_of(file: SolidFile) -> dict[str, Array]:
 
 
 def checked(bodies: Array, part: str) -> Array:
-    """Hexahedra (n, 8, 3) that are convex, with their read-only vertices.
+    """Check that hexahedra (n, 8, 3) are convex, make the array read-only and return it.
 
     Raises:
-        InputError: one of them is not; names the part and the vertex.
+        InputError: a hexahedron is not convex; names the part and the vertex.
     """
     for k, body in enumerate(bodies):
         hexahedron(body, part if len(bodies) == 1 else f"{part}, hexahedron {k + 1} of {len(bodies)}")
@@ -60,17 +60,17 @@ def checked(bodies: Array, part: str) -> Array:
 
 
 def moved(bodies: Array, pose: Pose) -> Array:
-    """Hexahedra (n, 8, 3) in the frame in which their own has a pose [m]."""
+    """Return hexahedra (n, 8, 3) in the coordinate frame in which `pose` is that of their own frame [m]."""
     return np.asarray(bodies @ pose.rotation.T + pose.position)
 
 
 def as_solids(part: str, frame: str, bodies: Iterable[Array]) -> tuple[Solid, ...]:
-    """Hexahedra as solids of a part."""
+    """Return hexahedra as solids of a part."""
     return tuple(Solid(part, frame, vertices) for vertices in bodies)
 
 
 def drawn(bodies: Iterable[Array], material: Material) -> tuple[Shape, ...]:
-    """Hexahedra as they are drawn, from the same vertices."""
+    """Return the shapes that draw hexahedra, with the same vertices."""
     return tuple(Hexahedron(material=material, vertices=tuple(map(_point, vertices))) for vertices in bodies)
 
 
@@ -80,7 +80,7 @@ def _point(vertex: Array) -> Vec3:
 
 
 def _own(file: SolidFile) -> Array:
-    """(n, 8, 3) hexahedra in the solid's own axes [m]."""
+    """Return the hexahedra (n, 8, 3) of a solid in its own axes [m]."""
     match file:
         case BlockFile():
             return _block(file)[None]
@@ -122,11 +122,11 @@ def _block(file: BlockFile) -> Array:
 
 
 def _plate(file: PlateFile) -> Array:
-    """The outline's corners go round as (-, -), (+, -), (+, +), (-, +) of the first two axes of the body's own."""
+    """Return a plate (8, 3) with its outline ordered as (-, -), (+, -), (+, +), (-, +) in its first two axes [m]."""
     outline = np.array(file.outline, dtype=np.float64)
     turn = outline[[1, 2, 3, 0]]
     area = float(np.sum(outline[:, 0] * turn[:, 1] - turn[:, 0] * outline[:, 1]))
-    counter_clockwise = (area > 0.0) != (file.normal == "y")  # x to z goes the other way round y
+    counter_clockwise = (area > 0.0) != (file.normal == "y")  # the turn from x to z about y is negative
     if not counter_clockwise:
         outline = outline[::-1]
     vertices = np.empty((8, 3))

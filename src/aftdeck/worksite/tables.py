@@ -1,4 +1,4 @@
-"""What the tables of a worksite's file have in common."""
+"""Common base classes, types and checks of the tables in a worksite's file."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Point = tuple[Length, Length, Length]
 Turn = tuple[Angle, Angle, Angle]
 """Roll, pitch, yaw about fixed x, y, z, applied in that order."""
 Range = tuple[Length, Length]
-"""From and to."""
+"""Lower and upper end."""
 
 
 class Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -21,21 +21,21 @@ class Table(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
 
 
 class Placed(Table, frozen=True, kw_only=True):
-    """A table of something that has a place, in the axes of what it belongs to."""
+    """A table with a pose, given in the axes of the body that the table belongs to."""
 
     position: Point = (Length(0.0), Length(0.0), Length(0.0))
     rotation: Turn = (Angle(0.0), Angle(0.0), Angle(0.0))
 
 
 def positive(**sizes: Quantity | None) -> None:
-    """Refuse a quantity that is given and not above zero, by name (ValueError)."""
+    """Reject a given quantity that is not above zero (ValueError with its name); None is not checked."""
     for name, value in sizes.items():
         if value is not None and not value > 0.0:
             raise ValueError(f"{name} is {value:g} {value.unit}; it has to be above 0")
 
 
 def ordered(**ranges: Range) -> None:
-    """Refuse a range that does not go upwards, by name (ValueError)."""
+    """Reject a range that does not go upwards (ValueError with its name)."""
     for name, (low, high) in ranges.items():
         if not low < high:
             raise ValueError(f"{name} goes from {low:g} to {high:g} m; the first has to be less")

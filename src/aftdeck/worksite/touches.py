@@ -1,4 +1,4 @@
-"""Where what the arm holds touches, or is about to touch, the walls that it may slide along."""
+"""Touches: points where the held payload touches, or may soon touch, the walls along which it may slide."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from aftdeck.worksite.slide import LEAST, OUTWARD, POINT, TOUCH
 from aftdeck.worksite.watch import Watch
 
 _EACH = VERTICES + 1
-"""Touches that a pair of solids can have."""
+"""Greatest number of touches of a pair of solids."""
 
 
 @law
@@ -29,23 +29,23 @@ def touching(
     out: float,
     touches: Array,
 ) -> int:
-    """Write the touches of groups that count; how many there are.
+    """Write the touches of the groups that count, and return their number.
 
-    They are the closest point, and every vertex that stands over a face of a wall within reach: a wall that is met
-    with a whole side is met at its corners, so that no turning takes one of them in.
+    The touches of a group are its closest point, and every vertex of the sliding part that is within reach of a face of
+    the wall. When a whole side meets a wall, its corners are touches, so that no rotation moves a corner into the wall.
 
     Args:
         frame: (n,), pairs (m, 2), begins (g + 1,): of the layout.
         pairs: see frame.
         begins: see frame.
-        counts: (g,) 1 for groups of a part that slides and a wall.
-        slides: the frame of what slides.
+        counts: (g,) 1 for groups of a sliding part and a wall.
+        slides: index of the frame that slides.
         placed: (n, 52) the solids in L.
-        found: (g, 15) of the last look.
-        reach: clearance up to which a wall is looked at [m].
-        period: in which a gap may be closed [s].
-        out: greatest speed at which what stands inside a wall comes out [m/s].
-        touches: (k, 7) rows, room for nine of each pair.
+        found: (g, 15) the last measurements.
+        reach: clearance up to which a wall is considered [m].
+        period: time in which a clearance may be closed [s].
+        out: greatest speed at which a point inside a wall comes out [m/s].
+        touches: (k, 7) output rows; there has to be space for nine of each pair.
     """
     count = 0
     for g in range(len(counts)):
@@ -66,13 +66,13 @@ def touching(
 
 @law
 def _least(clearance: float, period: float, out: float) -> float:
-    """How fast a point has to leave a wall: the gap may be closed in one period, a depth opened at `out` at most."""
+    """Return the least speed out of a wall: a clearance may close in one period, a depth opens at most at `out`."""
     return min(-clearance / period, out)
 
 
 @law
 def _over(wall: Array, body: Array, v: int, reach: float, period: float, out: float, row: Array) -> int:
-    """1, and its touch, if vertex v of a body stands over a face of the wall within reach; 0 if not."""
+    """Write the touch of vertex v of a body and return 1 if a wall's face is within reach of it; else return 0."""
     x, y, z = body[X + v], body[Y + v], body[Z + v]
     face, height = 0, -np.inf
     for f in range(SIDES):
@@ -88,15 +88,15 @@ def _over(wall: Array, body: Array, v: int, reach: float, period: float, out: fl
 
 
 def touches(watch: Watch, counts: Mask, slides: str, reach: float, period: float, out: float) -> Array:
-    """The touches (k, 7) of a frame that slides along walls, rows as `worksite.slide` says.
+    """Return the touches (k, 7) of a frame that slides along walls, with rows as in `worksite.slide`.
 
     Args:
-        watch: as it has looked at the present frames.
-        counts: (g,) 1 for groups of a part that slides and a wall.
-        slides: name of the frame of what slides.
-        reach: clearance up to which a wall is looked at [m]: as far as anything moves in a step.
-        period: of a step [s].
-        out: greatest speed at which what stands inside a wall comes out [m/s].
+        watch: the watch, updated for the present frames.
+        counts: (g,) 1 for groups of a sliding part and a wall.
+        slides: name of the frame that slides.
+        reach: clearance up to which a wall is considered [m]: the greatest distance that anything moves in a step.
+        period: duration of a step [s].
+        out: greatest speed at which a point inside a wall comes out [m/s].
     """
     own = watch.layout
     found = np.empty((_EACH * len(own.pairs), TOUCH))

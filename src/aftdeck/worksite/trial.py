@@ -1,7 +1,7 @@
-"""What a motion would do to the contacts, found by trying it: how much clearance is won, and how far parts slide.
+"""Effect of a motion on the contacts, found by trying it: the clearance that it gains, and how far parts slide.
 
-Every pair of solids that touch counts by itself: of a body made of several solids, the deepest pair alone would not say
-which way leads out of all of them.
+Every pair of touching solids counts separately. For a body made of several solids, the deepest pair alone would not
+show which direction leads out of all of them.
 """
 
 from __future__ import annotations
@@ -20,23 +20,23 @@ from aftdeck.worksite.found import CLEARANCE, FOUND, NORMAL, POINT_A, POINT_B
 from aftdeck.worksite.watch import Watch, copy_pair, nearest_pair, not_nearer, place_moved, travelled, way_apart
 
 STEP = 1.0
-"""What is farther apart than this [m] comes into no contact in a step."""
+"""Distance beyond which two solids cannot come into contact within a step [m]."""
 WORST, GROUP, GAINED, SLID, DEEPEST, LESSENED, MADE = range(7)
-"""Where the fields of `Trial` are in a row."""
+"""Indices of the fields of `Trial` in a row."""
 
 
 class Trial(NamedTuple):
-    """What a motion would do to the contacts.
+    """Effect of a motion on the contacts.
 
     Attributes:
-        worst: the greatest fall of the clearance of a contact, present or new, negative; without a fall the least rise,
-            inf where there is no contact [m].
-        which: the group of that contact; -1 where there is none.
-        gained: by how much the clearances of the solids in harmful contacts rise, taken together; inf without one [m].
-        slid: how far a touching point of one moves along the other body, at most [m].
-        deeper: how much deeper in each other two parts are then than now, at most; negative or 0 where none are [m].
-        lessened: by how much the depths of all contacts together are less then than now [m].
-        made: whether a contact is made that is not there now.
+        worst: least change of the clearance of a contact, present or new: negative for a fall, 0 or more if none falls,
+            inf without a contact [m].
+        which: the group of that contact; -1 if there is none.
+        gained: sum of the changes in clearance of all solids in harmful contacts; inf without such a contact [m].
+        slid: greatest distance that a touching point of such a contact moves along the other body [m].
+        deeper: greatest increase of the penetration depth of two parts; negative or 0 if no depth increases [m].
+        lessened: decrease of the sum of the depths of all contacts [m].
+        made: True if the motion makes a new contact.
     """
 
     worst: float
@@ -66,7 +66,7 @@ def tried(
     memory: Array,
     found: Array,
 ) -> Trial:
-    """What a motion would do to the contacts of the groups that count.
+    """Return the effect of a motion on the contacts of the groups that count.
 
     Args:
         solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,), between (g, 2), reach (F,): of the layout.
@@ -75,15 +75,15 @@ def tried(
         begins: see solids.
         between: see solids.
         reach: see solids.
-        counts: (g,) 1 for groups to keep from each other; they have to be active.
-        harmful: (g,) 1 for those of them whose relief counts.
+        counts: (g,) 1 for groups whose contacts count; they have to be active.
+        harmful: (g,) 1 for the groups among them whose relief counts.
         after: (F, 12) the frames after the motion, in L.
-        at: (F, 12) and placed (n, 52): copies of the watch's; used up.
+        at: (F, 12) and placed (n, 52): copies of the watch's arrays; overwritten.
         placed: see at.
-        bound: (g,) the watch's, and
-        likely: (g,) the watch's.
-        memory: (m, 17) the watch's, brought up to date; it changes no answer.
-        found: (g, 15) what the watch found before the motion.
+        bound: (g,) the watch's array.
+        likely: (g,) the watch's array.
+        memory: (m, 17) the watch's array, updated; its content does not affect the result.
+        found: (g, 15) the watch's measurements before the motion.
     """
     ways, was, told = np.empty(len(after)), np.full(len(memory), np.inf), np.empty(packed.PAIR)
     slid, touching = 0.0, False
@@ -120,7 +120,7 @@ def tried(
 
 @law
 def _won(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tuple[float, float]:
-    """By how much the clearances of a group's touching solids rise, and by how much their depths fall [m]."""
+    """Return the sums of the changes in clearance, and of the decreases in depth, of a group's touching solids [m]."""
     gained, lessened, own = 0.0, 0.0, np.empty(packed.PAIR)
     for k in range(begin, end):
         if was[k] == np.inf:
@@ -136,9 +136,10 @@ def _won(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tup
 def _slid(
     placed: Array, frame: Indices, at: Array, after: Array, pair: Indices, memory: Array, k: int, was: Array
 ) -> float:
-    """How far the touching points of two solids move along each other, square to their way apart [m].
+    """Return how far the touching points of two solids move along each other, perpendicular to their way apart [m].
 
-    The clearance of the pair as it is now goes into was[k]; inf where the two are too far apart to matter.
+    Also write the present clearance of the pair into was[k]; was[k] stays inf if the solids are farther apart than
+    `STEP`.
     """
     i, j = pair[0], pair[1]
     a, b = placed[i], placed[j]
@@ -160,7 +161,7 @@ def _slid(
 
 @law
 def _carried(at: Array, after: Array, x: float, y: float, z: float) -> tuple[float, float, float]:
-    """How a point that a frame carries moves as the frame goes from one pose (12,) to another [m]."""
+    """Return the displacement of a point carried by a frame that moves from one pose (12,) to another [m]."""
     x, y, z = x - at[0], y - at[1], z - at[2]
     px = at[3] * x + at[6] * y + at[9] * z
     py = at[4] * x + at[7] * y + at[10] * z
@@ -191,7 +192,7 @@ def tried_many(
     found: Array,
     trials: Array,
 ) -> None:
-    """`tried` for each of several motions, afters (k, F, 12), into trials (k, 7); what the watch holds is copied."""
+    """Write `tried` of each of several motions, afters (k, F, 12), into trials (k, 7); `at` and `placed` are copied."""
     for k in range(len(afters)):
         t = tried(
             solids, frame, pairs, begins, between, reach, counts, harmful, afters[k],
@@ -203,7 +204,7 @@ def tried_many(
 
 
 def trials_of(watch: Watch, counts: Mask, harmful: Mask, afters: Array) -> Array:
-    """Return what each of several motions, afters (k, F, 12), would do, (k, 7); arguments as of `tried`."""
+    """Return the effects (k, 7) of several motions, afters (k, F, 12), rows as `Trial`; arguments as of `tried`."""
     own, trials = watch.layout, np.empty((len(afters), len(Trial._fields)))
     tried_many(
         *own.packed,

@@ -1,11 +1,12 @@
-"""The dynamic collision program in flight: every watched group, frame after frame.
+"""The dynamic collision program: clearance of every group (monitored pair of parts), measured in every step.
 
-Remote Manipulator Simulation, final report, chapter IV. Its program looked at three hexahedra and one body a frame;
-here are all parts that can meet. Of each group it is known how near it can be at most, from when it was measured last
-and from how far its two frames have moved since; it is measured again when that is nearer than matters.
+Remote Manipulator Simulation, final report, chapter IV. The report's program examined three hexahedra and one body in
+each frame; here all parts that can meet are examined. For each group, the last measurement and the motion of its two
+frames since then give a lower bound of its clearance. A group is measured again only when its bound is small enough to
+matter.
 
-What is remembered of a pair only rules it out: where the least clearance is, is measured from nothing, and of equals
-the first is taken. So the answer is that of a watch that remembers nothing, to the last digit.
+Data remembered about a pair only serve to rule the pair out. The least clearance is always measured without such data,
+and the first of equal pairs is taken. The result therefore equals that of a watch without memory, to the last digit.
 """
 
 from __future__ import annotations
@@ -41,19 +42,19 @@ from aftdeck.worksite.layout import CENTRE, POSE, RADIUS, SOLID, Layout
 from aftdeck.worksite.motion import motion, velocity
 
 _SLACK = 1e-9
-"""By how much a group is taken to be nearer than it can be [m]: more than rounding takes off."""
+"""Margin by which a group's bound is lowered [m]: more than the rounding errors."""
 
 
 @law
 def place_moved(solids: Array, frame: Indices, frames: Array, at: Array, placed: Array) -> None:
-    """Place the solids whose frame is not where it was.
+    """Place the solids whose frame has moved.
 
     Args:
-        solids: (n, 52) in their own frames.
-        frame: (n,) which frame each stands in.
-        frames: (F, 12) where the frames are, in L.
-        at: (F, 12) where they were when the solids were placed; brought up to date.
-        placed: (n, 52) the solids in L, brought up to date.
+        solids: (n, 52) solids in their own frames.
+        frame: (n,) index of each solid's frame.
+        frames: (F, 12) present poses of the frames, in L.
+        at: (F, 12) poses of the frames at which the solids were placed; updated.
+        placed: (n, 52) the solids in L; updated.
     """
     moved = np.zeros(len(frames), np.bool_)
     for f in range(len(frames)):
@@ -76,13 +77,13 @@ def place_moved(solids: Array, frame: Indices, frames: Array, at: Array, placed:
 
 @law
 def travelled(frames: Array, at: Array, reach: Array, ways: Array) -> None:
-    """How far any point of a frame's solids has come, at most, from where the frame was placed last: into ways (F,).
+    """Compute for each frame how far any point of its solids can have moved since the frame was placed.
 
     Args:
-        frames: (F, 12) where the frames are, in L.
-        at: (F, 12) where they were.
-        reach: (F,) how far from its frame's origin a solid reaches [m].
-        ways: (F,) out [m]; NaN from nowhere.
+        frames: (F, 12) present poses of the frames, in L.
+        at: (F, 12) poses of the frames when they were placed, in L; NaN if never placed.
+        reach: (F,) greatest distance of a frame's solids from its origin [m].
+        ways: (F,) output: upper bounds of the distances [m]; NaN for a frame that was never placed.
     """
     for f in range(len(frames)):
         origin, turn = 0.0, 0.0
@@ -90,20 +91,20 @@ def travelled(frames: Array, at: Array, reach: Array, ways: Array) -> None:
             origin += (frames[f, k] - at[f, k]) ** 2
         for k in range(3, POSE):
             turn += (frames[f, k] - at[f, k]) ** 2
-        # of a difference of two rotations the spectral norm is the Frobenius norm over the root of 2
+        # the spectral norm of a difference of two rotations is its Frobenius norm divided by the square root of 2
         ways[f] = sqrt(origin) + sqrt(0.5 * turn) * reach[f]
 
 
 @law
 def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
-    """Whether two solids cannot be nearer than `best` [m]: by their spheres, or along the pair's last normal."""
+    """Return whether spheres or the pair's last normal prove that two solids are not nearer than `best` [m]."""
     x, y, z = b[CENTRE] - a[CENTRE], b[CENTRE + 1] - a[CENTRE + 1], b[CENTRE + 2] - a[CENTRE + 2]
     reach = best + a[RADIUS] + b[RADIUS]
     if reach < 0.0 or x * x + y * y + z * z > reach * reach:
         return True
     along = sides(a, b, pair[packed.NORMAL], pair[packed.NORMAL + 1], pair[packed.NORMAL + 2])
     apart = along.b - along.a
-    # a pair without a normal has zeros there, and 0 between its sides
+    # a pair without a normal has a zero vector, for which `apart` is 0
     return apart > 0.0 and apart > best
 
 
@@ -111,20 +112,20 @@ def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
 def nearest_pair(
     placed: Array, pairs: Indices, memory: Array, begin: int, end: int, first: int, limit: float, told: Array
 ) -> int:
-    """Which of a group's pairs of solids, `begin` up to `end`, has the least clearance; of equals, the first.
+    """Return the pair of solids of a group that has the least clearance; of equal pairs, the first.
 
     Args:
-        placed: (n, 52) the solids.
-        pairs: (m, 2) of the layout.
-        memory: (m, 17) what is remembered of each pair, brought up to date; it changes no answer.
-        begin: see above.
-        end: see above.
-        first: the pair that is likely to have it.
-        limit: what is not nearer is not looked for [m].
-        told: (17,) out, what was measured of that pair, packed.
+        placed: (n, 52) the solids in L.
+        pairs: (m, 2) pairs of the layout.
+        memory: (m, 17) remembered data of each pair, updated; its content does not affect the result.
+        begin: index of the group's first pair.
+        end: index after the group's last pair.
+        first: the pair that probably has the least clearance.
+        limit: pairs that are not nearer than this are ignored [m].
+        told: (17,) output: packed measurements of the pair.
 
     Returns:
-        The pair; -1 where none is below the limit.
+        Index of the pair; -1 if no pair is below the limit.
     """
     least = limit
     for turn in range(begin - 1, end):
@@ -132,7 +133,7 @@ def nearest_pair(
         a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
         if turn != first and not not_nearer(a, b, memory[k], least):
             least = min(least, measure(a, b, memory[k]))
-    # only what may be the nearest is measured from nothing
+    # measure only the pairs that may be the nearest, without remembered data
     best, own = -1, np.empty(packed.PAIR)
     nearest, beyond = limit, least + _SLACK
     for k in range(begin, end):
@@ -167,7 +168,7 @@ def watch(
     memory: Array,
     found: Array,
 ) -> None:
-    """Look at the groups that count: at all that are nearer than `within`, and where none is, at the nearest.
+    """Measure the active groups that are nearer than `within`, and in any case the nearest of those that count.
 
     Args:
         solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,), between (g, 2), reach (F,): of the layout.
@@ -176,18 +177,18 @@ def watch(
         begins: see solids.
         between: see solids.
         reach: see solids.
-        active: (g,) 1 where the group is looked at.
-        counts: (g,) 1 for groups of which one may be the nearest.
+        active: (g,) 1 for groups that are measured.
+        counts: (g,) 1 for groups among which the nearest is wanted.
         before: (F, 12) the frames a step ago, in L.
-        now: (F, 12) the frames now.
-        period: from then till now [s].
-        within: how far groups are looked at [m]; inf: all.
-        at: (F, 12) where frames were when placed, and
-        placed: (n, 52) solids in L, and
-        bound: (g,) how near the groups can be at most [m], all three brought up to date.
-        likely: (g,) which pair of each group was the nearest when it was measured last, and
-        memory: (m, 17) what is remembered of each pair, both brought up to date.
-        found: (g, 15) out.
+        now: (F, 12) the present frames, in L.
+        period: time between the two [s].
+        within: clearance up to which groups are measured [m]; inf for all groups.
+        at: (F, 12) poses of the frames when placed; updated.
+        placed: (n, 52) the solids in L; updated.
+        bound: (g,) lower bounds of the groups' clearances [m]; updated.
+        likely: (g,) nearest pair of each group at its last measurement; updated.
+        memory: (m, 17) remembered data of each pair; updated.
+        found: (g, 15) output, rows as in `worksite.found`.
     """
     ways, motions = np.empty(len(now)), np.empty((len(now), 6))
     travelled(now, at, reach, ways)
@@ -213,7 +214,7 @@ def watch(
                 nearest, lowest = g, bound[g]
     if least < np.inf or nearest < 0:
         return
-    # of equals the first, wherever the search begins
+    # take the first of equal groups, wherever the search begins
     best = nearest
     least = _measured(placed, pairs, begins, best, bound, likely, memory, told)
     other = np.empty(packed.PAIR)
@@ -230,9 +231,9 @@ def watch(
 def _measured(
     placed: Array, pairs: Indices, begins: Indices, g: int, bound: Array, likely: Indices, memory: Array, told: Array
 ) -> float:
-    """The clearance of group g [m], and in `told` (17,) the pair that has it; bound and likely are brought up to date.
+    """Return the clearance of group g [m], write its nearest pair into `told` (17,), and update `bound` and `likely`.
 
-    The bound is a little lower: what is not below it is farther apart to the last digit.
+    The bound is slightly lower than the clearance, so that rounding cannot make the group nearer than its bound.
     """
     likely[g] = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], np.inf, told)
     clearance: float = told[packed.CLEARANCE]
@@ -244,7 +245,7 @@ def _measured(
 def _tell(
     placed: Array, frame: Indices, pairs: Indices, now: Array, motions: Array, k: int, told: Array, row: Array
 ) -> None:
-    """Write what was just measured of pair k, told (17,), into its group's row (15,)."""
+    """Write the latest measurements of pair k, told (17,), into its group's row (15,)."""
     i, j = pairs[k, 0], pairs[k, 1]
     copy_pair(told, row)
     row[WHICH] = k
@@ -257,7 +258,7 @@ def _tell(
 
 @law
 def copy_pair(pair: Array, row: Array) -> None:
-    """Copy what was measured of a pair, packed (17,), into its group's row (15,)."""
+    """Copy the measurements of a pair, packed (17,), into its group's row (15,)."""
     row[CLEARANCE] = pair[packed.CLEARANCE]
     for c in range(3):
         row[POINT_A + c] = pair[packed.POINT_A + c]
@@ -269,7 +270,7 @@ def copy_pair(pair: Array, row: Array) -> None:
 
 @law
 def way_apart(a: Array, b: Array, row: Array) -> None:
-    """Write the plane of two solids in contact into their group's row."""
+    """Write the plane of two solids in contact, normal to their shortest way apart, into their group's row."""
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)
     heights(b, a, above_a)
@@ -284,7 +285,7 @@ def way_apart(a: Array, b: Array, row: Array) -> None:
 
 @law
 def nearest_group(found: Array, counts: Mask) -> int:
-    """The group of least clearance among those with a 1 in `counts` (g,); -1 where none of them is active."""
+    """Return the group of least clearance among those with a 1 in `counts` (g,); -1 if none of them was measured."""
     best, least = -1, np.inf
     for g in range(len(found)):
         if counts[g] != 0 and found[g, CLEARANCE] < least:
@@ -293,21 +294,21 @@ def nearest_group(found: Array, counts: Mask) -> int:
 
 
 class Watch(Cache):
-    """The watched groups of a flight.
+    """Clearance monitor: measures the groups of a layout, and keeps data that make the next measurement faster.
 
-    What it has found follows from where everything is; what it remembers makes the next look quicker.
+    The measurements depend only on the positions of the frames, not on the kept data.
 
     Attributes:
-        layout: what is watched.
-        active: (g,) 1 where a group counts; the caller sets it.
-        counts: (g,) 1 for groups of which the next look finds the nearest; the caller sets it.
-        found: (g, 15) what the last look found, as `worksite.found` says.
-        likely: (g,) which pair of each group was the nearest when it was measured last.
-        memory: (m, 17) what is remembered of each pair of solids.
-        at: (F, 12) where the frames were at the last look, in L.
-        placed: (n, 52) the solids there, in L.
-        bound: (g,) how near each group can have been there, at most [m].
-        packed: the last of the arguments of `watch`.
+        layout: the solids and the groups.
+        active: (g,) 1 for groups that are measured; the caller sets it.
+        counts: (g,) 1 for groups of which the next measurement finds the nearest; the caller sets it.
+        found: (g, 15) the last measurements, rows as in `worksite.found`.
+        likely: (g,) nearest pair of each group at its last measurement.
+        memory: (m, 17) remembered data of each pair of solids.
+        at: (F, 12) the frames at the last measurement, in L.
+        placed: (n, 52) the solids at these frames, in L.
+        bound: (g,) lower bound of each group's clearance at these frames [m].
+        packed: the last six arguments of `watch`, from `at` to `found`.
     """
 
     def __init__(self, layout: Layout) -> None:
@@ -325,35 +326,36 @@ class Watch(Cache):
         self.forget()
 
     def forget(self) -> None:
-        """Remember nothing of what was looked at; the next look finds what it would have found."""
+        """Discard the remembered data; the result of the next measurement is the same as without this call."""
         self.likely[:] = self.layout.begins[:-1]
         self.memory[:] = 0.0
         self.bound[:] = -np.inf
         self.at[:] = np.nan
 
     def look(self, before: Array, now: Array, period: float) -> None:
-        """Look at every group that is active, into `found`; the others are inf there.
+        """Measure all active groups and write the results into `found`; the clearances of the others become inf.
 
         Args:
-            before: (F, 12) the frames a step ago, in L; those of now, where nothing came before.
-            now: (F, 12) the frames now.
-            period: from then till now [s].
+            before: (F, 12) the frames a step ago, in L; equal to `now` if there was no step before.
+            now: (F, 12) the present frames, in L.
+            period: time between the two [s].
         """
         self.look_near(before, now, period, self.active, np.inf)
 
     def look_near(self, before: Array, now: Array, period: float, counts: Mask, within: float) -> None:
-        """Look at the active groups that are nearer than `within`; the others are inf in `found`.
+        """Measure the active groups that are nearer than `within`; the clearances of the others become inf in `found`.
 
-        Where none with a 1 in `counts` (g,) is so near, the nearest of those is looked at as well. Else as `look`.
+        The nearest group with a 1 in `counts` (g,) is measured even if it is not that near. Other arguments as of
+        `look`.
         """
         watch(*self.layout.packed, self.active, counts, before, now, period, within, *self.packed)
 
     def nearest(self, counts: Mask) -> int:
-        """The group of least clearance among those with a 1 in `counts` (g,); -1 where none of them is active."""
+        """Return the group of least clearance among those with a 1 in `counts` (g,); -1 if none was measured."""
         return nearest_group(self.found, counts)
 
     def copied(self) -> Self:
-        """Another watch that goes on from here."""
+        """Return a copy of the watch with the same measurements and remembered data."""
         copy = type(self)(self.layout)
         copy.active[:], copy.counts[:] = self.active, self.counts
         for own, array in zip(copy.packed, self.packed, strict=True):

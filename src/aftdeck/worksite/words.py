@@ -1,9 +1,9 @@
 """The 32 words that the report's program sent to its scene generator each frame, and its control word, TABLE II.
 
-A word has 24 bits, kept as an integer from 0 to 2**24 - 1. Bit 0 is the first, the sign of a number (likely: XDS counts
-its bits so). A number at scale Bn is two's complement with the binary point n bits behind the sign: it lies in
-[-2**n, 2**n) in steps of 2**(n - 23). Source: the final report of the Remote Manipulator Simulation; sines and cosines
-at B1, distances in feet, the order of sines and cosines and the codes of the stations I to W are assumed.
+A word has 24 bits, kept as an integer from 0 to 2**24 - 1. Bit 0 is the first bit, the sign of a number (probably: XDS
+numbers bits in this way). A number at scale Bn is in two's complement with the binary point n bits after the sign: it
+lies in [-2**n, 2**n) in steps of 2**(n - 23). Source: the final report of the Remote Manipulator Simulation. Assumed
+are sines and cosines at B1, distances in feet, the order of sines and cosines, and the codes of the stations I to W.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from aftdeck.units import FOOT
 
 BITS = 24
 WORDS = 32
-"""Of a frame block."""
+"""Number of words of a frame block."""
 ANGLES = ("HO", "PO", "P1", "H2", "P2", "R2")
 """The joint angles, in their order."""
 PLANES = 3
-"""Separating planes of a frame block."""
+"""Number of separating planes of a frame block."""
 STATIONS = {
     "A": 0b0000,
     "B": 0b0001,
@@ -39,28 +39,28 @@ STATIONS = {
     "CAE2": 0b0111,
     "W": 0b1100,
 }
-"""Codes of the station points; from I on ours, of those that the report leaves free."""
+"""Codes of the station points; I, P1, P2, CAE2 and W use codes of our choice that the report leaves free."""
 SPARE = range(14, 18)
 UNIT = 1e-5
-"""How far from 1 the sum of squares of a sine and a cosine, or of a normal, may be [1] (assumed)."""
+"""Greatest deviation from 1 of the sum of squares of a sine and a cosine, or of a normal [1] (assumed)."""
 
 Way = Literal[-1, 0, 1]
 
 
 class ControlWord(NamedTuple):
-    """What the scene generator is told to do, TABLE II.
+    """Control word: commands and flags for the scene generator, TABLE II.
 
     Attributes:
         mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked.
         station: camera position: A to I, P1, P2, CAE2, W.
-        initialise: whether the run is being initialised.
+        initialise: True while the run is being initialised.
         telescope: 1 longer, -1 shorter, 0 stopped.
         pan: 1, -1 or 0; shares its sign with `tilt`.
         tilt: 1, -1 or 0.
         zoom: 1 in, -1 out, 0 none.
         prong: 1 closes, -1 opens, 0 stopped.
-        finger_inhibited: whether the finger's motion is inhibited.
-        arm_inhibited: whether the arm's motion is inhibited.
+        finger_inhibited: True if the finger's motion is inhibited.
+        arm_inhibited: True if the arm's motion is inhibited.
     """
 
     mode: Literal[1, 2, 3, 4]
@@ -80,7 +80,7 @@ class WordPlane(NamedTuple):
 
     Attributes:
         normal: unit normal.
-        distance: from R's origin along it [m].
+        distance: distance from R's origin along the normal [m].
     """
 
     normal: tuple[float, float, float]
@@ -88,12 +88,12 @@ class WordPlane(NamedTuple):
 
 
 class FrameBlock(NamedTuple):
-    """What a frame tells the scene generator.
+    """Data that one frame sends to the scene generator.
 
     Attributes:
         control: the control word.
-        angles: HO, PO, P1, H2, P2, R2 [rad]; decoded ones lie in (-pi, pi].
-        planes: the three separating planes of fingers and receptacle; None where there is none, four words of 0.
+        angles: HO, PO, P1, H2, P2, R2 [rad]; decoded angles lie in (-pi, pi].
+        planes: the three separating planes of fingers and receptacle; None (four words of 0) if there is no plane.
     """
 
     control: ControlWord
@@ -102,11 +102,11 @@ class FrameBlock(NamedTuple):
 
 
 def encode_control(control: ControlWord) -> int:
-    """The 24-bit word.
+    """Return the 24-bit word of a control word.
 
     Raises:
-        InputError: a mode or a station without a code, a motion other than -1, 0, 1, a flag other than True and
-            False, or pan and tilt of two signs.
+        InputError: a mode or a station has no code, a motion is not -1, 0 or 1, a flag is not True or False, or pan and
+            tilt have opposite signs.
     """
     if _integer(control.mode) not in (1, 2, 3, 4):
         raise InputError(f"the control word's mode is {control.mode!r}; it has to be 1, 2, 3 or 4, an integer")
@@ -144,11 +144,11 @@ def encode_control(control: ControlWord) -> int:
 
 
 def decode_control(word: int) -> ControlWord:
-    """What a control word says.
+    """Return the contents of a control word.
 
     Raises:
-        InputError: no word of 24 bits, spare bits set, a code of no station, a prong that both opens and closes, or
-            not just one mode.
+        InputError: the word is not an integer of 24 bits, a spare bit is set, the station code is unknown, the prong
+            both opens and closes, or the number of modes is not one.
     """
     word = _word(word, "the control word")
     on = [bool(word & _bit(bit)) for bit in range(BITS)]
@@ -179,11 +179,11 @@ def decode_control(word: int) -> ControlWord:
 
 
 def encode_block(block: FrameBlock) -> tuple[int, ...]:
-    """The 32 words: control; sine and cosine of each angle; normal and distance of each plane; 7 blank.
+    """Return the 32 words: control; sine and cosine of each angle; normal and distance of each plane; 7 blank.
 
     Raises:
-        InputError: a control word that has no code, too many or too few angles or planes, an angle that is not finite,
-            a number that its scale cannot hold (names the word), or a normal that is no unit vector.
+        InputError: the control word has no code, there are too many or too few angles or planes, an angle is not
+            finite, a scale cannot hold its number (names the word), or a normal is not a unit vector.
     """
     _has(block.angles, len(ANGLES), f"a frame block has {len(ANGLES)} angles, {', '.join(ANGLES)}")
     _has(block.planes, PLANES, f"a frame block has {PLANES} separating planes")
@@ -208,11 +208,11 @@ def encode_block(block: FrameBlock) -> tuple[int, ...]:
 
 
 def decode_block(words: Sequence[int]) -> FrameBlock:
-    """What a frame block says; the blank words are not looked at.
+    """Return the contents of a frame block; the blank words are ignored except for the check that they have 24 bits.
 
     Raises:
-        InputError: not 32 words of 24 bits, a control word that says nothing, or words that are no sine and cosine, or
-            no unit normal.
+        InputError: there are not 32 words of 24 bits, the control word is invalid, or words are not a valid sine and
+            cosine, or not a unit normal.
     """
     _has(words, WORDS, f"a frame block has {WORDS} words")
     words = [_word(word, f"word {k} of the frame block") for k, word in enumerate(words, 1)]
@@ -227,7 +227,7 @@ def decode_block(words: Sequence[int]) -> FrameBlock:
 
 
 def _plane(words: Sequence[int], k: int) -> WordPlane | None:
-    """The k-th plane of a frame block, of its four words."""
+    """Return the k-th plane of a frame block from its four words; None if they are all 0."""
     if not any(words):
         return None
     x, y, z, distance = words
@@ -237,12 +237,12 @@ def _plane(words: Sequence[int], k: int) -> WordPlane | None:
 
 
 def fixed(value: float, scale: int, name: str) -> int:
-    """A number at scale Bn as a word, rounded to the nearest step.
+    """Return a number at scale Bn as a word, rounded to the nearest step.
 
-    2**n itself, which no word holds (the 1 of a normal at B0), is written as the greatest number below it.
+    No word can hold 2**n itself (for example, the 1 of a normal at B0). It is written as the greatest number below it.
 
     Raises:
-        InputError: NaN, or a number that lies more than half a step outside of [-2**n, 2**n].
+        InputError: the number is not finite, or is more than half a step outside [-2**n, 2**n].
     """
     most, half = 2.0**scale, 1 << (BITS - 1)
     if not (isfinite(value) and abs(round(value / most * half)) <= half):
@@ -251,13 +251,13 @@ def fixed(value: float, scale: int, name: str) -> int:
 
 
 def number(word: int, scale: int) -> float:
-    """The number that a word holds at scale Bn."""
+    """Return the number that a word holds at scale Bn."""
     half = 1 << (BITS - 1)
     return float((word ^ half) - half) / half * 2.0**scale
 
 
 def _bit(bit: int) -> int:
-    """A word with one bit set; bit 0 is the first."""
+    """Return a word with one bit set; bit 0 is the first."""
     return 1 << (BITS - 1 - bit)
 
 
@@ -268,7 +268,7 @@ def _way(moves: bool, forwards: bool) -> Way:
 
 
 def _integer(given: Any) -> int | None:
-    """What was given as an integer, NumPy's as well; None where it is none."""
+    """Return the given value as an integer, including NumPy integers; None if it is not an integer."""
     try:
         return index(given)
     except TypeError:

@@ -2,7 +2,7 @@
 
 Inputs: the final tip pose; PROCEED and STOP.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
-Ends: inside the end sphere and at rest; the phase's estimated end ETA is worked out anew every step.
+Ends: inside the end sphere and at rest; the phase's estimated end ETA is recomputed every step.
 Source: JSC-12628, subroutines OPERIN (MODE = 2), LATRAJ, VCLOSE.
 """
 
@@ -35,12 +35,12 @@ from aftdeck.steering.layout import (
 from aftdeck.steering.profiles import vclose
 
 SLOW = 1.5
-"""In the end sphere the arm counts as at rest below this many steps' worth of its acceleration [1]."""
+"""Speed up to which the arm counts as at rest in the end sphere, in steps of its acceleration [1]."""
 
 
 @law
 def demand(rules: Array, command: Array, tip: Tip, report: Array) -> Twist:
-    """The twist in L that mode 2 asks for at this pose; at rest unless under way."""
+    """Return the twist in L that mode 2 demands at this pose; zero until the motion has started."""
     aim = latraj(tip, command[TARGET:PLAN])
     profile = vclose(rules, aim.distance, aim.angle)
     report[DISTANCE], report[ANGLE], report[REMAINING] = aim.distance, aim.angle, profile.remaining
@@ -51,7 +51,7 @@ def demand(rules: Array, command: Array, tip: Tip, report: Array) -> Twist:
 
 @law
 def note_arrival(rules: Array, state: Array, report: Array) -> None:
-    """Write whether the tip is inside the end sphere and slow enough to stop within a step."""
+    """Write into the report whether the tip is inside the end sphere and slow; under `strict`, whether time is up."""
     w = math.sqrt(state[TWIST] ** 2 + state[TWIST + 1] ** 2 + state[TWIST + 2] ** 2)
     v = math.sqrt(state[TWIST + 3] ** 2 + state[TWIST + 4] ** 2 + state[TWIST + 5] ** 2)
     near = report[DISTANCE] <= rules[NEAR] and report[ANGLE] <= rules[NEAR_TURN]

@@ -1,9 +1,9 @@
-"""DIRECT: one joint, hard-wired, no steering, no soft stops; the others stand at once.
+"""DIRECT: one joint, hard-wired, without steering or soft stops; the other joints stop at once.
 
 Inputs: the JOINT rotary and the SINGLE/DIRECT DRIVE switch, full deflection = the joint's coarse or vernier rate.
 Limits: that rate, without a ramp, and the hard stops.
 Ends: when the operator leaves it, or at a scripted phase's time.
-Source: the Shuttle Crew Operations Manual, section 2.21; JSC-12628 does not know it.
+Source: the Shuttle Crew Operations Manual, section 2.21; JSC-12628 does not have this mode.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from aftdeck.steering.limiters import BY_HARD_STOP
 
 @law
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
-    """The joint rates of this step; a hard stop that acts is written into the report."""
+    """Return the joint rates [rad/s] of this step; write a hard stop that acts into the report."""
     joint = int(command[JOINT])
     asked = command[DRIVE] * rules[RATE + joint]
     room = rules[HIGH + joint] - state[ANGLES + joint] if asked > 0.0 else state[ANGLES + joint] - rules[LOW + joint]

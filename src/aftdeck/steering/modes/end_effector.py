@@ -19,7 +19,7 @@ from aftdeck.steering.turn import from_hand
 
 @law
 def demand(rules: Array, command: Array, tip: Tip) -> Twist:
-    """The twist in L that the sticks ask for: VOTRAN, end effector specified."""
+    """Return the twist in L that the sticks demand: VOTRAN, end effector specified."""
     strict = rules[STRICT] != 0.0
     c = 1.0 if strict else rules[HAND]
     s = 0.0 if strict else rules[HAND + 1]

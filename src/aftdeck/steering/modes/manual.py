@@ -1,7 +1,7 @@
-"""The report's modes that sticks fly, 4 to 7, by their numbers: what they ask of the point of resolution.
+"""The report's manual modes, 4 to 7, by number: the twist that they demand of the point of resolution.
 
-`msteer` flies them, and `way_out` tries their sticks. A mode of this kind is a file beside this one, a line here, and a
-row of `STICK_AXES` in `steering.mode`.
+`msteer` flies these modes, and `way_out` tries their sticks. Each such mode needs a file beside this one, a line here,
+and an entry of `STICK_AXES` in `steering.mode`.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from aftdeck.steering.modes import end_effector, mixed, orbiter, payload
 
 @law
 def demand(rules: Array, command: Array, here: Tip) -> Twist:
-    """The twist that the sticks ask for in the mode whose number the command has; none in other modes."""
+    """Return the twist that the sticks demand in the mode whose number the command holds; zero in other modes."""
     number = command[LAW]
     if number == 4.0:
         return orbiter.demand(rules, command)

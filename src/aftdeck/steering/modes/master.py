@@ -1,13 +1,13 @@
 """Master arm: the arm follows six joint angles, those of a small arm that the operator moves.
 
-Inputs: the master's six angles, from sliders or a device, at any time; until the operator has moved it, the master
-stands where the arm stood when the mode was entered.
-Limits: each joint's coarse or vernier rate, ramped, and less with a payload; soft stops: a joint is led up to its stop
-where the master stands beyond it, and a joint that is past its stop itself is only let back. Singularities and the
-tip's own limits do not act, for no tip motion is asked for.
+Inputs: the master's six angles, from sliders or a device, at any time; until the operator moves the master, it has the
+arm's angles at the entry of the mode.
+Limits: each joint's coarse or vernier rate, ramped, and lower with a payload; soft stops: a joint moves up to its stop
+if the master is beyond it, and a joint that is itself past its stop can only move back. Singularities and the tip's
+own limits do not act, because no tip motion is demanded.
 Ends: when the operator leaves it; each joint comes to rest at its master's angle without passing it.
-Source: Remote Manipulator Simulation, final report: the slave follows the six angles of a master arm. How fast, and
-the smooth arrival, are ours.
+Source: Remote Manipulator Simulation, final report: the slave follows the six angles of a master arm. The rates and
+the smooth arrival are ours.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ from aftdeck.steering.limiters import BY_STOP, braked
 from aftdeck.steering.ramp import ramped, rate_towards
 
 THERE = 1e-9
-"""How near to its master's angle a joint at rest has come when it is there [rad]."""
+"""Distance from the master's angle up to which a joint at rest has arrived [rad]."""
 
 
 @law
 def _goal(rules: Array, command: Array, state: Array, i: int) -> float:
-    """Where joint i goes [rad]: to the master's angle or the stop before it, and never farther past a stop."""
+    """Return the goal of joint i [rad]: the master's angle or the stop before it, and never farther past a stop."""
     angle = state[ANGLES + i]
     return float(min(max(command[MASTER + i], min(rules[LOW + i], angle)), max(rules[HIGH + i], angle)))
 
 
 @law
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
-    """The joint rates [rad/s] of this step, into the state too; stops that act, and arrival, into the report."""
+    """Return this step's joint rates [rad/s]; write them into the state, acting stops and arrival into the report."""
     there = 1.0
     for i in range(6):
         goal = _goal(rules, command, state, i)

@@ -1,10 +1,10 @@
 """Mode 7, manual augmented, mixed: rotation in payload axes, translation in orbiter axes.
 
-Flown by ORB LD with its switch "rotate in payload axes". The point that moves is the payload's point of
+Flown by ORB LD with its switch "rotate in payload axes". The commanded point is the payload's point of
 resolution; with `strict` it is the tip, as in the source.
 Inputs: THC and RHC, full deflection = POR limits for the payload's mass.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
-Ends: when the operator leaves it, or at a scripted phase's time. Refused without a payload.
+Ends: when the operator leaves it, or at a scripted phase's time. Rejected without a payload.
 Source: JSC-12628, subroutine VOTRAN (MODE = 7).
 """
 
@@ -20,7 +20,7 @@ from aftdeck.steering.turn import from_orbiter, from_payload
 
 @law
 def demand(rules: Array, command: Array, tip: Tip) -> Twist:
-    """The twist in L that the sticks ask for: VOTRAN, mixed."""
+    """Return the twist in L that the sticks demand: VOTRAN, mixed."""
     w, v = rules[TURN], rules[SPEED]
     a, b, c = from_payload(rules, tip, w * command[STICKS], w * command[STICKS + 1], w * command[STICKS + 2])
     x, y, z = from_orbiter(rules, v * command[STICKS + 3], v * command[STICKS + 4], v * command[STICKS + 5])

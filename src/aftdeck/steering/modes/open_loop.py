@@ -3,8 +3,8 @@
 Inputs: the final tip pose; PROCEED and STOP.
 Limits: POR limits for speed and acceleration, servo maxima and accelerations of the joints, soft stops, singularities;
 one factor for the whole twist.
-Ends: when its clock has run to ETA. The clock runs at that factor: where limits slow the arm, it follows the same
-path more slowly; `strict` lets the clock run on, as in the source, and the arm falls short.
+Ends: when its clock has run to ETA. The clock runs at that factor: if limits slow the arm, the arm follows the same
+path more slowly. Under `strict` the clock runs on, as in the source, and the arm stops short of the target.
 Source: JSC-12628, subroutines OPERIN (MODE = 3), LATRAJ, VTOPEN, VOTRAN.
 
 Its plan: velocity (3) [m/s] and angular velocity (3) [rad/s] at full speed, then ETA, t_v1, t_w1 and ETAP [s].
@@ -38,7 +38,7 @@ _VELOCITY, _TURNING, _ETA, _T_V1, _T_W1, _ETAP = PLAN, PLAN + 3, PLAN + 6, PLAN 
 
 @law
 def plan(rules: Array, command: Array, state: Array) -> None:
-    """OPERIN for mode 3: LATRAJ and VTOPEN once, from where the arm is; the clock starts."""
+    """Plan mode 3 (OPERIN): LATRAJ and VTOPEN once, from the arm's present pose; reset the clock."""
     a = sines(
         rules,
         state[ANGLES],
@@ -60,7 +60,7 @@ def plan(rules: Array, command: Array, state: Array) -> None:
 
 @law
 def _share(time: float, eta: float, ramp: float) -> float:
-    """VOTRAN's scaling during acceleration and deceleration, 0 to 1."""
+    """Return VOTRAN's scaling during acceleration and deceleration, 0 to 1."""
     if ramp <= 0.0:
         return 0.0
     return max(0.0, min(1.0, min(time, eta - time) / ramp))
@@ -68,7 +68,7 @@ def _share(time: float, eta: float, ramp: float) -> float:
 
 @law
 def demand(rules: Array, command: Array, state: Array, report: Array) -> Twist:
-    """The twist in L that mode 3 asks for at this phase time; at rest unless under way."""
+    """Return the twist in L that mode 3 demands at this phase time; zero until the motion has started."""
     eta = command[_ETA]
     ahead = 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT] * state[PACE]
     time = state[CLOCK] + ahead

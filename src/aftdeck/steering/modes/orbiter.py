@@ -18,7 +18,7 @@ from aftdeck.steering.turn import from_orbiter
 
 @law
 def demand(rules: Array, command: Array) -> Twist:
-    """The twist in L that the sticks ask for: VOTRAN, orbiter specified."""
+    """Return the twist in L that the sticks demand: VOTRAN, orbiter specified."""
     w, v = rules[TURN], rules[SPEED]
     a, b, c = from_orbiter(rules, w * command[STICKS], w * command[STICKS + 1], w * command[STICKS + 2])
     x, y, z = from_orbiter(rules, v * command[STICKS + 3], v * command[STICKS + 4], v * command[STICKS + 5])

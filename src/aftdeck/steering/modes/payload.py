@@ -1,9 +1,9 @@
 """Mode 6, manual augmented, payload: sticks along and about the payload's axes.
 
-The point that moves is the payload's point of resolution; with `strict` it is the tip, as in the source.
+The commanded point is the payload's point of resolution; with `strict` it is the tip, as in the source.
 Inputs: THC and RHC, full deflection = POR limits for the payload's mass.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
-Ends: when the operator leaves it, or at a scripted phase's time. Refused without a payload.
+Ends: when the operator leaves it, or at a scripted phase's time. Rejected without a payload.
 Source: JSC-12628, subroutine VOTRAN (MODE = 6).
 """
 
@@ -19,7 +19,7 @@ from aftdeck.steering.turn import from_payload
 
 @law
 def demand(rules: Array, command: Array, tip: Tip) -> Twist:
-    """The twist in L that the sticks ask for: VOTRAN, payload specified."""
+    """Return the twist in L that the sticks demand: VOTRAN, payload specified."""
     w, v = rules[TURN], rules[SPEED]
     a, b, c = from_payload(rules, tip, w * command[STICKS], w * command[STICKS + 1], w * command[STICKS + 2])
     x, y, z = from_payload(rules, tip, v * command[STICKS + 3], v * command[STICKS + 4], v * command[STICKS + 5])

@@ -3,8 +3,8 @@
 Inputs: the JOINT rotary and the SINGLE/DIRECT DRIVE switch, full deflection = the joint's coarse or vernier rate.
 Limits: that rate, ramped; hard stops, before which the joint slows to rest. Soft stops do not act: as flown, this
 is the mode that cradles and uncradles the arm and that leads back from a soft stop.
-Holds: every other joint at theta_0, its angle when the mode was entered or when another joint was selected; one that
-still moved then, or that is pushed away, returns to it.
+Holds: every other joint at theta_0, its angle when the mode was entered or when another joint was selected. A joint
+that still moved then, or that is pushed away, returns to theta_0.
 Ends: when the operator leaves it, or at a scripted phase's time or angle.
 Source: JSC-12628, introduction (mode 8); section 3, subroutine OPERIN.
 """
@@ -21,7 +21,7 @@ from aftdeck.steering.ramp import ramped, rate_towards
 
 @law
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
-    """The joint rates [rad/s] of this step, into the state too; a hard stop that acts is written into the report."""
+    """Return this step's joint rates [rad/s]; write them into the state, a hard stop that acts into the report."""
     selected = int(command[JOINT])
     for i in range(6):
         driven = command[DRIVE] * rules[RATE + i]
