@@ -17,7 +17,9 @@ from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
 from aftdeck.worksite.alarm import level_of
 
-FILES = sorted((Path(__file__).parent / "layout_1").glob("*.mcap"))
+FILES = [
+    Path(__file__).parent / "layout_1" / f"{name}.mcap" for name in ("concept-1972-script", "loaded", "srms-deploy")
+]
 
 
 def as_written(path: Path) -> list[dict[str, Any]]:
