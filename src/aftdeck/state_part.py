@@ -6,7 +6,7 @@ arguments. A cache only makes a step faster: no result depends on it, so it is n
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import lru_cache
 from hashlib import sha256
 from typing import Any, Self, TypeVar, get_args, get_type_hints
@@ -135,26 +135,20 @@ def _copied(value: Any) -> Any:
 
 
 def _unlike(part: StatePart, like: StatePart) -> str | None:
-    """Return the path of the first field whose array shape or list length differs, or None if all are equal."""
-    for name in part.__struct_fields__:
-        one, other = getattr(part, name), getattr(like, name)
-        if isinstance(one, list) and isinstance(other, list) and any(isinstance(x, StatePart) for x in (*one, *other)):
-            if len(one) != len(other):
-                return name
-            found = next(
-                (
-                    inner
-                    for a, b in zip(one, other, strict=True)
-                    if isinstance(a, StatePart) and isinstance(b, StatePart) and (inner := _unlike(a, b)) is not None
-                ),
-                None,
-            )
-        elif isinstance(one, StatePart) and isinstance(other, StatePart):
-            found = _unlike(one, other)
-        elif isinstance(one, np.ndarray) and isinstance(other, np.ndarray):
-            found = None if one.shape == other.shape else ""
-        else:
-            continue
-        if found is not None:
-            return f"{name}.{found}".rstrip(".")
-    return None
+    """Return the path of the first array or list of parts in `like` whose size differs in `part`, or None."""
+    sizes = dict(_sizes(part, ""))
+    return next((where for where, size in _sizes(like, "") if sizes.get(where) != size), None)
+
+
+def _sizes(value: Any, where: str) -> Iterator[tuple[str, tuple[int, ...]]]:
+    """Yield the path and the size of every array, and of every list of parts, in a value."""
+    match value:
+        case np.ndarray():
+            yield where, value.shape
+        case StatePart():
+            for name in value.__struct_fields__:
+                yield from _sizes(getattr(value, name), f"{where}.{name}".lstrip("."))
+        case [StatePart() | None, *_]:
+            yield where, (len(value),)
+            for k, one in enumerate(value):
+                yield from _sizes(one, f"{where}[{k}]")

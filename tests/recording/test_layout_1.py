@@ -11,11 +11,13 @@ from mcap.records import Channel
 from mcap.records import Message as McapMessage
 from mcap.stream_reader import StreamReader
 
+from aftdeck.errors import RecordingError
 from aftdeck.recording.format_1 import FramesOf1
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
 from aftdeck.worksite.alarm import level_of
+from tests.recording.flown import rewritten
 
 FILES = [
     Path(__file__).parent / "layout_1" / f"{name}.mcap" for name in ("concept-1972-script", "loaded", "srms-deploy")
@@ -55,7 +57,7 @@ def test_its_numbers_are_those_that_were_written(path: Path) -> None:
 
 def test_what_files_of_the_first_weeks_do_not_tell_is_found_out() -> None:
     path = next(path for path in FILES if path.stem == "srms-deploy")
-    old, now, level = FramesOf1(0.5, 0.15), [frame for _, frame in Recording(path).steps()], "info"
+    old, now, level = FramesOf1(lambda: (0.5, 0.15)), [frame for _, frame in Recording(path).steps()], "info"
     for written, frame in zip(as_written(path), now, strict=True):
         del written["work"]["clearance_level"], written["attached"], written["wrist_pitch"], written["times"]
         taken = old.frame(written)
@@ -64,6 +66,31 @@ def test_what_files_of_the_first_weeks_do_not_tell_is_found_out() -> None:
             level = level_of(near.clearance, 0.5, 0.15, level)  # type: ignore[arg-type]
         assert taken["work"]["clearance_level"] == level and taken["attached"] == frame.attached
         assert taken["wrist_pitch"] is None
+
+
+def test_a_file_whose_scenario_this_version_cannot_load_is_read(tmp_path: Path) -> None:
+    source = FILES[1]
+    opening = Recording(source).opening
+    other = msgspec.structs.replace(opening, scenario_text=f"gravity = 9.81\n{opening.scenario_text}")
+    rewritten(source, tmp_path / "old.mcap", {"/opening": msgspec.json.encode(other)})
+    frames = [frame for _, frame in Recording(source).steps()]
+    assert [frame for _, frame in Recording(tmp_path / "old.mcap").steps()] == frames
+    written = as_written(source)[0]
+    del written["work"]["clearance_level"]
+    rewritten(tmp_path / "old.mcap", tmp_path / "older.mcap", {"/frames": msgspec.json.encode(written)})
+    with pytest.raises(RecordingError, match="scenario cannot be loaded"):
+        list(Recording(tmp_path / "older.mcap").steps())
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [("goal", "there"), ("check", 7), ("views", 3), ("tip_rotation", [0.0, 0.0, 0.0, 0.0]), ("work", {})],
+)
+def test_a_frame_that_makes_no_sense_is_damage(tmp_path: Path, field: str, value: object) -> None:
+    source = FILES[1]
+    rewritten(source, tmp_path / "odd.mcap", {"/frames": msgspec.json.encode({**as_written(source)[0], field: value})})
+    with pytest.raises(RecordingError, match="a message in /frames is not understood"):
+        list(Recording(tmp_path / "odd.mcap").messages())
 
 
 def test_layout_2_is_what_is_written() -> None:

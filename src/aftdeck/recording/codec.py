@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
-from types import UnionType
-from typing import Annotated, Any, TypeVar, Union, cast, get_args, get_origin, get_type_hints
+from typing import Any, TypeVar, cast, get_args, get_origin, get_type_hints
 
 import msgspec
 import numpy as np
 
 from aftdeck.frames import Rows, quaternion, rotation_of
+from aftdeck.recording.hints import apart, is_object, names, without_none
 
 Change = Callable[[Any], Any]
 """Function that converts a value to its plain form, or back."""
@@ -53,7 +53,7 @@ def restored(kind: type[S], given: Any) -> S:
     change = _of_struct(kind, back=True)
     try:
         return msgspec.convert(given if change is None else change(given), kind)
-    except (TypeError, ValueError, AttributeError, KeyError) as error:
+    except (TypeError, ValueError, AttributeError, KeyError, ArithmeticError) as error:
         if isinstance(error, msgspec.ValidationError):
             raise
         raise msgspec.ValidationError(str(error)) from None
@@ -71,14 +71,13 @@ def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change
     `decimals` holds for fields that do not declare their own.
     """
     hints = get_type_hints(kind, include_extras=True)
-    names = kind.__struct_fields__ if issubclass(kind, msgspec.Struct) else kind._fields  # type: ignore[attr-defined]
-    changes = {name: change for name in names if (change := _of(hints[name], back=back, decimals=decimals))}
+    changes = {name: change for name in names(kind) if (change := _of(hints[name], back=back, decimals=decimals))}
     if issubclass(kind, msgspec.Struct) and not changes:
         return None
     if not back:
-        return _written(kind, names, changes)
+        return _written(kind, changes)
     if not issubclass(kind, msgspec.Struct):
-        return lambda given: [changes[name](given[name]) if name in changes else given[name] for name in names]
+        return lambda given: [changes[name](given[name]) if name in changes else given[name] for name in names(kind)]
 
     def read(given: Any) -> Any:
         if not isinstance(given, dict):
@@ -88,20 +87,17 @@ def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change
     return read
 
 
-def _written(kind: type, names: tuple[str, ...], changes: dict[str, Change]) -> Change:
+def _written(kind: type, changes: dict[str, Change]) -> Change:
     """Return the conversion of a struct or named tuple to the object that is written."""
-    omitted: dict[str, object] = {}
-    written: dict[str, bytes] = {}
+    defaults: dict[str, object] = {}
     if issubclass(kind, msgspec.Struct) and kind.__struct_config__.omit_defaults:
-        omitted = {field.name: field.default for field in msgspec.structs.fields(kind)}
-        # compare encoded defaults too: 0.0 == -0.0, but the file must distinguish them
-        written = {name: _encode(default) for name, default in omitted.items() if default is not msgspec.NODEFAULT}
+        defaults = {field.name: field.default for field in msgspec.structs.fields(kind)}
 
     def write(value: Any) -> dict[str, Any]:
         out = {}
-        for name in names:
+        for name in names(kind):
             one = getattr(value, name)
-            if name in written and one == omitted[name] and _encode(one) == written[name]:
+            if name in defaults and one == defaults[name]:
                 continue
             change = changes.get(name)
             out[name] = one if change is None else change(one)
@@ -112,13 +108,11 @@ def _written(kind: type, names: tuple[str, ...], changes: dict[str, Change]) -> 
 
 def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
     """Return the conversion of values of a type; None if they need none."""
-    if get_origin(hint) is Annotated:
-        inner, *more = get_args(hint)
-        extra = next((one.extra for one in more if isinstance(one, msgspec.Meta) and one.extra), {})
-        return _of(inner, back=back, decimals=extra.get("decimals", decimals))
-    if get_origin(hint) in (Union, UnionType):
-        kinds = [one for one in get_args(hint) if one is not type(None)]
-        change = _of(kinds[0], back=back, decimals=decimals) if len(kinds) == 1 else None
+    hint, meta = apart(hint)
+    if meta is not None and meta.extra:
+        decimals = meta.extra.get("decimals", decimals)
+    if (kind := without_none(hint)) is not hint:
+        change = _of(kind, back=back, decimals=decimals)
         return None if change is None else lambda value: None if value is None else change(value)
     if hint == Rows:
         return _rotation(decimals, back=back)
@@ -126,10 +120,8 @@ def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
         return lambda value: round(value, decimals)
     if get_origin(hint) is tuple:
         return _of_tuple(get_args(hint), back=back, decimals=decimals)
-    if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
-        return _of_struct(hint, back=back)
-    if hasattr(hint, "_fields"):
-        return _of_struct(hint, back=back, decimals=decimals)
+    if is_object(hint):  # a struct's fields declare their own decimals
+        return _of_struct(hint, back=back, decimals=None if issubclass(hint, msgspec.Struct) else decimals)
     return None
 
 

@@ -14,8 +14,9 @@ import msgspec
 
 from aftdeck.errors import InputError
 from aftdeck.frames import Rows
+from aftdeck.recording.hints import is_object
 from aftdeck.recording.records import CHANNELS
-from aftdeck.recording.schema import fields, is_object, rotation
+from aftdeck.recording.schema import fields, rotation
 
 BEGIN, END = "<!-- made from the types: begin -->\n", "<!-- made from the types: end -->\n"
 _NAMES = {float: "number", int: "whole number", str: "text", bool: "true or false"}

@@ -5,6 +5,7 @@ In layout 1 the names of a frame's fields contain units, and some fields have ot
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from msgspec.structs import replace
@@ -41,16 +42,17 @@ _NEAR = {
 }
 _HAND = {"spacing_m": "spacing"}
 _CARGO = {"position_m": "position", "rotation": "orientation", "velocity_m_s": "velocity"}
-RENAMED = {"": _FRAME, "goal": _GOAL, "work": _WORK, "work.nearest": _NEAR, "work.hand": _HAND, "work.cargo": _CARGO}
-"""Names in layout 2 of a frame's fields, by their names in layout 1, for each part of the frame."""
 
 
 class FramesOf1:
     """Converter of a run's frames, in order: a frame's clearance level depends on the level before."""
 
-    def __init__(self, caution: float, warning: float) -> None:
-        """Set the thresholds of clearance [m]; they serve early files, which do not record the clearance level."""
-        self._caution, self._warning = caution, warning
+    def __init__(self, thresholds: Callable[[], tuple[float, float]]) -> None:
+        """Convert frames; `thresholds` returns the scenario's clearances for caution and warning [m].
+
+        It is called only for early files, which do not record the clearance level.
+        """
+        self._thresholds = thresholds
         self._level: Level = CLEAR
 
     def frame(self, old: Plain) -> Plain:
@@ -79,9 +81,9 @@ class FramesOf1:
         new["hand"] = _renamed(old["hand"], _HAND)
         new["cargo"] = [_renamed(one, _CARGO) for one in old["cargo"]]
         if old.get("clearance_level") is None:
-            near, before = new["nearest"], self._level
+            near = new["nearest"]
             new["clearance_level"] = (
-                CLEAR if near is None else level_of(near["clearance"], self._caution, self._warning, before)
+                CLEAR if near is None else level_of(near["clearance"], *self._thresholds(), self._level)
             )
         self._level = new["clearance_level"]
         return new

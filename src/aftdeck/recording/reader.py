@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 from pathlib import Path
 from typing import BinaryIO
 
@@ -11,7 +12,7 @@ from mcap.records import Channel as McapChannel
 from mcap.records import Header
 from mcap.records import Message as McapMessage
 
-from aftdeck.errors import RecordingError
+from aftdeck.errors import AftdeckError, RecordingError
 from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.chunks import MAGIC, DamageError, records
 from aftdeck.recording.codec import as_read, decode, restored
@@ -71,8 +72,7 @@ class Recording:
             raise self._damaged("it does not begin with what the run started from")
         self.opening = first
         if first.format == 1:
-            flown = scenario_of(first)
-            self._old = FramesOf1(flown.caution, flown.warning)
+            self._old = FramesOf1(lambda: self._thresholds)
 
     def messages(self) -> Iterator[Message]:
         """Yield all messages in order, as far as the file goes; `ended` or `cut` is known afterwards.
@@ -161,8 +161,21 @@ class Recording:
                 given = msgspec.json.decode(data, type=dict)
                 return restored(kind, self._old.frame(given) if kind is FrameRecord else inputs(given))
             return decode(kind, data)
-        except (msgspec.MsgspecError, KeyError, TypeError, ValueError) as error:
+        except (msgspec.MsgspecError, AttributeError, KeyError, TypeError, ValueError) as error:
             raise self._damaged(f"a message in {topic} is not understood: {error}") from None
+
+    @cached_property
+    def _thresholds(self) -> tuple[float, float]:
+        """Clearances of the scenario for caution and warning [m].
+
+        Raises:
+            RecordingError: this version cannot load the scenario.
+        """
+        try:
+            scenario = scenario_of(self.opening)
+        except AftdeckError as error:
+            raise RecordingError(f"{self.path}: its scenario cannot be loaded: {error}") from None
+        return scenario.caution, scenario.warning
 
     def _check_layout(self, layout: _Layout) -> None:
         if layout.format > FORMAT:

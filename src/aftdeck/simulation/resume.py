@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from aftdeck.simulation.carried import Carried, carrying
+from aftdeck.simulation.carried import Carried
 from aftdeck.simulation.checking import Rehearsed
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.grasp import steer
@@ -23,15 +23,14 @@ def resume(flight: Flight, saved: bytes) -> State:
     Raises:
         InputError: the bytes are not a state of this flight.
     """
-    scenario = flight.scenario
-    carried = carrying(scenario, scenario.payload)
+    nothing = Carried(None, {})
     empty: dict[type, Callable[[], Cache]] = {
-        Carried: lambda: carried,
-        Standing: lambda: Standing(scenario.arm),
+        Carried: lambda: nothing,
+        Standing: lambda: Standing(flight.scenario.arm),
         Rehearsed: Rehearsed,
         Watch: lambda: Watch(flight.site.layout),
     }
-    state = decoded(new_state(flight, carried), saved, lambda kind: empty[kind]())
+    state = decoded(new_state(flight, nothing), saved, lambda kind: empty[kind]())
     steer(flight, state)
     look_again(flight, state)
     return state

@@ -9,7 +9,6 @@ import numpy as np
 
 from aftdeck.arrays import Array
 from aftdeck.kinematics.arm import Arm
-from aftdeck.kinematics.linkage import L1
 from aftdeck.kinematics.observe import OBSERVED
 from aftdeck.plant.kinematic import KinematicPlant
 from aftdeck.plant.slide import Slide
@@ -23,7 +22,7 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.standing import Standing
 from aftdeck.simulation.things import Things, new_things
 from aftdeck.state_part import StatePart, copied
-from aftdeck.steering.layout import COMMAND, GO, KEPT, MASTER, REPORT, STATE
+from aftdeck.steering.layout import COMMAND, GO, REPORT, STATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice
 from aftdeck.steering.msteer import measured
 from aftdeck.steering.rules import Rate
@@ -186,10 +185,8 @@ class State(StatePart):
 
 
 def new_state(flight: Flight, carried: Carried) -> State:
-    """Return a state in which the arm and the worksite are not yet at their start."""
-    scenario, views, height = flight.scenario, flight.cameras.first, float(flight.scenario.arm.model.links[L1])
-    command = np.zeros(COMMAND)
-    command[MASTER : MASTER + 6] = command[KEPT : KEPT + 6] = scenario.initial_angles
+    """Return a state in which the arm and the worksite are not yet at their start; `begin` puts them there."""
+    scenario, views = flight.scenario, flight.cameras.first
     panel = Panel(
         scenario.mode,
         0,
@@ -199,16 +196,15 @@ def new_state(flight: Flight, carried: Carried) -> State:
         position_hold=scenario.position_hold,
         camera=flight.cameras.names[0] if views else "",
     )
-    angles, rates = scenario.initial_angles, scenario.initial_rates
     return State(
         panel=panel,
         script=Script(attached=0 if scenario.payload is None else 1),
         under_way=[Inputs()] * scenario.delay,
-        plant=KinematicPlant(angles.copy(), rates.copy(), angles.copy(), Slide(height)),
+        plant=KinematicPlant(np.zeros(6), np.zeros(6), np.zeros(6), Slide(0.0)),
         site=new_things(flight.site, flight.prong),
         views=views,
         steering=np.zeros(STATE),
-        command=command,
+        command=np.zeros(COMMAND),
         report=np.zeros(REPORT),
         seen=np.zeros(OBSERVED),
         carried=carried,

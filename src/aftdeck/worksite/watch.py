@@ -127,23 +127,23 @@ def nearest_pair(
     Returns:
         Index of the pair; -1 if no pair is below the limit.
     """
-    least = limit
+    best, least, own = -1, limit, np.empty(packed.PAIR)
     for turn in range(begin - 1, end):
         k = first if turn < begin else turn
+        if turn == first:
+            continue
         a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
-        if turn != first and not not_nearer(a, b, memory[k], least):
-            least = min(least, measure(a, b, memory[k]))
-    # measure only the pairs that may be the nearest, without remembered data
-    best, own = -1, np.empty(packed.PAIR)
-    nearest, beyond = limit, least + _SLACK
-    for k in range(begin, end):
-        a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
-        if not not_nearer(a, b, memory[k], beyond):
-            own[:] = 0.0
-            clearance = measure(a, b, own)
-            if clearance < nearest:
-                best, nearest = k, clearance
-                told[:] = own
+        # remembered data only show that a pair is not the nearest
+        beyond = least + _SLACK
+        if turn >= begin and (not_nearer(a, b, memory[k], beyond) or measure(a, b, memory[k]) > beyond):
+            continue
+        own[:] = 0.0
+        clearance = measure(a, b, own)
+        if turn < begin:
+            memory[k] = own
+        if clearance < least or (clearance == least and k < best):
+            best, least = k, clearance
+            told[:] = own
     return best
 
 

@@ -1,0 +1,36 @@
+"""Readers of type hints: the parts of an annotation, and the fields of what is written as an object."""
+
+from __future__ import annotations
+
+from types import UnionType
+from typing import Annotated, Any, Union, get_args, get_origin
+
+import msgspec
+
+
+def apart(hint: Any) -> tuple[Any, msgspec.Meta | None]:
+    """Return a type without its metadata, and the metadata; None if it has none."""
+    if get_origin(hint) is Annotated:
+        inner, *more = get_args(hint)
+        return inner, next((one for one in more if isinstance(one, msgspec.Meta)), None)
+    return hint, None
+
+
+def without_none(hint: Any) -> Any:
+    """Return X for X | None, otherwise the type itself."""
+    if get_origin(hint) in (Union, UnionType):
+        return next(kind for kind in get_args(hint) if kind is not type(None))
+    return hint
+
+
+def is_object(hint: Any) -> bool:
+    """Return whether values of a type are written as objects: structs and named tuples."""
+    return isinstance(hint, type) and (issubclass(hint, msgspec.Struct) or hasattr(hint, "_fields"))
+
+
+def names(kind: type) -> tuple[str, ...]:
+    """Return the names of the fields of a struct or a named tuple, in order."""
+    if issubclass(kind, msgspec.Struct):
+        return kind.__struct_fields__
+    named_tuple: Any = kind
+    return tuple(named_tuple._fields)
