@@ -5,13 +5,26 @@ from __future__ import annotations
 import datetime
 import keyword
 import math
+import subprocess
+import sys
 import time
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from aftdeck.units import Angle, AngularRate, Length, Mass, Quantity, Speed, Time
+from aftdeck import units
+from aftdeck.units import (
+    Acceleration,
+    Angle,
+    AngularAcceleration,
+    AngularRate,
+    Length,
+    Mass,
+    Quantity,
+    Speed,
+    Time,
+)
 
 KINDS = (Length, Angle, Speed, AngularRate, Mass, Time)
 
@@ -122,3 +135,21 @@ def test_a_very_long_text_is_refused_at_once() -> None:
         Length.read("9" * 10_000 + "!")
     assert time.thread_time() - began < 0.5
     assert len(str(caught.value)) < 500
+
+
+@pytest.mark.parametrize("unit", units._USUAL)
+@pytest.mark.parametrize("kind", [*KINDS, Acceleration, AngularAcceleration])
+def test_usual_units_have_exactly_the_size_that_pint_computes(unit: str, kind: type[Quantity]) -> None:
+    assert units._size(unit, kind.unit) == units.size_by_pint(unit, kind.unit)
+
+
+def test_built_in_files_are_read_without_pint() -> None:
+    code = """
+import sys
+from aftdeck.scenario.load import built_in, load_scenario
+for name in built_in():
+    load_scenario(name)
+assert "pint" not in sys.modules, "pint was imported"
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr

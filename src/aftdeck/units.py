@@ -21,6 +21,25 @@ FOOT = 0.3048
 POUND = 0.45359237
 """One pound [kg], exact."""
 
+_USUAL = {
+    "m": ("m", 1.0),
+    "mm": ("m", 0.001),
+    "in": ("m", 0.0254),
+    "ft": ("m", 0.30479999999999996),
+    "ft/s": ("m/s", 0.30479999999999996),
+    "rad": ("rad", 1.0),
+    "deg": ("rad", 0.017453292519943295),
+    "deg/s": ("rad/s", 0.017453292519943295),
+    "deg/s/s": ("rad/s/s", 0.017453292519943295),
+    "kg": ("kg", 1.0),
+    "lb": ("kg", 0.4535923700000001),
+    "s": ("s", 1.0),
+    "ms": ("s", 0.001),
+}
+"""Sizes in SI of the units that the built-in files use, as pint computes them, to its last digit.
+
+Importing pint and reading its definitions takes longer than loading an arm; `tests/test_units.py` compares the two.
+"""
 
 _REPR = reprlib.Repr()
 _REPR.maxstring = _REPR.maxother = 100
@@ -121,7 +140,15 @@ class Time(Quantity):
 @functools.cache
 def _size(unit: str, wanted: str) -> float | None:
     """Return the size of a unit in wanted units, or None if the two units are not of the same kind."""
-    import pint  # noqa: PLC0415  (takes 0.3 s; only files with units need it)
+    if unit in _USUAL:
+        si, size = _USUAL[unit]
+        return size if si == wanted else None
+    return size_by_pint(unit, wanted)
+
+
+def size_by_pint(unit: str, wanted: str) -> float | None:
+    """Return the size of any unit that pint knows in wanted units, or None if the two are not of the same kind."""
+    import pint  # noqa: PLC0415  (takes 0.3 s; only files with unusual units need it)
 
     try:
         quantity = _registry().Quantity(1.0, unit)
