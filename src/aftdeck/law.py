@@ -2,6 +2,7 @@
 
 A *law* is straight-line scalar code: floats in, floats out, few branches. The same text runs compiled (Numba,
 cached on disk), as plain Python under ``NUMBA_DISABLE_JIT=1``, and inside loops over many arms.
+Numba is imported at the first call of any law: its import takes longer than loading an arm, which calls none.
 Division by zero gives infinity, as in hardware; the laws guard the places where it could happen.
 
 Numba's own cache checks only the file that defines a function, not the files of the functions that it calls. After a
@@ -14,19 +15,23 @@ from __future__ import annotations
 import contextlib
 import functools
 import hashlib
+import os
 import shutil
+import sys
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar, cast
 
-import numba
 import platformdirs
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
 
-_config: Any = numba.config
+_loading = threading.RLock()
+_waiting: list[_Declared] | None = []
+"""Laws declared so far, until `load` makes them; None from then on."""
 
 _KEPT = 30 * 86_400.0
 """Time for which unused machine code of another version of the laws is kept [s]."""
@@ -40,13 +45,39 @@ _HALF_PI_2 = 2.563344151594519e-12
 """Remainder of pi/2 after `_HALF_PI_1`."""
 
 
+class _Declared:
+    """Declared law, until `load` puts the compiled one in its place; a name that it misses still works, more slowly."""
+
+    def __init__(self, function: Callable[..., Any], fused: bool) -> None:
+        functools.update_wrapper(self, function)
+        self._fused = fused
+
+    @functools.cached_property
+    def compiled(self) -> Callable[..., Any]:
+        """The law itself, which Numba compiles at its first call."""
+        return _compiled(self.__wrapped__, fused=self._fused)  # type: ignore[attr-defined]
+
+    def __call__(self, *given: Any) -> Any:
+        """Load all laws, then call this one."""
+        load()
+        return self.compiled(*given)
+
+    @property
+    def _numba_type_(self) -> Any:
+        """Numba's type of the law, for a compiled function that knows the law by a name that `load` missed."""
+        import numba  # noqa: PLC0415
+
+        load()
+        return numba.typeof(self.compiled)
+
+
 def law(function: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Compile a law at its first call and keep the machine code on disk.
+    """Declare a law, which is compiled at its first call; its machine code is kept on disk.
 
     A law that another law calls is inlined (`forceinline`); otherwise loops do not vectorise. A law releases Python's
     global lock (`nogil`), and is never called from C (`no_cfunc_wrapper`).
     """
-    return _compiled(function, fused=False)
+    return _declared(function, fused=False)
 
 
 def _fused_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
@@ -55,10 +86,39 @@ def _fused_law(function: Callable[_P, _R]) -> Callable[_P, _R]:
     Use only for sums that have a product as one term, or that are exact. Elsewhere the compiler chooses which product
     to fuse, and not always the same one. One arm would then differ in its last digits from the same arm in a batch.
     """
-    return _compiled(function, fused=True)
+    return _declared(function, fused=True)
+
+
+def _declared(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
+    with _loading:
+        if _waiting is None:
+            return _compiled(function, fused=fused)
+        _waiting.append(_Declared(function, fused))
+        return cast("Callable[_P, _R]", _waiting[-1])
+
+
+def load() -> None:
+    """Import Numba, and put the compiled law in the place of each declared one, in every module that names it.
+
+    A law is then called without a detour, from Python and from other laws. The first call of any law does this.
+    """
+    global _waiting  # noqa: PLW0603
+    with _loading:
+        if _waiting is None:
+            return
+        made = {id(one): one.compiled for one in _waiting}
+        for module in list(sys.modules.values()):
+            names = getattr(module, "__dict__", {})
+            for name, value in list(names.items()):
+                if type(value) is _Declared:  # `isinstance` would wake the lazy objects of other packages
+                    names[name] = made[id(value)]
+        _waiting = None
 
 
 def _compiled(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
+    import numba  # noqa: PLC0415  (takes 0.6 s; only calling a law needs it)
+
+    config: Any = numba.config
     options: dict[str, Any] = {
         "error_model": "numpy",
         "fastmath": {"contract"} if fused else False,
@@ -66,15 +126,15 @@ def _compiled(function: Callable[_P, _R], *, fused: bool) -> Callable[_P, _R]:
         "nogil": True,
         "no_cfunc_wrapper": True,
     }
-    before = _config.CACHE_DIR
-    _config.CACHE_DIR = _cache()
+    before = config.CACHE_DIR
+    config.CACHE_DIR = _cache()
     compiled: Callable[_P, _R]
     try:
         compiled = numba.njit(cache=True, **options)(function)
     except RuntimeError:  # no folder is writable: compile for this process only
         compiled = numba.njit(**options)(function)
     finally:
-        _config.CACHE_DIR = before
+        config.CACHE_DIR = before
     return compiled
 
 
@@ -98,7 +158,7 @@ def state_of_the_laws() -> str:
 @functools.cache
 def _cache() -> str:
     """Return the cache folder for this version of the laws; remove other versions' folders that are long unused."""
-    own = _config.CACHE_DIR
+    own = os.environ.get("NUMBA_CACHE_DIR")
     home = Path(own) if own else platformdirs.user_cache_path("aftdeck")
     folder = home / f"laws-{state_of_the_laws()}"
     with contextlib.suppress(OSError):  # without write access nothing is cached
