@@ -21,6 +21,8 @@ ARM = "arm."
 FRAMES = ("orbiter", "space")
 _WALL = 0.05
 """Greatest distance of a wall from the end of the bay's inside [m]: hexahedra cover a tube's wall from outside."""
+_HAIR = 1e-6
+"""Allowance for rounding between a solid's distance and that of its bounding box [m]."""
 
 
 def misnamed(file: WorksiteFile) -> Iterator[Problem]:
@@ -109,7 +111,7 @@ def blind_cameras(
         pose = still.get(camera.body)
         near = solids if pose else own.get(camera.body, ())
         place = _in_scene(pose, camera.position) if pose else np.array(camera.position)
-        for solid in near:
+        for solid in _within(clearance, place, near):
             room = distance(place, solid.vertices)
             if solid.part != f"camera {camera.name}" and not room > clearance:
                 where = f"{room:.3g} m from" if room > 0.0 else "in"
@@ -117,6 +119,16 @@ def blind_cameras(
                     f"camera {camera.name} stands {where} {solid.part}; it has to be more than {clearance:.3g} m away"
                 )
                 yield Problem(("camera", i, "position"), what)
+
+
+def _within(reach: float, point: Array, solids: Sequence[Solid]) -> list[Solid]:
+    """Return the solids whose bounding boxes, along the axes, are nearer to a point than `reach` [m] and a hair."""
+    if not solids:
+        return []
+    vertices = np.array([solid.vertices for solid in solids])
+    beyond = np.maximum(np.maximum(vertices.min(axis=1) - point, point - vertices.max(axis=1)), 0.0)
+    close = np.linalg.norm(beyond, axis=1) <= reach + _HAIR
+    return [solid for solid, is_close in zip(solids, close, strict=True) if is_close]
 
 
 def bay_without_walls(bay: Bay, solids: Sequence[Solid]) -> Iterator[Problem]:
