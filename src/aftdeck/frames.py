@@ -103,13 +103,12 @@ def oriend(rotation: Array) -> tuple[float, float, float]:
 
     Elevation lies in [-pi/2, pi/2]. At +-pi/2 only azimuth -+ roll is determined; roll is then set to 0.
     """
-    sine = -rotation[2, 0]
-    cosine = math.hypot(rotation[0, 0], rotation[1, 0])
-    elevation = math.atan2(sine, cosine)
+    (a, b, _), (d, e, _), (g, h, i) = rotation.tolist()
+    cosine = math.hypot(a, d)
+    elevation = math.atan2(-g, cosine)
     if cosine < _GIMBAL:
-        return 0.0, elevation, math.atan2(-rotation[0, 1], rotation[1, 1])
-    roll = math.atan2(rotation[2, 1], rotation[2, 2])
-    return roll, elevation, math.atan2(rotation[1, 0], rotation[0, 0])
+        return 0.0, elevation, math.atan2(-b, e)
+    return math.atan2(h, i), elevation, math.atan2(d, a)
 
 
 def panel_rotation(pitch: float, yaw: float, roll: float) -> Array:

@@ -98,7 +98,7 @@ def decoded(like: P, data: bytes, empty: Callable[[type], Cache]) -> P:
 def _plain(value: object) -> object:
     """Return an array as its bytes, after its shape if it has more than one axis, and a cache as None."""
     if isinstance(value, np.ndarray):
-        return value.data if value.ndim == 1 else (value.shape, value.data)
+        return value.tobytes() if value.ndim == 1 else (value.shape, value.tobytes())
     if isinstance(value, Cache):
         return None
     raise NotImplementedError(f"{type(value).__name__} has no place in a state")

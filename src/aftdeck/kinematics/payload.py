@@ -15,6 +15,10 @@ from aftdeck.frames import Pose
 from aftdeck.shapes import Shape
 
 
+PACKED = 15
+"""Length of a packed payload."""
+
+
 @dataclass(frozen=True, eq=False)
 class Payload:
     """Payload that the end effector holds.

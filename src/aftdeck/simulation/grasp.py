@@ -7,11 +7,12 @@ import math
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.pose import POSE, compose, relative
-from aftdeck.kinematics.payload import Payload
+from aftdeck.bodies.pose import POSE, relative
+from aftdeck.kinematics.payload import PACKED, Payload
 from aftdeck.simulation.carried import carrying
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.floating import floating
+from aftdeck.simulation.hand_poses import fixture_in_effector, payload_in_hand
 from aftdeck.simulation.log import log
 from aftdeck.simulation.site import Site
 from aftdeck.simulation.state import State
@@ -68,13 +69,20 @@ def put_effector(flight: Flight, state: State, *, holding: bool) -> None:
         things.snare = held if holding else Snare()
 
 
-def in_grasp(flight: Flight, state: State) -> Payload | None:
-    """Return the payload in the grasp, in its present pose relative to the hand; None if the grasp is empty.
+def packed_in_grasp(flight: Flight, state: State) -> Array | None:
+    """Return the payload in the grasp as `Payload.packed`, in its present pose; None if the grasp is empty.
 
-    Carriage and latches change that pose.
+    Carriage and latches change the pose of a worksite payload in the hand.
     """
-    k = state.site.held
-    return state.carried.payload if k is None else _payload(flight, k, in_hand(flight, state, k))
+    site, k = flight.site, state.site.held
+    if k is None:
+        own = state.carried.payload
+        return None if own is None else own.packed
+    inside, packed = np.empty(POSE), np.zeros(PACKED)
+    payload_in_hand(state.site.frames, site.last_joint, site.cargo_row(k), site.hand, inside)
+    packed[:9] = inside[3:]
+    packed[9:12] = inside[3:].reshape(3, 3).T @ inside[:3]
+    return packed
 
 
 def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
@@ -106,10 +114,8 @@ def fixture_in_hand(site: Site, frames: Array, k: int) -> Array | None:
     fixture = site.snares.fixtures[k] if site.snares is not None else None
     if fixture is None:
         return None
-    effector, place, found = np.empty(POSE), np.empty(POSE), np.empty(POSE)
-    compose(frames[site.last_joint], site.effector, effector)
-    compose(frames[site.cargo_row(k)], fixture, place)
-    relative(effector, place, found)
+    found = np.empty(POSE)
+    fixture_in_effector(frames, site.last_joint, site.effector, site.cargo_row(k), fixture, found)
     return found
 
 

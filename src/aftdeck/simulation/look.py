@@ -7,39 +7,39 @@ import math
 import numpy as np
 
 from aftdeck.frames import Rows, angle_between
-from aftdeck.kinematics.observe import CARRIED, observe_link, observe_payload
+from aftdeck.kinematics.observe import CARRIED, observe_payload
 from aftdeck.simulation.acting import acting_limits
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame import Frame, Goal, Placed, Six, Times, Vec3
-from aftdeck.simulation.grasp import in_grasp
+from aftdeck.simulation.frame_numbers import frame_numbers
+from aftdeck.simulation.grasp import packed_in_grasp
 from aftdeck.simulation.look_work import look_work
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import (
-    DEMAND,
-    DRIVE,
-    GO,
-    RATE,
-    RATES,
-    RATIO,
-    REMAINING,
-    SPEED,
-    STICKS,
-    TURN,
-    TURN_REMAINING,
-    TWIST,
-)
 from aftdeck.steering.mode import MODES
 
 
 def look(flight: Flight, state: State, seal: bytes) -> Frame:
     """Return the frame of the last step, with its log lines and the state's digest; leave the state unchanged."""
-    scenario, panel = flight.scenario, state.panel
-    seen, angles = state.seen.tolist(), state.plant.angles.tolist()
-    rules = state.rules.tolist()
-    command, steering, report = state.command.tolist(), state.steering.tolist(), state.report.tolist()
+    scenario, panel, plant = flight.scenario, state.panel, state.plant
+    model = scenario.arm.model
+    observed, joints, steered, scalars = frame_numbers(
+        model.links,
+        model.mount.rotation,
+        plant.angles,
+        plant.rates,
+        plant.commanded,
+        state.seen,
+        state.rules,
+        state.command,
+        state.steering,
+        state.report,
+    )
+    position, orientation, tip_twist, singularity, wrist_pitch = observed
+    angles, rates, angles_commanded, rates_commanded, rate_limits = joints
+    twist_commanded, twist_demanded, por_limits, translation, rotation = steered
+    drive, ratio, remaining, turn_remaining, go = scalars
     points = len(scenario.sequences.get(panel.mode, ()))
-    position, orientation = _vec3(seen, 0), _rows(seen, 3)
-    resolution, twist, payload = _carried(flight, state, position, seen)
+    resolution, twist, payload = _carried(flight, state, position, tip_twist)
     return Frame(
         tick=state.tick,
         time_s=round(state.tick * scenario.control_period, 9),
@@ -59,32 +59,32 @@ def look(flight: Flight, state: State, seal: bytes) -> Frame:
         point=min(panel.point + 1, points) if points else 0,
         points=points,
         check=panel.check,
-        translation=_vec3(command, STICKS + 3),
-        rotation=_vec3(command, STICKS),
-        drive=command[DRIVE],
-        angles=_six(angles, 0),
-        rates=_six(state.plant.rates.tolist(), 0),
-        angles_commanded=_six(state.plant.commanded.tolist(), 0),
-        rates_commanded=_six(steering, RATES),
-        rate_limits=_six(rules, RATE),
+        translation=translation,
+        rotation=rotation,
+        drive=drive,
+        angles=angles,
+        rates=rates,
+        angles_commanded=angles_commanded,
+        rates_commanded=rates_commanded,
+        rate_limits=rate_limits,
         zones=panel.zones,
         position=position,
         orientation=orientation,
-        wrist_pitch=_wrist_pitch(flight, state),
+        wrist_pitch=wrist_pitch,
         resolution=resolution,
         payload=payload,
         attached=state.script.attached,
         twist=twist,
-        twist_commanded=_six(steering, TWIST),
-        twist_demanded=_six(report, DEMAND),
-        por_limits=(rules[SPEED], rules[TURN]),
-        ratio=report[RATIO],
+        twist_commanded=twist_commanded,
+        twist_demanded=twist_demanded,
+        por_limits=por_limits,
+        ratio=ratio,
         limits=acting_limits(flight, state),
-        singularity=_vec3(seen, 18),
+        singularity=singularity,
         singular=panel.singular,
         ways_out=state.ways_out,
-        goal=_goal(state, position, orientation, report[REMAINING]),
-        times=_times(flight, state),
+        goal=_goal(state, position, orientation, remaining),
+        times=_times(flight, state, remaining, turn_remaining, under_way=go != 0.0),
         work=look_work(flight, state),
         events=tuple(state.events),
         views=state.views,
@@ -92,52 +92,33 @@ def look(flight: Flight, state: State, seal: bytes) -> Frame:
     )
 
 
-def _carried(flight: Flight, state: State, position: Vec3, seen: list[float]) -> tuple[Vec3, Six, Placed | None]:
+def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[Vec3, Six, Placed | None]:
     """Return the point of resolution, its twist, and the payload in the grasp (None if the grasp is empty)."""
-    held = in_grasp(flight, state)
+    held = packed_in_grasp(flight, state)
     if held is None:
-        return position, _six(seen, 12), None
+        return position, twist, None
     carried_array = np.empty(CARRIED)
-    observe_payload(state.seen, held.packed, carried_array)
-    carried = carried_array.tolist()
-    payload = Placed(_vec3(carried, 0), _rows(carried, 3))
+    observe_payload(state.seen, held, carried_array)
+    x, y, z, a, b, c, d, e, f, g, h, i, px, py, pz, vx, vy, vz = carried_array.tolist()
+    payload = Placed((x, y, z), ((a, b, c), (d, e, f), (g, h, i)))
     if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # the source moves the tip in every mode
-        return position, _six(seen, 12), payload
-    return _vec3(carried, 12), (seen[12], seen[13], seen[14], carried[15], carried[16], carried[17]), payload
+        return position, twist, payload
+    return (px, py, pz), (twist[0], twist[1], twist[2], vx, vy, vz), payload
 
 
-def _wrist_pitch(flight: Flight, state: State) -> Rows:
-    """Return LNKAGE's T_B5 (see `observe_link`)."""
-    model, axes = flight.scenario.arm.model, np.empty((3, 3))
-    observe_link(model.links, state.plant.angles, model.mount.rotation, axes)
-    return _rows(axes.ravel().tolist(), 0)
-
-
-def _times(flight: Flight, state: State) -> Times:
+def _times(flight: Flight, state: State, remaining: float, turn_remaining: float, *, under_way: bool) -> Times:
     """Return TP, ETA and ETAP; the laws report the time that remains at the beginning of a step."""
-    panel, period, report = state.panel, flight.scenario.control_period, state.report
+    panel, period = state.panel, flight.scenario.control_period
     steered = (state.tick - 1 - panel.began) * period
     eta = etap = None
     if panel.sequence == "in progress":
-        if state.command[GO] != 0.0:
-            eta = steered + float(report[REMAINING])
-            etap = None if panel.law == "position" else steered + float(report[TURN_REMAINING])
+        if under_way:
+            eta = steered + remaining
+            etap = None if panel.law == "position" else steered + turn_remaining
     elif state.by_script and state.phase and not state.script.ended:
         phase = flight.scenario.phases[state.script.phase]
         eta = phase.duration if phase.timed else None
     return Times(steered + period, eta, etap)
-
-
-def _vec3(values: list[float], at: int) -> Vec3:
-    return values[at], values[at + 1], values[at + 2]
-
-
-def _rows(values: list[float], at: int) -> Rows:
-    return _vec3(values, at), _vec3(values, at + 3), _vec3(values, at + 6)
-
-
-def _six(values: list[float], at: int) -> Six:
-    return values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5]
 
 
 def _goal(state: State, position: Vec3, orientation: Rows, remaining: float) -> Goal | None:

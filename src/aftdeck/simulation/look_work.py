@@ -10,6 +10,7 @@ from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.separation import named
 from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.frame_numbers import moving
 from aftdeck.simulation.pursuit import pursuit
 from aftdeck.simulation.site import Site
 from aftdeck.simulation.state import State
@@ -119,9 +120,8 @@ def _lit(snare: Snare) -> tuple[str, ...]:
 
 def _cargo(flight: Flight, state: State, k: int) -> Cargo:
     site, things = flight.site, state.site
-    row, before = things.frames[site.cargo_row(k)].tolist(), things.before[site.cargo_row(k)].tolist()
-    period, thing = flight.scenario.control_period, things.cargo[k]
-    x, y, z, *turn = row
-    a, b, c, d, e, f, g, h, i = turn
-    velocity = ((x - before[0]) / period, (y - before[1]) / period, (z - before[2]) / period)
-    return Cargo(site.cargo[k].name, (x, y, z), ((a, b, c), (d, e, f), (g, h, i)), velocity, thing.held, thing.seat)
+    position, orientation, velocity = moving(
+        things.frames, things.before, site.cargo_row(k), flight.scenario.control_period
+    )
+    thing = things.cargo[k]
+    return Cargo(site.cargo[k].name, position, orientation, velocity, thing.held, thing.seat)

@@ -1,0 +1,117 @@
+"""Numbers of a frame, taken from the state's arrays in one compiled call and returned as the tuples of the frame.
+
+Compiled code makes tuples of floats several times faster than Python makes them from arrays.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.kinematics.observe import observe_link
+from aftdeck.law import law
+from aftdeck.simulation.frame import Rows, Six, Vec3
+from aftdeck.steering.layout import (
+    DEMAND,
+    DRIVE,
+    GO,
+    RATE,
+    RATES,
+    RATIO,
+    REMAINING,
+    SPEED,
+    STICKS,
+    TURN,
+    TURN_REMAINING,
+    TWIST,
+)
+
+Observed = tuple[Vec3, Rows, Six, Vec3, Rows]
+"""Tip's position, rows and twist; distances from the singularities; LNKAGE's T_B5."""
+Joints = tuple[Six, Six, Six, Six, Six]
+"""Angles, rates, commanded angles, commanded rates, rate limits."""
+Steered = tuple[Six, Six, tuple[float, float], Vec3, Vec3]
+"""Commanded twist, demanded twist, limits of the point of resolution, THC, RHC."""
+Scalars = tuple[float, float, float, float, float]
+"""DRIVE, ratio, remaining time, remaining time of the turn, 1 while an automatic motion is under way."""
+Moving = tuple[Vec3, Rows, Vec3]
+"""Position, rows and velocity of a body."""
+
+
+@law
+def vec3(values: Array, at: int) -> Vec3:
+    """Return three values from an index on."""
+    return values[at], values[at + 1], values[at + 2]
+
+
+@law
+def rows(values: Array, at: int) -> Rows:
+    """Return nine values from an index on, as the rows of a matrix."""
+    return vec3(values, at), vec3(values, at + 3), vec3(values, at + 6)
+
+
+@law
+def six(values: Array, at: int) -> Six:
+    """Return six values from an index on."""
+    return values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5]
+
+
+@law
+def wrist_pitch(arm: Array, angles: Array, mount: Array) -> Rows:
+    """Return LNKAGE's T_B5 (`kinematics.observe.observe_link`, with its arguments)."""
+    axes = np.empty((3, 3))
+    observe_link(arm, angles, mount, axes)
+    return (
+        (axes[0, 0], axes[0, 1], axes[0, 2]),
+        (axes[1, 0], axes[1, 1], axes[1, 2]),
+        (axes[2, 0], axes[2, 1], axes[2, 2]),
+    )
+
+
+@law
+def frame_numbers(
+    arm: Array,
+    mount: Array,
+    angles: Array,
+    rates: Array,
+    commanded: Array,
+    seen: Array,
+    rules: Array,
+    command: Array,
+    steering: Array,
+    report: Array,
+) -> tuple[Observed, Joints, Steered, Scalars]:
+    """Return the numbers of a frame.
+
+    Args:
+        arm: packed links.
+        mount: (3, 3) from L to the orbiter's body axes.
+        angles: (6,) measured joint angles [rad].
+        rates: (6,) measured joint rates [rad/s].
+        commanded: (6,) commanded joint angles [rad].
+        seen: (21,) from `kinematics.observe`.
+        rules: rules in force, as `steering.layout` defines this array and the next three.
+        command: input of the steering laws.
+        steering: state of the steering.
+        report: output of the steering laws.
+    """
+    return (
+        (vec3(seen, 0), rows(seen, 3), six(seen, 12), vec3(seen, 18), wrist_pitch(arm, angles, mount)),
+        (six(angles, 0), six(rates, 0), six(commanded, 0), six(steering, RATES), six(rules, RATE)),
+        (
+            six(steering, TWIST),
+            six(report, DEMAND),
+            (rules[SPEED], rules[TURN]),
+            vec3(command, STICKS + 3),
+            vec3(command, STICKS),
+        ),
+        (command[DRIVE], report[RATIO], report[REMAINING], report[TURN_REMAINING], command[GO]),
+    )
+
+
+@law
+def moving(frames: Array, before: Array, row: int, period: float) -> Moving:
+    """Return the pose and velocity of the body in one row of the poses (F, 12) after and before a control period."""
+    now, then = frames[row], before[row]
+    velocity = (now[0] - then[0]) / period, (now[1] - then[1]) / period, (now[2] - then[2]) / period
+    return vec3(now, 0), rows(now, 3), velocity

@@ -1,0 +1,45 @@
+"""Poses of a payload and of its grapple fixture in the hand, each in one compiled call."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.pose import POSE, compose, relative
+from aftdeck.law import law
+
+
+@law
+def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, found: Array) -> None:
+    """Write into `found` (12,) a payload's pose in the hand.
+
+    Args:
+        frames: (F, 12) poses of all frames in L.
+        last_joint: row of the frame that carries the hand.
+        row: row of the payload.
+        hand: (12,) pose of the hand in the frame that carries it.
+        found: (12,) out.
+    """
+    grasp = np.empty(POSE)
+    relative(frames[last_joint], frames[row], grasp)
+    relative(hand, grasp, found)
+
+
+@law
+def fixture_in_effector(
+    frames: Array, last_joint: int, effector: Array, row: int, fixture: Array, found: Array
+) -> None:
+    """Write into `found` (12,) the pose of a payload's fixture in the end effector's axes E.
+
+    Args:
+        frames: (F, 12) poses of all frames in L.
+        last_joint: row of the frame that carries the end effector.
+        effector: (12,) pose of E in that frame.
+        row: row of the payload.
+        fixture: (12,) pose of the fixture in the payload.
+        found: (12,) out.
+    """
+    outer, inner = np.empty(POSE), np.empty(POSE)
+    compose(frames[last_joint], effector, outer)
+    compose(frames[row], fixture, inner)
+    relative(outer, inner, found)
