@@ -15,6 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import aftdeck
+from aftdeck import law
 from aftdeck.law import sincos
 
 OURS, THEIRS = 2e-16, 1.2e-16
@@ -81,3 +82,67 @@ def test_machine_code_of_a_law_is_not_used_once_anything_it_is_made_of_has_chang
     with (tmp_path / "src" / "aftdeck" / changed).open("a") as file:
         file.write("\nSURPLUS = 1\n")
     assert cache_folder(tmp_path / "src", tmp_path / "cache") != before
+
+
+def runs(code: str) -> None:
+    """Run code in a process of its own, in which no law has been called."""
+    done = subprocess.run([sys.executable, "-c", code], check=False, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+
+
+def test_loading_an_arm_imports_no_numba() -> None:
+    runs("""
+import sys, aftdeck
+for name in ("srms", "concept-1972"):
+    aftdeck.load_arm(name)
+assert "numba" not in sys.modules
+""")
+
+
+def test_station_and_command_line_import_no_numba() -> None:
+    runs("import sys, aftdeck.cli, aftdeck.station.serve; assert 'numba' not in sys.modules")
+
+
+def test_first_call_of_a_law_puts_the_compiled_laws_in_place_of_all() -> None:
+    runs("""
+import gc, importlib, pkgutil
+import aftdeck
+from aftdeck import law
+for module in pkgutil.walk_packages(aftdeck.__path__, "aftdeck."):
+    if not module.name.endswith("__main__"):
+        importlib.import_module(module.name)
+from aftdeck.law import nearest
+before = [nearest]
+assert nearest(1.4) == 1.0
+assert nearest is law.nearest is not before.pop()
+gc.collect()
+left = [one.__wrapped__ for one in gc.get_objects() if type(one) is law._Declared]
+assert not left, left
+""")
+
+
+def test_law_under_a_name_that_loading_missed_works_in_python_and_in_compiled_code() -> None:
+    runs("""
+from aftdeck import law
+kept = [law.nearest]
+law.load()
+assert kept[0] is not law.nearest and kept[0](1.4) == 1.0
+missed = kept[0]
+
+@law.law
+def twice(value):
+    return 2.0 * missed(value)
+
+assert twice(1.4) == 2.0
+""")
+
+
+def test_law_declared_after_loading_is_compiled_at_once() -> None:
+    law.load()
+
+    @law.law
+    def half(value: float) -> float:
+        return 0.5 * value
+
+    assert not isinstance(half, law._Declared)
+    assert half(3.0) == 1.5

@@ -15,6 +15,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import hashlib
+import importlib
 import os
 import shutil
 import sys
@@ -65,10 +66,9 @@ class _Declared:
     @property
     def _numba_type_(self) -> Any:
         """Numba's type of the law, for a compiled function that knows the law by a name that `load` missed."""
-        import numba  # noqa: PLC0415
-
         load()
-        return numba.typeof(self.compiled)
+        typeof: Any = importlib.import_module("numba").typeof
+        return typeof(self.compiled)
 
 
 def law(function: Callable[_P, _R]) -> Callable[_P, _R]:

@@ -11,6 +11,7 @@ from threading import Thread
 from typing import TypeVar
 
 import msgspec
+from starlette.applications import Starlette
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
@@ -18,6 +19,7 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.app import make_app
+from aftdeck.station.preparation import ready
 from aftdeck.station.serve import listen, make_server
 from aftdeck.station.session import Session
 
@@ -113,11 +115,11 @@ class Page:
         return self.wait_for(to_page.Welcome)
 
 
-class Station:
-    """A session served on a free port of this machine."""
+class Server:
+    """A station's server on a free port of this machine."""
 
-    def __init__(self, session: Session, port: int) -> None:
-        self.session, self.port = session, port
+    def __init__(self, port: int) -> None:
+        self.port = port
         self.address = f"127.0.0.1:{port}"
 
     def get(self, path: str, headers: dict[str, str] | None = None) -> tuple[int, str]:
@@ -147,6 +149,14 @@ class Station:
             page.greet()
             yield page
 
+
+class Station(Server):
+    """A session served on a free port of this machine."""
+
+    def __init__(self, session: Session, port: int) -> None:
+        super().__init__(port)
+        self.session = session
+
     def is_unhurt(self, *, at_start: bool = True) -> None:
         """Check that frames come at the control period, and that the arm stands where it started.
 
@@ -167,13 +177,20 @@ class Station:
 @contextmanager
 def served(session: Session, host: str = "127.0.0.1") -> Iterator[Station]:
     """Serve a session as `aftdeck fly` does, in a thread."""
+    with serving(make_app(ready(session), host, session.folder), host) as port:
+        yield Station(session, port)
+
+
+@contextmanager
+def serving(app: Starlette, host: str = "127.0.0.1") -> Iterator[int]:
+    """Serve an app in a thread, and yield its port."""
     listener = listen(host, 0)
-    server = make_server(make_app(session, host))
+    server = make_server(app)
     thread = Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
     thread.start()
     try:
         until(lambda: server.started or not thread.is_alive(), "the server starts")
-        yield Station(session, listener.getsockname()[1])
+        yield listener.getsockname()[1]
     finally:
         server.should_exit = True
         thread.join(WAIT_S)

@@ -61,7 +61,10 @@ def test_a_page_is_welcomed_with_all_that_it_needs_once(shared: Station) -> None
 @pytest.mark.parametrize(
     ("first", "sentence"),
     [
-        ('{"type":"hello","protocol":99}', "this page speaks protocol 99, the station 3: reload the page"),
+        (
+            '{"type":"hello","protocol":99}',
+            f"this page speaks protocol 99, the station {kinds.PROTOCOL}: reload the page",
+        ),
         ('{"type":"proceed","seq":1}', "the first message must be a hello"),
         ("hello", "the first message must be a hello"),
         ("", "the first message must be a hello"),

@@ -15,6 +15,7 @@ from aftdeck.station import built as station_built
 from aftdeck.station import serve as station_serve
 from aftdeck.station.app import make_app
 from aftdeck.station.built import StationError
+from aftdeck.station.preparation import ready
 from aftdeck.station.serve import listen, make_server, serve
 from aftdeck.station.session import Session
 from tests.station.pages import WAIT_S, Page, scenario, served
@@ -53,6 +54,8 @@ def test_control_c_ends_a_flight_with_a_page_without_a_traceback(running: subpro
     url = f"ws://{place}/ws"
     with connect(url, compression=None, max_queue=None, open_timeout=START_S, close_timeout=0.2) as link:
         Page(link).greet()
+        assert running.stdout is not None
+        assert next(line for line in running.stdout if "Flying" in line) == "Flying 'First flight'. End with Ctrl+C.\n"
         running.send_signal(signal.SIGINT)
         assert running.wait(START_S) in (0, 130)
     assert running.stderr is not None
@@ -111,11 +114,11 @@ def test_an_address_of_another_machine_is_refused() -> None:
 def test_a_missing_page_is_told_with_what_to_do(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(station_built, "STATIC", tmp_path)
     with pytest.raises(StationError, match=r"the station's page is missing \(.*index\.html\): build it with"):
-        serve(scenario(), None, host="127.0.0.1", port=0, open_browser=False, demo=False)
+        serve(scenario, None, host="127.0.0.1", port=0, open_browser=False, demo=False)
 
 
 def test_the_server_bounds_the_length_of_messages() -> None:
-    assert make_server(make_app(Session(scenario()))).config.ws_max_size == 16_384
+    assert make_server(make_app(ready(Session(scenario())))).config.ws_max_size == 16_384
 
 
 def test_a_name_of_this_machine_serves_pages_too() -> None:
@@ -140,7 +143,6 @@ def test_the_browser_is_opened_where_wanted(
     monkeypatch.setattr(station_built, "STATIC", tmp_path)
     monkeypatch.setattr(station_serve, "make_server", Idle)
     monkeypatch.setattr(webbrowser, "open", opened.append)
-    serve(scenario(), None, host="127.0.0.1", port=0, open_browser=wanted, demo=False)
+    serve(scenario, None, host="127.0.0.1", port=0, open_browser=wanted, demo=False)
     said = capsys.readouterr().out
     assert opened == ([said.split()[2]] if wanted else [])
-    assert "Flying 'First flight'. End with Ctrl+C." in said

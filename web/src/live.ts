@@ -5,12 +5,20 @@ import { Display } from './display';
 import { publish } from './hook';
 import { LiveStrips } from './live-strips';
 import { notice } from './notice';
-import type { FromServer, Role, Scenarios, Welcome } from './protocol';
+import type { Role, Scenarios, Welcome } from './protocol';
 import type { Drawing } from './quality';
-import { Link, type LinkState } from './socket';
+import { type FromSession, Link, type LinkState } from './socket';
 import { Station } from './station';
 import { onTooNarrow, tooNarrow } from './width';
 import { tornHere } from './windows';
+
+/** What the page says while there is nothing to fly yet. */
+function words(link: LinkState): string {
+  if (link.kind === 'preparing') return link.text;
+  return link.kind === 'lost'
+    ? `No answer from the station, try ${link.attempt}.`
+    : 'Connecting to the station.';
+}
 
 export function fly(root: HTMLElement, drawing: Drawing): void {
   let station: Station | Display | LiveStrips | null = null;
@@ -43,7 +51,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     document.title = `${message.title} · Aftdeck`;
   }
 
-  function message(received: FromServer): void {
+  function message(received: FromSession): void {
     switch (received.type) {
       case 'welcome':
         welcome(received);
@@ -80,12 +88,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
       station = null;
       notice(root, now.sentence);
     } else if (now.kind !== 'open' && !station) {
-      notice(
-        root,
-        now.kind === 'lost'
-          ? `No answer from the station, try ${now.attempt}.`
-          : 'Connecting to the station.',
-      );
+      notice(root, words(now));
     }
   }
 

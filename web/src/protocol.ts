@@ -1,7 +1,7 @@
 // Generated from station/from_page.py, to_page.py and playback.py by `make generate`; do not edit.
 // All quantities are SI and radians; see there for frames.
 
-export const PROTOCOL = 3;
+export const PROTOCOL = 4;
 
 export type Vec2 = readonly [number, number];
 export type Vec3 = readonly [number, number, number];
@@ -19,7 +19,7 @@ export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc j
 export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
 export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
 export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE';
-export type FromServer = Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
+export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
 
@@ -489,6 +489,12 @@ export interface Initialise {
   readonly type: 'initialise';
   readonly seq: number;
   readonly part: ProblemPart;
+}
+
+/** Line of progress while the station prepares its first session; comes before the welcome. */
+export interface Preparing {
+  readonly type: 'preparing';
+  readonly text: string;
 }
 
 /** Answer to `Hello`, sent again when the scenario changes: data that stays the same in a session. */

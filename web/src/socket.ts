@@ -1,21 +1,25 @@
 /** The connection to the station: handshake, typed messages, and coming back after a loss. */
 
 import { assertUnreachable } from './assert';
-import { type FromPage, type FromServer, type Hello, PROTOCOL } from './protocol';
+import { type FromPage, type FromServer, type Hello, PROTOCOL, type Preparing } from './protocol';
 
 type WithoutSeq<M> = M extends unknown ? Omit<M, 'seq'> : never;
 
 /** What the page may ask of the station; the link numbers it. */
 export type Command = WithoutSeq<FromPage>;
 
+/** Messages that come once the station has its session. */
+export type FromSession = Exclude<FromServer, Preparing>;
+
 export type LinkState =
   | { readonly kind: 'connecting' }
+  | { readonly kind: 'preparing'; readonly text: string }
   | { readonly kind: 'open' }
   | { readonly kind: 'lost'; readonly attempt: number }
   | { readonly kind: 'refused'; readonly sentence: string };
 
 export interface LinkListener {
-  message(message: FromServer): void;
+  message(message: FromSession): void;
   state(state: LinkState): void;
 }
 
@@ -87,6 +91,10 @@ export class Link {
       this.attempt = 0;
       this.listener.state({ kind: 'open' });
       this.reseat();
+    } else if (message.type === 'preparing') {
+      this.attempt = 0;
+      this.listener.state({ kind: 'preparing', text: message.text });
+      return;
     } else if (message.type === 'refused' && !this.welcomed) {
       this.refuse(message.text);
       return;
@@ -117,6 +125,7 @@ export function parse(data: unknown): FromServer {
   if (typeof data !== 'string') throw new Error('The station sent a message that is not text.');
   const message = JSON.parse(data) as FromServer;
   switch (message.type) {
+    case 'preparing':
     case 'welcome':
     case 'scenarios':
     case 'role':

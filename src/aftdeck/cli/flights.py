@@ -45,17 +45,22 @@ def fly(
 ) -> None:
     """Fly a scenario by hand in the browser."""
     from aftdeck.recording.trial import trial
-    from aftdeck.scenario.load import load_scenario
+    from aftdeck.scenario.load import find_scenario, parse_scenario
     from aftdeck.station.serve import serve
 
     for name, text in (("--participant", participant), ("--condition", condition)):
         if text is not None and record is None:
             raise InputError(f"{name} goes with --record DIR: it is written into each recording, and nowhere else")
     taking_part = trial(participant, condition)
-    loaded = load_scenario(scenario)
-    print_cautions(_cautions(loaded))
+    found = find_scenario(scenario)
+
+    def load() -> Scenario:
+        loaded = parse_scenario(*found)
+        print_cautions(_cautions(loaded))
+        return loaded
+
     serve(
-        loaded,
+        load,
         seed,
         host=host,
         port=port,

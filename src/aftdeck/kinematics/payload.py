@@ -14,7 +14,6 @@ from aftdeck.arrays import Array
 from aftdeck.frames import Pose
 from aftdeck.shapes import Shape
 
-
 PACKED = 15
 """Length of a packed payload."""
 

@@ -39,11 +39,20 @@ def about(name: str) -> About:
     return About(said["title"], said["text"], file)
 
 
-def load_scenario(name_or_path: str | Path) -> Scenario:
-    """Load the scenario of a built-in name or of a file.
+class Source(NamedTuple):
+    """A scenario's text and where it comes from: the arguments of `parse_scenario`."""
+
+    text: str
+    name: str
+    file: str
+    folder: Path
+
+
+def find_scenario(name_or_path: str | Path) -> Source:
+    """Return the text of a built-in name or of a file, not yet checked.
 
     Raises:
-        ScenarioError: there is no such scenario, or it has problems; lists all of them with their places in the file.
+        ScenarioError: there is no such scenario, or its file cannot be read.
     """
     path = Path(name_or_path)
     if path.suffix != ".toml":
@@ -55,7 +64,16 @@ def load_scenario(name_or_path: str | Path) -> Scenario:
                 ]
             )
         path = HERE / f"{name_or_path}.toml"
-    return parse_scenario(read(path).text, path.stem, path.name, path.parent)
+    return Source(read(path).text, path.stem, path.name, path.parent)
+
+
+def load_scenario(name_or_path: str | Path) -> Scenario:
+    """Load the scenario of a built-in name or of a file.
+
+    Raises:
+        ScenarioError: there is no such scenario, or it has problems; lists all of them with their places in the file.
+    """
+    return parse_scenario(*find_scenario(name_or_path))
 
 
 def _derived(raw: dict[str, Any], folder: Path, file: Text) -> list[Problem]:

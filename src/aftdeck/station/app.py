@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import asyncio
 import contextlib
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
+from pathlib import Path
 
 from starlette.applications import Starlette
 from starlette.requests import Request
@@ -15,45 +15,51 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from aftdeck.station.built import STATIC
 from aftdeck.station.own import keep_to_own
-from aftdeck.station.page import Page
-from aftdeck.station.pages import Pages
+from aftdeck.station.page import Page, greeted
+from aftdeck.station.preparation import Preparation
 from aftdeck.station.recorded import Recordings
-from aftdeck.station.session import Session
+from aftdeck.station.waiting import Waiting
 
 
-def make_app(session: Session, host: str = "127.0.0.1") -> Starlette:
-    """Return the station's web app. It starts `session` at startup and closes the current session at shutdown."""
-    pages: Pages | None = None
-    recordings = (
-        Recordings(session.folder, lambda: (pages.session if pages else session).file) if session.folder else None
-    )
+def make_app(
+    coming: Preparation,
+    host: str = "127.0.0.1",
+    record: Path | None = None,
+    failed: Callable[[], None] = lambda: None,
+) -> Starlette:
+    """Return the station's web app.
+
+    At startup it starts the preparation, and the session as soon as that is made. At shutdown it closes the current
+    session.
+
+    Args:
+        coming: preparation of the first session.
+        host: address that the server listens on.
+        record: folder into which the runs are recorded; None: they are not recorded.
+        failed: called in the server's loop if the preparation fails, after the pages that wait were told.
+    """
+    waiting = Waiting(coming, failed)
+    recordings = Recordings(record, lambda: waiting.pages.session.file if waiting.pages else None) if record else None
 
     @contextlib.asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:
-        nonlocal pages
-        loop = asyncio.get_running_loop()
-
-        def told() -> None:
-            with contextlib.suppress(RuntimeError):  # the loop is closing
-                loop.call_soon_threadsafe(here.wake)
-
-        here = pages = Pages(session, told)
-        session.start(told)
+        waiting.start()
         try:
             yield
         finally:
-            await here.close()
+            if waiting.pages:
+                await waiting.pages.close()
             if recordings:
                 recordings.close()
 
     async def talk(socket: WebSocket) -> None:
-        assert pages is not None, "the lifespan makes it before the first connection"
         await socket.accept()
         with contextlib.suppress(WebSocketDisconnect):
-            await Page(pages, socket).serve()
+            if (hello := await greeted(socket)) and (pages := await waiting.until_ready(socket)):
+                await Page(pages, socket, hello).serve()
 
     async def health(_: Request) -> Response:
-        return PlainTextResponse(f"{(pages.session if pages else session).phase.value}\n")
+        return PlainTextResponse(f"{waiting.phase}\n")
 
     routes: list[BaseRoute] = [WebSocketRoute("/ws", talk), Route("/health", health)]
     if recordings:

@@ -12,7 +12,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
-PROTOCOL = 3
+PROTOCOL = 4
 """Version of this protocol; the server rejects a page of another version in the handshake."""
 
 MAX_MESSAGE_BYTES = 16_384

@@ -43,24 +43,53 @@ _hello = msgspec.json.Decoder(from_page.Hello)
 _messages: msgspec.json.Decoder[from_page.FromPage] = msgspec.json.Decoder(from_page.FromPage)
 
 
+async def send(socket: WebSocket, message: to_page.FromServer) -> None:
+    """Send a message to a page."""
+    await socket.send_text(_encoder.encode(message).decode())
+
+
+async def goodbye(socket: WebSocket, text: str) -> None:
+    """Send a page the reason for which its connection ends, and close the connection."""
+    await send(socket, to_page.Refused(-1, text))
+    await socket.close(1008, text.encode()[:LONGEST_REASON].decode(errors="ignore"))
+
+
+async def greeted(socket: WebSocket) -> from_page.Hello | None:
+    """Return the hello of a page that has connected; None after a goodbye to a page that does not say it right."""
+    try:
+        hello = _hello.decode(await asyncio.wait_for(socket.receive_text(), HELLO_WITHIN))
+    except TimeoutError:
+        await goodbye(socket, f"no hello came within {HELLO_WITHIN:g} s")
+        return None
+    except (msgspec.MsgspecError, KeyError, RecursionError) as error:
+        await goodbye(socket, f"the first message must be a hello with the protocol's number: {error}")
+        return None
+    if hello.protocol != kinds.PROTOCOL:
+        text = f"this page speaks protocol {hello.protocol}, the station {kinds.PROTOCOL}: reload the page"
+        await goodbye(socket, text)
+        return None
+    return hello
+
+
 class Page:
-    """One connected page, from hello to goodbye.
+    """One connected page, from its welcome to goodbye.
 
     Attributes:
         answers: messages that `Pages` queues for it; its own sender sends them, so that no page waits for another.
     """
 
-    def __init__(self, pages: Pages, socket: WebSocket) -> None:
+    def __init__(self, pages: Pages, socket: WebSocket, hello: from_page.Hello) -> None:
         self.pages, self.socket = pages, socket
-        self.welcomed, self.shows, self.strips = pages.session, False, False
+        self.welcomed, self.shows, self.strips = pages.session, hello.shows, hello.strips
         self.seq = -1
         self.wrong = 0
         self.answers: deque[to_page.Refused] = deque()
 
     async def serve(self) -> None:
-        """Do the handshake, then receive and send until one side disconnects."""
-        if not await self._handshake():
-            return
+        """Welcome the page, then receive and send until one side disconnects."""
+        if len(self.pages.seats) + len(self.pages.windows) >= MOST_PAGES:
+            return await goodbye(self.socket, f"{MOST_PAGES} pages are connected already")
+        await self._send(self.welcomed.welcome)
         self.pages.come(self)
         sender = asyncio.create_task(self._send_news())
         try:
@@ -73,31 +102,8 @@ class Page:
             self.pages.leave(self)
             self.pages.wake()
 
-    async def _handshake(self) -> bool:
-        try:
-            text = await asyncio.wait_for(self.socket.receive_text(), HELLO_WITHIN)
-            hello = _hello.decode(text)
-        except TimeoutError:
-            return await self._goodbye(f"no hello came within {HELLO_WITHIN:g} s")
-        except (msgspec.MsgspecError, KeyError, RecursionError) as error:
-            return await self._goodbye(f"the first message must be a hello with the protocol's number: {error}")
-        if hello.protocol != kinds.PROTOCOL:
-            return await self._goodbye(
-                f"this page speaks protocol {hello.protocol}, the station {kinds.PROTOCOL}: reload the page"
-            )
-        if len(self.pages.seats) + len(self.pages.windows) >= MOST_PAGES:
-            return await self._goodbye(f"{MOST_PAGES} pages are connected already")
-        self.welcomed, self.shows, self.strips = self.pages.session, hello.shows, hello.strips
-        await self._send(self.welcomed.welcome)
-        return True
-
-    async def _goodbye(self, text: str) -> bool:
-        await self._send(to_page.Refused(-1, text))
-        await self.socket.close(1008, text.encode()[:LONGEST_REASON].decode(errors="ignore"))
-        return False
-
     async def _send(self, message: to_page.FromServer) -> None:
-        await self.socket.send_text(_encoder.encode(message).decode())
+        await send(self.socket, message)
 
     # --- from the page ------------------------------------------------------------------------------------
 
@@ -111,7 +117,7 @@ class Page:
                 await self.refuse(-1, "messages are JSON text; this one was binary")
                 continue
             await self._take(text)
-        await self._goodbye(f"{MOST_WRONG} messages were refused; the connection is closed")
+        await goodbye(self.socket, f"{MOST_WRONG} messages were refused; the connection is closed")
 
     async def _take(self, text: str) -> None:
         try:
@@ -204,6 +210,6 @@ class Page:
                 sent = frame
                 await self.socket.send_text(frame.decode())
             if session.phase is Phase.FAILED:
-                await self._goodbye(session.failure)
+                await goodbye(self.socket, session.failure)
                 return
             await fresh.wait()

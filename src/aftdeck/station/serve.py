@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import errno
 import socket
 import webbrowser
+from collections.abc import Callable
 from pathlib import Path
 
 import uvicorn
@@ -18,13 +20,19 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.station.app import make_app
 from aftdeck.station.built import StationError, built_page
 from aftdeck.station.kinds import MAX_MESSAGE_BYTES
+from aftdeck.station.preparation import Preparation
 from aftdeck.station.session import Session
 
 LAST_PORT = 65535
+COMPILING = "Compiling the steering laws, this once: half a minute or so."
+
+
+FAREWELL = 3.0
+"""Time for which a station that cannot start still answers the page that it has opened, to report why [s]."""
 
 
 def serve(
-    scenario: Scenario,
+    load: Callable[[], Scenario],
     seed: int | None,
     *,
     host: str,
@@ -37,8 +45,10 @@ def serve(
 ) -> None:
     """Serve a scenario until interrupted; print the page's address first.
 
+    The page is served at once. A thread loads the scenario and the laws meanwhile; the page shows its progress.
+
     Args:
-        scenario: the scenario to run.
+        load: returns the scenario to run.
         seed: random seed in place of the scenario's; None: the scenario's own.
         host: address to listen on.
         port: port to listen on; 0 selects any free port.
@@ -51,21 +61,41 @@ def serve(
     Raises:
         StationError: the page was not built, or the server cannot listen on the address.
         RecordingError: the viewers' port cannot be opened.
+        AftdeckError: what `load` or the session raises; a page that waits has been told.
     """
     built_page()
     listener = listen(host, port)
     address = address_of(listener, host)
     print(f"Aftdeck station: {address}", flush=True)
-    print(f"Flying {scenario.title!r}. End with Ctrl+C.", flush=True)
-    if not compiled_before():
-        print("Compiling the steering laws, this once: half a minute or so.", flush=True)
     live = None if viewers is None else Live(viewers)
     if live is not None:
         print(f"Foxglove attaches at {live.address}", flush=True)
-    session = Session(scenario, seed, demo=demo, record=record, trial=trial, live=live)
-    run_server(make_server(make_app(session, host)), listener, address if open_browser else None)
+
+    def make(say: Callable[[str], None]) -> Session:
+        if compiled_before():
+            say("Loading the scenario and the steering laws.")
+        else:
+            print(COMPILING, flush=True)
+            say(COMPILING)
+        scenario = load()
+        say(f"Making {scenario.title!r} ready.")
+        session = Session(scenario, seed, demo=demo, record=record, trial=trial, live=live)
+        print(f"Flying {scenario.title!r}. End with Ctrl+C.", flush=True)
+        return session
+
+    def failed() -> None:
+        def stop() -> None:
+            server.should_exit = True
+
+        asyncio.get_running_loop().call_later(FAREWELL if open_browser else 0.0, stop)
+
+    coming = Preparation(make)
+    server = make_server(make_app(coming, host, record, failed))
+    run_server(server, listener, address if open_browser else None)
     if live is not None:
         live.close()
+    if coming.error is not None:
+        raise coming.error
 
 
 def address_of(listener: socket.socket, host: str) -> str:

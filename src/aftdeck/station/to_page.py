@@ -514,6 +514,12 @@ class Events(WireMessage, frozen=True, tag="events"):
     events: tuple[Event, ...]
 
 
+class Preparing(WireMessage, frozen=True, tag="preparing"):
+    """Line of progress while the station prepares its first session; comes before the welcome."""
+
+    text: str
+
+
 class Refused(WireMessage, frozen=True, tag="refused"):
     """Rejection of a message or command, with the reason in a sentence for the operator."""
 
@@ -545,4 +551,4 @@ class Recent(WireMessage, frozen=True, tag="recent"):
     """Lanes of the last minutes if a stretch has begun, otherwise empty; the last stretch of each lane continues."""
 
 
-FromServer = Welcome | Scenarios | Role | Frame | Events | Recent | Refused
+FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused

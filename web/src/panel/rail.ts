@@ -128,8 +128,8 @@ export function rail(
       heard.values();
       setPressed(dim, appearance.night);
       setText(units, shown.name === 'SI' ? 'SI' : 'ft · in');
-      const lost = link.kind === 'lost';
-      naming.say(lost ? `No connection, try ${link.attempt}` : said);
+      const lost = link.kind !== 'open';
+      naming.say(linkWords(link) ?? said);
       setClass(naming.key, 'lost', lost);
       setClass(naming.key, 'flying', flying && !lost);
     },
@@ -141,6 +141,12 @@ export function rail(
       naming.close();
     },
   };
+}
+
+/** What replaces the operator's name while there is no session; null while there is one. */
+function linkWords(link: LinkState): string | null {
+  if (link.kind === 'lost') return `No connection, try ${link.attempt}`;
+  return link.kind === 'preparing' ? link.text : null;
 }
 
 const SOFTWARE = 'This browser draws without a graphics card; add ?quality=full to the address to insist.';

@@ -1,0 +1,138 @@
+"""The station's start: the server answers before the session is made, and tells what is done or went wrong."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from threading import Event
+
+import pytest
+from websockets.exceptions import ConnectionClosed
+
+from aftdeck.errors import ScenarioError
+from aftdeck.scenario.load import load_scenario
+from aftdeck.station import from_page, kinds, to_page
+from aftdeck.station.app import make_app
+from aftdeck.station.page import MOST_PAGES
+from aftdeck.station.preparation import Preparation
+from aftdeck.station.session import Session
+from tests.station.pages import WAIT_S, Page, Server, scenario, serving, until
+
+Say = Callable[[str], None]
+HELLO = from_page.Hello(kinds.PROTOCOL)
+
+
+class Slow:
+    """A preparation that goes on only when the test says so."""
+
+    def __init__(self, error: Exception | None = None) -> None:
+        self.go, self.error, self.failed = Event(), error, Event()
+        self.coming = Preparation(self.make)
+
+    def make(self, say: Say) -> Session:
+        say("Loading.")
+        assert self.go.wait(WAIT_S)
+        if self.error is not None:
+            raise self.error
+        return Session(scenario())
+
+
+@pytest.fixture
+def slow() -> Iterator[Slow]:
+    slow = Slow()
+    yield slow
+    slow.go.set()
+
+
+def served(slow: Slow) -> Iterator[Server]:
+    with serving(make_app(slow.coming, failed=slow.failed.set)) as port:
+        yield Server(port)
+
+
+@pytest.fixture
+def server(slow: Slow) -> Iterator[Server]:
+    yield from served(slow)
+
+
+def hears_of_progress(page: Page) -> None:
+    page.say(HELLO)
+    assert page.wait_for(to_page.Preparing, lambda message: message.text == "Loading.")
+
+
+def test_page_is_served_before_the_session_is_made(server: Server) -> None:
+    assert server.get("/health") == (200, "preparing\n")
+    status, text = server.get("/")
+    assert status == 200
+    assert "<title>Aftdeck</title>" in text
+
+
+def test_waiting_page_gets_progress_and_then_its_welcome_and_frames(slow: Slow, server: Server) -> None:
+    with server.stranger() as page:
+        hears_of_progress(page)
+        slow.go.set()
+        assert page.wait_for(to_page.Welcome).scenario == "first-flight"
+        assert page.wait_for(to_page.Role).flying
+        page.wait_for(to_page.Frame)
+    assert server.get("/health") == (200, "flying\n")
+
+
+def test_page_that_leaves_while_it_waits_does_not_get_the_sticks(slow: Slow, server: Server) -> None:
+    with server.stranger() as gone:
+        hears_of_progress(gone)
+    slow.go.set()
+    until(lambda: server.get("/health") == (200, "flying\n"), "the session starts")
+    with server.page() as page:
+        page.wait_for(to_page.Role, lambda role: role.flying and role.watchers == 0)
+
+
+def test_page_of_another_version_is_rejected_while_it_would_wait(server: Server) -> None:
+    with server.stranger() as page:
+        page.say(from_page.Hello(99))
+        assert page.refusal().startswith("this page speaks protocol 99")
+
+
+def test_no_more_pages_may_wait_than_may_be_connected(server: Server) -> None:
+    pages = [server.stranger() for _ in range(MOST_PAGES + 1)]
+    try:
+        for page in pages[:-1]:
+            hears_of_progress(page.__enter__())
+        late = pages[-1].__enter__()
+        late.say(HELLO)
+        assert late.refusal() == f"{MOST_PAGES} pages are connected already"
+    finally:
+        for page in pages:
+            page.__exit__(None, None, None)
+
+
+@pytest.mark.parametrize(
+    ("error", "sentence"),
+    [
+        (ScenarioError(["deploy.toml:14: phase[1].rate: wrong"]), "deploy.toml:14: phase[1].rate: wrong"),
+        (ZeroDivisionError("by zero"), "the station cannot start: ZeroDivisionError('by zero')"),
+    ],
+)
+def test_failed_preparation_is_reported_to_every_page_in_a_sentence(error: Exception, sentence: str) -> None:
+    slow = Slow(error)
+    for server in served(slow):
+        with server.stranger() as early, server.stranger() as late:
+            hears_of_progress(early)
+            slow.go.set()
+            assert slow.failed.wait(WAIT_S)
+            late.say(HELLO)
+            for page in (early, late):
+                assert page.refusal() == sentence
+                with pytest.raises(ConnectionClosed):
+                    page.hear()
+        assert server.get("/health") == (200, "failed\n")
+
+
+def test_scenario_that_cannot_be_loaded_ends_the_program_with_its_problems(tmp_path: Path) -> None:
+    text = load_scenario("first-flight").text.replace('arm = "srms"', 'arm = "no such arm"')
+    (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+    command = [sys.executable, "-m", "aftdeck", "fly", str(tmp_path / "own.toml"), "--no-browser", "--port", "0"]
+    done = subprocess.run(command, check=False, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 2
+    assert "no arm 'no such arm'" in done.stderr
+    assert "Traceback" not in done.stderr
