@@ -5,17 +5,20 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from itertools import islice
+from typing import Literal
 
 import msgspec
 
-from aftdeck.scenario.load import load_scenario
+from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation, run
 from aftdeck.simulation.summary import Tally
 from aftdeck.station.wire import Translator
-from benchmarks.measure import Figure, microseconds
+from benchmarks.measure import Figure, microseconds, percentile
 
+STEPS = 2000
+"""Steps of which the median is measured."""
 PIECE, FLIGHTS = 50, 8
 """Steps that are timed together, and how often each is flown."""
 
@@ -101,6 +104,32 @@ def _steps(scenario: Scenario, how: How) -> Iterator[None]:
     while not sim.ended:
         how(sim, tally)
         yield
+
+
+def told() -> list[Figure]:
+    """The median step of every built-in scenario, bare and with its frame; without a script a stick is deflected."""
+    figures = []
+    for name in built_in():
+        scenario = load_scenario(name)
+        inputs = None if scenario.phases else Inputs(translation=(0.1, 0.0, 0.0))
+        bare, with_frame = (min(_median(scenario, inputs, how) for _ in range(3)) for how in ("advance", "step"))
+        figures += [
+            Figure(f"{name}, advance", bare, "us", None, f"median of {STEPS} steps, best of 3 runs"),
+            Figure(f"{name}, step", with_frame, "us", 100.0, "the same with its frame"),
+        ]
+    return figures
+
+
+def _median(scenario: Scenario, inputs: Inputs | None, how: Literal["advance", "step"]) -> float:
+    """The median time of a step [us]."""
+    sim = Simulation(scenario)
+    took: list[float] = []
+    step = sim.advance if how == "advance" else sim.step
+    while len(took) < STEPS and not sim.ended:
+        start = time.perf_counter()
+        step(inputs)
+        took.append(time.perf_counter() - start)
+    return 1e6 * percentile(took, 50)
 
 
 def frame() -> list[Figure]:

@@ -58,7 +58,7 @@ def server(slow: Slow) -> Iterator[Server]:
 
 def hears_of_progress(page: Page) -> None:
     page.say(HELLO)
-    assert page.wait_for(to_page.Preparing, lambda message: message.text == "Loading.")
+    page.wait_for(to_page.Preparing, lambda message: message.text == "Loading.")
 
 
 def test_page_is_served_before_the_session_is_made(server: Server) -> None:
