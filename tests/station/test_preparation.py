@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
-from threading import Event
 
 import pytest
 from websockets.exceptions import ConnectionClosed
@@ -16,27 +15,10 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.app import make_app
 from aftdeck.station.page import MOST_PAGES
-from aftdeck.station.preparation import Preparation
-from aftdeck.station.session import Session
-from tests.station.pages import WAIT_S, Page, Server, scenario, serving, until
+from tests.station.pages import WAIT_S, Page, Server, serving, until
+from tests.station.slow import Slow
 
-Say = Callable[[str], None]
 HELLO = from_page.Hello(kinds.PROTOCOL)
-
-
-class Slow:
-    """A preparation that goes on only when the test says so."""
-
-    def __init__(self, error: Exception | None = None) -> None:
-        self.go, self.error, self.failed = Event(), error, Event()
-        self.coming = Preparation(self.make)
-
-    def make(self, say: Say) -> Session:
-        say("Loading.")
-        assert self.go.wait(WAIT_S)
-        if self.error is not None:
-            raise self.error
-        return Session(scenario())
 
 
 @pytest.fixture

@@ -1,0 +1,27 @@
+"""A station's preparation that waits for the test."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from threading import Event
+
+from aftdeck.station.preparation import Preparation
+from aftdeck.station.session import Session
+from tests.station.pages import WAIT_S, scenario
+
+Say = Callable[[str], None]
+
+
+class Slow:
+    """A preparation that goes on only when the test says so."""
+
+    def __init__(self, error: Exception | None = None) -> None:
+        self.go, self.error, self.failed = Event(), error, Event()
+        self.coming = Preparation(self.make)
+
+    def make(self, say: Say) -> Session:
+        say("Loading.")
+        assert self.go.wait(WAIT_S)
+        if self.error is not None:
+            raise self.error
+        return Session(scenario())
