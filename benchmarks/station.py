@@ -13,7 +13,9 @@ from contextlib import contextmanager
 import msgspec
 from websockets.sync.client import ClientConnection, connect
 
-from aftdeck.station import from_page, kinds, to_page
+from aftdeck.station.messages import from_page, kinds, to_page
+from aftdeck.station.messages.frame import Frame
+from aftdeck.station.messages.welcome import Welcome
 from benchmarks.measure import Figure, percentile
 
 AFTDECK = (sys.executable, "-m", "aftdeck")
@@ -68,7 +70,7 @@ def latency() -> list[Figure]:
             )
             while True:
                 message = _next(socket)
-                if isinstance(message, to_page.Frame) and message.stick_seq >= seq:
+                if isinstance(message, Frame) and message.display.stick_seq >= seq:
                     break
             took.append(1e3 * (time.perf_counter() - sent))
     return [
@@ -96,7 +98,7 @@ def _page(address: str) -> Iterator[ClientConnection]:
     """A page that has been welcomed."""
     with connect(f"ws://{address}/ws", compression=None, open_timeout=WAIT) as socket:
         socket.send(msgspec.json.encode(from_page.Hello(kinds.PROTOCOL)).decode())
-        assert isinstance(_next(socket), to_page.Welcome)
+        assert isinstance(_next(socket), Welcome)
         yield socket
 
 
@@ -104,7 +106,7 @@ def _next(socket: ClientConnection) -> to_page.FromServer:
     return _messages.decode(socket.recv(timeout=WAIT))
 
 
-def _frame(socket: ClientConnection) -> to_page.Frame:
-    while not isinstance(message := _next(socket), to_page.Frame):
+def _frame(socket: ClientConnection) -> Frame:
+    while not isinstance(message := _next(socket), Frame):
         pass
     return message

@@ -188,7 +188,7 @@ def test_the_arm_follows_the_masters_sliders(sited: Sited) -> None:
     site = Worksite(info(), work())
     site.mode = "MASTER"
     flight, _ = sited(site)
-    joints = flight.frame().joints
+    joints = flight.frame().angles
     elbow = flight.page.get_by_role("slider", name="Master Elbow")
     elbow.wait_for()
     elbow.focus()

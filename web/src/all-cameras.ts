@@ -1,9 +1,8 @@
 /** All cameras at once: what each sees, which pair sees most, and the plan of where they stand. */
 
-import { middleOf } from './panel/gap-overlay';
 import type { Matrix } from './panel/matrix';
 import { extentOf } from './panel/plan';
-import type { Camera, Frame, Near } from './protocol';
+import type { Camera, ClosestPoints, Frame } from './protocol';
 import type { Scene } from './scene';
 import type { Rect } from './scene/drawn';
 import { pairWords, type Survey } from './survey';
@@ -20,7 +19,7 @@ export interface Showing {
 /** The page as it stands when all cameras are shown. */
 export interface Drawn {
   readonly frame: Frame;
-  readonly gap: Near | null;
+  readonly gap: ClosestPoints | null;
   readonly monitors: readonly Showing[];
   /** So often has the page been drawn. */
   readonly count: number;
@@ -75,7 +74,7 @@ export class AllCameras {
       used: used.includes(camera),
     }));
     const extent = extentOf([...marks.map(({ lens }) => lens), ...this.survey.places], rect);
-    plan.set(extent, marks, middleOf(gap));
+    plan.set(extent, marks, gap?.plane ?? null);
     scene.drawPlan(rect, extent);
   }
 }

@@ -1,30 +1,30 @@
 /** What stands over a monitor's picture and is of that picture: lens, axes, the narrowest gap, what touches. */
 
-import { type GapLine, middleOf, type Touch } from './panel/gap-overlay';
+import type { GapLine, Touch } from './panel/gap-overlay';
 import type { Picture } from './panel/picture';
-import type { Frame, Near } from './protocol';
+import type { ClosestPoints, Frame } from './protocol';
 import type { Scene } from './scene';
 import type { View } from './scene/drawn';
 
 export interface Over {
   readonly frame: Frame;
   /** The gap that is worth a line, and whether it calls for attention. */
-  readonly gap: Near | null;
+  readonly gap: ClosestPoints | null;
   readonly caution: boolean;
 }
 
 export function overlay(scene: Scene, picture: Picture, view: View, over: Over): void {
   const { frame, gap, caution } = over;
-  const [w, x, y, z] = frame.axes;
+  const [w, x, y, z] = frame.display.axes;
   picture.setLens(scene.setting(picture.camera.name), view.rect);
   picture.setAxes(scene.directions(view.camera, [w, x, y, z]));
   const line = gap && gapLine(scene, view, gap, caution);
-  picture.setGap(line, touches(scene, view, frame.work.contacts), view.rect);
+  picture.setGap(line, touches(scene, view, frame), view.rect);
 }
 
-function gapLine(scene: Scene, { camera, rect }: View, near: Near, caution: boolean): GapLine | null {
+function gapLine(scene: Scene, { camera, rect }: View, gap: ClosestPoints, caution: boolean): GapLine | null {
   const { width, height } = rect;
-  const ends = scene.segment(camera, width / height, near.point_a, near.point_b);
+  const ends = scene.segment(camera, width / height, gap.point_a, gap.point_b);
   if (!ends) return null;
   const [a, b] = ends;
   return {
@@ -34,10 +34,12 @@ function gapLine(scene: Scene, { camera, rect }: View, near: Near, caution: bool
   };
 }
 
-function touches(scene: Scene, { camera, rect }: View, contacts: readonly Near[]): readonly Touch[] {
+function touches(scene: Scene, { camera, rect }: View, { work, display }: Frame): readonly Touch[] {
   const { width, height } = rect;
-  return contacts.flatMap((near) => {
-    const at = scene.project(camera, width / height, middleOf(near));
-    return at.visible ? [{ at: { x: at.x * width, y: at.y * height }, essential: near.essential }] : [];
+  return display.contacts.flatMap(({ plane }, i) => {
+    const at = scene.project(camera, width / height, plane);
+    return at.visible
+      ? [{ at: { x: at.x * width, y: at.y * height }, essential: work.contacts[i]?.essential ?? false }]
+      : [];
   });
 }

@@ -14,7 +14,7 @@ import { Matrix } from './panel/matrix';
 import { Monitor } from './panel/monitor';
 import type { View as DeskView } from './panel/part';
 import type { Picture } from './panel/picture';
-import type { Camera, Frame, Level, Near, Welcome } from './protocol';
+import type { Camera, ClosestPoints, Frame, Level, Welcome } from './protocol';
 import type { Drawing } from './quality';
 import { Scene } from './scene';
 import type { DrawnBody } from './scene/bodies';
@@ -267,14 +267,14 @@ export class Pictures {
    */
   draw(frame: Frame, clearance: Level, done: () => void): boolean {
     const caution = clearance !== 'info';
-    const gap = drawnGap(frame.work.nearest);
-    this.scene.setPoses(frame.poses);
+    const gap = drawnGap(frame);
+    this.scene.setPoses(frame.display.poses);
     this.scene.setViews(frame.views);
     const round = this.round && this.survey.place(this.round, gap);
     if (round) this.scene.follow(round);
-    this.scene.setLighting(frame.lighting, frame.time_s);
+    this.scene.setLighting(frame.display.lighting, frame.time_s);
     this.scene.setGap(gap, caution ? CAUTION : CALM, this.plane);
-    const { ahead } = frame;
+    const { ahead } = frame.display;
     this.scene.setGhost(ahead?.held && ahead.moves ? ahead.poses : null);
     this.begin(frame, gap);
     this.count += 1;
@@ -326,11 +326,11 @@ export class Pictures {
 
   /** Time codes and figures; `age` of the picture, null where it is a recorded one. */
   setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: Age | null): void {
-    const nearest = drawnGap(frame.work.nearest);
+    const [gap, { nearest }] = [drawnGap(frame), frame.work];
     for (const picture of this.monitors.flatMap(({ pictures }) => pictures)) {
       picture.setTime(frame, age);
-      if (!nearest) continue;
-      const seen = this.scene.sight.ends(picture.camera, nearest.point_a, nearest.point_b);
+      if (!gap || !nearest) continue;
+      const seen = this.scene.sight.ends(picture.camera, gap.point_a, gap.point_b);
       picture.setGapText(`${small(nearest.clearance, units.gap)} ${units.gap.name}`, seen);
     }
     if (this.open) this.matrix.setAge(age);
@@ -343,7 +343,7 @@ export class Pictures {
   }
 
   /** At the first frame, the monitors show what the work needs. */
-  private begin(frame: Frame, gap: Near | null): void {
+  private begin(frame: Frame, gap: ClosestPoints | null): void {
     if (this.chosen) return;
     this.chosen = true;
     this.survey.lookAll(frame, gap);
@@ -401,7 +401,7 @@ export class Pictures {
     return { left: left - over.left, top: top - over.top, width, height };
   }
 
-  private showAll(frame: Frame, gap: Near | null, wiped: boolean): void {
+  private showAll(frame: Frame, gap: ClosestPoints | null, wiped: boolean): void {
     const monitors = this.monitors.map(({ label, pictures }) => ({
       label,
       cameras: pictures.map(({ camera }) => camera),
@@ -419,6 +419,6 @@ export class Pictures {
 }
 
 /** The gap that is worth a line: none that is wide, none where the two touch. */
-export function drawnGap(nearest: Near | null): Near | null {
-  return nearest && nearest.clearance > 0 && nearest.clearance < FARTHEST ? nearest : null;
+export function drawnGap({ work: { nearest }, display: { gap } }: Frame): ClosestPoints | null {
+  return nearest && nearest.clearance > 0 && nearest.clearance < FARTHEST ? gap : null;
 }

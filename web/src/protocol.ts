@@ -1,4 +1,4 @@
-// Generated from station/from_page.py, to_page.py and playback.py by `make generate`; do not edit.
+// Generated from simulation/frame.py and station/messages by `make generate`; do not edit.
 // All quantities are SI and radians; see there for frames.
 
 export const PROTOCOL = 3;
@@ -17,11 +17,14 @@ export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
 export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
-export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
 export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE';
 export type FromServer = Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
+export type Rows = readonly [Vec3, Vec3, Vec3];
+export type Sequence = 'idle' | 'checking' | 'ready' | 'in progress';
+export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
+export type Cause = '' | 'reach' | 'seat' | 'switch' | 'contact' | 'limit' | 'miss' | 'time';
 
 /** A box with its centre at its position. */
 export interface Box {
@@ -573,7 +576,7 @@ export interface ModeInfo {
   readonly axis_names: readonly [string, string, string];
 }
 
-/** Rigid body to draw; its pose is in `Frame.poses`, at the body's index in `Welcome.bodies`. */
+/** Rigid body to draw; its pose is in `Display.poses`, at the body's index in `Welcome.bodies`. */
 export interface BodyInfo {
   readonly name: string;
   readonly shapes: readonly Shape[];
@@ -648,8 +651,8 @@ export interface WorkInfo {
   readonly stand: StandInfo | null;
   /** Names of the payloads; each payload has a body of the same name. */
   readonly cargo: readonly string[];
-  /** Titles, for display, of the seats where payloads can be fixed. */
-  readonly seats: readonly string[];
+  /** Seats where payloads can be fixed. */
+  readonly seats: readonly SeatInfo[];
   /** Parts of the problem at which the operator can re-initialise. */
   readonly parts: readonly ProblemPart[];
   /** Clearance below which the page shows a caution [m]. */
@@ -665,6 +668,14 @@ export interface StandInfo {
   readonly greatest: number;
   /** [m/s] */
   readonly rate: number;
+}
+
+/** Seat where a payload can be fixed. */
+export interface SeatInfo {
+  /** Name in a frame: `Cargo.seat`. */
+  readonly name: string;
+  /** Name for display. */
+  readonly title: string;
 }
 
 /** Directions to the sun and the Earth, and the light from them. */
@@ -782,85 +793,335 @@ export interface NamedPage {
 /** All data that the page shows of one instant; the newest frame counts, and older ones may be skipped. */
 export interface Frame {
   readonly type: 'frame';
+  /** control steps done */
   readonly tick: number;
+  /** simulated time: tick x control period [s] */
   readonly time_s: number;
+  /** the script's phase; empty when flown by hand */
+  readonly phase: string;
+  /** who flew this step */
+  readonly by: 'hand' | 'script';
+  /** panel position entered */
+  readonly mode: string;
+  /** the report's mode number flown, 1 to 8; 0 TEST, 9 DIRECT, 10 MASTER */
+  readonly law: number;
+  /** switch beside OPR CMD and AUTO 1-4 */
+  readonly law_choice: LawChoice;
+  /** switch beside ORB LD */
+  readonly payload_axes: boolean;
+  /** RATE HOLD keeps a stick command */
+  readonly rate_hold: boolean;
+  /** POSITION HOLD is on */
+  readonly position_hold: boolean;
+  /** BRAKES are on: the joints stand */
+  readonly brakes: boolean;
+  /** SAFING: zero joint rates are commanded */
+  readonly safing: boolean;
+  /** selected joint, 0 to 5 */
+  readonly joint: number;
+  /** rate setting */
+  readonly rate: Rate;
+  /** CHECKING, READY and IN PROG of the automatic modes */
+  readonly sequence: Sequence;
+  /** AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes */
+  readonly point: number;
+  /** AUTO 1-4: how many there are */
+  readonly points: number;
+  /** CMD CK of the present target */
+  readonly check: Check | null;
+  /** THC as flown, in [-1, 1], along the axes of control */
+  readonly translation: Vec3;
+  /** RHC as flown, in [-1, 1], along the axes of control */
+  readonly rotation: Vec3;
+  /** DRIVE as flown, in [-1, 1] */
+  readonly drive: number;
+  /** joint angles, measured [rad] */
+  readonly angles: Six;
+  /** joint rates, measured [rad/s] */
+  readonly rates: Six;
+  /** where the commanded rates would have brought the joints [rad] */
+  readonly angles_commanded: Six;
+  /** joint rates, commanded [rad/s] */
+  readonly rates_commanded: Six;
+  /** joint rate limits in force [rad/s] */
+  readonly rate_limits: Six;
+  /** per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop */
+  readonly zones: readonly [number, number, number, number, number, number];
+  /** of the tip [m], along the axes of L */
+  readonly position: Vec3;
+  /** attitude of frame 7, along the axes of L */
+  readonly orientation: Rows;
+  /** T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; the concept arm's: of its lower arm's frame; null in a recording that does not tell it, along the axes of orbiter */
+  readonly wrist_pitch: Rows | null;
+  /** point of resolution: the payload's in ORB LD and PL, else the tip [m], along the axes of L */
+  readonly resolution: Vec3;
+  /** the payload in the grasp */
+  readonly payload: readonly [position: Vec3, orientation: Rows] | null;
+  /** which of the scenario's own payloads (`Scenario.own_payloads`) that is, from 1; 0: none of them */
+  readonly attached: number;
+  /** angular velocity, then velocity of the point of resolution [rad/s, m/s], along the axes of L */
+  readonly twist: Six;
+  /** what RATLMT left of the commanded twist [rad/s, m/s], along the axes of L */
+  readonly twist_commanded: Six;
+  /** what the mode asked for, before every limit [rad/s, m/s], along the axes of L */
+  readonly twist_demanded: Six;
+  /** speed and angular rate of the point of resolution, in force [m/s, rad/s] */
+  readonly por_limits: Vec2;
+  /** what RATLMT left of the demand, 0 to 1 */
+  readonly ratio: number;
+  /** limits that acted in this step */
+  readonly limits: readonly Limit[];
+  /** signed distances: shoulder, elbow, wrist */
+  readonly singularity: Vec3;
+  /** singularities nearer than the arm's threshold */
+  readonly singular: readonly string[];
+  /** for each singularity that is near and each joint past a limit: what leads away from it */
+  readonly ways_out: readonly WayOut[];
+  /** target of an automatic mode */
+  readonly goal: Goal | null;
+  /** TP, ETA and ETAP */
+  readonly times: Times;
+  /** contacts, captures, and where the worksite's things are */
+  readonly work: Work;
+  /** what happened in this step */
+  readonly events: readonly Event[];
+  /** pan, tilt and field of view of the cameras that turn, in the order of `scenario.cameras.cameras_of` [rad] */
+  readonly views: readonly (readonly [pan: number, tilt: number, zoom: number])[];
+  /** SHA-256 of the state behind all this, to the last digit */
+  readonly sha256: string;
+  readonly display: Display;
+}
+
+/** Verdict of CMD CK, from a rehearsal of the motion to a target. */
+export interface Check {
+  /** GOOD, not FAIL */
+  readonly good: boolean;
+  /** `GOOD: 83 s` or `FAIL: elbow pitch meets its soft stop 12 s from here` */
+  readonly text: string;
+  /** GOOD: how long the motion takes; FAIL: when it fails [s] */
+  readonly seconds: number;
+  /** why it fails; empty: it does not */
+  readonly cause: Cause;
+  /** the joint angles that mode 1 flies to; null in modes 2 and 3, and where it fails [rad] */
+  readonly joints: Six | null;
+}
+
+/** Limit that acted in a step. */
+export interface Limit {
+  /** which kind */
+  readonly kind: LimitKind;
+  /** 0 to 5; -1: no single joint is concerned */
+  readonly joint: number;
+  /** for people */
+  readonly text: string;
+}
+
+/** Stick or joint command that leads away from a singularity or a joint's limit. */
+export interface WayOut {
+  /** `elbow` (a singularity) or a joint's name */
+  readonly cause: string;
+  /** for people: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -` */
+  readonly text: string;
+  /** which stick */
+  readonly stick: 'translation' | 'rotation' | 'joint';
+  /** axis 0 to 2 of the stick, or the joint */
+  readonly axis: number;
+  /** +1 or -1 */
+  readonly sign: number;
+}
+
+/** Target of an automatic mode (pose of frame 7), and the distance, angle and time that remain. */
+export interface Goal {
+  /** of the tip there [m], along the axes of L */
+  readonly position: Vec3;
+  /** attitude of frame 7 there, along the axes of L */
+  readonly rotation: Rows;
+  /** what is left [m] */
+  readonly distance: number;
+  /** what is left [rad] */
+  readonly angle: number;
+  /** ETA - TP; 0 when not under way, and while modes 1 and 3 still bring the arm to rest [s] */
+  readonly remaining_s: number;
+}
+
+/**
+ * Times of the phase under way, as in JSC-12628, counted from the beginning of the phase.
+ *
+ * A phase begins when an automatic motion sets off, a phase of the script begins, or a panel position is entered.
+ */
+export interface Times {
+  /** TP: how long it has lasted [s] */
+  readonly tp_s: number;
+  /** ETA: when it ends, estimated in the automatic modes, given in a script's others; null: unknown [s] */
+  readonly eta_s: number | null;
+  /** ETAP: when the rotation would end if it went as fast as permitted; in modes 2 and 3, else null [s] */
+  readonly etap_s: number | null;
+}
+
+/** The worksite after a step. */
+export interface Work {
+  /** the report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked */
+  readonly task: number;
+  /** the watched pair with the least clearance, but for those that are, or come, together as the task needs it, of which the conditions tell (`simulation.lined_up`); null: no pair is watched */
+  readonly nearest: Near | null;
+  /** what that clearance calls for, by the scenario's thresholds */
+  readonly clearance_level: Level;
+  /** pairs that touch or overlap */
+  readonly contacts: readonly Near[];
+  /** the arm is inhibited */
+  readonly arm_inhibit: boolean;
+  /** the finger is inhibited */
+  readonly finger_inhibit: boolean;
+  /** why the arm or the finger is inhibited, and what frees it */
+  readonly inhibits: readonly string[];
+  /** what the conditions are for: `acquire payload`; empty: nothing is near enough */
+  readonly pursuit: string;
+  /** of capture, docking or latching */
+  readonly conditions: readonly Condition[];
+  /** the end effector */
+  readonly hand: Hand;
+  /** length of the telescope; null: this arm stands on none [m] */
+  readonly stand: number | null;
+  /** how far the orbiter has moved [m], along the axes of L */
+  readonly orbiter: Vec3;
+  /** its velocity [m/s], along the axes of L */
+  readonly orbiter_velocity: Vec3;
+  /** the worksite's payloads */
+  readonly cargo: readonly Cargo[];
+  /** the master arm's joint angles; null in other modes than MASTER [rad] */
+  readonly master: Six | null;
+}
+
+/** Two monitored parts. */
+export interface Near {
+  /** a part, for people: `lower boom` */
+  readonly a: string;
+  /** the other part */
+  readonly b: string;
+  /** their distance; negative where they overlap [m] */
+  readonly clearance: number;
+  /** speed at which the two closest points approach [m/s] */
+  readonly closing: number;
+  /** the closest point of a [m], along the axes of L */
+  readonly point_a: Vec3;
+  /** the closest point of b [m], along the axes of L */
+  readonly point_b: Vec3;
+  /** unit normal of a plane between the two, from a to b; zero where they collide, along the axes of L */
+  readonly normal: Vec3;
+  /** of that plane from the origin [m], along the axes of L */
+  readonly distance: number;
+  /** the two are made to touch: inhibits nothing */
+  readonly essential: boolean;
+  /** what of a touches or penetrates: `vertex 3`; empty where they are apart */
+  readonly feature_a: string;
+  /** the same of b */
+  readonly feature_b: string;
+}
+
+/** One condition with its measured value, its limit and its margin. */
+export interface Condition {
+  /** which: `palm height` */
+  readonly name: string;
+  /** whether it holds */
+  readonly holds: boolean;
+  /** what is measured, in `unit` */
+  readonly value: number;
+  /** what it is held against, in `unit`: the nearer of two bounds, or the one passed */
+  readonly limit: number;
+  /** m, rad, m/s, or empty */
+  readonly unit: 'm' | 'rad' | 'm/s' | 'rad/s' | 's' | '';
+  /** by how much it holds, or fails where negative, in `unit` */
+  readonly margin: number;
+  /** for people: `palm 2.5 in above the bar, 0 to 0.75 in allowed` */
+  readonly text: string;
+}
+
+/** The end effector. */
+export interface Hand {
+  /** how its switch stands */
+  readonly switch: EffectorSwitch;
+  /** 0 closed to 1 open: of the prong, or of the snares */
+  readonly opening: number;
+  /** prong to fixed finger; null: this arm has none [m] */
+  readonly spacing: number | null;
+  /** 0 extended to 1 rigid; null: this arm has none */
+  readonly carriage: number | null;
+  /** lit on the panel: `CAPTURE`, `RIGID` */
+  readonly flags: readonly string[];
+  /** END EFFECTOR MODE of the snares */
+  readonly mode: 'auto' | 'manual';
+  /** END EFFECTOR MAN CONTR of the snares */
+  readonly rigid: 'off' | 'rigid' | 'derigid';
+}
+
+/** A payload of the worksite. */
+export interface Cargo {
+  /** which */
+  readonly name: string;
+  /** its centre [m], along the axes of L */
+  readonly position: Vec3;
+  /** its attitude, along the axes of L */
+  readonly orientation: Rows;
+  /** of its centre [m/s], along the axes of L */
+  readonly velocity: Vec3;
+  /** the end effector holds it */
+  readonly held: boolean;
+  /** the seat that it is fixed to; empty: none */
+  readonly seat: string;
+}
+
+/** Event of a step, as a line of the log. */
+export interface Event {
+  /** simulated time [s] */
+  readonly time_s: number;
+  /** what it is about */
+  readonly kind: string;
+  /** how urgent */
+  readonly level: Level;
+  /** for people */
+  readonly text: string;
+}
+
+/** What a page needs to display a frame: read-outs in panel components, lamps, and what to draw in the scene. */
+export interface Display {
   /** `seq` of the last `Sticks` that this step has taken; the page uses it to time stick-to-picture. */
   readonly stick_seq: number;
   /** `seq` of the last `Sticks` that this step has flown, after the command delay; -1 if none, or the script flew. */
   readonly flown_seq: number;
   /** Simulated time in the recording so far [s]; null if the run is not recorded. */
   readonly recording_s: number | null;
-  /** Name of the script's phase; empty in manual flight. */
-  readonly phase: string;
-  readonly by: 'hand' | 'script';
-  readonly mode: string;
-  /** The report's mode number flown; 0 TEST, 9 DIRECT, 10 MASTER. */
-  readonly law: number;
-  readonly law_choice: LawChoice;
-  readonly payload_axes: boolean;
-  readonly rate_hold: boolean;
-  readonly position_hold: boolean;
-  readonly brakes: boolean;
-  readonly safing: boolean;
-  readonly joint: number;
-  readonly rate: Rate;
-  /** READY and IN PROG of the automatic modes. */
-  readonly sequence: 'idle' | 'checking' | 'ready' | 'in progress';
-  /** AUTO 1-4: number of the present or the next point, from 1; 0 in other modes. */
-  readonly point: number;
-  readonly points: number;
-  /** CMD CK of the present target. */
-  readonly check: Check | null;
-  readonly translation: Vec3;
-  readonly rotation: Vec3;
-  /** `translation`, `rotation` and `drive`: the sticks as this step has flown them. */
-  readonly drive: number;
-  /** Joint angles, measured [rad]. */
-  readonly joints: Six;
-  /** Joint angles to which the commanded rates would have brought the joints [rad]. */
-  readonly joints_commanded: Six;
-  /** Joint rates, measured [rad/s]. */
-  readonly rates: Six;
-  readonly rates_commanded: Six;
-  /** Joint rate limits in force in this mode [rad/s]. */
-  readonly rate_limits: Six;
-  /** Per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop. */
-  readonly zones: readonly [number, number, number, number, number, number];
   readonly actual: Resolution;
   readonly commanded: Resolution;
-  /** Limits in force of POR translation [m/s] and POR rotation [rad/s]. */
-  readonly por_limits: Vec2;
+  /** Target of an automatic mode. */
+  readonly aim: Aim | null;
   /** PL ID of the captured payload, as in `Welcome.payloads`; 0 if there is none. */
-  readonly payload: number;
+  readonly payload_id: number;
   /** Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]. */
   readonly por_offset: Vec3;
-  /** Limits that act in this step. */
-  readonly limits: readonly Limit[];
-  /** Signed normalised distances of shoulder, elbow and wrist, 0 at the singularity. */
-  readonly singularity: Vec3;
-  /** Escape directions, for each singularity that is near and each joint past a limit. */
-  readonly ways_out: readonly WayOut[];
+  /**
+   * Distance from the empty snares to their position at the nearest grapple fixture [m].
+   *
+   * Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
+   */
+  readonly fixture: number | null;
+  /** Vector of this distance, along the axes that the sticks act along [m]; null also in modes without sticks. */
+  readonly to_fixture: Vec3 | null;
+  /** Displacement of the orbiter: forward, starboard, down [m]. */
+  readonly orbiter: Vec3;
+  /** Velocity of the orbiter along the same axes [m/s]. */
+  readonly orbiter_velocity: Vec3;
   readonly lamps: readonly Lamp[];
-  readonly aim: Aim | null;
-  readonly work: WorkFrame;
+  /** Closest points of `Work.nearest`. */
+  readonly gap: ClosestPoints | null;
+  /** Closest points of each of `Work.contacts`, in their order. */
+  readonly contacts: readonly ClosestPoints[];
   /** Newest look-ahead; null if none was made yet. */
   readonly ahead: Ahead | null;
   /** Axes of the control frame in the scene, for the frame axes in the pictures. */
   readonly axes: Quat;
   /** Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene. */
   readonly poses: readonly number[];
-  /**
-   * Pan, tilt and horizontal field of view [rad] of the cameras that have a drive, in the order of
-   * `Welcome.cameras`.
-   */
-  readonly views: readonly Vec3[];
   readonly lighting: Lighting;
-}
-
-/** Result of CMD CK: a rehearsal of the motion to a target. */
-export interface Check {
-  readonly good: boolean;
-  readonly text: string;
 }
 
 /** Point of resolution, in panel components. */
@@ -875,24 +1136,10 @@ export interface Resolution {
   readonly turn_rate: Vec3;
 }
 
-/** A limit that acted in this step. */
-export interface Limit {
-  readonly kind: LimitKind;
-  /** 0 to 5, or -1 if the limit does not concern a single joint. */
-  readonly joint: number;
-  /** Text for display: `elbow pitch at its rate limit`. */
-  readonly text: string;
-}
-
-/** Escape direction: command that leads away from a singularity or from a joint's limit. */
-export interface WayOut {
-  /** `shoulder`, `elbow`, `wrist` (a singularity) or a joint's name. */
-  readonly cause: string;
-  /** Text for display: `THC −X`, `RHC +pitch`, `SINGLE elbow pitch −`. */
-  readonly text: string;
-  readonly stick: 'translation' | 'rotation' | 'joint';
-  readonly axis: number;
-  readonly sign: number;
+/** Target of an automatic mode, in panel components; `Frame.goal` has what remains of the motion to it. */
+export interface Aim {
+  readonly position: Vec3;
+  readonly attitude: Vec3;
 }
 
 /** A lit lamp and its cause. */
@@ -903,110 +1150,14 @@ export interface Lamp {
   readonly text: string;
 }
 
-/** Target of an automatic mode, in panel components, and what remains of the motion to it. */
-export interface Aim {
-  readonly position: Vec3;
-  readonly attitude: Vec3;
-  /** Distance from the tip to the target [m]. */
-  readonly distance: number;
-  /** Angle between the present attitude and the target's [rad]. */
-  readonly angle: number;
-  /** Estimated time to go [s]; 0 if the motion is not in progress. */
-  readonly remaining_s: number;
-}
-
-/** State of the worksite: clearances, contacts, captures, the end effector and the payloads. */
-export interface WorkFrame {
-  /** The report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked. */
-  readonly task: number;
-  readonly nearest: Near | null;
-  /** Alarm level of the clearance of `nearest`, by the scenario's thresholds. */
-  readonly clearance_level: Level;
-  readonly contacts: readonly Near[];
-  readonly arm_inhibit: boolean;
-  readonly finger_inhibit: boolean;
-  /** Reasons why the arm or the finger is inhibited, and what frees it. */
-  readonly inhibits: readonly string[];
-  /** Purpose of the conditions: `acquire payload`; empty if nothing is near enough. */
-  readonly pursuit: string;
-  readonly conditions: readonly Condition[];
-  readonly hand: HandFrame;
-  /** Length of the telescope [m]; null if the arm stands on none. */
-  readonly stand: number | null;
-  /** Displacement of the orbiter: forward, starboard, down [m]. */
-  readonly orbiter: Vec3;
-  /** Velocity of the orbiter along the same axes [m/s]. */
-  readonly orbiter_velocity: Vec3;
-  readonly cargo: readonly CargoFrame[];
-  /** Joint angles of the master arm [rad]; null in modes other than MASTER. */
-  readonly master: Six | null;
-  /**
-   * Distance from the empty snares to their position at the nearest grapple fixture [m].
-   *
-   * Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
-   */
-  readonly fixture: number | null;
-  /** Vector of this distance, along the axes that the sticks act along [m]; null also in modes without sticks. */
-  readonly to_fixture: Vec3 | null;
-}
-
-/** Two monitored parts; points and directions are in the scene. */
-export interface Near {
-  readonly a: string;
-  readonly b: string;
-  /** Distance of the two parts [m]; negative if they overlap. */
-  readonly clearance: number;
-  /** Speed at which the closest points approach [m/s]. */
-  readonly closing: number;
+/** Where two monitored parts are nearest to each other, in the scene. */
+export interface ClosestPoints {
   readonly point_a: Vec3;
   readonly point_b: Vec3;
   /** Point of the plane between the two parts, halfway between the closest points. */
   readonly plane: Vec3;
   /** Unit normal of this plane, from a to b; zero if the parts collide. */
   readonly normal: Vec3;
-  /** True if the task requires the two parts to touch; the contact then inhibits nothing. */
-  readonly essential: boolean;
-}
-
-/** Condition of a capture, a docking or a latching. */
-export interface Condition {
-  readonly name: string;
-  readonly holds: boolean;
-  /** Measured value, in `unit`: m, rad, m/s, or a plain number. */
-  readonly value: number;
-  readonly limit: number;
-  readonly unit: string;
-  /** Margin by which the condition holds, in `unit`; negative if it fails. */
-  readonly margin: number;
-  /** Text for display: `palm 2.5 in above the bar, 0 to 0.75 in allowed`. */
-  readonly text: string;
-}
-
-/** State of the end effector. */
-export interface HandFrame {
-  readonly switch: EffectorSwitch;
-  /** Opening of the prong or of the snares, from 0 closed to 1 open. */
-  readonly opening: number;
-  /** Distance from the prong to the fixed finger [m]; null if the arm has none. */
-  readonly spacing: number | null;
-  /** Position of the carriage, from 0 extended to 1 rigid; null if the arm has none. */
-  readonly carriage: number | null;
-  /** Flags that are lit: `CAPTURE`, `CLOSE`, `RIGID`, `EXTEND`, `OPEN`, `DERIGID`. */
-  readonly flags: readonly string[];
-  /** END EFFECTOR MODE of the snares. */
-  readonly mode: 'auto' | 'manual';
-  /** END EFFECTOR MAN CONTR of the snares. */
-  readonly rigid: 'off' | 'rigid' | 'derigid';
-}
-
-/** Payload of the worksite; its pose is the pose of its body. */
-export interface CargoFrame {
-  readonly name: string;
-  readonly held: boolean;
-  /** Title of the seat that the payload is fixed to, as in `WorkInfo.seats`; empty if there is none. */
-  readonly seat: string;
-  /** Speed of its centre relative to the arm's base [m/s]. */
-  readonly speed: number;
 }
 
 /**
@@ -1034,7 +1185,7 @@ export interface Ahead {
   readonly joint: number;
   /** Angle from this joint to that limit then [rad]; negative past the limit. */
   readonly room: number;
-  /** Seven numbers for each body of `Welcome.ghost`, as in `Frame.poses`. */
+  /** Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`. */
   readonly poses: readonly number[];
 }
 
@@ -1042,14 +1193,6 @@ export interface Ahead {
 export interface Events {
   readonly type: 'events';
   readonly events: readonly Event[];
-}
-
-/** One line of the log. */
-export interface Event {
-  readonly time_s: number;
-  readonly kind: string;
-  readonly level: Level;
-  readonly text: string;
 }
 
 /** Data for a window that draws strips: first the last minutes of the run, then only new data. */

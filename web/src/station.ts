@@ -255,7 +255,7 @@ export class Station {
       this.log(this.arrivals.takeEvents());
     }
     this.operator.sticks.kept = frame.rate_hold;
-    this.latency.answered(frame.flown_seq, now);
+    this.latency.answered(frame.display.flown_seq, now);
     this.fresh = true;
     if (this.held) this.draw(now);
   }
@@ -362,7 +362,7 @@ export class Station {
       if (now - this.valuesAt >= OVERDUE_MS) this.values(view, now);
       return;
     }
-    this.held = this.latency.due(seen.frame.stick_seq, now);
+    this.held = this.latency.due(seen.frame.display.stick_seq, now);
     if (this.held) return;
     this.operator.sticks.driving = this.modes.get(told.frame.mode) === 'single';
     // Where bars wait for a picture, it is not one with MON 2 in it.
@@ -395,7 +395,7 @@ export class Station {
     const now = performance.now();
     this.drawn += 1;
     this.shown = this.figures;
-    this.latency.drawn(seen.frame.stick_seq, now);
+    this.latency.drawn(seen.frame.display.stick_seq, now);
     this.arrivals.show('camera', seen, now);
     if (this.fresh) this.draw(now);
   }
@@ -531,7 +531,7 @@ function keysHint(): string {
 /** The frame's lamps, CLEARANCE with how much there is of it in the operator's units. */
 function inUnits({ frame, units }: View): readonly Lamp[] {
   const { nearest } = frame.work;
-  return frame.lamps.map((lamp) =>
+  return frame.display.lamps.map((lamp) =>
     lamp.name === 'CLEARANCE' && nearest ? { ...lamp, text: clearanceCause(nearest, units) } : lamp,
   );
 }

@@ -2,8 +2,7 @@
 
 import { bestPair, type Pair, type Sighting, TARGETS, type Target } from './advice';
 import { stickToPicture } from './panel/axes';
-import { middleOf } from './panel/gap-overlay';
-import type { Camera, Frame, Near, Vec3, Welcome } from './protocol';
+import type { Camera, ClosestPoints, Frame, Vec3, Welcome } from './protocol';
 import type { Scene } from './scene';
 
 /** How the names of the arm's bodies begin; the one that carries the tip; a payload without a place of its own. */
@@ -26,7 +25,7 @@ export class Survey {
   }
 
   /** Looks through so many cameras more, with the scene as it stands at a frame. */
-  look(frame: Frame, gap: Near | null, count: number): void {
+  look(frame: Frame, gap: ClosestPoints | null, count: number): void {
     const { cameras } = this.welcome;
     this.at = {
       tip: this.place('tip', gap),
@@ -41,14 +40,14 @@ export class Survey {
   }
 
   /** Where something to see is; null: there is none. */
-  place(target: Target, gap: Near | null): Vec3 | null {
+  place(target: Target, gap: ClosestPoints | null): Vec3 | null {
     if (target === 'tip') return this.scene.middle(TIP);
-    if (target === 'gap') return middleOf(gap);
+    if (target === 'gap') return gap?.plane ?? null;
     return this.payloads.map((name) => this.scene.middle(name)).find((place) => place !== null) ?? null;
   }
 
   /** Looks through all of them at once. */
-  lookAll(frame: Frame, gap: Near | null): void {
+  lookAll(frame: Frame, gap: ClosestPoints | null): void {
     this.look(frame, gap, this.welcome.cameras.length);
   }
 
@@ -93,14 +92,14 @@ export class Survey {
     return bestPair(sightings, this.at);
   }
 
-  private sighting(camera: Camera, frame: Frame, gap: Near | null): Sighting {
+  private sighting(camera: Camera, frame: Frame, gap: ClosestPoints | null): Sighting {
     const { sight } = this.scene;
     const sees = new Set<Target>();
     const ahead = sight.ahead(camera);
     if (ahead.has(TIP) || sight.body(camera, TIP)) sees.add('tip');
     if (this.payloads.some((name) => ahead.has(name) || sight.body(camera, name))) sees.add('payload');
     if (gap && sight.line(camera, gap.point_a, gap.point_b)) sees.add('gap');
-    const turned = stickToPicture(this.scene.directions(camera.name, frame.axes));
+    const turned = stickToPicture(this.scene.directions(camera.name, frame.display.axes));
     return { camera: camera.name, sees, lens: sight.lens(camera), turned };
   }
 }

@@ -120,7 +120,8 @@ const moving = { velocity: [0.1, -0.3, 0], turn_rate: [0, 0, 0.01] };
 const named: readonly JointInfo[] = [{ label: 'Sho yaw' }, { label: 'Sho pitch' }] as never;
 
 function frameOf(parts: object): Frame {
-  return { limits: [], por_limits: [0.6, 0.08], actual: still, commanded: moving, ...parts } as never;
+  const display = { actual: still, commanded: moving };
+  return { limits: [], por_limits: [0.6, 0.08], display, ...parts } as never;
 }
 
 test('a limit is named beside the bar of the axis that feels it', () => {
@@ -149,11 +150,11 @@ test('the title says which point moves along which axes', () => {
 
 test('AUTO says what PROCEED would do', () => {
   const at = (parts: object) =>
-    whatNext(frameOf({ points: 4, point: 1, sequence: 'ready', aim: {}, ...parts }));
+    whatNext(frameOf({ points: 4, point: 1, sequence: 'ready', goal: {}, ...parts }));
   expect(at({})).toContain('starts');
   expect(at({ sequence: 'in progress' })).toContain('pause point');
   expect(at({ point: 4 })).toContain('goes on');
-  expect(at({ point: 4, sequence: 'idle', aim: null })).toContain('complete');
+  expect(at({ point: 4, sequence: 'idle', goal: null })).toContain('complete');
   expect(at({ point: 2, sequence: 'idle', check: { good: false, text: '' } })).toContain('clear');
 });
 

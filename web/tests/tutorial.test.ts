@@ -3,7 +3,7 @@ import { DEFAULTS } from '../src/input/defaults';
 import { isDown } from '../src/input/in-hand';
 import { USES } from '../src/input/keymap';
 import { movers } from '../src/input/rebind';
-import type { Condition, Frame, WorkFrame } from '../src/protocol';
+import type { Condition, Frame, Work } from '../src/protocol';
 import { farewell } from '../src/tutorial';
 import { BEGIN, back, isOver, looked, type Progress, seen, skip } from '../src/tutorial/progress';
 import { LIFTED, MOVED, STEPS } from '../src/tutorial/steps';
@@ -43,15 +43,15 @@ function frame(flown: Flown = {}): Frame {
           condition('pin depth', flown.depth ?? false),
         ],
     hand: { flags, switch: flown.closing ? 'close' : 'stop' },
-    cargo: [{ name: 'payload', held, seat, speed: 0 }],
+    cargo: [{ name: 'payload', held, seat }],
     clearance_level: flown.warns ? 'warning' : 'info',
-  } as unknown as WorkFrame;
+  } as unknown as Work;
   const { rate = 'coarse' } = flown;
   return {
     tick,
     rate,
     translation: [stick, 0, 0],
-    actual: { position: [x, 0, 0] },
+    display: { actual: { position: [x, 0, 0] } },
     work,
   } as unknown as Frame;
 }

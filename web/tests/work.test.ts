@@ -22,7 +22,7 @@ import { SPAN_S, Trend } from '../src/panel/trend';
 import { wayParts } from '../src/panel/way-to-fixture';
 import { withHandles } from '../src/panel/with-handles';
 import { drawnGap } from '../src/pictures';
-import type { CargoFrame, Condition, Frame, Near, WorkFrame } from '../src/protocol';
+import type { Cargo, ClosestPoints, Condition, Frame, Near, Work } from '../src/protocol';
 import { unitsOf } from '../src/units';
 
 const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
@@ -32,12 +32,20 @@ function near(parts: Partial<Near>): Near {
 }
 
 function condition(parts: Partial<Condition>): Condition {
-  const given = { name: 'palm height', unit: 'm', value: 0, limit: 0.1, margin: 0.1, text: '', ...parts };
+  const given = {
+    name: 'palm height',
+    unit: 'm' as const,
+    value: 0,
+    limit: 0.1,
+    margin: 0.1,
+    text: '',
+    ...parts,
+  };
   return { ...given, holds: given.margin >= 0 };
 }
 
-function work(parts: Partial<WorkFrame>): WorkFrame {
-  return { contacts: [], inhibits: [], conditions: [], cargo: [], pursuit: '', ...parts } as WorkFrame;
+function work(parts: Partial<Work>): Work {
+  return { contacts: [], inhibits: [], conditions: [], cargo: [], pursuit: '', ...parts } as Work;
 }
 
 test('the gauge is logarithmic between its ends, and stays on itself', () => {
@@ -98,8 +106,10 @@ test('what inhibits stands above what is made to touch, the deepest contact firs
 });
 
 test('a wide gap is not drawn, nor one that is closed', () => {
-  expect(drawnGap(near({ clearance: 0.4 }))?.clearance).toBe(0.4);
-  expect([drawnGap(null), drawnGap(near({ clearance: 5 })), drawnGap(near({ clearance: -0.01 }))]).toEqual([
+  const gap = {} as ClosestPoints;
+  const drawn = (nearest: Near | null) => drawnGap({ work: { nearest }, display: { gap } } as Frame);
+  expect(drawn(near({ clearance: 0.4 }))).toBe(gap);
+  expect([drawn(null), drawn(near({ clearance: 5 })), drawn(near({ clearance: -0.01 }))]).toEqual([
     null,
     null,
     null,
@@ -207,8 +217,8 @@ test('what words tell apart stays apart in other units', () => {
 });
 
 test('once all is met the title says what to do, or nothing where it happens by itself', () => {
-  const snares = { carriage: 0 } as WorkFrame['hand'];
-  const prong = { carriage: null } as WorkFrame['hand'];
+  const snares = { carriage: 0 } as Work['hand'];
+  const prong = { carriage: null } as Work['hand'];
   expect(whatNow(work({ pursuit: 'capture payload', hand: snares }), KEYS)).toBe(': squeeze, hold G');
   expect(whatNow(work({ pursuit: 'acquire payload', hand: prong }), KEYS)).toBe('');
   expect(whatNow(work({ pursuit: 'latch payload', hand: snares }), KEYS)).toBe(': latch, hold T');
@@ -216,13 +226,13 @@ test('once all is met the title says what to do, or nothing where it happens by 
   expect(whatNow(work({ pursuit: 'dock in the Docking port', hand: prong }), KEYS)).toBe('');
 });
 
-const CARGO: CargoFrame = { name: 'payload', held: false, seat: '', speed: 0 };
+const CARGO = { name: 'payload', held: false, seat: '' } as Cargo;
 
 test('a payload is in the grasp, in a seat, both, or free', () => {
-  expect(whereIs(CARGO)).toBe('free');
-  expect(whereIs({ ...CARGO, seat: 'bay' })).toBe('bay');
-  expect(whereIs({ ...CARGO, held: true })).toBe('held');
-  expect(whereIs({ ...CARGO, held: true, seat: 'bay' })).toBe('held, fixed');
+  expect(whereIs(false, '')).toBe('free');
+  expect(whereIs(false, 'Cargo bay')).toBe('Cargo bay');
+  expect(whereIs(true, '')).toBe('held');
+  expect(whereIs(true, 'Cargo bay')).toBe('held, fixed');
 });
 
 test('the end effector says what it holds, how heavy that is and how fast it may go; else how far the next is', () => {
@@ -230,8 +240,8 @@ test('the end effector says what it holds, how heavy that is and how fast it may
     { id: 0, mass: 0, translation: [0.6, 0.1] },
     { id: 2, mass: 1000, translation: [0.06, 0.03] },
   ] as const;
-  const words = (cargo: readonly CargoFrame[], fixture: number | null, rate: Frame['rate'] = 'coarse') =>
-    graspWords({ work: { cargo, fixture }, payload: 2, rate }, payloads, SI);
+  const words = (cargo: readonly Cargo[], fixture: number | null, rate: Frame['rate'] = 'coarse') =>
+    graspWords({ work: { cargo }, display: { fixture, payload_id: 2 }, rate }, payloads, SI);
   const beacon = { ...CARGO, name: 'beacon', held: true };
   expect(words([CARGO, beacon], null)).toBe('beacon, 1000 kg, to 0.060 m/s');
   expect(words([CARGO, beacon], null, 'vernier')).toBe('beacon, 1000 kg, to 0.030 m/s');

@@ -1,9 +1,9 @@
 /** The payloads of the worksite: what holds each, and how fast it moves. */
 
 import { small } from '../format';
-import type { CargoFrame } from '../protocol';
 import { el, group, setAbout, setAttribute, setText } from './dom';
 import type { Desk, Part } from './part';
+import { seatTitle } from './seat';
 
 /** The report's modes, by their numbers from 1 on. */
 export const TASKS = ['Acquire', 'Extract', 'Manoeuvre', 'Docked'] as const;
@@ -25,18 +25,19 @@ export function cargoGroup({ welcome }: Desk): Part {
       setAbout(element, `mode ${frame.work.task}, ${DOING[frame.work.task - 1] ?? ''}`);
       for (const { name, state, speed } of rows) {
         const cargo = frame.work.cargo.find((each) => each.name === name);
-        setText(state, cargo ? whereIs(cargo) : '–');
-        setAttribute(state, 'title', cargo?.seat ?? '');
+        const seat = cargo ? seatTitle(welcome.work, cargo.seat) : '';
+        setText(state, cargo ? whereIs(cargo.held, seat) : '–');
+        setAttribute(state, 'title', seat);
         // What is held moves as the arm does, and what is seated does not.
         const free = cargo && !cargo.held && cargo.seat === '';
-        setText(speed, free ? `${small(cargo.speed, creep)} ${creep.name}` : '');
+        setText(speed, free ? `${small(Math.hypot(...cargo.velocity), creep)} ${creep.name}` : '');
       }
     },
   };
 }
 
-/** What a payload is fixed to: the arm, a seat, both, or nothing. */
-export function whereIs({ held, seat }: CargoFrame): string {
+/** What a payload is fixed to: the arm, a seat of this title, both, or nothing. */
+export function whereIs(held: boolean, seat: string): string {
   if (!held) return seat === '' ? 'free' : seat;
   return seat === '' ? 'held' : 'held, fixed';
 }

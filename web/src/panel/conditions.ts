@@ -3,7 +3,7 @@
 import { degrees, fixed, small } from '../format';
 import type { Names } from '../input/in-hand';
 import { inUnits } from '../measured';
-import type { Condition, WorkFrame } from '../protocol';
+import type { Condition, Work } from '../protocol';
 import type { Units } from '../units';
 import { ConditionBars } from './condition-bar';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
@@ -44,7 +44,7 @@ export function conditionsGroup(): Part {
       });
     },
     values({ frame, units, controllers: { names } }) {
-      const { pursuit, conditions, to_fixture } = frame.work;
+      const { pursuit, conditions } = frame.work;
       const said = pursuit || 'Conditions';
       const [first = ''] = said.split(' ', 1);
       setText(deed, first);
@@ -53,7 +53,7 @@ export function conditionsGroup(): Part {
       cells.forEach((each, i) => {
         each.set(shown[i], units);
       });
-      way.set(conditions.length > 0 ? to_fixture : null, units, names);
+      way.set(conditions.length > 0 ? frame.display.to_fixture : null, units, names);
       const met = conditions.length > 0 && conditions.every(({ holds }) => holds);
       setClass(element, 'met', met);
       setAbout(
@@ -68,7 +68,7 @@ export function conditionsGroup(): Part {
 
 /** What the operator does once all conditions are met; nothing where it happens by itself. */
 export function whatNow(
-  { pursuit, hand, cargo }: Pick<WorkFrame, 'pursuit' | 'hand' | 'cargo'>,
+  { pursuit, hand, cargo }: Pick<Work, 'pursuit' | 'hand' | 'cargo'>,
   names: Names,
 ): string {
   if (/\b(latch|berth)/.test(pursuit)) return `: latch, hold ${names.name('latch')}`;

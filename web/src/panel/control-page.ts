@@ -115,7 +115,7 @@ export class ControlPage {
   values({ frame, units }: View): void {
     if (!this.element.open) return;
     const { welcome } = this.desk;
-    const held = welcome.payloads.find(({ id }) => id === frame.payload);
+    const held = welcome.payloads.find(({ id }) => id === frame.display.payload_id);
     setText(this.held, held ? `${held.id}  ${held.name}` : '–');
     setText(this.point, this.pointOf(frame));
     this.hold.forEach((key, i) => {

@@ -2,7 +2,7 @@
 
 import { fixed, small } from '../format';
 import type { GripAction } from '../input/keymap';
-import type { Frame, PayloadInfo, WorkFrame } from '../protocol';
+import type { Display, Frame, PayloadInfo, Work } from '../protocol';
 import type { Units } from '../units';
 import { group, setAbout } from './dom';
 import type { Desk, Part } from './part';
@@ -21,7 +21,7 @@ export function effectorGroup(desk: Desk): EffectorGroup {
   const seats = work.seats.length > 0 && work.cargo.length > 0 ? seat(desk) : null;
   const element = group('effector', 'End effector', hand.element, ...(seats ? [seats.element] : []));
   element.classList.add(work.hand);
-  let latest: WorkFrame | null = null;
+  let latest: Work | null = null;
 
   function grip({ grip: which, down, at }: GripAction): void {
     if (which === 'brakes') return; // not the hand's
@@ -62,10 +62,13 @@ const CONDITIONS_M = 3;
 /** What the end effector holds, how heavy that is and how fast its point may move; empty, how far the next fixture is. */
 export function graspWords(
   {
-    work: { cargo, fixture },
-    payload,
+    work: { cargo },
+    display: { fixture, payload_id },
     rate,
-  }: Pick<Frame, 'payload' | 'rate'> & { readonly work: Pick<WorkFrame, 'cargo' | 'fixture'> },
+  }: Pick<Frame, 'rate'> & {
+    readonly work: Pick<Work, 'cargo'>;
+    readonly display: Pick<Display, 'fixture' | 'payload_id'>;
+  },
   payloads: readonly Pick<PayloadInfo, 'id' | 'mass' | 'translation'>[],
   { mass, speed, gap }: Pick<Units, 'mass' | 'speed' | 'gap'>,
 ): string {
@@ -73,7 +76,7 @@ export function graspWords(
   if (!held && fixture !== null && fixture > CONDITIONS_M)
     return `empty, fixture ${small(fixture, gap)} ${gap.name} away`;
   if (!held) return cargo.length > 0 ? 'empty' : '';
-  const its = payloads.find(({ id }) => id === payload);
+  const its = payloads.find(({ id }) => id === payload_id);
   if (!its) return held.name;
   const heavy = fixed(its.mass * mass.perSi, mass.decimals, false);
   const fast = fixed(its.translation[rate === 'coarse' ? 0 : 1] * speed.perSi, speed.decimals, false);

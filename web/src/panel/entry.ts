@@ -83,7 +83,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
   /** The present point, as long as no field is about to be typed into; none where it is the payload's. */
   function follow(frame: Frame, shown: Units): void {
     if (element.contains(document.activeElement)) return;
-    if (showsTip(frame)) write(frame.actual.position, frame.actual.attitude, shown);
+    if (showsTip(frame)) write(frame.display.actual.position, frame.display.actual.attitude, shown);
     else fill([]);
   }
 
@@ -107,7 +107,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
       desk.say('Present: the point shown is the payload’s, and OPR CMD moves the tip; enter ORB UNL first.');
       return;
     }
-    write(latest.actual.position, latest.actual.attitude, units);
+    write(latest.display.actual.position, latest.display.actual.attitude, units);
     edited = true;
     follows = false;
   }
@@ -142,7 +142,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
       latest = frame;
       if (units && units !== shown) convert(units, shown);
       // What was typed stays until the station has another target; a refused one is there to be mended.
-      const { aim } = frame;
+      const { aim } = frame.display;
       const key = aim ? JSON.stringify([aim.position, aim.attitude]) : '';
       if (!aim && aimed && !edited) follows = true; // begun anew
       if (aim && !edited && (follows || key !== aimed)) {

@@ -3,7 +3,6 @@
  * dashes where nothing hides the line, so that it is solid as far as it is seen.
  */
 
-import type { Near, Vec3 } from '../protocol';
 import { el, setAttribute, setClass, setText, svg } from './dom';
 import { type Box, clipped, labelPlace, type Point, type Size } from './label-place';
 
@@ -121,14 +120,4 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
       if (label.textContent.length !== letters && !label.hidden) placeLabel();
     },
   };
-}
-
-/** The middle of the line between two parts. */
-export function middleOf(near: Near): Vec3;
-export function middleOf(near: Near | null): Vec3 | null;
-export function middleOf(near: Near | null): Vec3 | null {
-  if (!near) return null;
-  const [ax, ay, az] = near.point_a;
-  const [bx, by, bz] = near.point_b;
-  return [(ax + bx) / 2, (ay + by) / 2, (az + bz) / 2];
 }

@@ -1,6 +1,6 @@
 /** What the two kinds of end effector have in common on the desk. */
 
-import type { HandFrame } from '../protocol';
+import type { Hand as HandState } from '../protocol';
 import type { Units } from '../units';
 import type { HoldButton } from './hold-button';
 
@@ -15,7 +15,7 @@ export interface Hand {
   readonly close: HoldButton;
   readonly open: HoldButton;
   /** Whether it moves, and a press of either stops it before anything is held. */
-  moves(hand: HandFrame): boolean;
-  bars(hand: HandFrame): void;
-  set(hand: HandFrame, units: Units): void;
+  moves(hand: HandState): boolean;
+  bars(hand: HandState): void;
+  set(hand: HandState, units: Units): void;
 }

@@ -64,8 +64,8 @@ export function joints(desk: Desk): Part {
     bars({ frame }) {
       stand?.point(frame.work.stand ?? 0);
       rows.forEach(({ joint, scale, commanded, bar }, i) => {
-        scale.set(frame.joints[i] ?? 0);
-        const at = place(joint, frame.joints_commanded[i] ?? 0).toFixed(2);
+        scale.set(frame.angles[i] ?? 0);
+        const at = place(joint, frame.angles_commanded[i] ?? 0).toFixed(2);
         setAttribute(commanded, 'transform', `translate(${at} 0)`);
         const limit = frame.rate_limits[i] || 1;
         bar.set((frame.rates[i] ?? 0) / limit, (frame.rates_commanded[i] ?? 0) / limit);
@@ -79,7 +79,7 @@ export function joints(desk: Desk): Part {
       setAbout(element, single ? `${desk.welcome.joints[frame.joint]?.label ?? ''} selected` : '');
       rows.forEach(({ row, angle, tag }, i) => {
         const zone = frame.zones[i] ?? 0;
-        setText(angle, degrees(frame.joints[i] ?? 0));
+        setText(angle, degrees(frame.angles[i] ?? 0));
         setClass(row, 'selected', single && frame.joint === i);
         setClass(row, 'reach', zone >= 1);
         setClass(row, 'soft', zone >= 2);

@@ -67,7 +67,7 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
   return {
     element: drop.element,
     values(frame) {
-      lighting = frame.lighting;
+      lighting = frame.display.lighting;
       setAttribute(drop.key, 'title', `Sun, lamps and exposure: ${keyOf('light')}`);
       setAttribute(lockKey, 'title', `The exposure of the picture in hand: ${keyOf('lock exposure')}`);
       conditions.forEach((each, i) => {

@@ -34,7 +34,12 @@ export function lookAhead(desk: Desk): Part {
   element.querySelector('h2 b')?.setAttribute('title', ABOUT);
   return {
     element,
-    values({ frame: { ahead }, units }) {
+    values({
+      frame: {
+        display: { ahead },
+      },
+      units,
+    }) {
       setText(time, `${(ahead?.seconds ?? seconds).toFixed(0)} s`);
       if (!ahead) return;
       seconds = ahead.seconds;

@@ -30,7 +30,7 @@ export function masterGroup(desk: Desk): MasterGroup {
   /** The master stands where it was put last, here or as the station has it; in other modes, as the arm does. */
   const master = (frame: Frame): Six => {
     if (own && performance.now() - own.at > OWN_MS) own = null;
-    return own?.angles ?? frame.work.master ?? frame.joints;
+    return own?.angles ?? frame.work.master ?? frame.angles;
   };
   const rows = desk.welcome.joints.map((joint, i) => {
     const bar = slider(joint, (angle) => {
@@ -65,21 +65,21 @@ export function masterGroup(desk: Desk): MasterGroup {
   return {
     element,
     meet() {
-      if (latest) put(latest.joints);
+      if (latest) put(latest.angles);
     },
     bars({ frame }) {
       latest = frame;
       stand?.point(frame.work.stand ?? 0);
       const goal = master(frame);
       rows.forEach(({ bar }, i) => {
-        bar.set(frame.joints[i] ?? 0, goal[i] ?? 0);
+        bar.set(frame.angles[i] ?? 0, goal[i] ?? 0);
       });
     },
     values({ frame, units }) {
       stand?.set(frame.work.stand ?? 0, units);
       const goal = master(frame);
       rows.forEach(({ actual, commanded }, i) => {
-        setText(actual, degrees(frame.joints[i] ?? 0));
+        setText(actual, degrees(frame.angles[i] ?? 0));
         setText(commanded, degrees(goal[i] ?? 0));
       });
     },

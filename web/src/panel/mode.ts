@@ -26,7 +26,7 @@ export function modeGroup(desk: Desk, proceed: () => void): ModeGroup {
   return {
     element,
     values({ frame }) {
-      positions.set(frame.mode, frame.payload !== 0);
+      positions.set(frame.mode, frame.display.payload_id !== 0);
       const shown = positions.shown();
       setAbout(element, shown === frame.mode ? 'entered' : `Enter sets ${shown}`);
       setClass(element, 'single', infoOf(frame.mode)?.kind === 'single');

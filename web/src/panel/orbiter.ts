@@ -1,7 +1,7 @@
 /** How far the orbiter has moved against what does not move with it, and how fast it does. */
 
 import { fixed } from '../format';
-import type { Vec3, WorkFrame } from '../protocol';
+import type { Display, Vec3 } from '../protocol';
 import type { Units } from '../units';
 import { el, setText } from './dom';
 
@@ -12,7 +12,7 @@ const FOOT = 0.3048;
 
 export interface OrbiterReading {
   readonly element: HTMLElement;
-  set(work: WorkFrame, units: Units): void;
+  set(display: Display, units: Units): void;
 }
 
 export function orbiterReading(): OrbiterReading {
@@ -38,7 +38,7 @@ export function orbiterReading(): OrbiterReading {
   };
 }
 
-export function isMoving({ orbiter_velocity }: Pick<WorkFrame, 'orbiter_velocity'>): boolean {
+export function isMoving({ orbiter_velocity }: Pick<Display, 'orbiter_velocity'>): boolean {
   return Math.hypot(...orbiter_velocity) > REST;
 }
 

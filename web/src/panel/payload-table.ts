@@ -1,7 +1,7 @@
 /** The payload table of SPEC 94: what the steering keeps to with each payload in the grasp, and which one is. */
 
 import { degrees, fixed } from '../format';
-import type { Frame, PayloadInfo, Welcome } from '../protocol';
+import type { Display, Frame, PayloadInfo, Welcome } from '../protocol';
 import type { Unit, Units } from '../units';
 import { el, setAttribute, setClass, setText } from './dom';
 
@@ -60,11 +60,11 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
       setText(offset, units.length.name);
       setText(speed, units.speed.name);
       for (const { payload, cells, row } of rows) {
-        const held = payload.id === frame.payload;
+        const held = payload.id === frame.display.payload_id;
         setClass(row, 'held', held);
         setAttribute(row, 'aria-current', String(held));
         setText(cells.mass, payload.id === 0 ? '–' : figure(payload.mass, units.mass));
-        setText(cells.offset, offsetWords(payload, frame, units.length));
+        setText(cells.offset, offsetWords(payload, frame.display, units.length));
         setText(
           cells.translation,
           both(payload.translation, (value) => figure(value, units.speed)),
@@ -75,9 +75,9 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
 }
 
 /** Where the point of resolution is from the tip: known once the payload is in the grasp. */
-function offsetWords({ id }: PayloadInfo, { payload, por_offset }: Frame, length: Unit): string {
+function offsetWords({ id }: PayloadInfo, { payload_id, por_offset }: Display, length: Unit): string {
   if (id === 0) return 'at the tip';
-  if (id !== payload) return 'set by its grasp';
+  if (id !== payload_id) return 'set by its grasp';
   return por_offset.map((value) => fixed(value * length.perSi, length.decimals)).join('  ');
 }
 

@@ -134,7 +134,7 @@ export class Picture {
     setText(this.time, timeCode(frame.time_s));
     const old = age === null ? '' : `${age.s.toFixed(1)} s old`;
     const how = age === null ? 'recorded' : stale || age.set > 0 ? old : 'live';
-    const locked = frame.lighting.locked.some(({ camera }) => camera === this.shown.name);
+    const locked = frame.display.lighting.locked.some(({ camera }) => camera === this.shown.name);
     setText(this.age, locked ? `EXP LOCK  ${how}` : how);
     setText(this.stale, stale ? old : '');
     setClass(this.element, 'is-stale', stale);

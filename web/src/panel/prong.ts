@@ -1,7 +1,7 @@
 /** The concept arm's prong: how far it is from the fixed finger, and its switch with its three positions. */
 
 import { small } from '../format';
-import type { EffectorSwitch, HandFrame } from '../protocol';
+import type { EffectorSwitch, Hand as HandState } from '../protocol';
 import { button, el, setAttribute, setPressed, setText, svg } from './dom';
 import { CLOSE_S, type Hand, OPEN_S } from './hand';
 import { holdButton } from './hold-button';
@@ -10,7 +10,7 @@ import type { Desk } from './part';
 const LENGTH = 100;
 
 /** Whether the prong is on its way: its switch is put, and it is not where that ends. */
-export function isMoving({ switch: put, opening }: Pick<HandFrame, 'switch' | 'opening'>): boolean {
+export function isMoving({ switch: put, opening }: Pick<HandState, 'switch' | 'opening'>): boolean {
   return put !== 'stop' && opening !== (put === 'close' ? 0 : 1);
 }
 

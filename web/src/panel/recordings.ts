@@ -36,7 +36,7 @@ export function recordings(): RecordingsControl {
 
   return {
     element: drop.element,
-    values({ recording_s }) {
+    values({ display: { recording_s } }) {
       setClass(drop.element, 'absent', recording_s === null);
       setText(running, clock(recording_s ?? 0));
     },

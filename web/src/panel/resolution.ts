@@ -1,7 +1,7 @@
 /** Point of resolution: place and attitude, commanded and actual, and how fast. */
 
 import { attitude, degrees, fixed } from '../format';
-import type { Frame, JointInfo, ModeInfo } from '../protocol';
+import type { Frame, JointInfo, ModeInfo, Resolution } from '../protocol';
 import { rateBar } from './bar';
 import { el, group, setAbout, setAttribute, setClass, setText } from './dom';
 import type { Desk, Part } from './part';
@@ -54,8 +54,8 @@ export function resolution(desk: Desk): Part {
   return {
     element,
     bars({ frame }) {
-      const actual = parts(frame.actual);
-      const commanded = parts(frame.commanded);
+      const actual = parts(frame.display.actual);
+      const commanded = parts(frame.display.commanded);
       rows.forEach(({ bar }, i) => {
         const limit = frame.por_limits[i < 3 ? 0 : 1] || 1;
         bar.set((actual[i] ?? 0) / limit, (commanded[i] ?? 0) / limit);
@@ -65,13 +65,13 @@ export function resolution(desk: Desk): Part {
       const mode = desk.welcome.modes.find((each) => each.position === frame.mode);
       setClass(element, 'single', mode?.kind === 'single');
       setAbout(element, pointWords(mode, frame, desk.welcome.joints));
-      const rates = parts(frame.actual);
+      const rates = parts(frame.display.actual);
       const tags = limitTags(frame, desk.welcome.joints);
       rows.forEach((cells, i) => {
         const turn = i >= 3;
         const axis = i % 3;
-        const at = (turn ? frame.actual.attitude : frame.actual.position)[axis] ?? 0;
-        const goal = (turn ? frame.commanded.attitude : frame.commanded.position)[axis] ?? 0;
+        const at = (turn ? frame.display.actual.attitude : frame.display.actual.position)[axis] ?? 0;
+        const goal = (turn ? frame.display.commanded.attitude : frame.display.commanded.position)[axis] ?? 0;
         const { length, speed } = units;
         const show = (value: number) =>
           turn ? attitude(value) : fixed(value * length.perSi, length.decimals);
@@ -90,7 +90,7 @@ export function resolution(desk: Desk): Part {
   };
 }
 
-function parts(point: Frame['actual']): readonly number[] {
+function parts(point: Resolution): readonly number[] {
   return [...point.velocity, ...point.turn_rate];
 }
 
@@ -121,8 +121,8 @@ interface Tag {
 /** Names what holds back each row, at the axis that feels it most. */
 export function limitTags(frame: Frame, joints: readonly JointInfo[]): readonly (Tag | null)[] {
   const tags: (Tag | null)[] = [null, null, null, null, null, null];
-  const commanded = parts(frame.commanded);
-  const behind = parts(frame.actual).map((rate, i) => rate - (commanded[i] ?? 0));
+  const commanded = parts(frame.display.commanded);
+  const behind = parts(frame.display.actual).map((rate, i) => rate - (commanded[i] ?? 0));
   const [speed, turn] = frame.por_limits;
   const moving = Math.hypot(...commanded.slice(0, 3)) > 1e-4 ? 0 : 3;
   const put = (row: number, text: string, caution: boolean) => {

@@ -34,22 +34,22 @@ export function route(): Route {
   return {
     element,
     set(frame, { length }) {
-      const { aim, points } = frame;
+      const { goal, points } = frame;
       setText(point, points > 0 ? `Point ${frame.point} of ${points}` : 'No points stored');
       setText(unit, length.name);
-      setText(distance, aim ? fixed(aim.distance * length.perSi, length.decimals, false) : '–');
-      setText(angle, aim ? degrees(aim.angle, 1, false) : '–');
-      setText(time, frame.sequence === 'in progress' && aim ? String(Math.ceil(aim.remaining_s)) : '–');
+      setText(distance, goal ? fixed(goal.distance * length.perSi, length.decimals, false) : '–');
+      setText(angle, goal ? degrees(goal.angle, 1, false) : '–');
+      setText(time, frame.sequence === 'in progress' && goal ? String(Math.ceil(goal.remaining_s)) : '–');
       setText(hint, whatNext(frame));
     },
   };
 }
 
 /** What PROCEED and STOP would do now, in a sentence. */
-export function whatNext({ sequence, point, points, aim, check }: Frame): string {
+export function whatNext({ sequence, point, points, goal, check }: Frame): string {
   if (points === 0) return 'Nothing to fly in this position.';
   if (sequence === 'in progress') return 'Flies on to its next pause point; STOP or Space halts it.';
   if (check && !check.good) return 'Fly clear, then enter it again.';
   if (point === 1) return 'PROCEED starts the sequence.';
-  return aim ? 'Waits here; PROCEED goes on.' : 'Sequence complete; PROCEED begins it again.';
+  return goal ? 'Waits here; PROCEED goes on.' : 'Sequence complete; PROCEED begins it again.';
 }

@@ -81,14 +81,14 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
       if (coming) setText(words, `Making “${coming.title}” ready. ${FIRST_TIME}`);
     },
     values(frame) {
-      recorded = frame.recording_s !== null;
+      recorded = frame.display.recording_s !== null;
       if (!first || frame.tick < first.tick) {
         // What was flown before this page came is flown.
         flown = first === null && frame.time_s > BEGUN_S;
         first = frame;
       }
-      const { joints } = first;
-      flown ||= frame.joints.some((angle, i) => Math.abs(angle - (joints[i] ?? angle)) > TURNED);
+      const { angles } = first;
+      flown ||= frame.angles.some((angle, i) => Math.abs(angle - (angles[i] ?? angle)) > TURNED);
     },
     choose(name) {
       take(told?.scenarios.findIndex((info) => info.name === name && !info.given) ?? -1);

@@ -1,6 +1,6 @@
 /** The switch that fixes a payload in its seat, or frees it: retention latches, docking port. */
 
-import type { WorkFrame } from '../protocol';
+import type { Work, WorkInfo } from '../protocol';
 import { el, setAttribute, setClass, setText } from './dom';
 import { type HoldButton, holdButton } from './hold-button';
 import type { Desk } from './part';
@@ -15,7 +15,7 @@ export interface Seat {
   /** Whichever it pressed comes up: by then the other may be the one. */
   lift(at: number): void;
   tick(): void;
-  set(work: WorkFrame): void;
+  set(work: Work): void;
 }
 
 export function seat(desk: Desk): Seat {
@@ -37,7 +37,7 @@ export function seat(desk: Desk): Seat {
       unlatch.tick();
     },
     set(work) {
-      const at = seatNow(work);
+      const at = seatTitle(desk.welcome.work, seatNow(work));
       fixed = at !== '';
       setText(where, at === '' ? 'in no seat' : at);
       setAttribute(where, 'title', at);
@@ -48,7 +48,12 @@ export function seat(desk: Desk): Seat {
 }
 
 /** The seat of the payload that is held, else of any; empty where that is in none. */
-export function seatNow({ cargo }: Pick<WorkFrame, 'cargo'>): string {
+export function seatNow({ cargo }: Pick<Work, 'cargo'>): string {
   const held = cargo.find((each) => each.held);
   return held ? held.seat : (cargo.find((each) => each.seat !== '')?.seat ?? '');
+}
+
+/** A seat's name for display; empty for none. */
+export function seatTitle({ seats }: Pick<WorkInfo, 'seats'>, name: string): string {
+  return seats.find((seat) => seat.name === name)?.title ?? name;
 }

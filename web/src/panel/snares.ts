@@ -1,6 +1,6 @@
 /** The SRMS's snares: the six flags of the panel, capture and release, and the switches of its manual mode. */
 
-import type { HandFrame } from '../protocol';
+import type { Hand as HandState } from '../protocol';
 import { button, el, setClass, setPressed } from './dom';
 import { CLOSE_S, type Hand, OPEN_S } from './hand';
 import { holdButton } from './hold-button';
@@ -24,7 +24,7 @@ export function snares(desk: Desk): Hand {
   const modes = MODES.map(([mode, name]) =>
     button({}, [name], () => desk.send({ type: 'effector_mode', mode })),
   );
-  let rigid: HandFrame['rigid'] = 'off';
+  let rigid: HandState['rigid'] = 'off';
   const carriage = CARRIAGE.map((way) =>
     button({ title: 'The carriage alone; pressed again: off' }, [way], () =>
       desk.send({ type: 'rigid', rigid: rigid === way ? 'off' : way }),

@@ -38,7 +38,7 @@ export function targetGroup(desk: Desk): TargetGroup {
       } else {
         keyed.set(frame, units);
         const none = keyed.follows() ? 'none; the present point' : 'none keyed in';
-        setAbout(element, keyed.edited() ? 'not keyed in yet' : frame.aim ? 'keyed in' : none);
+        setAbout(element, keyed.edited() ? 'not keyed in yet' : frame.goal ? 'keyed in' : none);
         setText(togo, remaining(frame, units));
       }
       check.set(frame);
@@ -46,9 +46,9 @@ export function targetGroup(desk: Desk): TargetGroup {
   };
 }
 
-export function remaining({ aim, sequence, mode }: Frame, { length }: Units): string {
-  if (!aim) return 'OPR CMD flies the point there.';
-  const left = `${fixed(aim.distance * length.perSi, length.decimals, false)} ${length.name}, ${degrees(aim.angle, 1, false)}°`;
-  if (sequence === 'in progress') return `${left} to go, ${Math.ceil(aim.remaining_s)} s`;
+export function remaining({ goal, sequence, mode }: Frame, { length }: Units): string {
+  if (!goal) return 'OPR CMD flies the point there.';
+  const left = `${fixed(goal.distance * length.perSi, length.decimals, false)} ${length.name}, ${degrees(goal.angle, 1, false)}°`;
+  if (sequence === 'in progress') return `${left} to go, ${Math.ceil(goal.remaining_s)} s`;
   return mode === 'OPR CMD' ? `${left} away` : `${left} away; OPR CMD flies there.`;
 }

@@ -99,8 +99,8 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
       setPressed(orbiter, orbiting);
       reading.element.hidden = !orbiting;
       rates.hidden = hold.hidden = orbiting;
-      reading.set(frame.work, units);
-      setClass(orbiter, 'moving', isMoving(frame.work));
+      reading.set(frame.display, units);
+      setClass(orbiter, 'moving', isMoving(frame.display));
       if (orbiting) numbers.set([hand[X] ?? 0, hand[Y] ?? 0, hand[Z] ?? 0], 'X');
       else if (driving) numbers.set([frame.drive, 0, 0], 'Drive');
       else numbers.set(frame.translation, 'X');

@@ -2,7 +2,7 @@
 
 import { small } from '../format';
 import type { Names } from '../input/in-hand';
-import type { WorkFrame } from '../protocol';
+import type { Work } from '../protocol';
 import type { Units } from '../units';
 import { el } from './dom';
 import { withHandles } from './with-handles';
@@ -15,7 +15,7 @@ export interface Line {
 export interface Touching {
   readonly element: HTMLElement;
   /** Writes the lines of a frame; returns whether any of them calls for the operator. */
-  set(work: WorkFrame, units: Units, names: Names): boolean;
+  set(work: Work, units: Units, names: Names): boolean;
 }
 
 export function touching(): Touching {
@@ -40,7 +40,7 @@ export function touching(): Touching {
 }
 
 /** Detrimental contacts, deepest first; what frees the arm of them; the contacts that are made to be, in one line. */
-export function linesOf({ contacts, inhibits }: WorkFrame, { gap }: Units, names: Names): readonly Line[] {
+export function linesOf({ contacts, inhibits }: Work, { gap }: Units, names: Names): readonly Line[] {
   const harmful = contacts
     .filter(({ essential }) => !essential)
     .sort((a, b) => a.clearance - b.clearance)

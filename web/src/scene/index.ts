@@ -14,7 +14,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { present } from '../assert';
-import type { LightCondition, Lighting, Near, Quat, Vec3, Welcome } from '../protocol';
+import type { ClosestPoints, LightCondition, Lighting, Quat, Vec3, Welcome } from '../protocol';
 import type { Drawing } from '../quality';
 import { LIGHT_OF } from './agx';
 import { Blob } from './blob';
@@ -195,8 +195,8 @@ export class Scene {
   }
 
   /** The narrowest gap, drawn as a line in a colour `#rrggbb`, on demand with the plane in it; null: none. */
-  setGap(near: Near | null, colour: string, plane: boolean): void {
-    this.gap.set(near, colour, plane);
+  setGap(gap: ClosestPoints | null, colour: string, plane: boolean): void {
+    this.gap.set(gap, colour, plane);
   }
 
   /** Where holding the sticks would take the arm, by the poses of `Welcome.ghost`; null: nothing is shown. */

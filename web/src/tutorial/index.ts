@@ -81,7 +81,7 @@ export class Tutorial {
   values({ frame, flying, units }: View): void {
     if (this.unasked && flying) this.show(true);
     if (!this.open) return;
-    this.progress = seen(this.progress, frame, frame.poses[7 * this.payload + 2] ?? 0);
+    this.progress = seen(this.progress, frame, frame.display.poses[7 * this.payload + 2] ?? 0);
     this.draw(frame, units);
   }
 

@@ -71,7 +71,7 @@ export const STEPS: readonly Step[] = [
       'across it. Hold one for some seconds and watch both pictures.',
     caps: () => MOVERS,
     groups: ['thc'],
-    done: (now, { from }) => distance(now.actual.position, from) >= MOVED,
+    done: (now, { from }) => distance(now.display.actual.position, from) >= MOVED,
   },
   {
     name: 'line up',

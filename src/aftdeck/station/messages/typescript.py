@@ -1,6 +1,6 @@
-"""TypeScript of messages and playback: ``python -m aftdeck.station.typescript`` prints ``web/src/protocol.ts``.
+"""TypeScript of all messages: ``python -m aftdeck.station.messages.typescript`` prints ``web/src/protocol.ts``.
 
-Every struct becomes an interface. Every alias (tuple, literal or union) in `MODULES` and in `shapes` becomes a type of
+Every struct becomes an interface. Every alias (tuple, literal or union) in `NAMED` becomes a type of
 the same name. The docstrings of structs and fields become comments. The encoder writes every field, even one at its
 default, so that no field is optional.
 """
@@ -15,16 +15,21 @@ import typing
 import msgspec
 
 from aftdeck import shapes
-from aftdeck.station import from_page, kinds, playback, to_page
+from aftdeck.recording.hints import apart, is_object, names
+from aftdeck.simulation import frame as sim
+from aftdeck.station.messages import frame, from_page, kinds, playback, to_page, welcome
 from aftdeck.told import comments
+from aftdeck.worksite import report
 
 HEADER = """\
-// Generated from station/from_page.py, to_page.py and playback.py by `make generate`; do not edit.
+// Generated from simulation/frame.py and station/messages by `make generate`; do not edit.
 // All quantities are SI and radians; see there for frames.
 """
 
-MODULES = (kinds, from_page, to_page, playback)
+MODULES = (kinds, from_page, welcome, frame, to_page, playback)
 """Modules whose structs the page uses."""
+NAMED = (shapes, *MODULES, sim, report)
+"""Modules whose aliases are names in TypeScript, too."""
 
 _PLAIN: dict[object, str] = {
     float: "number",
@@ -49,10 +54,10 @@ class _Writer:
 
     def __init__(self) -> None:
         self.aliases: dict[object, str] = {}
-        for module in (shapes, *MODULES):
+        for module in NAMED:
             for name, value in vars(module).items():
                 if typing.get_origin(value) in (tuple, typing.Literal, typing.Union, types.UnionType):
-                    self.aliases[value] = name
+                    self.aliases.setdefault(value, name)
         self.interfaces: dict[type[msgspec.Struct], str] = {}
 
     def file(self) -> str:
@@ -95,20 +100,33 @@ class _Writer:
                 self.interfaces[hint] = ""  # reserves the place of the struct, and ends a recursion
                 self.interfaces[hint] = self.interface(hint)
             return hint.__name__
+        if is_object(hint):
+            hints = typing.get_type_hints(hint)
+            return f"readonly [{', '.join(f'{name}: {self.name(hints[name])}' for name in names(hint))}]"
         raise TypeError(
             f"{hint} has no TypeScript here; use numbers, strings, booleans, tuples, literals, structs and their unions"
         )
 
     def interface(self, struct: type[msgspec.Struct]) -> str:
         hints, said = typing.get_type_hints(struct), comments(struct)
+        told = typing.get_type_hints(struct, include_extras=True)
         lines = [*_comment(inspect.getdoc(struct), ""), f"export interface {struct.__name__} {{"]
         config = struct.__struct_config__
         if config.tag_field is not None:
             lines.append(f"  readonly {config.tag_field}: {_literal(config.tag)};")
         for field, wire in zip(struct.__struct_fields__, struct.__struct_encode_fields__, strict=True):
-            lines += _comment(said.get(field), "  ")
+            lines += _comment(_described(apart(told[field])[1]) or said.get(field), "  ")
             lines.append(f"  readonly {wire}: {self.name(hints[field])};")
         return "\n".join([*lines, "}", ""])
+
+
+def _described(meta: msgspec.Meta | None) -> str:
+    """Return a told field's description, with its unit and axes."""
+    if meta is None or meta.description is None:
+        return ""
+    extra = meta.extra or {}
+    unit = "" if extra["unit"] in ("", "1") else f" [{extra['unit']}]"
+    return f"{meta.description}{unit}" + (f", along the axes of {extra['frame']}" if extra["frame"] else "")
 
 
 def _literal(value: object) -> str:

@@ -11,9 +11,11 @@ from typing import Literal
 
 import msgspec
 
-from aftdeck.station.curves import Lane, Quantity, Strip
-from aftdeck.station.kinds import Level
-from aftdeck.station.to_page import Event, Frame, Welcome
+from aftdeck.simulation.frame import Event
+from aftdeck.station.messages.curves import Lane, Quantity, Strip
+from aftdeck.station.messages.frame import Frame
+from aftdeck.station.messages.kinds import Level
+from aftdeck.station.messages.welcome import Welcome
 
 BLOCK = 256
 """Number of moments in each block but the last: about 5 s of a recording at 50 steps a second."""

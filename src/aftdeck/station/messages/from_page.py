@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 import msgspec
 
 from aftdeck.scenario.light import Lighting
-from aftdeck.station.kinds import (
+from aftdeck.station.messages.kinds import (
     Binding,
     ControllerKind,
     EffectorSwitch,
