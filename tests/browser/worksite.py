@@ -8,6 +8,7 @@ from typing import Any
 import msgspec
 from playwright.sync_api import Page, WebSocketRoute
 
+from aftdeck.simulation.frame import WayOut
 from aftdeck.station.messages import kinds
 from aftdeck.station.messages.frame import ClosestPoints
 from aftdeck.station.messages.welcome import SeatInfo, StandInfo, WorkInfo
@@ -67,7 +68,7 @@ def work(**changes: Any) -> Work:
         arm_inhibit=False,
         finger_inhibit=False,
         inhibits=(),
-        pursuit="",
+        objective=None,
         conditions=(),
         hand=SNARES,
         stand=None,
@@ -85,12 +86,14 @@ class Worksite:
     Attributes:
         work: of every frame from now on.
         mode: of every frame from now on; empty: the station's own.
+        ways_out: of every frame from now on.
         asked: every message of the page but its measurements, as decoded JSON.
     """
 
     def __init__(self, told: WorkInfo, now: Work) -> None:
         self.info, self.work = told, now
         self.mode = ""
+        self.ways_out: tuple[WayOut, ...] = ()
         self.asked: list[Message] = []
 
     def stand_between(self, page: Page) -> None:
@@ -135,6 +138,7 @@ class Worksite:
         near = self.work.nearest
         level = level_of(near.clearance, self.info.caution, self.info.warning) if near else CLEAR
         frame["work"] = msgspec.to_builtins(msgspec.structs.replace(self.work, clearance_level=level))
+        frame["ways_out"] = msgspec.to_builtins(self.ways_out)
         display = frame["display"]
         display["gap"] = None if near is None else msgspec.to_builtins(closest_points(near))
         display["contacts"] = [msgspec.to_builtins(closest_points(pair)) for pair in self.work.contacts]

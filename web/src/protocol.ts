@@ -875,7 +875,7 @@ export interface Frame {
   readonly singularity: Vec3;
   /** singularities nearer than the arm's threshold */
   readonly singular: readonly string[];
-  /** for each singularity that is near and each joint past a limit: what leads away from it */
+  /** for each singularity that is near and each joint past a limit: what leads away from it; while a contact inhibits the arm, only what leads out of the contact */
   readonly ways_out: readonly WayOut[];
   /** target of an automatic mode */
   readonly goal: Goal | null;
@@ -916,18 +916,20 @@ export interface Limit {
   readonly text: string;
 }
 
-/** Stick or joint command that leads away from a singularity or a joint's limit. */
+/** Command that leads away from a singularity or a joint's limit, or out of the contacts that inhibit the arm. */
 export interface WayOut {
-  /** `elbow` (a singularity) or a joint's name */
+  /** `elbow` (a singularity), a joint's name, or `contact` */
   readonly cause: string;
   /** for people: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -` */
   readonly text: string;
-  /** which stick */
-  readonly stick: 'translation' | 'rotation' | 'joint';
+  /** which stick or switch */
+  readonly stick: 'translation' | 'rotation' | 'joint' | 'telescope';
   /** axis 0 to 2 of the stick, or the joint */
   readonly axis: number;
   /** +1 or -1 */
   readonly sign: number;
+  /** panel position to enter first; empty: the stick acts in the present one */
+  readonly position: string;
 }
 
 /** Target of an automatic mode (pose of frame 7), and the distance, angle and time that remain. */
@@ -974,8 +976,8 @@ export interface Work {
   readonly finger_inhibit: boolean;
   /** why the arm or the finger is inhibited, and what frees it */
   readonly inhibits: readonly string[];
-  /** what the conditions are for: `acquire payload`; empty: nothing is near enough */
-  readonly pursuit: string;
+  /** what can be done here, once the conditions hold; null: nothing is near enough */
+  readonly objective: Objective | null;
   /** of capture, docking or latching */
   readonly conditions: readonly Condition[];
   /** the end effector */
@@ -1018,6 +1020,14 @@ export interface Near {
   readonly feature_b: string;
 }
 
+/** What the end effector can do where it is. */
+export interface Objective {
+  /** which action */
+  readonly action: 'acquire' | 'capture' | 'dock' | 'insert' | 'berth';
+  /** for people: `acquire payload`, `berth in the Cargo bay` */
+  readonly text: string;
+}
+
 /** One condition with its measured value, its limit and its margin. */
 export interface Condition {
   /** which: `palm height` */
@@ -1034,6 +1044,10 @@ export interface Condition {
   readonly margin: number;
   /** for people: `palm 2.5 in above the bar, 0 to 0.75 in allowed` */
   readonly text: string;
+  /** the text with `{}` in place of each number; empty in a recording without it */
+  readonly words: string;
+  /** those numbers, in `unit` */
+  readonly numbers: readonly number[];
 }
 
 /** The end effector. */

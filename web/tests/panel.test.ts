@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { KEYS } from '../src/input/in-hand';
 import { Latency } from '../src/latency';
 import { stickToPicture } from '../src/panel/axes';
 import { BAR, place } from '../src/panel/joint-scale';
@@ -99,9 +100,17 @@ test('a message of an unknown type is refused by name', () => {
 });
 
 test('a joint past a limit is told what leads away, its name once', () => {
-  const way = { cause: 'elbow_pitch', stick: 'translation', axis: 2, sign: 1 } as const;
-  expect(leadsAway({ ...way, text: 'THC +Z' })).toBe('Elbow pitch: THC +Z leads away');
-  expect(leadsAway({ ...way, text: 'SINGLE elbow pitch −' })).toBe('Elbow pitch: SINGLE − leads away');
+  const way = {
+    cause: 'elbow_pitch',
+    stick: 'translation',
+    axis: 2,
+    sign: 1,
+    position: '',
+    text: '',
+  } as const;
+  expect(leadsAway(way, KEYS)).toBe('Elbow pitch: THC +Z (E) leads away');
+  const single = { ...way, stick: 'joint', sign: -1, position: 'SINGLE' } as const;
+  expect(leadsAway(single, KEYS)).toBe('Elbow pitch: SINGLE − leads away');
 });
 
 test.each([

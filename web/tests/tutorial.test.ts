@@ -29,7 +29,17 @@ interface Flown {
 }
 
 function condition(name: string, holds: boolean, value = 0): Condition {
-  return { name, holds, value, limit: 0.1, unit: 'm', margin: 0, text: `${name} fails` };
+  return {
+    name,
+    holds,
+    value,
+    limit: 0.1,
+    unit: 'm',
+    margin: 0,
+    text: '',
+    words: `${name} fails`,
+    numbers: [],
+  };
 }
 
 /** A frame: over the payload in its seat, nothing right yet, nothing held. */

@@ -1,7 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Hold } from '../src/input/hold';
 import { KEYS } from '../src/input/in-hand';
-import { inUnits } from '../src/measured';
 import { whereIs } from '../src/panel/cargo';
 import { ConditionBars } from '../src/panel/condition-bar';
 import { figures, shortened, whatNow } from '../src/panel/conditions';
@@ -20,9 +19,8 @@ import { counted } from '../src/panel/spine';
 import { linesOf } from '../src/panel/touching';
 import { SPAN_S, Trend } from '../src/panel/trend';
 import { wayParts } from '../src/panel/way-to-fixture';
-import { withHandles } from '../src/panel/with-handles';
 import { drawnGap } from '../src/pictures';
-import type { Cargo, ClosestPoints, Condition, Frame, Near, Work } from '../src/protocol';
+import type { Cargo, ClosestPoints, Condition, Frame, Near, Objective, WayOut, Work } from '../src/protocol';
 import { unitsOf } from '../src/units';
 
 const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
@@ -39,13 +37,15 @@ function condition(parts: Partial<Condition>): Condition {
     limit: 0.1,
     margin: 0.1,
     text: '',
+    words: '',
+    numbers: [],
     ...parts,
   };
   return { ...given, holds: given.margin >= 0 };
 }
 
 function work(parts: Partial<Work>): Work {
-  return { contacts: [], inhibits: [], conditions: [], cargo: [], pursuit: '', ...parts } as Work;
+  return { contacts: [], inhibits: [], conditions: [], cargo: [], objective: null, ...parts } as Work;
 }
 
 test('the gauge is logarithmic between its ends, and stays on itself', () => {
@@ -87,18 +87,22 @@ test('where nothing is watched the curve has a gap, and a restart begins it anew
 });
 
 test('what inhibits stands above what is made to touch, the deepest contact first', () => {
-  const lines = linesOf(
-    work({
-      contacts: [
-        near({ a: 'prong', essential: true, clearance: 0 }),
-        near({ a: 'wrist', b: 'payload top', clearance: -0.01 }),
-        near({ b: 'payload top', clearance: -0.02 }),
-      ],
-      inhibits: ['palm touches payload top: 0.02 m deep', 'way out: THC −Z'],
-    }),
-    SI,
-    KEYS,
-  );
+  const way: WayOut = {
+    cause: 'contact',
+    text: '',
+    stick: 'translation',
+    axis: 2,
+    sign: -1,
+    position: '',
+  };
+  const touching = work({
+    contacts: [
+      near({ a: 'prong', essential: true, clearance: 0 }),
+      near({ a: 'wrist', b: 'payload top', clearance: -0.01 }),
+      near({ b: 'payload top', clearance: -0.02 }),
+    ],
+  });
+  const lines = linesOf({ work: touching, ways_out: [way] }, [], SI, KEYS);
   expect(lines.map(({ level }) => level)).toEqual(['warning', 'warning', 'caution', 'info']);
   expect(lines[0]?.text).toBe('Palm touches payload top, 2.0 cm deep');
   expect(lines[2]?.text).toBe('Way out: THC −Z (Q)');
@@ -181,15 +185,6 @@ test('the way to the pin names the stick and the key that shorten it', () => {
   ]);
 });
 
-test('a stick’s direction in words comes with its key', () => {
-  expect(withHandles('way out: ORB UNL, THC −Z', KEYS)).toBe('way out: ORB UNL, THC −Z (Q)');
-  expect(withHandles('RHC +roll', KEYS)).toBe('RHC +roll (O)');
-  expect(withHandles('THC −Z or the telescope longer frees it', KEYS)).toBe(
-    'THC −Z (Q) or the telescope longer frees it',
-  );
-  expect(withHandles('SINGLE elbow −', KEYS)).toBe('SINGLE elbow −');
-});
-
 test('figures are in the operator’s small units', () => {
   expect(figures(condition({ value: 0.0635 }), FEET)).toEqual({ value: '2.5', unit: 'in' });
   expect(figures(condition({ value: 1.2 }), SI)).toEqual({ value: '120', unit: 'cm' });
@@ -198,32 +193,13 @@ test('figures are in the operator’s small units', () => {
   expect(figures(condition({ value: null as never }), SI).value).toBe('–');
 });
 
-test('words about a condition are told in the operator’s units', () => {
-  const palm = 'palm 4.04 ft above the bar, 0 to 0.75 in allowed';
-  expect(inUnits(palm, SI)).toBe('palm 123 cm above the bar, 0 to 1.91 cm allowed');
-  expect(inUnits(palm, FEET)).toBe('palm 48.5 in above the bar, 0 to 0.75 in allowed');
-  expect(inUnits('bar 1.2 m clear of the palm, −20 to 35 mm allowed', FEET)).toBe(
-    'bar 47.2 in clear of the palm, −0.787 to 1.38 in allowed',
-  );
-  expect(inUnits('0.2 ft/s, at most 0.1 ft/s allowed', SI)).toBe('6.1 cm/s, at most 3.05 cm/s allowed');
-  const other = 'pitch −12.5°, at most 10° allowed; beacon 2 is in it';
-  expect(inUnits(other, SI)).toBe(other);
-});
-
-test('what words tell apart stays apart in other units', () => {
-  const [value, limit] =
-    inUnits('palm 0.7502 in above the bar, 0 to 0.75 in allowed', SI).match(/1\.\d+/g) ?? [];
-  expect(Number(value)).toBeGreaterThan(Number(limit));
-});
-
 test('once all is met the title says what to do, or nothing where it happens by itself', () => {
-  const snares = { carriage: 0 } as Work['hand'];
-  const prong = { carriage: null } as Work['hand'];
-  expect(whatNow(work({ pursuit: 'capture payload', hand: snares }), KEYS)).toBe(': squeeze, hold G');
-  expect(whatNow(work({ pursuit: 'acquire payload', hand: prong }), KEYS)).toBe('');
-  expect(whatNow(work({ pursuit: 'latch payload', hand: snares }), KEYS)).toBe(': latch, hold T');
-  expect(whatNow(work({ pursuit: 'insert in the Cargo bay', hand: prong }), KEYS)).toBe(': let go, hold R');
-  expect(whatNow(work({ pursuit: 'dock in the Docking port', hand: prong }), KEYS)).toBe('');
+  const now = (action: Objective['action']) => whatNow(work({ objective: { action, text: '' } }), KEYS);
+  expect(now('capture')).toBe(': squeeze, hold G');
+  expect(now('acquire')).toBe('');
+  expect(now('berth')).toBe(': latch, hold T');
+  expect(now('insert')).toBe(': let go, hold R');
+  expect(now('dock')).toBe('');
 });
 
 const CARGO = { name: 'payload', held: false, seat: '' } as Cargo;

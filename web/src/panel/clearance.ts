@@ -27,7 +27,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
   const pair = el('p', { class: 'pair' });
   const gauge = gapGauge(work);
   const history = lastMinute(work);
-  const contacts = touching();
+  const contacts = touching(welcome);
   const arm = el('span', { class: 'flag' }, 'Arm inhibit');
   const finger = el('span', { class: 'flag' }, 'Finger inhibit');
   const planeKey = button({ class: 'more' }, ['Plane'], plane);
@@ -72,7 +72,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       setAttribute(pair, 'title', pair.textContent);
       gauge.setUnits(units);
       // What touches takes the history's room.
-      history.element.hidden = contacts.set(frame.work, units, controllers.names);
+      history.element.hidden = contacts.set(frame, units, controllers.names);
       history.draw(trend, frame.time_s, units);
       setClass(arm, 'lit', arm_inhibit);
       setClass(finger, 'lit', finger_inhibit);

@@ -2,10 +2,10 @@
 
 import { degrees, fixed, small } from '../format';
 import type { Names } from '../input/in-hand';
-import { inUnits } from '../measured';
 import type { Condition, Work } from '../protocol';
 import type { Units } from '../units';
 import { ConditionBars } from './condition-bar';
+import { conditionText } from './condition-text';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
 import type { Part } from './part';
 import { Places } from './places';
@@ -44,37 +44,40 @@ export function conditionsGroup(): Part {
       });
     },
     values({ frame, units, controllers: { names } }) {
-      const { pursuit, conditions } = frame.work;
-      const said = pursuit || 'Conditions';
-      const [first = ''] = said.split(' ', 1);
-      setText(deed, first);
-      setText(object, said.slice(first.length));
-      if (title) setAttribute(title, 'title', said);
+      const { objective, conditions } = frame.work;
+      const { action, text } = objective ?? { action: 'Conditions', text: 'Conditions' };
+      setText(deed, action);
+      setText(object, text.slice(action.length));
+      if (title) setAttribute(title, 'title', text);
       cells.forEach((each, i) => {
         each.set(shown[i], units);
       });
       way.set(conditions.length > 0 ? frame.display.to_fixture : null, units, names);
       const met = conditions.length > 0 && conditions.every(({ holds }) => holds);
       setClass(element, 'met', met);
-      setAbout(
-        element,
-        met
-          ? `all met${whatNow(frame.work, names)}`
-          : inUnits(shown.find(({ holds }) => !holds)?.text ?? '', units),
-      );
+      setAbout(element, met ? `all met${whatNow(frame.work, names)}` : failure(shown, units));
     },
   };
 }
 
+/** What fails first, in words. */
+function failure(conditions: readonly Condition[], units: Units): string {
+  const first = conditions.find(({ holds }) => !holds);
+  return first ? conditionText(first, units) : '';
+}
+
 /** What the operator does once all conditions are met; nothing where it happens by itself. */
-export function whatNow(
-  { pursuit, hand, cargo }: Pick<Work, 'pursuit' | 'hand' | 'cargo'>,
-  names: Names,
-): string {
-  if (/\b(latch|berth)/.test(pursuit)) return `: latch, hold ${names.name('latch')}`;
-  if (/\binsert/.test(pursuit)) return `: let go, hold ${names.name('open')}`;
-  const grasping = !cargo.some(({ held }) => held);
-  return grasping && hand.carriage !== null ? `: squeeze, hold ${names.name('close')}` : '';
+export function whatNow({ objective }: Pick<Work, 'objective'>, names: Names): string {
+  switch (objective?.action) {
+    case 'berth':
+      return `: latch, hold ${names.name('latch')}`;
+    case 'insert':
+      return `: let go, hold ${names.name('open')}`;
+    case 'capture':
+      return `: squeeze, hold ${names.name('close')}`;
+    default:
+      return '';
+  }
 }
 
 function cell() {
@@ -110,7 +113,7 @@ function cell() {
       setText(value, shown.value);
       setText(unit, shown.unit);
       setClass(element, 'holds', condition.holds);
-      setAttribute(element, 'title', `${condition.name}: ${inUnits(condition.text, units)}`);
+      setAttribute(element, 'title', `${condition.name}: ${conditionText(condition, units)}`);
     },
   };
 }

@@ -1,9 +1,10 @@
 /** Which limits hold the arm back now, and what leads a joint away from its own, in words. */
 
+import type { Names } from '../input/in-hand';
 import type { Frame, Limit, WayOut } from '../protocol';
 import { el, group, setAbout } from './dom';
 import type { Desk, Part } from './part';
-import { withHandles } from './with-handles';
+import { spoken, wayOutText } from './way-out';
 
 const LINES = 3;
 /** A limit stays readable this long after it last acted [s]. */
@@ -34,7 +35,7 @@ export function limits({ welcome }: Desk): Part {
       const acting = [...seen].map(([text, { kind }]): Line => ({ text, level: level(kind) }));
       const ways = frame.ways_out
         .filter(({ cause }) => joints.has(cause))
-        .map((way): Line => ({ text: withHandles(leadsAway(way), names), level: 'caution' }));
+        .map((way): Line => ({ text: leadsAway(way, names), level: 'caution' }));
       const all = [
         ...acting.filter((line) => line.level === 'caution'),
         ...ways,
@@ -62,9 +63,9 @@ export function limits({ welcome }: Desk): Part {
 }
 
 /** `Elbow pitch: THC +Z leads away`, or `Elbow pitch: SINGLE − leads away`. */
-export function leadsAway({ cause, text }: WayOut): string {
-  const name = cause.replace('_', ' ');
-  return `${name.charAt(0).toUpperCase()}${name.slice(1)}: ${text.replace(` ${name}`, '')} leads away`;
+export function leadsAway(way: WayOut, names: Names): string {
+  const name = spoken(way.cause);
+  return `${name.charAt(0).toUpperCase()}${name.slice(1)}: ${wayOutText(way, '', names)} leads away`;
 }
 
 /** The point's own limits shape every motion; only the arm's want a person's eye. */

@@ -3,11 +3,11 @@
 import { fixed } from '../format';
 import { el, group, setAbout, setAttribute, setClass, setText, svg } from './dom';
 import type { Desk, Part } from './part';
-import { withHandles } from './with-handles';
+import { spoken, wayOutText } from './way-out';
 
 const LENGTH = 200;
 
-export function singularity({ welcome: { singular } }: Desk): Part {
+export function singularity({ welcome: { singular, joints } }: Desk): Part {
   const rows = ['Shoulder', 'Elbow', 'Wrist'].map((name) => {
     const pointer = svg('rect', { class: 'pointer', y: '3', x: '-3', width: '6', height: '12' });
     const label = el('span', { class: 'label' }, name);
@@ -37,7 +37,8 @@ export function singularity({ welcome: { singular } }: Desk): Part {
         const distance = Math.abs(frame.singularity[i] ?? 0);
         const near = distance < singular;
         const out = frame.ways_out.find(({ cause }) => cause === name.toLowerCase());
-        const words = near && out ? `${name}: ${withHandles(out.text, names)}` : name;
+        const words =
+          near && out ? `${name}: ${wayOutText(out, spoken(joints[out.axis]?.name ?? ''), names)}` : name;
         setText(label, words);
         setAttribute(label, 'title', words);
         setText(value, fixed(distance, 2, false));

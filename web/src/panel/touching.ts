@@ -2,10 +2,10 @@
 
 import { small } from '../format';
 import type { Names } from '../input/in-hand';
-import type { Work } from '../protocol';
+import type { Frame, Welcome, Work } from '../protocol';
 import type { Units } from '../units';
 import { el } from './dom';
-import { withHandles } from './with-handles';
+import { spoken, wayOutText } from './way-out';
 
 export interface Line {
   readonly text: string;
@@ -15,16 +15,16 @@ export interface Line {
 export interface Touching {
   readonly element: HTMLElement;
   /** Writes the lines of a frame; returns whether any of them calls for the operator. */
-  set(work: Work, units: Units, names: Names): boolean;
+  set(frame: Pick<Frame, 'work' | 'ways_out'>, units: Units, names: Names): boolean;
 }
 
-export function touching(): Touching {
+export function touching({ joints }: Pick<Welcome, 'joints'>): Touching {
   const list = el('ul', { class: 'touching' });
   let shown = '';
   return {
     element: list,
-    set(work, units, names) {
-      const lines = linesOf(work, units, names);
+    set(frame, units, names) {
+      const lines = linesOf(frame, joints, units, names);
       const key = lines.map(({ level, text }) => `${level} ${text}`).join('\n');
       if (key !== shown) {
         shown = key;
@@ -40,20 +40,26 @@ export function touching(): Touching {
 }
 
 /** Detrimental contacts, deepest first; what frees the arm of them; the contacts that are made to be, in one line. */
-export function linesOf({ contacts, inhibits }: Work, { gap }: Units, names: Names): readonly Line[] {
+export function linesOf(
+  { work: { contacts }, ways_out }: { readonly work: Pick<Work, 'contacts'> } & Pick<Frame, 'ways_out'>,
+  joints: Welcome['joints'],
+  { gap }: Units,
+  names: Names,
+): readonly Line[] {
   const harmful = contacts
     .filter(({ essential }) => !essential)
     .sort((a, b) => a.clearance - b.clearance)
     .map(({ a, b, clearance }) => {
       const deep = clearance < 0 ? `, ${small(-clearance, gap)} ${gap.name} deep` : '';
-      return { touch: `${a} touches ${b}`, deep };
+      return `${a} touches ${b}${deep}`;
     });
-  // What is told above in the operator's units is not told again.
-  const rest = inhibits.filter((text) => !harmful.some(({ touch }) => text.startsWith(touch)));
+  const ways = ways_out
+    .filter(({ cause }) => cause === 'contact')
+    .map((way) => `Way out: ${wayOutText(way, spoken(joints[way.axis]?.name ?? ''), names)}`);
   const essential = contacts.filter((each) => each.essential).map(({ a, b }) => `${a} – ${b}`);
   return [
-    ...harmful.map(({ touch, deep }): Line => ({ text: sentence(touch + deep), level: 'warning' })),
-    ...rest.map((text): Line => ({ text: withHandles(sentence(text), names), level: 'caution' })),
+    ...harmful.map((text): Line => ({ text: sentence(text), level: 'warning' })),
+    ...ways.map((text): Line => ({ text, level: 'caution' })),
     ...essential
       .slice(0, 1)
       .map((): Line => ({ text: `Made to touch: ${essential.join(', ')}`, level: 'info' })),

@@ -4,7 +4,7 @@
  */
 
 import { small } from '../format';
-import { inUnits } from '../measured';
+import { conditionText } from '../panel/condition-text';
 import type { Condition, Frame, Vec3 } from '../protocol';
 import type { Units } from '../units';
 
@@ -192,7 +192,7 @@ function besides(now: Frame): string {
 function wanting({ work: { conditions } }: Frame, units: Units): string {
   const fails = ({ holds, name }: Condition) => !holds && name !== 'pin depth';
   const first = conditions.find(fails) ?? conditions.find(({ holds }) => !holds);
-  return first ? inUnits(first.text, units) : 'no pin is near';
+  return first ? conditionText(first, units) : 'no pin is near';
 }
 
 function distance([ax, ay, az]: Vec3, [bx, by, bz]: Vec3): number {

@@ -14,24 +14,27 @@ from aftdeck.simulation.state import State
 from aftdeck.worksite.acquisition import AWAY, FOUND, acquire, acquisition
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.grapple import in_envelope
+from aftdeck.worksite.report import Objective
 
-Pursuit = tuple[str, tuple[Condition, ...]]
+Pursued = tuple[Objective | None, tuple[Condition, ...]]
 
 
-def pursuit(flight: Flight, state: State) -> Pursuit:
-    """Return the present objective and its conditions; "" and () if nothing is near enough."""
+def present_objective(flight: Flight, state: State) -> Pursued:
+    """Return the present objective and its conditions; None and () if nothing is near enough."""
     site, things, units = flight.site, state.site, flight.scenario.arm.model.units
     if (k := things.held) is not None:
         berth = None if things.fast else nearest_berth(flight, state, k)
         if berth is None:
-            return "", ()
-        return f"{berth.verb} in the {berth.seat.title}", conditions_at(flight, state, k, berth)
+            return None, ()
+        text = f"{berth.verb} in the {berth.seat.title}"
+        return Objective(berth.verb, text), conditions_at(flight, state, k, berth)
     if site.bar is not None:
         return _acquisition(flight, state, site.bar)
     if site.snares is not None and (near := nearest_fixture(flight, state)) is not None:
         k, fixture = near
-        return f"capture {site.cargo[k].title}", in_envelope(pose_of(fixture), site.snares.envelope, units)
-    return "", ()
+        text = f"capture {site.cargo[k].title}"
+        return Objective("capture", text), in_envelope(pose_of(fixture), site.snares.envelope, units)
+    return None, ()
 
 
 def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
@@ -46,9 +49,9 @@ def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
     return ()
 
 
-def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursuit:
-    """Return the objective "acquire" and its conditions for the bar nearest to the palm; "" and () if none is near."""
-    best: Pursuit = ("", ())
+def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursued:
+    """Return the objective to acquire the bar nearest to the palm, and its conditions; None and () if none is near."""
+    best: Pursued = (None, ())
     least, found = NEAR, np.empty(FOUND)
     for cargo, which in zip(flight.site.cargo, bar.which, strict=True):
         if which is None:
@@ -56,5 +59,6 @@ def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursuit:
         acquire(state.site.watch.placed, which, bar.packed, found)
         if found[AWAY] < least:
             least = float(found[AWAY])
-            best = f"acquire {cargo.title}", acquisition(found, bar.tolerances, flight.scenario.arm.model.units)
+            conditions = acquisition(found, bar.tolerances, flight.scenario.arm.model.units)
+            best = Objective("acquire", f"acquire {cargo.title}"), conditions
     return best
