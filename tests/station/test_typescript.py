@@ -11,7 +11,7 @@ import pytest
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.typescript import _Writer, typescript
 
-GENERATED = Path(__file__).parents[2] / "web" / "src" / "protocol.ts"
+GENERATED = Path(__file__).parents[2] / "web" / "src" / "link" / "protocol.ts"
 
 
 class Sample(msgspec.Struct, tag_field="kind", tag="sample"):

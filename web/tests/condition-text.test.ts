@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { conditionText } from '../src/panel/condition-text';
-import type { Condition } from '../src/protocol';
-import { unitsOf } from '../src/units';
+import type { Condition } from '../src/link/protocol';
+import { conditionText } from '../src/words/condition-text';
+import { unitsOf } from '../src/words/units';
 
 const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
 

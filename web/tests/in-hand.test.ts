@@ -1,9 +1,9 @@
 import { expect, test } from 'vitest';
+import { InHand, KEYS } from '../src/input/active-device';
 import { DEFAULTS } from '../src/input/defaults';
-import { InHand, KEYS } from '../src/input/in-hand';
-import { wayOutText } from '../src/panel/way-out';
-import { wayParts } from '../src/panel/way-to-fixture';
-import { unitsOf } from '../src/units';
+import { wayParts } from '../src/panel/clearance/way-to-fixture';
+import { unitsOf } from '../src/words/units';
+import { wayOutText } from '../src/words/way-out';
 
 const SI = unitsOf('SI');
 const WAY = { cause: 'elbow', text: '', position: '' };

@@ -1,20 +1,20 @@
 import { expect, test } from 'vitest';
-import { KEYS } from '../src/input/in-hand';
-import { Latency } from '../src/latency';
-import { stickToPicture } from '../src/panel/axes';
-import { BAR, place } from '../src/panel/joint-scale';
-import { together } from '../src/panel/keys';
-import { segments } from '../src/panel/lamp-test';
-import { leadsAway } from '../src/panel/limits';
-import { limitTags, pointWords } from '../src/panel/resolution';
-import { whatNext } from '../src/panel/route';
-import { leaving } from '../src/panel/scenarios';
-import { firstShown, startPoint } from '../src/panel/stored-points';
-import { opposite } from '../src/panel/thc';
-import type { Frame, JointInfo } from '../src/protocol';
-import { isSoftware } from '../src/quality';
-import { parse } from '../src/socket';
-import { unitsOf } from '../src/units';
+import { KEYS } from '../src/input/active-device';
+import { Latency } from '../src/link/latency';
+import type { Frame, JointInfo } from '../src/link/protocol';
+import { parse } from '../src/link/socket';
+import { isSoftware } from '../src/page/quality';
+import { together } from '../src/panel/controllers/key-map';
+import { leadsAway } from '../src/panel/desk/limits';
+import { limitTags, pointWords } from '../src/panel/desk/resolution';
+import { opposite } from '../src/panel/desk/thc';
+import { BAR, place } from '../src/panel/joints/joint-scale';
+import { stickToPicture } from '../src/panel/monitors/axes';
+import { leaving } from '../src/panel/rail/scenarios';
+import { segments } from '../src/panel/spine/lamp-test';
+import { whatNext } from '../src/panel/target/route';
+import { firstShown, startPoint } from '../src/panel/target/stored-points';
+import { unitsOf } from '../src/words/units';
 
 const joint = { hard: [-180, 180], soft: [-177.4, 177.4], reach: [-175.4, 175.4] } as const;
 

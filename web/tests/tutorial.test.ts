@@ -1,14 +1,14 @@
 import { expect, test } from 'vitest';
+import { isDown } from '../src/input/active-device';
 import { DEFAULTS } from '../src/input/defaults';
-import { isDown } from '../src/input/in-hand';
 import { USES } from '../src/input/keymap';
 import { movers } from '../src/input/rebind';
-import type { Condition, Frame, Work } from '../src/protocol';
+import type { Condition, Frame, Work } from '../src/link/protocol';
 import { farewell } from '../src/tutorial';
 import { BEGIN, back, isOver, looked, type Progress, seen, skip } from '../src/tutorial/progress';
 import { LIFTED, MOVED, STEPS } from '../src/tutorial/steps';
 import { pieces } from '../src/tutorial/words';
-import { unitsOf } from '../src/units';
+import { unitsOf } from '../src/words/units';
 
 const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
 

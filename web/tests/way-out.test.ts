@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { KEYS } from '../src/input/in-hand';
-import { wayOutText } from '../src/panel/way-out';
-import type { WayOut } from '../src/protocol';
+import { KEYS } from '../src/input/active-device';
+import type { WayOut } from '../src/link/protocol';
+import { wayOutText } from '../src/words/way-out';
 
 const WAY: WayOut = { cause: 'contact', text: '', stick: 'translation', axis: 2, sign: -1, position: '' };
 

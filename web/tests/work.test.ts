@@ -1,27 +1,36 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { drawnGap } from '../src/cameras/pictures';
+import { KEYS } from '../src/input/active-device';
 import { Hold } from '../src/input/hold';
-import { KEYS } from '../src/input/in-hand';
-import { whereIs } from '../src/panel/cargo';
-import { ConditionBars } from '../src/panel/condition-bar';
-import { figures, shortened, whatNow } from '../src/panel/conditions';
-import { graspWords } from '../src/panel/effector';
-import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/gap-scale';
-import { angleAt, BAR, place } from '../src/panel/joint-scale';
-import { working } from '../src/panel/keys';
-import { clipped, labelPlace } from '../src/panel/label-place';
-import { replaced } from '../src/panel/master';
-import { isMoving } from '../src/panel/orbiter';
-import { Paced } from '../src/panel/paced';
-import { Places } from '../src/panel/places';
-import { isMoving as onItsWay } from '../src/panel/prong';
-import { seatNow } from '../src/panel/seat';
-import { counted } from '../src/panel/spine';
-import { linesOf } from '../src/panel/touching';
-import { SPAN_S, Trend } from '../src/panel/trend';
-import { wayParts } from '../src/panel/way-to-fixture';
-import { drawnGap } from '../src/pictures';
-import type { Cargo, ClosestPoints, Condition, Frame, Near, Objective, WayOut, Work } from '../src/protocol';
-import { unitsOf } from '../src/units';
+import type {
+  Cargo,
+  ClosestPoints,
+  Condition,
+  Frame,
+  Near,
+  Objective,
+  WayOut,
+  Work,
+} from '../src/link/protocol';
+import { ConditionBars } from '../src/panel/clearance/condition-bar';
+import { figures, shortened, whatNow } from '../src/panel/clearance/conditions';
+import { linesOf } from '../src/panel/clearance/contacts';
+import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/clearance/gap-scale';
+import { Places } from '../src/panel/clearance/places';
+import { SPAN_S, Trend } from '../src/panel/clearance/trend';
+import { wayParts } from '../src/panel/clearance/way-to-fixture';
+import { working } from '../src/panel/controllers/key-map';
+import { isMoving } from '../src/panel/desk/orbiter';
+import { whereIs } from '../src/panel/effector/cargo';
+import { graspWords } from '../src/panel/effector/effector';
+import { isMoving as onItsWay } from '../src/panel/effector/prong';
+import { seatNow } from '../src/panel/effector/seat';
+import { angleAt, BAR, place } from '../src/panel/joints/joint-scale';
+import { replaced } from '../src/panel/joints/master';
+import { clipped, labelPlace } from '../src/panel/monitors/label-place';
+import { Paced } from '../src/panel/parts/paced';
+import { counted } from '../src/panel/spine/spine';
+import { unitsOf } from '../src/words/units';
 
 const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
 

@@ -13,7 +13,7 @@ import {
   Vector2,
   Vector3,
 } from 'three';
-import type { ClosestPoints } from '../protocol';
+import type { ClosestPoints } from '../link/protocol';
 import type { Body } from './bodies';
 
 /** Width of the line and of its edge [CSS px]. */

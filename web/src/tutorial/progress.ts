@@ -1,6 +1,6 @@
 /** How far a beginner has come: plain data, taken on by what the frames show. */
 
-import type { Frame, Vec3 } from '../protocol';
+import type { Frame, Vec3 } from '../link/protocol';
 import { held, isFree, STEPS } from './steps';
 
 export interface Progress {

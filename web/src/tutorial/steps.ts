@@ -3,10 +3,10 @@
  * done. `{+X}` in words stands for whatever moves +X on the device in use; `*…*` is something that the desk shows.
  */
 
-import { small } from '../format';
-import { conditionText } from '../panel/condition-text';
-import type { Condition, Frame, Vec3 } from '../protocol';
-import type { Units } from '../units';
+import type { Condition, Frame, Vec3 } from '../link/protocol';
+import { conditionText } from '../words/condition-text';
+import { small } from '../words/format';
+import type { Units } from '../words/units';
 
 /** What is known of the flight since a step began. */
 export interface Since {

@@ -1,4 +1,4 @@
-"""TypeScript of all messages: ``python -m aftdeck.station.messages.typescript`` prints ``web/src/protocol.ts``.
+"""TypeScript of all messages: ``python -m aftdeck.station.messages.typescript`` prints ``web/src/link/protocol.ts``.
 
 Every struct becomes an interface. Every alias (tuple, literal or union) in `NAMED` becomes a type of
 the same name. The docstrings of structs and fields become comments. The encoder writes every field, even one at its
