@@ -37,7 +37,7 @@ check: .venv/.aftdeck .venv/.dev $(MODULES)  ## check format, lint, types and ge
 	.venv/bin/ruff check .
 	.venv/bin/mypy
 	cd web && npm run --silent check
-	$(PY) -m aftdeck.station.typescript | diff -u web/src/protocol.ts -
+	$(PY) -m aftdeck.station.messages.typescript | diff -u web/src/link/protocol.ts -
 	$(PY) -m aftdeck.recording.document --check docs/recording.md
 
 format: .venv/.dev $(MODULES)  ## bring Python and TypeScript into the house format
@@ -47,9 +47,9 @@ format: .venv/.dev $(MODULES)  ## bring Python and TypeScript into the house for
 
 # It needs no page built: what it makes may be what the page lacks.
 generate: export PYTHONPATH := src
-generate: .venv/.fly  ## write what is made from types: web/src/protocol.ts, the tables of docs/recording.md
-	$(PY) -m aftdeck.station.typescript > .venv/protocol.ts
-	mv .venv/protocol.ts web/src/protocol.ts
+generate: .venv/.fly  ## write what is made from types: web/src/link/protocol.ts, the tables of docs/recording.md
+	$(PY) -m aftdeck.station.messages.typescript > .venv/protocol.ts
+	mv .venv/protocol.ts web/src/link/protocol.ts
 	$(PY) -m aftdeck.recording.document docs/recording.md
 
 bench: .venv/.aftdeck .venv/.dev .venv/.bench  ## measure what the project promises, as JSON

@@ -14,7 +14,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation, run
 from aftdeck.simulation.summary import Tally
-from aftdeck.station.wire import Translator
+from aftdeck.station.conversion.frame_of import Displays
 from benchmarks.measure import Figure, microseconds, percentile
 
 STEPS = 2000
@@ -135,13 +135,13 @@ def _median(scenario: Scenario, inputs: Inputs | None, how: Literal["advance", "
 def frame() -> list[Figure]:
     """One step by hand and one frame made for the page."""
     scenario = load_scenario("first-flight")
-    sim, translator, encoder = Simulation(scenario), Translator(scenario, demo=False), msgspec.json.Encoder()
+    sim, displays, encoder = Simulation(scenario), Displays(scenario), msgspec.json.Encoder()
     inputs = Inputs(translation=(0.01, 0.0, 0.0))
     seen = sim.step(inputs)
-    text = encoder.encode(translator.frame(seen, 0))
+    text = encoder.encode(displays.frame(seen, 0))
     step = microseconds("step(inputs)", {"step": sim.step, "inputs": inputs})
-    wire = microseconds("f(seen, 0)", {"f": translator.frame, "seen": seen})
-    encoding = microseconds("encode(message)", {"encode": encoder.encode, "message": translator.frame(seen, 0)})
+    wire = microseconds("f(seen, 0)", {"f": displays.frame, "seen": seen})
+    encoding = microseconds("encode(message)", {"encode": encoder.encode, "message": displays.frame(seen, 0)})
     return [
         Figure("a step of the simulation", step, "us", None, "ORB UNL, by hand"),
         Figure("its frame for the page", wire, "us", None, "poses, panel numbers, lamps"),

@@ -13,7 +13,9 @@ from contextlib import contextmanager
 import msgspec
 from websockets.sync.client import ClientConnection, connect
 
-from aftdeck.station import from_page, kinds, to_page
+from aftdeck.station.messages import from_page, kinds, to_page
+from aftdeck.station.messages.frame import Frame
+from aftdeck.station.messages.welcome import Welcome
 from benchmarks.measure import Figure, percentile
 
 AFTDECK = (sys.executable, "-m", "aftdeck")
@@ -94,7 +96,7 @@ def latency() -> list[Figure]:
             )
             while True:
                 message = _next(socket)
-                if isinstance(message, to_page.Frame) and message.stick_seq >= seq:
+                if isinstance(message, Frame) and message.display.stick_seq >= seq:
                     break
             took.append(1e3 * (time.perf_counter() - sent))
     return [
@@ -129,7 +131,7 @@ def _greeting(address: str) -> Iterator[ClientConnection]:
 def _page(address: str) -> Iterator[ClientConnection]:
     """A page that has been welcomed."""
     with _greeting(address) as socket:
-        while not isinstance(_next(socket), to_page.Welcome):
+        while not isinstance(_next(socket), Welcome):
             pass
         yield socket
 
@@ -138,7 +140,7 @@ def _next(socket: ClientConnection) -> to_page.FromServer:
     return _messages.decode(socket.recv(timeout=WAIT))
 
 
-def _frame(socket: ClientConnection) -> to_page.Frame:
-    while not isinstance(message := _next(socket), to_page.Frame):
+def _frame(socket: ClientConnection) -> Frame:
+    while not isinstance(message := _next(socket), Frame):
         pass
     return message

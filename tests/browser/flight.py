@@ -9,7 +9,7 @@ from typing import Any
 import msgspec
 from playwright.sync_api import Locator, Page
 
-from aftdeck.station.to_page import Frame
+from aftdeck.station.messages.frame import Frame
 
 WAIT_MS = 60_000
 """The longest wait for anything that a page shall do [ms]; software drawing on a busy machine is slow."""

@@ -18,7 +18,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 SCENARIO = str(Path(__file__).parent / "over-the-bar.toml")
 """The hand begins open, 3 in over the bar."""
 
-AT_REST = "Math.hypot(...frame.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
+AT_REST = "Math.hypot(...frame.display.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
 CELL = "[...document.querySelectorAll('.cells li:not([hidden])')].find((cell) => /^{}/.test(cell.textContent))"
 HEIGHT_HOLDS = f"{CELL.format('palm height')}?.matches('.holds')"
 INHIBITED = "document.querySelector('.inhibits .lit')?.textContent === 'Arm inhibit'"
@@ -98,8 +98,8 @@ def test_y_and_n_drive_the_telescope(flight: Flight) -> None:
     flight.hold("y")
     now = flight.until(f"frame.work.stand > {start.work.stand + 0.10}")
     flight.release("y")
-    assert now.actual.position[2] < start.actual.position[2] - 0.09, "the arm rides on it"
-    assert now.commanded.position == pytest.approx(now.actual.position, abs=1e-6)
+    assert now.display.actual.position[2] < start.display.actual.position[2] - 0.09, "the arm rides on it"
+    assert now.display.commanded.position == pytest.approx(now.display.actual.position, abs=1e-6)
     flight.until("Number(document.querySelector('.stand .angle').textContent) > 194")
 
 
@@ -108,23 +108,23 @@ def test_the_thc_flies_the_orbiter_and_the_assembly_element_stays_behind(flight:
     flight.press("`")
     flight.until("document.querySelector('.thc .about').textContent === 'flies the orbiter'")
     flight.hold("w")
-    flight.until("frame.work.orbiter[0] > 0.05")
+    flight.until("frame.display.orbiter[0] > 0.05")
     flight.release("w")
-    flight.until("Math.hypot(...frame.work.orbiter_velocity) === 0")
+    flight.until("Math.hypot(...frame.display.orbiter_velocity) === 0")
     moved = flight.frame().work.orbiter[0]
     assert _place(flight, "cae")[0] - before[0] == pytest.approx(moved, abs=1e-6), "it drifts aft as the orbiter goes"
-    assert flight.frame().actual.velocity == (0.0, 0.0, 0.0)
+    assert flight.frame().display.actual.velocity == (0.0, 0.0, 0.0)
 
 
 def test_the_arm_follows_a_slider_of_the_master_to_its_place(flight: Flight) -> None:
     flight.enter("MASTER")
-    start = flight.frame().joints[2]
+    start = flight.frame().angles[2]
     slider = flight.page.get_by_role("slider", name="Master Elbow")
     slider.focus()
     flight.press("PageUp")
     flight.until(f"frame.work.master && frame.work.master[2] > {start + 0.08}")
-    flight.until("Math.abs(frame.joints[2] - frame.work.master[2]) < 1e-6 && Math.hypot(...frame.rates) < 1e-6")
-    assert flight.frame().joints[2] - start == pytest.approx(math.radians(5.0), abs=1e-3)
+    flight.until("Math.abs(frame.angles[2] - frame.work.master[2]) < 1e-6 && Math.hypot(...frame.rates) < 1e-6")
+    assert flight.frame().angles[2] - start == pytest.approx(math.radians(5.0), abs=1e-3)
 
 
 def test_a_pad_closes_and_opens_the_prong_and_drives_the_telescope(open_page: OpenPage) -> None:

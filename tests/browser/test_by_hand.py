@@ -14,8 +14,8 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import PhasePlan
-from aftdeck.station.to_page import Aim
-from aftdeck.station.wire import Translator
+from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.station.messages.frame import Aim
 from tests.browser.conftest import OpenPage, flown
 from tests.browser.flight import Flight
 from tests.scenario.missions import TOLD, TURNING_POINTS
@@ -29,7 +29,7 @@ LEG_MS = 400_000
 """The longest wait for the end of a phase [ms]: a station on a busy machine may fly slower than the clock."""
 KEYS = {(0, 1.0): "w", (0, -1.0): "s", (2, 1.0): "e", (2, -1.0): "q"}
 """THC: axis and sign."""
-AT_REST = "Math.hypot(...frame.actual.velocity) < 1e-4"
+AT_REST = "Math.hypot(...frame.display.actual.velocity) < 1e-4"
 SEAT = "frame.work.cargo[0].seat"
 UNTIL = {
     "captured": "frame.work.cargo[0].held",
@@ -76,11 +76,11 @@ def test_the_mission_is_flown_by_hand(open_page: OpenPage, mission: str, recordi
 def _aims(mission: str) -> dict[str, Aim]:
     """Where the script's phases send the arm, in panel components."""
     sim = Simulation(mission)
-    translator, aims = Translator(sim.scenario, demo=False), {}
+    displays, aims = Displays(sim.scenario), {}
     while not sim.ended:
         sim.advance()
         if sim.look().goal is not None and sim.look().phase not in aims:
-            aim = translator.frame(sim.look(), 0).aim
+            aim = displays.frame(sim.look(), 0).display.aim
             assert aim is not None
             aims[sim.look().phase] = aim
     return aims
@@ -129,5 +129,7 @@ def _key_in(flight: Flight, aim: Aim) -> None:
     for name, value in zip(("X", "Y", "Z", "pitch", "yaw", "roll"), shown, strict=True):
         flight.page.get_by_label(f"Target {name}", exact=True).fill(f"{value:.4f}")
     flight.press_key("Key in")
-    flight.until(f"frame.aim && Math.abs(frame.aim.position[0] - {aim.position[0]}) < 1e-4 && frame.check?.good")
+    flight.until(
+        f"frame.display.aim && Math.abs(frame.display.aim.position[0] - {aim.position[0]}) < 1e-4 && frame.check?.good"
+    )
     flight.script("document.activeElement.blur()")

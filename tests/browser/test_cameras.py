@@ -161,9 +161,9 @@ def test_c_shows_all_cameras_and_a_click_or_a_digit_puts_one_on_the_monitor_in_h
 
 def test_the_arm_is_flown_on_while_all_cameras_are_shown(flight: Flight) -> None:
     flight.press("c")
-    start = flight.frame().actual.position
+    start = flight.frame().display.actual.position
     flight.hold("w")
-    flight.until(f"Math.abs(frame.actual.position[0] - {start[0]}) > 0.02")
+    flight.until(f"Math.abs(frame.display.actual.position[0] - {start[0]}) > 0.02")
     flight.release("w")
 
 

@@ -16,7 +16,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 SCENARIO = str(Path(__file__).parent / "over-the-pin.toml")
 """The end effector begins in line with the pin, 8 in from it."""
 
-AT_REST = "Math.hypot(...frame.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
+AT_REST = "Math.hypot(...frame.display.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
 DEPTH = "frame.work.conditions.find(({ name }) => name === 'pin depth').value"
 TITLE = "document.querySelector('.conditions h2').textContent"
 LIT = "[...document.querySelectorAll('.flags .lit')].map((flag) => flag.textContent).join()"
@@ -51,11 +51,11 @@ def test_the_payload_is_captured_by_keys_alone(flight: Flight) -> None:
     flight.until("frame.rate === 'vernier'")
     flown = -2
     for _ in range(MOST_TRIES):
-        frame = flight.until(f"frame.stick_seq > {flown} && {AT_REST}")
+        frame = flight.until(f"frame.display.stick_seq > {flown} && {AT_REST}")
         (depth,) = [each for each in frame.work.conditions if each.name == "pin depth"]
         if depth.holds:
             break
-        flown = frame.stick_seq
+        flown = frame.display.stick_seq
         key, there = ("e", f"{DEPTH} < {3 * INCH}") if depth.value > 0.0 else ("q", f"{DEPTH} > {0.5 * INCH}")
         flight.hold(key)
         flight.until(f"{there} || frame.work.arm_inhibit")

@@ -30,7 +30,9 @@ def test_a_pose_keyed_in_is_the_target_and_its_check_says_why_not(flight: Flight
     expect(x).to_have_value("−942.0")
     x.fill("-930")
     x.press("Enter")
-    flight.until("frame.aim && Math.abs(frame.aim.position[0] / 0.0254 + 930) < 1e-6 && frame.check?.good")
+    flight.until(
+        "frame.display.aim && Math.abs(frame.display.aim.position[0] / 0.0254 + 930) < 1e-6 && frame.check?.good"
+    )
     expect(sheet.locator(".check.good")).to_contain_text("GOOD")
     x.fill("5000")
     x.press("Enter")
@@ -41,11 +43,11 @@ def test_a_pose_keyed_in_is_the_target_and_its_check_says_why_not(flight: Flight
 
 def test_until_one_is_keyed_in_page_and_desk_show_the_present_point(flight: Flight) -> None:
     flight.turn_to("OPR CMD")
-    start = flight.frame().actual.position[0]
+    start = flight.frame().display.actual.position[0]
     flight.hold("w")
-    flight.until(f"Math.abs(frame.actual.position[0] - {start}) > 0.05")
+    flight.until(f"Math.abs(frame.display.actual.position[0] - {start}) > 0.05")
     flight.release("w")
-    flight.until("Math.hypot(...frame.actual.velocity) < 1e-4")
+    flight.until("Math.hypot(...frame.display.actual.velocity) < 1e-4")
     sheet = opened(flight)
     expect(sheet.locator(".to-go")).to_have_text("None keyed in: this is the present point.")
     present = flight.script("document.querySelector('.resolution td.actual').textContent")
@@ -80,9 +82,9 @@ def test_the_stored_points_are_those_of_the_file_and_the_next_one_is_marked(flig
 
 def test_the_arm_is_flown_while_the_page_is_open(flight: Flight) -> None:
     opened(flight)
-    start = flight.frame().actual.position[0]
+    start = flight.frame().display.actual.position[0]
     flight.hold("w")
-    flight.until(f"Math.abs(frame.actual.position[0] - {start}) > 0.02")
+    flight.until(f"Math.abs(frame.display.actual.position[0] - {start}) > 0.02")
     flight.release("w")
 
 
@@ -93,7 +95,7 @@ def test_who_watches_reads_it_and_is_told_that_he_cannot_switch(flight: Flight, 
     expect(sheet.locator(".payload-table tr.held")).to_contain_text("no payload")
     sheet.get_by_role("button", name="Key in").click()
     watcher.until_logged("You watch; only the one who flies can do that.")
-    assert flight.frame().aim is None
+    assert flight.frame().display.aim is None
 
 
 def test_lamp_gauge_and_figure_follow_the_scenarios_thresholds(flight: Flight) -> None:

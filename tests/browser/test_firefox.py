@@ -59,9 +59,9 @@ def test_both_pictures_are_drawn(firefox: Firefox) -> None:
 
 
 def test_a_key_moves_the_arm_and_space_stops_it(firefox: Firefox) -> None:
-    start = firefox.script("window.__aftdeck.lastFrame.actual.position")
+    start = firefox.script("window.__aftdeck.lastFrame.display.actual.position")
     firefox.hold("w")
-    firefox.until(f"frame.actual.position.some((at, axis) => Math.abs(at - {start}[axis]) > 0.01)")
+    firefox.until(f"frame.display.actual.position.some((at, axis) => Math.abs(at - {start}[axis]) > 0.01)")
     firefox.press(" ")
     firefox.until(STILL)
     firefox.release("w")

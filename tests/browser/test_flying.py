@@ -11,20 +11,20 @@ from tests.browser.flight import Flight
 
 pytestmark = pytest.mark.browser
 
-AT_REST = "Math.hypot(...frame.actual.velocity, ...frame.actual.turn_rate) < 1e-4"
+AT_REST = "Math.hypot(...frame.display.actual.velocity, ...frame.display.actual.turn_rate) < 1e-4"
 STICKS_AT_ZERO = "[...frame.translation, ...frame.rotation, frame.drive].every((value) => value === 0)"
 INCH = 0.0254
 
 
 def test_w_flies_the_tip_forward_and_letting_go_stops_it(flight: Flight) -> None:
     flight.enter("ORB UNL")
-    start = flight.frame().actual.position
+    start = flight.frame().display.actual.position
     flight.hold("w")
-    flight.until(f"frame.actual.position[0] > {start[0] + 0.10}")
+    flight.until(f"frame.display.actual.position[0] > {start[0] + 0.10}")
     flight.until("frame.translation[0] === 1")
     flight.release("w")
     flight.until(f"{STICKS_AT_ZERO} && {AT_REST}")
-    end = flight.frame().actual.position
+    end = flight.frame().display.actual.position
     assert math.dist(start[1:], end[1:]) < 0.01
 
 
@@ -43,21 +43,21 @@ def test_a_slider_in_focus_has_its_arrows_and_leaves_the_letters_to_fly(flight: 
 
 def test_i_pitches_the_end_effector_up_in_place(flight: Flight) -> None:
     flight.enter("END EFF")
-    start = flight.frame().actual
+    start = flight.frame().display.actual
     flight.hold("i")
-    flight.until("frame.rotation[1] === 1 && Math.hypot(...frame.actual.turn_rate) > 0.005")
+    flight.until("frame.rotation[1] === 1 && Math.hypot(...frame.display.actual.turn_rate) > 0.005")
     flight.release("i")
     flight.until(f"{STICKS_AT_ZERO} && {AT_REST}")
-    assert math.dist(start.position, flight.frame().actual.position) < 0.02
-    assert math.dist(start.attitude, flight.frame().actual.attitude) > 0.001
+    assert math.dist(start.position, flight.frame().display.actual.position) < 0.02
+    assert math.dist(start.attitude, flight.frame().display.actual.attitude) > 0.001
 
 
 def test_a_pad_flies_both_hands_at_once(open_page: OpenPage) -> None:
     flight = open_page(pad=True).from_the_start()
     flight.enter("ORB UNL")
-    start = flight.frame().actual.position
+    start = flight.frame().display.actual.position
     flight.pad_axes(0, -1, 0.5, 0)
-    flown = flight.until(f"frame.actual.position[0] > {start[0] + 0.05} && frame.translation[0] === 1")
+    flown = flight.until(f"frame.display.actual.position[0] > {start[0] + 0.05} && frame.translation[0] === 1")
     assert 0 < flown.rotation[2] < 0.5, "expo makes half a stick less than half a rate"
     flight.pad_axes(0.05, 0.05, 0.05, 0.05)
     flight.until(STICKS_AT_ZERO)
@@ -101,7 +101,7 @@ def test_proceed_flies_to_the_keyed_in_target(flight: Flight) -> None:
     goal = key_in_x(flight, 4 * INCH)
     flight.until("frame.sequence === 'ready'")
     flight.press("p")
-    there = f"Math.abs(frame.actual.position[0] - {goal}) < 0.01"
+    there = f"Math.abs(frame.display.actual.position[0] - {goal}) < 0.01"
     flight.until(f"{there} && frame.sequence !== 'in progress' && {AT_REST}")
 
 
@@ -111,10 +111,10 @@ def test_space_stops_a_sequence_on_its_way_though_a_button_has_focus(flight: Fli
     flight.until("frame.sequence === 'ready'")
     flight.page.get_by_role("button", name="Proceed").focus()
     flight.press("Enter")
-    flight.until("frame.sequence === 'in progress' && Math.hypot(...frame.actual.velocity) > 0.01")
+    flight.until("frame.sequence === 'in progress' && Math.hypot(...frame.display.actual.velocity) > 0.01")
     flight.press("Space")
     flight.until(f"frame.sequence !== 'in progress' && {AT_REST}")
-    assert goal - flight.frame().actual.position[0] > 0.2
+    assert goal - flight.frame().display.actual.position[0] > 0.2
 
 
 def test_the_joint_rotary_chooses_a_joint_which_w_drives_alone(flight: Flight) -> None:
@@ -122,12 +122,12 @@ def test_the_joint_rotary_chooses_a_joint_which_w_drives_alone(flight: Flight) -
     joint = (flight.frame().joint + 1) % 6
     flight.press("=")
     flight.until(f"frame.joint === {joint}")
-    start = flight.frame().joints
+    start = flight.frame().angles
     flight.hold("w")
-    flight.until(f"Math.abs(frame.joints[{joint}] - {start[joint]}) > 0.005")
+    flight.until(f"Math.abs(frame.angles[{joint}] - {start[joint]}) > 0.005")
     flight.release("w")
     flight.until(f"{STICKS_AT_ZERO} && {AT_REST}")
-    moved = [abs(now - then) > 1e-6 for now, then in zip(flight.frame().joints, start, strict=True)]
+    moved = [abs(now - then) > 1e-6 for now, then in zip(flight.frame().angles, start, strict=True)]
     assert moved == [index == joint for index in range(6)]
 
 
@@ -158,7 +158,7 @@ def test_what_is_no_number_is_refused_in_a_sentence(flight: Flight) -> None:
     field.fill("far")
     field.press("Enter")
     flight.page.get_by_text("Target Y: “far” is not a number.").first.wait_for()
-    assert flight.frame().aim is None
+    assert flight.frame().display.aim is None
 
 
 def key_in_x(flight: Flight, by: float) -> float:

@@ -46,10 +46,10 @@ def test_night_darkens_a_locked_picture_floods_light_it_and_exposure_follows_whe
     day = brightness(flight)
     flight.press("End")
     flight.until("document.querySelector('.monitor .burned.time').textContent.includes('EXP LOCK')")
-    assert len(flight.frame().lighting.locked) == 1
+    assert len(flight.frame().display.lighting.locked) == 1
     flight.press("Home")
     flight.press("Tab", "Tab", "Enter")
-    flight.until("frame.lighting.condition === 'night'")
+    flight.until("frame.display.lighting.condition === 'night'")
     night = brightness(flight)
     assert night < 0.5 * day
     floods = ("fwd floods", "mid floods", "aft floods")

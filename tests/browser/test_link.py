@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, Page, WebSocketRoute
 
-from aftdeck.station.kinds import PROTOCOL
+from aftdeck.station.messages.kinds import PROTOCOL
 from tests.browser.flight import WAIT_MS, Flight
 
 pytestmark = pytest.mark.browser

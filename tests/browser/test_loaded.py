@@ -10,16 +10,16 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SCENARIO = "loaded"
 ABOUT = "document.querySelector('.resolution .about').textContent"
-PAYLOAD_Z = "frame.poses.at(-5)"
+PAYLOAD_Z = "frame.display.poses.at(-5)"
 """Height of the payload, the last body of a frame, in the scene."""
 
 
 def test_orb_ld_lifts_the_payload(flight: Flight) -> None:
     flight.enter("ORB LD")
     flight.until(f"{ABOUT} === 'payload, orbiter axes'")
-    start = flight.script("window.__aftdeck.lastFrame.poses.at(-5)")
+    start = flight.script("window.__aftdeck.lastFrame.display.poses.at(-5)")
     flight.hold("q")
-    flight.until(f"{PAYLOAD_Z} > {start + 0.05} && frame.actual.velocity[2] < 0")
+    flight.until(f"{PAYLOAD_Z} > {start + 0.05} && frame.display.actual.velocity[2] < 0")
     flight.release("q")
 
 
@@ -35,9 +35,9 @@ def test_the_switch_rotates_it_in_its_own_axes(flight: Flight) -> None:
 def test_pl_moves_it_along_its_own_axes(flight: Flight) -> None:
     flight.enter("PL")
     flight.until(f"{ABOUT} === 'payload, payload axes'")
-    start = flight.frame().actual.position
+    start = flight.frame().display.actual.position
     flight.hold("w")
-    flight.until(f"Math.hypot(...frame.actual.position.map((x, i) => x - {list(start)}[i])) > 0.02")
+    flight.until(f"Math.hypot(...frame.display.actual.position.map((x, i) => x - {list(start)}[i])) > 0.02")
     flight.release("w")
 
 

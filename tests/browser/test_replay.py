@@ -53,7 +53,7 @@ def assert_values_are_those_recorded(replay: Flight, recording: Path) -> None:
     """The frame drawn and the figures at the playhead are those of the file's frame of that tick."""
     shown = replay.frame()
     record = next(frame for _, frame in Recording(recording).steps() if frame.tick == shown.tick)
-    assert shown.joints == record.angles
+    assert shown.angles == record.angles
     parts = [abs(rate) / limit for rate, limit in zip(record.rates, record.rate_limits, strict=True)]
     joint = Recording(recording).opening.joints[parts.index(max(parts))].replace("_", " ")
     tag = "[...document.querySelectorAll('.strip')].find((row) => row.textContent.startsWith('Joint rate'))"

@@ -31,9 +31,9 @@ def test_proceed_flies_the_tour_to_its_pause_point(flight: Flight) -> None:
 
 def test_stop_halts_the_tour_and_proceed_goes_on(flight: Flight) -> None:
     flight.press("p")
-    flight.until("frame.sequence === 'in progress' && Math.hypot(...frame.actual.velocity) > 0.01")
+    flight.until("frame.sequence === 'in progress' && Math.hypot(...frame.display.actual.velocity) > 0.01")
     flight.page.locator("button.stop").click()
-    flight.until("frame.sequence === 'ready' && Math.hypot(...frame.actual.velocity) < 1e-4")
+    flight.until("frame.sequence === 'ready' && Math.hypot(...frame.display.actual.velocity) < 1e-4")
     flight.page.locator("button.proceed").click()
     flight.until("frame.sequence === 'in progress'")
 
@@ -42,6 +42,6 @@ def test_stop_halts_the_tour_and_proceed_goes_on(flight: Flight) -> None:
 def test_the_tour_under_way_is_tidy_and_readable(open_page: OpenPage, width: int, height: int) -> None:
     flight = open_page(width, height).from_the_start()
     flight.press("p")
-    flight.until("frame.sequence === 'in progress' && Math.hypot(...frame.actual.velocity) > 0.01")
+    flight.until("frame.sequence === 'in progress' && Math.hypot(...frame.display.actual.velocity) > 0.01")
     assert_tidy(flight)
     assert_readable(flight)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from aftdeck.station.to_page import Frame
+from aftdeck.station.messages.frame import Frame
 from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy
@@ -17,7 +17,7 @@ OPEN = "document.querySelector('.tutorial')?.checkVisibility() === true"
 TITLE = "document.querySelector('.tutorial h2').textContent"
 WORDS = "document.querySelector('.tutorial .words').textContent"
 DRAWN = "document.querySelector('.tutorial .pad-drawing').checkVisibility()"
-AT_REST = "Math.hypot(...frame.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
+AT_REST = "Math.hypot(...frame.display.actual.velocity) < 1e-4 && frame.translation.every((value) => value === 0)"
 DEPTH = "frame.work.conditions.find(({ name }) => name === 'pin depth').value"
 SOUTH, NORTH, L_TRIGGER, R_TRIGGER, MENU = 0, 3, 6, 7, 9
 """Buttons of the standard mapping."""
@@ -197,22 +197,22 @@ def _line_up(flight: Flight) -> None:
     """Slides until the step ends: only with the stick let go."""
     flown = -2
     for _ in range(MOST_TRIES):
-        frame = flight.until(f"frame.stick_seq > {flown} && {AT_REST}")
+        frame = flight.until(f"frame.display.stick_seq > {flown} && {AT_REST}")
         (aside,) = [each.value for each in frame.work.conditions if each.name == "pin off axis"]
         if _wanting(frame) <= {"pin depth"} and aside < MIDDLE:
             break
-        flown = frame.stick_seq
-        aft, starboard = frame.actual.position[0] - PIN_X, frame.actual.position[1]
+        flown = frame.display.stick_seq
+        aft, starboard = frame.display.actual.position[0] - PIN_X, frame.display.actual.position[1]
         if abs(starboard) > 0.025:
             side = 1 if starboard > 0.0 else -1
             flight.pad_axes(-side, 0.0, 0.0, 0.0)
-            flight.until(f"frame.actual.position[1] * {side} < 0.02")
+            flight.until(f"frame.display.actual.position[1] * {side} < 0.02")
             assert flight.script(STEP) == "3 of 6"
             flight.pad_axes(0.0, 0.0, 0.0, 0.0)
         else:
             flight.pad_buttons(L_TRIGGER if aft < 0.0 else R_TRIGGER)
             side = 1 if aft > 0.0 else -1
-            flight.until(f"(frame.actual.position[0] - {PIN_X}) * {side} < 0.02")
+            flight.until(f"(frame.display.actual.position[0] - {PIN_X}) * {side} < 0.02")
             assert flight.script(STEP) == "3 of 6"
             flight.pad_buttons()
     flight.until(f"{STEP} === '4 of 6'")
@@ -222,10 +222,10 @@ def _close_in(flight: Flight) -> None:
     """Flies at the pin until it stands in the snares and everything is at rest."""
     flown = -2
     for _ in range(MOST_TRIES):
-        frame = flight.until(f"frame.stick_seq > {flown} && {AT_REST}")
+        frame = flight.until(f"frame.display.stick_seq > {flown} && {AT_REST}")
         if not _wanting(frame):
             break
-        flown = frame.stick_seq
+        flown = frame.display.stick_seq
         (depth,) = [each.value for each in frame.work.conditions if each.name == "pin depth"]
         assert depth < 0.1 or flight.script(STEP) == "4 of 6"
         away, there = (-1.0, f"{DEPTH} < {3 * INCH}") if depth > 0.0 else (1.0, f"{DEPTH} > {0.5 * INCH}")

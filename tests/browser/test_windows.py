@@ -160,7 +160,7 @@ def test_strips_are_chosen_and_stand_in_the_page_s_units_over_as_much_time_as_as
     page.get_by_role("button", name="Strips", exact=True).click()
     page.get_by_role("group", name="Strips").get_by_role("button", name="Elbow", exact=True).click()
     page.get_by_role("button", name="Strips", exact=True).click()
-    elbow = math.degrees(flight.frame().joints[2])
+    elbow = math.degrees(flight.frame().angles[2])
     strips.until(f"{tag('Elbow')} === '−{abs(elbow):.1f}°'")
     flight.page.get_by_role("button", name="ft · in").click()
     strips.until(f"{tag('Clearance')}.endsWith(' cm')")

@@ -8,6 +8,8 @@ from collections.abc import Callable
 import msgspec
 import pytest
 
+from aftdeck.simulation.frame import WayOut
+from aftdeck.worksite.report import Objective
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy
@@ -40,8 +42,8 @@ GRASPING = work(
     nearest=HIT,
     contacts=(HIT, TOUCHED),
     arm_inhibit=True,
-    inhibits=("arm inhibited: the palm touches the payload top; THC −Z or the telescope longer frees it",),
-    pursuit="acquire payload",
+    inhibits=("palm touches payload top: 0.402 in deep",),
+    objective=Objective("acquire", "acquire payload"),
     conditions=BEFORE_ACQUISITION,
     hand=PRONG,
     stand=3.6,
@@ -99,31 +101,36 @@ def test_a_gap_that_opens_far_from_both_lights_nothing(sited: Sited) -> None:
 
 def test_a_contact_is_marked_and_what_it_inhibits_says_what_frees_it(sited: Sited) -> None:
     flight, site = sited(Worksite(info("prong", stand=True), GRASPING))
+    site.ways_out = (WayOut("contact", "telescope longer", "telescope", 0, 1),)
     flight.page.locator(".flag.lit", has_text="Arm inhibit").wait_for()
     flight.page.locator(".lamp.warning", has_text="CLEARANCE").wait_for()
+    flight.page.locator(".touching", has_text="Way out").wait_for()
     lines = flight.page.locator(".touching").inner_text()
     assert "Palm touches payload top, 0.4 in deep" in lines
-    assert "the telescope longer frees it" in lines
+    assert "Way out: telescope longer" in lines
     marks = "[...document.querySelector('.gaps').querySelectorAll('.touch[visibility=visible]')]"
     flight.until(f"{marks}.length === 2 && {marks}.filter((mark) => mark.matches('.essential')).length === 1")
     site.work = msgspec.structs.replace(GRASPING, contacts=(), arm_inhibit=False, inhibits=())
+    site.ways_out = ()
     flight.until(f"{marks}.length === 0 && !document.querySelector('.inhibits .lit')")
 
 
 def test_conditions_keep_their_places_and_say_when_all_are_met(sited: Sited) -> None:
-    flight, site = sited(Worksite(info(), work(pursuit="capture payload", conditions=BEFORE_CAPTURE)))
+    flight, site = sited(
+        Worksite(info(), work(objective=Objective("capture", "capture payload"), conditions=BEFORE_CAPTURE))
+    )
     names = "[...document.querySelectorAll('.cells li:not([hidden]) .name')].map((name) => name.textContent).join()"
     flight.until(f"{names} === 'off axis,distance,tilt,roll'")
     title = "document.querySelector('.conditions h2').textContent"
     flight.until(f"{title} === 'capture payload4.9 in off the axis, at most 4 in allowed'")
     flight.until("document.querySelectorAll('.cells .holds').length === 2")
     met = tuple(condition(each.name, 0.3 * each.limit, each.limit, "", each.unit) for each in BEFORE_CAPTURE)
-    site.work = work(pursuit="capture payload", conditions=met)
+    site.work = work(objective=Objective("capture", "capture payload"), conditions=met)
     flight.until(f"{title} === 'capture payloadall met: squeeze, hold G'")
     assert flight.script(names) == "off axis,distance,tilt,roll"
 
 
-def test_without_a_pursuit_the_payloads_are_told(sited: Sited) -> None:
+def test_without_an_objective_the_payloads_are_told(sited: Sited) -> None:
     flight, _ = sited(Worksite(info(), work()))
     flight.until("document.querySelector('.cargo tr').textContent === 'payloadCargo bay'")
     assert flight.script("document.querySelectorAll('.cargo tr')[1].textContent") == "free flyerfree0.5 in/s"
@@ -188,7 +195,7 @@ def test_the_arm_follows_the_masters_sliders(sited: Sited) -> None:
     site = Worksite(info(), work())
     site.mode = "MASTER"
     flight, _ = sited(site)
-    joints = flight.frame().joints
+    joints = flight.frame().angles
     elbow = flight.page.get_by_role("slider", name="Master Elbow")
     elbow.wait_for()
     elbow.focus()
@@ -226,7 +233,9 @@ def test_a_worksite_at_work_is_tidy_and_readable(sited: Sited, mode: str) -> Non
     flight, _ = sited(site)
     flight.until("document.querySelector('.inhibits .lit') && frame.work.contacts.length === 2")
     _assert_looks(flight)
-    site.work = work(pursuit="capture payload", conditions=BEFORE_CAPTURE, hand=PRONG, stand=3.6)
+    site.work = work(
+        objective=Objective("capture", "capture payload"), conditions=BEFORE_CAPTURE, hand=PRONG, stand=3.6
+    )
     flight.until(
         "document.querySelectorAll('.cells .holds:not([hidden])').length === 2"
         " && !document.querySelector('.inhibits .lit')"

@@ -8,8 +8,13 @@ from typing import Any
 import msgspec
 from playwright.sync_api import Page, WebSocketRoute
 
-from aftdeck.station import kinds, to_page
+from aftdeck.simulation.frame import WayOut
+from aftdeck.station.messages import kinds
+from aftdeck.station.messages.frame import ClosestPoints
+from aftdeck.station.messages.welcome import SeatInfo, StandInfo, WorkInfo
 from aftdeck.worksite.alarm import CLEAR, level_of
+from aftdeck.worksite.conditions import Condition, Unit
+from aftdeck.worksite.report import Cargo, Hand, Near, Rows, Work
 from tests.browser.flight import WAIT_MS, Flight
 
 Message = dict[str, Any]
@@ -18,40 +23,44 @@ LOOK_MS = 20
 """Time between two looks at what the page asked for [ms]."""
 HERE, THERE = (2.0, -1.2, 1.2), (2.2, -1.6, 0.9)
 """Two points over the bay that camera B sees."""
+AT_REST = (0.0, 0.0, 0.0)
+UPRIGHT: Rows = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
-SNARES = to_page.HandFrame("stop", 1.0, None, 0.0, ("EXTEND", "OPEN"), "auto", "off")
-PRONG = to_page.HandFrame("close", 0.6, 0.3, None, (), "auto", "off")
+SNARES = Hand("stop", 1.0, None, 0.0, ("EXTEND", "OPEN"), "auto", "off")
+PRONG = Hand("close", 0.6, 0.3, None, (), "auto", "off")
 PARTS: tuple[kinds.ProblemPart, ...] = ("full problem", "acquisition", "extraction", "manoeuvring")
 
 
-def near(a: str, b: str, clearance: float, closing: float = 0.0, essential: bool = False) -> to_page.Near:
+def near(a: str, b: str, clearance: float, closing: float = 0.0, essential: bool = False) -> Near:
     """Two watched parts between the two points."""
-    middle = wire_vec([(p + q) / 2.0 for p, q in zip(HERE, THERE, strict=True)])
     normal = (0.3714, -0.7428, -0.5571) if clearance > 0.0 else (0.0, 0.0, 0.0)
-    return to_page.Near(a, b, clearance, closing, HERE, THERE, middle, normal, essential)
+    return Near(a, b, clearance, closing, HERE, THERE, normal, 0.0, essential)
 
 
-def wire_vec(values: list[float]) -> kinds.Vec3:
-    """Three numbers as a vector of the protocol."""
-    x, y, z = values
-    return x, y, z
+def closest_points(pair: Near) -> ClosestPoints:
+    """The same pair as it is drawn: its points are given in the scene."""
+    x, y, z = ((p + q) / 2.0 for p, q in zip(pair.point_a, pair.point_b, strict=True))
+    return ClosestPoints(pair.point_a, pair.point_b, (x, y, z), pair.normal)
 
 
-def condition(name: str, value: float, limit: float, text: str, unit: str = "m") -> to_page.Condition:
+def condition(name: str, value: float, limit: float, text: str, unit: Unit = "m") -> Condition:
     """A value that is allowed up to a limit."""
-    return to_page.Condition(name, value <= limit, value, limit, unit, limit - value, text)
+    return Condition(name, value <= limit, value, limit, unit, limit - value, text)
 
 
-def info(hand: Any = "snares", stand: bool = False) -> to_page.WorkInfo:
+def info(hand: Any = "snares", stand: bool = False) -> WorkInfo:
     """A worksite with two payloads and a seat."""
-    telescope = to_page.StandInfo(2.4, 5.5, 0.3) if stand else None
-    return to_page.WorkInfo(hand, telescope, ("payload", "free flyer"), ("Cargo bay",), PARTS, 0.6, 0.15)
+    telescope = StandInfo(2.4, 5.5, 0.3) if stand else None
+    return WorkInfo(hand, telescope, ("payload", "free flyer"), (SeatInfo("bay", "Cargo bay"),), PARTS, 0.6, 0.15)
 
 
-def work(**changes: Any) -> to_page.WorkFrame:
+def work(**changes: Any) -> Work:
     """A worksite where nothing is near and nothing moves, but for the changes."""
-    cargo = (to_page.CargoFrame("payload", False, "Cargo bay", 0.0), to_page.CargoFrame("free flyer", False, "", 0.012))
-    still = to_page.WorkFrame(
+    cargo = (
+        Cargo("payload", HERE, UPRIGHT, AT_REST, False, "bay"),
+        Cargo("free flyer", HERE, UPRIGHT, (0.012, 0.0, 0.0), False, ""),
+    )
+    still = Work(
         task=1,
         nearest=None,
         clearance_level=CLEAR,
@@ -59,16 +68,14 @@ def work(**changes: Any) -> to_page.WorkFrame:
         arm_inhibit=False,
         finger_inhibit=False,
         inhibits=(),
-        pursuit="",
+        objective=None,
         conditions=(),
         hand=SNARES,
         stand=None,
-        orbiter=(0.0, 0.0, 0.0),
-        orbiter_velocity=(0.0, 0.0, 0.0),
+        orbiter=AT_REST,
+        orbiter_velocity=AT_REST,
         cargo=cargo,
         master=None,
-        fixture=None,
-        to_fixture=None,
     )
     return msgspec.structs.replace(still, **changes)
 
@@ -79,12 +86,14 @@ class Worksite:
     Attributes:
         work: of every frame from now on.
         mode: of every frame from now on; empty: the station's own.
+        ways_out: of every frame from now on.
         asked: every message of the page but its measurements, as decoded JSON.
     """
 
-    def __init__(self, told: to_page.WorkInfo, now: to_page.WorkFrame) -> None:
+    def __init__(self, told: WorkInfo, now: Work) -> None:
         self.info, self.work = told, now
         self.mode = ""
+        self.ways_out: tuple[WayOut, ...] = ()
         self.asked: list[Message] = []
 
     def stand_between(self, page: Page) -> None:
@@ -129,6 +138,12 @@ class Worksite:
         near = self.work.nearest
         level = level_of(near.clearance, self.info.caution, self.info.warning) if near else CLEAR
         frame["work"] = msgspec.to_builtins(msgspec.structs.replace(self.work, clearance_level=level))
-        frame["lamps"] = [lamp for lamp in frame["lamps"] if lamp["name"] != "CLEARANCE"]
+        frame["ways_out"] = msgspec.to_builtins(self.ways_out)
+        display = frame["display"]
+        display["gap"] = None if near is None else msgspec.to_builtins(closest_points(near))
+        display["contacts"] = [msgspec.to_builtins(closest_points(pair)) for pair in self.work.contacts]
+        display["orbiter"], display["orbiter_velocity"] = self.work.orbiter, self.work.orbiter_velocity
+        display["fixture"] = display["to_fixture"] = None
+        display["lamps"] = [lamp for lamp in display["lamps"] if lamp["name"] != "CLEARANCE"]
         if near and level != CLEAR:
-            frame["lamps"].append({"name": "CLEARANCE", "level": level, "text": f"{near.a} to {near.b}"})
+            display["lamps"].append({"name": "CLEARANCE", "level": level, "text": f"{near.a} to {near.b}"})

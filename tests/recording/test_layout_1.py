@@ -16,6 +16,10 @@ from aftdeck.recording.format_1 import FramesOf1
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
+from aftdeck.simulation.frame import WayOut
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.ways_out import by_joint, by_stick
 from aftdeck.worksite.alarm import level_of
 from tests.recording.flown import rewritten
 
@@ -57,7 +61,11 @@ def test_its_numbers_are_those_that_were_written(path: Path) -> None:
 
 def test_what_files_of_the_first_weeks_do_not_tell_is_found_out() -> None:
     path = next(path for path in FILES if path.stem == "srms-deploy")
-    old, now, level = FramesOf1(lambda: (0.5, 0.15)), [frame for _, frame in Recording(path).steps()], "info"
+    old, now, level = (
+        FramesOf1(Recording(path).opening.joints, lambda: (0.5, 0.15)),
+        [frame for _, frame in Recording(path).steps()],
+        "info",
+    )
     for written, frame in zip(as_written(path), now, strict=True):
         del written["work"]["clearance_level"], written["attached"], written["wrist_pitch"], written["times"]
         taken = old.frame(written)
@@ -80,6 +88,36 @@ def test_a_file_whose_scenario_this_version_cannot_load_is_read(tmp_path: Path) 
     rewritten(tmp_path / "old.mcap", tmp_path / "older.mcap", {"/frames": msgspec.json.encode(written)})
     with pytest.raises(RecordingError, match="scenario cannot be loaded"):
         list(Recording(tmp_path / "older.mcap").steps())
+
+
+@pytest.mark.parametrize("position", ["", "ORB UNL"])
+@pytest.mark.parametrize("direction", range(12))
+def test_a_way_out_of_a_contact_is_read_from_its_text(direction: int, position: str) -> None:
+    sim = Simulation("first-flight")
+    sim.step(Inputs(mode="ORB UNL" if position == "" else "OPR CMD"))
+    way = by_stick(sim._state, "contact", direction)
+    assert read(way) == way and way.position == position
+
+
+@pytest.mark.parametrize("joint", range(6))
+def test_a_joint_or_the_telescope_that_leads_out_of_a_contact_is_read_from_its_text(joint: int) -> None:
+    sim = Simulation("concept-1972")
+    for sign in (-1, 1):
+        way = by_joint(sim._flight, "SINGLE", "contact", joint, sign)
+        assert read(way, sim.scenario.arm.joints) == way
+    for text, sign in (("telescope longer", 1), ("telescope shorter", -1)):
+        way = WayOut("contact", text, "telescope", 0, sign)
+        assert read(way) == way
+
+
+def read(way: WayOut, joints: tuple[str, ...] = ()) -> WayOut:
+    """A way out that a file of layout 1 has as a reason of an inhibit."""
+    recording = Recording(FILES[0])
+    written = as_written(FILES[0])[0]
+    written["work"]["inhibits"] = ["palm touches bar", f"way out: {way.text}"]
+    frame = FramesOf1(joints or recording.opening.joints, lambda: (0.5, 0.15)).frame(written)
+    assert frame["work"]["inhibits"] == ["palm touches bar"]
+    return msgspec.convert(frame["ways_out"][-1], WayOut)
 
 
 @pytest.mark.parametrize(

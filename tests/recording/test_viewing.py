@@ -10,7 +10,8 @@ from scipy.spatial.transform import RigidTransform, Rotation
 
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.station.wire import Translator
+from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.station.conversion.welcome_of import welcome_of
 from tests.recording.flights import Seen, fly, read
 
 ROUNDING = 1e-4
@@ -129,8 +130,8 @@ def same(pose: RigidTransform, seven: NDArray[np.float64]) -> None:
 
 
 def test_every_body_stands_where_the_page_draws_it(flown: Flown) -> None:
-    translator = Translator(load_scenario(flown.scenario), demo=False)
-    names = [body.name for body in translator.welcome.bodies]
+    displays = Displays(load_scenario(flown.scenario))
+    names = [body.name for body in welcome_of(load_scenario(flown.scenario), demo=False).bodies]
     assert ("payload" in names) == (flown.scenario == "loaded")  # the other has no shape
     for (frame, _), message in zip(drawn_frames(flown), flown.topics["/tf"], strict=True):
         frames = tree(flown.topics["/tf_static"][0], message)
@@ -139,7 +140,7 @@ def test_every_body_stands_where_the_page_draws_it(flown: Flown) -> None:
         held = (in_root(frames, "L").inv() * in_root(frames, "payload")).as_matrix()
         assert held[:3, 3] == pytest.approx(frame.payload[0], abs=ROUNDING)
         assert held[:3, :3] == pytest.approx(np.array(frame.payload[1]), abs=ROUNDING)
-        poses = np.array(translator.frame(frame, -1).poses).reshape(-1, 7)
+        poses = np.array(displays.frame(frame, -1).display.poses).reshape(-1, 7)
         for name, seven in zip(names, poses, strict=True):
             same(in_root(frames, name), seven)
 

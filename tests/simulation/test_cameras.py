@@ -20,7 +20,7 @@ from aftdeck.scenario.cameras import cameras_of
 from aftdeck.scenario.load import built_in, load_scenario
 from aftdeck.simulation.cameras import CameraDrive, Cameras, moved
 from aftdeck.simulation.run import SavedSimulation
-from aftdeck.station.wire import Translator
+from aftdeck.station.conversion.welcome_of import welcome_of
 
 PERIOD = 0.02
 DEPLOY = load_scenario("srms-deploy")
@@ -165,7 +165,7 @@ def test_cameras_are_listed_before_windows_and_these_before_the_engineers_view()
 
 @pytest.mark.parametrize("name", built_in())
 def test_every_camera_stands_on_something_that_is_there(name: str) -> None:
-    shown = Translator(load_scenario(name), demo=False).welcome
+    shown = welcome_of(load_scenario(name), demo=False)
     assert {camera.body for camera in shown.cameras} <= {body.name for body in shown.bodies}
 
 

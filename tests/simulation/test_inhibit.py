@@ -172,34 +172,27 @@ def test_a_prong_alone_in_contact_inhibits_finger_and_arm_and_may_open() -> None
     assert frames[-1].work.hand.opening > 0.9
 
 
-def advised(frame: Frame, arm: str = "concept-1972") -> Inputs:
+def advised(frame: Frame) -> Inputs:
     """The stick, joint or telescope that a frame names as the way out of its contacts, at a tenth."""
-    (line,) = (text for text in frame.work.inhibits if text.startswith("way out: "))
-    way = line.removeprefix("way out: ")
-    if way.startswith("telescope "):
-        return Inputs(telescope=0.1 if way.endswith("longer") else -0.1)
-    position, *_, sign = way.split()
-    if position in ("SINGLE", "DIRECT"):
-        names = (name.replace("_", " ") for name in aftdeck.load_arm(arm).joints)
-        joint = list(names).index(way.removeprefix(f"{position} ").removesuffix(f" {sign}"))
-        return Inputs(mode=position, joint=joint, drive=0.1 if sign == "+" else -0.1)
-    mode, _, stick = way.rpartition(", ")
-    controller, direction = stick.split()
-    value = 0.1 if direction[0] == "+" else -0.1
-    axis = ("roll", "pitch", "yaw", "X", "Y", "Z").index(direction[1:]) % 3
-    three = vec3(np.eye(3)[axis] * value)
-    return Inputs(three, mode=mode or None) if controller == "THC" else Inputs(rotation=three, mode=mode or None)
+    (way,) = frame.ways_out
+    assert way.cause == "contact"
+    value, mode = 0.1 * way.sign, way.position or None
+    if way.stick == "telescope":
+        return Inputs(telescope=value)
+    if way.stick == "joint":
+        return Inputs(mode=mode, joint=way.axis, drive=value)
+    three = vec3(np.eye(3)[way.axis] * value)
+    return Inputs(three, mode=mode) if way.stick == "translation" else Inputs(rotation=three, mode=mode)
 
 
 def freed(sim: aftdeck.Simulation, frame: Frame) -> bool:
     """Whether what each frame names, flown at a tenth, ends the inhibit within a minute."""
-    arm = "srms" if sim.scenario.worksite.name == "orbiter" else "concept-1972"
     for _ in range(3000):
         if not frame.work.arm_inhibit:
             return True
-        if not any(text.startswith("way out: ") for text in frame.work.inhibits):
+        if not frame.ways_out:
             return False
-        frame = sim.step(advised(frame, arm))
+        frame = sim.step(advised(frame))
     return False
 
 

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.simulation.frame import Frame
+from aftdeck.worksite.report import Objective
 from tests.simulation.anew import acquisition, depth_in_bay, docking
 from tests.simulation.concept import ABOVE, AT_PORT, ON_BAR, flown, scenario, vec3
 
@@ -79,7 +80,7 @@ def test_a_hand_that_closes_well_over_the_bar_acquires_nothing() -> None:
     assert not any(frame.work.cargo[0].held for frame in frames)
     failing = [condition.name for condition in frames[-1].work.conditions if not condition.holds]
     assert failing == ["palm height"]
-    assert frames[-1].work.pursuit == "acquire Payload"
+    assert frames[-1].work.objective == Objective("acquire", "acquire Payload")
 
 
 @settings(max_examples=12)

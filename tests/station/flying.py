@@ -13,11 +13,11 @@ import pytest
 
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
-from aftdeck.station import to_page
+from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session import Session
 from tests.station.pages import WAIT_S, scenario
 
-_frames = msgspec.json.Decoder(to_page.Frame)
+_frames = msgspec.json.Decoder(Frame)
 
 
 class Flown(Session):
@@ -53,12 +53,12 @@ def flying(
         session.close()
 
 
-def shown(session: Session) -> to_page.Frame:
+def shown(session: Session) -> Frame:
     """The newest frame."""
     return _frames.decode(session.newest)
 
 
-def comes(session: Flown, met: Callable[[to_page.Frame], bool], what: str) -> to_page.Frame:
+def comes(session: Flown, met: Callable[[Frame], bool], what: str) -> Frame:
     """The first frame that is as wanted after the one that this returned last."""
     end = time.monotonic() + WAIT_S
     try:
@@ -70,7 +70,7 @@ def comes(session: Flown, met: Callable[[to_page.Frame], bool], what: str) -> to
         pytest.fail(f"waited {WAIT_S:g} s in vain: {what}")
 
 
-def goes_on(session: Flown, steps: int = 10) -> to_page.Frame:
+def goes_on(session: Flown, steps: int = 10) -> Frame:
     """The frame so many steps after the newest one."""
     tick = shown(session).tick
     return comes(session, lambda frame: frame.tick >= tick + steps, f"{steps} steps more")

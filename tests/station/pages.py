@@ -17,8 +17,10 @@ from websockets.typing import Origin
 
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.app import make_app
+from aftdeck.station.messages import from_page, kinds, to_page
+from aftdeck.station.messages.frame import Frame
+from aftdeck.station.messages.welcome import Welcome
 from aftdeck.station.preparation import ready
 from aftdeck.station.serve import listen, make_server
 from aftdeck.station.session import Session
@@ -95,9 +97,9 @@ class Page:
                 return message
             assert time.monotonic() < end, f"no {kind.__name__} as wanted came within {WAIT_S:g} s"
 
-    def flown(self, seq: int) -> to_page.Frame:
+    def flown(self, seq: int) -> Frame:
         """The first frame that has flown sticks of this number."""
-        return self.wait_for(to_page.Frame, lambda frame: frame.stick_seq >= seq)
+        return self.wait_for(Frame, lambda frame: frame.display.stick_seq >= seq)
 
     def is_answered(self, steps: int) -> bool:
         """Whether so many steps come at the control period, told by sticks that each frame answers."""
@@ -110,9 +112,9 @@ class Page:
     def refusal(self) -> str:
         return self.wait_for(to_page.Refused).text
 
-    def greet(self) -> to_page.Welcome:
+    def greet(self) -> Welcome:
         self.say(from_page.Hello(kinds.PROTOCOL))
-        return self.wait_for(to_page.Welcome)
+        return self.wait_for(Welcome)
 
 
 class Server:
@@ -165,10 +167,10 @@ class Station(Server):
 
         def frames_come(steps: int = 6) -> bool:
             with self.page() as page:
-                first, begun = page.wait_for(to_page.Frame), time.monotonic()
-                last = page.wait_for(to_page.Frame, lambda frame: frame.tick >= first.tick + steps)
+                first, begun = page.wait_for(Frame), time.monotonic()
+                last = page.wait_for(Frame, lambda frame: frame.tick >= first.tick + steps)
                 if at_start:
-                    assert last.joints == tuple(scenario().initial_angles.tolist())
+                    assert last.angles == tuple(scenario().initial_angles.tolist())
                 return in_time(begun, steps)
 
         until(frames_come, "frames at the control period")

@@ -12,12 +12,13 @@ from threading import Event, Thread
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
-from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.frame import Frame as Flown
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.station import app as station_app
-from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station import page as station_page
 from aftdeck.station import session as station_session
+from aftdeck.station.messages import from_page, kinds, to_page
+from aftdeck.station.messages.frame import Frame
 from aftdeck.station.page import MOST_PAGES, MOST_WRONG
 from aftdeck.station.session import MOST_WAITING, SILENCE, Phase, Session
 from tests.station.pages import STILL, WAIT_S, Page, Station, scenario, served, text_of, until
@@ -54,8 +55,8 @@ def test_a_page_is_welcomed_with_all_that_it_needs_once(shared: Station) -> None
     with shared.stranger() as page:
         welcome = page.greet()
         assert (welcome.protocol, welcome.scenario) == (kinds.PROTOCOL, "first-flight")
-        frame = page.wait_for(to_page.Frame)
-        assert len(frame.poses) == 7 * len(welcome.bodies)
+        frame = page.wait_for(Frame)
+        assert len(frame.display.poses) == 7 * len(welcome.bodies)
 
 
 @pytest.mark.parametrize(
@@ -122,12 +123,12 @@ def test_a_page_too_narrow_leaves_its_seat_and_takes_it_again_behind_the_others(
     with station.page() as narrow, station.page() as other:
         narrow.wait_for(to_page.Role, lambda role: role.flying and role.watchers == 1)
         narrow.push(translation=(1.0, 0.0, 0.0))
-        narrow.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 1.0)
+        narrow.wait_for(Frame, lambda frame: frame.translation[0] == 1.0)
         narrow.say(from_page.LeaveSeat(narrow.next_seq()))
         assert narrow.wait_for(to_page.Role, lambda role: not role.flying) == to_page.Role(
             False, 0, 0, flier=2, asking=0, name="", names=()
         )
-        assert narrow.wait_for(to_page.Frame, lambda frame: frame.position_hold).translation == (0.0, 0.0, 0.0)
+        assert narrow.wait_for(Frame, lambda frame: frame.position_hold).translation == (0.0, 0.0, 0.0)
         narrow.say(from_page.AskSticks(narrow.next_seq()))
         assert narrow.refusal() == "you watch; another page flies"
         other.wait_for(to_page.Role, lambda role: role.flying)
@@ -190,7 +191,7 @@ def test_a_message_that_is_none_is_refused_and_the_page_stays(shared: Station, t
         page.say(text)
         assert page.refusal().startswith("message not understood: ")
         seq = page.push()
-        page.wait_for(to_page.Frame, lambda frame: frame.stick_seq == seq)
+        page.wait_for(Frame, lambda frame: frame.display.stick_seq == seq)
     shared.is_unhurt()
 
 
@@ -246,8 +247,8 @@ def test_a_message_out_of_order_is_not_flown(station: Station) -> None:
         page.say(from_page.SelectJoint(7, 3))
         assert page.refusal() == "message 6 came after message 7; it was not taken"
         assert page.refusal() == "message 7 came after message 7; it was not taken"
-        first = page.wait_for(to_page.Frame)
-        assert page.wait_for(to_page.Frame, lambda frame: frame.tick > first.tick + 4).joint == 1
+        first = page.wait_for(Frame)
+        assert page.wait_for(Frame, lambda frame: frame.tick > first.tick + 4).joint == 1
     station.is_unhurt()
 
 
@@ -257,8 +258,8 @@ def test_a_message_too_long_ends_its_page_alone(shared: Station) -> None:
         closed = closing(page)
         assert closed.rcvd is not None
         assert closed.rcvd.code == 1009
-        first = other.wait_for(to_page.Frame)
-        other.wait_for(to_page.Frame, lambda frame: frame.tick > first.tick + 10)
+        first = other.wait_for(Frame)
+        other.wait_for(Frame, lambda frame: frame.tick > first.tick + 10)
     shared.is_unhurt()
 
 
@@ -278,7 +279,7 @@ def test_a_page_that_errs_now_and_then_stays(shared: Station) -> None:
             page.say("nonsense")
             page.refusal()
             page.push()
-        page.wait_for(to_page.Frame, lambda frame: frame.stick_seq == page.seq)
+        page.wait_for(Frame, lambda frame: frame.display.stick_seq == page.seq)
     shared.is_unhurt()
 
 
@@ -300,7 +301,7 @@ def test_a_flood_of_sticks_is_flown_newest_first(shared: Station) -> None:
     with shared.page() as page:
         for _ in range(10_000):
             page.push()
-        page.wait_for(to_page.Frame, lambda frame: frame.stick_seq == 9_999)
+        page.wait_for(Frame, lambda frame: frame.display.stick_seq == 9_999)
     shared.is_unhurt()
 
 
@@ -308,7 +309,7 @@ def test_stop_is_never_refused_and_overtakes_what_waits(station: Station, monkey
     simulation, queue = station.session._sim, station.session._commands
     step, stands, goes_on = simulation.step, Event(), Event()
 
-    def wait(inputs: Inputs | None = None) -> Frame:
+    def wait(inputs: Inputs | None = None) -> Flown:
         stands.set()
         assert goes_on.wait(WAIT_S)
         return step(inputs)
@@ -325,7 +326,7 @@ def test_stop_is_never_refused_and_overtakes_what_waits(station: Station, monkey
         page.say(from_page.SelectRate(page.next_seq(), "vernier"))
         until(lambda: len(queue) == 2, "STOP and what comes after it alone wait")
         goes_on.set()
-        frame = page.wait_for(to_page.Frame, lambda frame: frame.rate == "vernier")
+        frame = page.wait_for(Frame, lambda frame: frame.rate == "vernier")
         assert (frame.joint, frame.translation) == (0, STILL)
 
 
@@ -351,13 +352,13 @@ def test_sticks_go_to_zero_when_their_page_is_cut_off_and_the_next_page_gets_the
         assert next_one.wait_for(to_page.Role).flying
         assert not flier.wait_for(to_page.Role).flying
         next_one.push(translation=(1.0, 0.0, 0.0))
-        flier.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 1.0)
+        flier.wait_for(Frame, lambda frame: frame.translation[0] == 1.0)
         next_one.socket.socket.shutdown(socket.SHUT_RDWR)  # no goodbye
         assert flier.wait_for(to_page.Role, lambda role: role.flying).watchers == 0
-        frame = flier.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 0.0)
-        assert frame.stick_seq == -1, "not because they were silent"
+        frame = flier.wait_for(Frame, lambda frame: frame.translation[0] == 0.0)
+        assert frame.display.stick_seq == -1, "not because they were silent"
         seq = flier.push(rotation=(0.0, 0.0, 0.5))
-        assert flier.wait_for(to_page.Frame, lambda frame: frame.stick_seq == seq).rotation == (0.0, 0.0, 0.5)
+        assert flier.wait_for(Frame, lambda frame: frame.display.stick_seq == seq).rotation == (0.0, 0.0, 0.5)
 
 
 def test_the_sticks_are_handed_over_at_rest_to_the_page_that_asks(station: Station) -> None:
@@ -367,7 +368,7 @@ def test_the_sticks_are_handed_over_at_rest_to_the_page_that_asks(station: Stati
         other.say(from_page.AskSticks(other.next_seq()))
         flier.wait_for(to_page.Role, lambda role: role.asking == 2)
         flier.push(translation=(1.0, 0.0, 0.0))
-        flier.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 1.0)
+        flier.wait_for(Frame, lambda frame: frame.translation[0] == 1.0)
         flier.say(from_page.GiveSticks(flier.next_seq()))
         assert flier.refusal() == "let go of the sticks first: they are given at rest"
         flier.flown(flier.push())
@@ -448,9 +449,9 @@ def test_sticks_that_are_kept_stay_where_they_are(station: Station) -> None:
 def test_silent_sticks_go_to_zero(station: Station, monkeypatch: pytest.MonkeyPatch) -> None:
     with station.page() as page:
         seq = page.push(translation=(1.0, 0.0, 0.0))
-        page.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 1.0)
+        page.wait_for(Frame, lambda frame: frame.translation[0] == 1.0)
         monkeypatch.setattr(station_session, "SILENCE", SILENCE)
-        assert page.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 0.0).stick_seq == seq
+        assert page.wait_for(Frame, lambda frame: frame.translation[0] == 0.0).display.stick_seq == seq
 
 
 def test_a_watcher_may_not_fly(shared: Station) -> None:
@@ -543,7 +544,7 @@ def test_pages_are_told_when_the_simulation_fails(station: Station, monkeypatch:
         raise ZeroDivisionError("a law divided by zero")
 
     with station.page() as page:
-        page.wait_for(to_page.Frame)
+        page.wait_for(Frame)
         monkeypatch.setattr(station.session._sim, "step", fail)
         text = page.refusal()
         assert re.fullmatch(r"the simulation stopped at \d+\.\d\d s: a law divided by zero", text)
@@ -560,7 +561,7 @@ def test_pages_come_and_go_at_once(shared: Station) -> None:
         for _ in range(5):
             with shared.page() as page:
                 page.push(translation=(0.0, 0.0, 0.0))
-                page.wait_for(to_page.Frame)
+                page.wait_for(Frame)
 
     visitors = [Thread(target=visit) for _ in range(6)]
     for visitor in visitors:

@@ -16,8 +16,8 @@ from aftdeck.errors import CommandError
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord, Shown
 from aftdeck.recording.replay import verify
-from aftdeck.station import from_page, kinds
 from aftdeck.station import session as station_session
+from aftdeck.station.messages import from_page, kinds
 from aftdeck.station.reel import Reel
 from aftdeck.station.session import SILENCE
 from aftdeck.station.verdict import CHECKING

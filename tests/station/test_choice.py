@@ -14,8 +14,10 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.load import HERE, about, built_in, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.station import from_page, to_page
 from aftdeck.station.choice import Choice
+from aftdeck.station.messages import from_page, to_page
+from aftdeck.station.messages.frame import Frame
+from aftdeck.station.messages.welcome import Welcome
 from aftdeck.station.session import Session
 from tests.station.pages import WAIT_S, Page, Station, scenario, served
 from tests.station.test_recording import ended, files
@@ -70,12 +72,12 @@ def test_every_page_comes_along_and_the_same_one_flies(station: Station) -> None
         choose(flier, OTHER)
         for page in (flier, watcher):
             assert page.wait_for(to_page.Scenarios, lambda told: told.coming is not None).flown != 0
-            assert page.wait_for(to_page.Welcome).scenario == OTHER
+            assert page.wait_for(Welcome).scenario == OTHER
             told = page.wait_for(to_page.Scenarios, lambda told: told.coming is None)
             assert told.scenarios[told.flown].name == OTHER
         frame = flier.flown(flier.push((1.0, 0.0, 0.0)))
         assert frame.translation == (1.0, 0.0, 0.0)
-        assert watcher.wait_for(to_page.Frame, lambda frame: frame.tick > 1).joints != tuple(scenario().initial_angles)
+        assert watcher.wait_for(Frame, lambda frame: frame.tick > 1).angles != tuple(scenario().initial_angles)
         with station.stranger() as late:
             assert late.greet().scenario == OTHER
     assert station.get("/health") == (200, "flying\n")
@@ -92,32 +94,30 @@ def test_the_arm_comes_to_rest_while_another_is_made_ready(station: Station, mon
     monkeypatch.setattr(Session, "another", slow)
     with station.page() as page:
         page.flown(page.push((1.0, 0.0, 0.0)))
-        page.wait_for(to_page.Frame, lambda frame: frame.translation[0] == 1.0)
+        page.wait_for(Frame, lambda frame: frame.translation[0] == 1.0)
     with station.page() as page:
         choose(page, OTHER)
-        page.wait_for(
-            to_page.Frame, lambda frame: frame.translation == (0.0, 0.0, 0.0) and not any(frame.rates_commanded)
-        )
+        page.wait_for(Frame, lambda frame: frame.translation == (0.0, 0.0, 0.0) and not any(frame.rates_commanded))
         page.say(from_page.FlyScenario(page.next_seq(), 0))
         assert "is being made ready: wait until it flies" in page.refusal()
         page.push((1.0, 0.0, 0.0))
         page.say(from_page.EnterMode(page.next_seq(), "END EFF"))
         assert "the arm rests meanwhile" in page.refusal()
-        assert page.wait_for(to_page.Frame).translation == (0.0, 0.0, 0.0)
+        assert page.wait_for(Frame).translation == (0.0, 0.0, 0.0)
         page.say(from_page.SetBrakes(page.next_seq(), on=True))
-        page.wait_for(to_page.Frame, lambda frame: frame.brakes)
+        page.wait_for(Frame, lambda frame: frame.brakes)
         made.set()
-        assert page.wait_for(to_page.Welcome).scenario == OTHER
+        assert page.wait_for(Welcome).scenario == OTHER
 
 
 def test_each_scenario_has_a_recording_of_its_own_and_the_first_is_kept(tmp_path: Path) -> None:
     with served(Session(scenario(), record=tmp_path)) as station, station.page() as page:
-        page.wait_for(to_page.Frame, lambda frame: frame.tick > 20)
+        page.wait_for(Frame, lambda frame: frame.tick > 20)
         with station.page():
             page.flown(page.push((1.0, 0.0, 0.0)))
         page.say(from_page.FlyScenario(page.next_seq(), number(Choice(scenario()).message(), OTHER)))
-        page.wait_for(to_page.Welcome)
-        page.wait_for(to_page.Frame, lambda frame: frame.tick > 20 and frame.recording_s is not None)
+        page.wait_for(Welcome)
+        page.wait_for(Frame, lambda frame: frame.tick > 20 and frame.display.recording_s is not None)
     first, second = files(tmp_path)
     assert [Recording(path).opening.scenario for path in (first, second)] == ["first-flight", OTHER]
     assert [ended(path) for path in (first, second)] == ["stopped", "stopped"]

@@ -13,7 +13,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import LightRecord
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.light import Lighting, LockedExposure
-from aftdeck.station import from_page
+from aftdeck.station.messages import from_page
 from aftdeck.station.reel import Reel
 from tests.station.flying import comes, flying, goes_on, shown
 from tests.station.pages import scenario, text_of
@@ -26,20 +26,20 @@ _from_page: msgspec.json.Decoder[from_page.FromPage] = msgspec.json.Decoder(from
 def test_light_is_the_scenarios_until_it_is_set_and_again_after_a_restart() -> None:
     own = scenario().lighting
     with flying() as session:
-        assert shown(session).lighting == own
+        assert shown(session).display.lighting == own
         session.light(from_page.SetLight(0, NIGHT))
-        comes(session, lambda frame: frame.lighting == NIGHT, "night")
+        comes(session, lambda frame: frame.display.lighting == NIGHT, "night")
         assert [event.text for event in session.log_since(0) if event.kind == "light"] == [
             "light: night; lamps lit: end effector"
         ]
         session.command(from_page.Restart(1))
-        assert comes(session, lambda frame: frame.tick == 1, "the first instant again").lighting == own
+        assert comes(session, lambda frame: frame.tick == 1, "the first instant again").display.lighting == own
 
 
 def test_light_is_set_while_the_script_flies_on() -> None:
     with flying(demo=True) as session:
         session.light(from_page.SetLight(0, NIGHT))
-        assert comes(session, lambda frame: frame.lighting == NIGHT, "night").by == "script"
+        assert comes(session, lambda frame: frame.display.lighting == NIGHT, "night").by == "script"
 
 
 @pytest.mark.parametrize(
@@ -54,7 +54,7 @@ def test_what_there_is_not_is_refused_and_changes_nothing(wrong: Lighting, said:
     with flying() as session:
         with pytest.raises(CommandError, match=said):
             session.light(from_page.SetLight(0, wrong))
-        assert goes_on(session, 5).lighting == scenario().lighting
+        assert goes_on(session, 5).display.lighting == scenario().lighting
 
 
 @pytest.mark.parametrize("stops", ["1e9", "-21", "NaN", '"much"'])
@@ -69,11 +69,11 @@ def test_a_recording_keeps_the_light_as_it_changes_and_a_replay_has_it_again(tmp
     with flying(record=tmp_path) as session:
         goes_on(session, 20)
         session.light(from_page.SetLight(0, NIGHT))
-        first = comes(session, lambda frame: frame.lighting == NIGHT, "night").tick
+        first = comes(session, lambda frame: frame.display.lighting == NIGHT, "night").tick
         session.light(from_page.SetLight(1, NIGHT))
         goes_on(session, 300)  # into the recording's next block
         session.light(from_page.SetLight(2, own))
-        last = comes(session, lambda frame: frame.lighting == own, "day").tick
+        last = comes(session, lambda frame: frame.display.lighting == own, "day").tick
         goes_on(session, 5)
     (path,) = tmp_path.glob("*.mcap")
     records = [message for message in Recording(path).messages() if isinstance(message, LightRecord)]
@@ -86,6 +86,6 @@ def test_a_recording_keeps_the_light_as_it_changes_and_a_replay_has_it_again(tmp
     assert verify(path).equal, "light is no part of what is flown"
     with Reel(path) as reel:
         moments = itertools.chain.from_iterable(reel.block(n) for n in range(reel.blocks))
-        lights = {moment.frame.tick: moment.frame.lighting for moment in moments}
+        lights = {moment.frame.tick: moment.frame.display.lighting for moment in moments}
     assert {tick for tick, light in lights.items() if light == NIGHT} == set(range(first, last))
     assert all(light == own for tick, light in lights.items() if not first <= tick < last)

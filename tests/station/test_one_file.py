@@ -13,8 +13,8 @@ import pytest
 from aftdeck.errors import RecordingError
 from aftdeck.station import built as station_built
 from aftdeck.station import one_file
+from aftdeck.station.messages.playback import Block, PlaybackIndex
 from aftdeck.station.one_file import write_html
-from aftdeck.station.playback import Block, PlaybackIndex
 from aftdeck.station.reel import Reel
 from aftdeck.station.verdict import CHECKING
 from tests.station.recordings import recorded
@@ -72,8 +72,8 @@ def test_all_frames_are_there_to_a_tenth_of_a_millimetre(recording: Path, tmp_pa
     with Reel(recording) as reel:
         for shown, exact in zip(moments, reel.moments(1), strict=True):
             assert shown.frame.tick == exact.frame.tick
-            assert shown.frame.poses == pytest.approx(exact.frame.poses, abs=0.51e-4)
-            assert shown.frame.joints == pytest.approx(exact.frame.joints, abs=0.51e-4)
+            assert shown.frame.display.poses == pytest.approx(exact.frame.display.poses, abs=0.51e-4)
+            assert shown.frame.angles == pytest.approx(exact.frame.angles, abs=0.51e-4)
 
 
 def test_a_long_run_is_thinned_to_fit_and_its_lanes_strips_and_log_are_not(

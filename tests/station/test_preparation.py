@@ -12,8 +12,10 @@ from websockets.exceptions import ConnectionClosed
 
 from aftdeck.errors import ScenarioError
 from aftdeck.scenario.load import load_scenario
-from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.app import make_app
+from aftdeck.station.messages import from_page, kinds, to_page
+from aftdeck.station.messages.frame import Frame
+from aftdeck.station.messages.welcome import Welcome
 from aftdeck.station.page import MOST_PAGES
 from tests.station.pages import WAIT_S, Page, Server, serving, until
 from tests.station.slow import Slow
@@ -54,9 +56,9 @@ def test_waiting_page_gets_progress_and_then_its_welcome_and_frames(slow: Slow, 
     with server.stranger() as page:
         hears_of_progress(page)
         slow.go.set()
-        assert page.wait_for(to_page.Welcome).scenario == "first-flight"
+        assert page.wait_for(Welcome).scenario == "first-flight"
         assert page.wait_for(to_page.Role).flying
-        page.wait_for(to_page.Frame)
+        page.wait_for(Frame)
     assert server.get("/health") == (200, "flying\n")
 
 

@@ -6,13 +6,15 @@ import pytest
 
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station import from_page, kinds, recent, to_page
+from aftdeck.station import recent
+from aftdeck.station.messages import from_page, kinds, to_page
+from aftdeck.station.messages.frame import Lamp
 from aftdeck.station.recent import RecentFlight
 from aftdeck.station.session import Session
 from aftdeck.station.strips import readings, sources
 from tests.station.pages import scenario, served
 
-LIT = to_page.Lamp("RATE LIM", "caution", "a test's")
+LIT = Lamp("RATE LIM", "caution", "a test's")
 PERIOD = scenario().control_period
 EVERY = round(recent.SPACING_S / PERIOD)
 
@@ -24,7 +26,7 @@ class Flown:
         self.simulation = Simulation(scenario())
         self.recent = RecentFlight(scenario())
 
-    def fly(self, steps: int, *lamps: to_page.Lamp, monitors: tuple[tuple[str, ...], ...] = (("A",), ("B",))) -> None:
+    def fly(self, steps: int, *lamps: Lamp, monitors: tuple[tuple[str, ...], ...] = (("A",), ("B",))) -> None:
         for _ in range(steps):
             frame = self.simulation.step(Inputs(translation=(0.5, 0.0, 0.0)))
             self.recent.add(frame, lamps, None, monitors)

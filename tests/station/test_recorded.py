@@ -11,7 +11,7 @@ import pytest
 from aftdeck.station import app as station_app
 from aftdeck.station import built as station_built
 from aftdeck.station import player as station_player
-from aftdeck.station.playback import Block, PlaybackIndex, Recorded
+from aftdeck.station.messages.playback import Block, PlaybackIndex, Recorded
 from aftdeck.station.session import Session
 from tests.station.pages import Station, scenario, served, until
 from tests.station.recordings import recorded

@@ -17,7 +17,8 @@ from aftdeck.recording.records import FrameRecord, Input
 from aftdeck.recording.replay import verify
 from aftdeck.recording.sink import Sink
 from aftdeck.recording.trial import Trial
-from aftdeck.station import from_page, to_page
+from aftdeck.station.messages import from_page
+from aftdeck.station.messages.frame import Frame
 from aftdeck.station.reel import Reel
 from aftdeck.station.session import MOST_BEHIND, Session
 from aftdeck.station.verdict import CHECKING
@@ -27,7 +28,7 @@ from tests.station.pages import STILL, WAIT_S, scenario, until
 ROOM = 90_000
 
 
-def begins_anew(session: Flown) -> to_page.Frame:
+def begins_anew(session: Flown) -> Frame:
     """The first frame of the flight after a restart."""
     return comes(session, lambda frame: frame.tick == 1, "the first instant again")
 
@@ -107,11 +108,11 @@ def test_a_demonstration_and_the_hand_that_takes_it_over_are_recorded(tmp_path: 
 def test_the_page_is_told_how_long_the_recording_is(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         frame = goes_on(session)
-        assert frame.recording_s == pytest.approx(frame.tick * 0.02)
+        assert frame.display.recording_s == pytest.approx(frame.tick * 0.02)
         session.command(from_page.Restart(0))
         begins_anew(session)
         frame = goes_on(session, 1)
-        assert frame.recording_s == pytest.approx(frame.tick * 0.02)
+        assert frame.display.recording_s == pytest.approx(frame.tick * 0.02)
 
 
 def test_a_session_that_records_nothing_says_so() -> None:
@@ -119,7 +120,7 @@ def test_a_session_that_records_nothing_says_so() -> None:
     session.start(lambda: None)
     try:
         until(lambda: session.newest != b"", "the first frame")
-        assert shown(session).recording_s is None
+        assert shown(session).display.recording_s is None
     finally:
         session.close()
 
@@ -198,7 +199,7 @@ def test_a_place_that_cannot_be_written_is_a_warning_and_the_flight_goes_on(
 ) -> None:
     (tmp_path / "file").touch()
     with flying(record=tmp_path / "file") as session:
-        assert goes_on(session).recording_s is None
+        assert goes_on(session).display.recording_s is None
         (line,) = [event for event in session.log_since(0) if event.kind == "recording"]
     assert line.level == "warning" and "nothing is recorded: " in line.text and "cannot be written" in line.text
     assert capsys.readouterr().err == f"aftdeck: {line.text}\n"
@@ -214,7 +215,7 @@ def test_a_disk_that_becomes_full_is_a_warning_and_the_flight_goes_on(
     try:
         session.start(lambda: None)
         until(lambda: any(event.kind == "recording" for event in session.log_since(0)), "the warning")
-        assert goes_on(session).recording_s is None
+        assert goes_on(session).display.recording_s is None
     finally:
         session.close()
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
@@ -232,7 +233,7 @@ def test_a_list_that_cannot_be_used_is_a_warning_and_the_flight_is_recorded(
     monkeypatch.setattr("aftdeck.station.session.Index", lambda: Index(tmp_path / "list"))
     with flying(record=tmp_path / "flights") as session:
         until(lambda: any(event.kind == "recording" for event in session.log_since(0)), "the warning")
-        assert goes_on(session).recording_s is not None
+        assert goes_on(session).display.recording_s is not None
     (line,) = [event for event in session.log_since(0) if event.kind == "recording"]
     assert "the list of recordings cannot be used" in line.text
     assert ended(files(tmp_path / "flights")[0]) == "stopped"

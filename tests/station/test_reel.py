@@ -16,10 +16,10 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording import writer
 from aftdeck.simulation.frame import Frame
 from aftdeck.station import reel as station_reel
-from aftdeck.station.playback import BLOCK, PlaybackIndex
+from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.station.messages.playback import BLOCK, PlaybackIndex
 from aftdeck.station.reel import Reel
 from aftdeck.station.verdict import CHECKING
-from aftdeck.station.wire import Translator
 from tests.station.pages import scenario
 from tests.station.recordings import NOTE, recorded
 
@@ -40,15 +40,15 @@ def index(flown: Flown) -> PlaybackIndex:
 
 def test_blocks_hold_every_frame_once_as_the_station_would_show_it(flown: Flown) -> None:
     path, frames = flown
-    translator = Translator(scenario(), demo=False)
+    displays = Displays(scenario())
     with Reel(path) as reel:
         blocks = [reel.block(number) for number in range(reel.blocks)]
     assert [len(block) for block in blocks] == [BLOCK, BLOCK, len(frames) - 2 * BLOCK]
     for moment, frame in zip((moment for block in blocks for moment in block), frames, strict=True):
         assert moment.frame.tick == frame.tick
-        assert moment.frame.joints == pytest.approx(frame.angles, abs=1e-9)
-    shown = translator.frame(frames[300], -1)
-    assert blocks[300 // BLOCK][300 % BLOCK].frame.poses == pytest.approx(shown.poses, abs=1e-7)
+        assert moment.frame.angles == pytest.approx(frame.angles, abs=1e-9)
+    shown = displays.frame(frames[300], -1)
+    assert blocks[300 // BLOCK][300 % BLOCK].frame.display.poses == pytest.approx(shown.display.poses, abs=1e-7)
 
 
 def test_a_block_that_is_none_is_an_index_error(flown: Flown) -> None:
@@ -105,7 +105,7 @@ def test_strips_tell_of_the_same_frames_as_the_read_outs(flown: Flown, index: Pl
     frame = frames[BLOCK + 100]
     names = [strip.name for strip in index.strips for _ in strip.curves]
     speed = moment.values[names.index("POR rate") + 1]
-    assert speed == pytest.approx(math.hypot(*moment.frame.actual.velocity), abs=1e-8)
+    assert speed == pytest.approx(math.hypot(*moment.frame.display.actual.velocity), abs=1e-8)
     parts = [abs(rate) / limit for rate, limit in zip(frame.rates, frame.rate_limits, strict=True)]
     assert moment.values[names.index("Joint rate") + 1] == pytest.approx(max(parts), abs=1e-7)
     joint = scenario().arm.joints[parts.index(max(parts))]

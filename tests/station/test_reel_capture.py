@@ -12,8 +12,8 @@ import pytest
 import aftdeck
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Frame
-from aftdeck.station.curves import Strip
-from aftdeck.station.playback import Measure, PlaybackIndex
+from aftdeck.station.messages.curves import Strip
+from aftdeck.station.messages.playback import Measure, PlaybackIndex
 from aftdeck.station.reel import Reel
 from aftdeck.station.verdict import CHECKING
 from aftdeck.worksite.alarm import CLEAR, level_of

@@ -10,8 +10,9 @@ from typing import Literal
 import pytest
 
 from aftdeck.errors import CommandError
-from aftdeck.station import from_page, to_page
 from aftdeck.station import session as station_session
+from aftdeck.station.messages import from_page
+from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session import MOST_BEHIND, MOST_WAITING, SILENCE, Phase, Session
 from tests.station.flying import Flown, comes, flying, goes_on, shown
 from tests.station.pages import STILL, WAIT_S, in_time, scenario, until
@@ -50,29 +51,29 @@ def test_it_steps_at_the_control_period_and_never_gains_more_than_it_was_behind(
 def test_an_arm_that_nobody_flies_stands_still() -> None:
     with flying() as session:
         frame = goes_on(session, 20)
-    assert frame.joints == tuple(scenario().initial_angles.tolist())
-    assert frame.stick_seq == -1
+    assert frame.angles == tuple(scenario().initial_angles.tolist())
+    assert frame.display.stick_seq == -1
 
 
 def test_sticks_move_the_tip_and_letting_go_stops_it() -> None:
     with flying() as session:
-        before = shown(session).actual.position
+        before = shown(session).display.actual.position
         session.steer(sticks(4, forward=1.0))
-        moving = comes(session, lambda frame: frame.actual.velocity[0] > 0.05, "the tip moves forward")
-        assert moving.stick_seq == 4
+        moving = comes(session, lambda frame: frame.display.actual.velocity[0] > 0.05, "the tip moves forward")
+        assert moving.display.stick_seq == 4
         session.let_go()
         held = comes(session, lambda frame: max(abs(rate) for rate in frame.rates) == 0.0, "it stops")
-        assert held.stick_seq == -1
-    assert held.actual.position[0] > before[0]
+        assert held.display.stick_seq == -1
+    assert held.display.actual.position[0] > before[0]
 
 
 def test_a_frame_tells_which_sticks_it_has_flown_after_the_command_delay() -> None:
     late = dataclasses.replace(scenario(), delay=25)
     with flying(made=late) as session:
         session.steer(sticks(4, forward=1.0))
-        taken = comes(session, lambda frame: frame.stick_seq == 4, "sticks taken")
-        assert taken.flown_seq == -1 and taken.translation == STILL
-        flown = comes(session, lambda frame: frame.flown_seq == 4, "sticks flown")
+        taken = comes(session, lambda frame: frame.display.stick_seq == 4, "sticks taken")
+        assert taken.display.flown_seq == -1 and taken.translation == STILL
+        flown = comes(session, lambda frame: frame.display.flown_seq == 4, "sticks flown")
         assert flown.tick == taken.tick + 25 and flown.translation[0] == 1.0
 
 
@@ -80,14 +81,14 @@ def test_sticks_under_way_are_not_told_to_the_page_that_flies_next() -> None:
     late = dataclasses.replace(scenario(), delay=25)
     with flying(made=late) as session:
         session.steer(sticks(900))
-        taken = comes(session, lambda frame: frame.stick_seq == 900, "sticks taken")
+        taken = comes(session, lambda frame: frame.display.stick_seq == 900, "sticks taken")
         session.hand_over("page 1 gives the sticks to page 2")
         session.steer(sticks(5))
-        told = {taken.flown_seq}
+        told = {taken.display.flown_seq}
 
-        def flies(frame: to_page.Frame) -> bool:
-            told.add(frame.flown_seq)
-            return frame.flown_seq == 5
+        def flies(frame: Frame) -> bool:
+            told.add(frame.display.flown_seq)
+            return frame.display.flown_seq == 5
 
         comes(session, flies, "the next page's sticks are flown")
         assert told == {-1, 5}, "900 was the number of another page's sticks"
@@ -95,10 +96,10 @@ def test_sticks_under_way_are_not_told_to_the_page_that_flies_next() -> None:
 
 def test_without_a_delay_the_sticks_taken_are_flown_and_a_script_flies_none() -> None:
     with flying(demo=True) as session:
-        assert shown(session).flown_seq == -1
+        assert shown(session).display.flown_seq == -1
         session.steer(sticks(7, forward=1.0))
-        frame = comes(session, lambda frame: frame.stick_seq == 7, "sticks taken")
-        assert frame.flown_seq == 7
+        frame = comes(session, lambda frame: frame.display.stick_seq == 7, "sticks taken")
+        assert frame.display.flown_seq == 7
 
 
 def test_whoever_leaves_leaves_the_arm_holding_its_position() -> None:
@@ -124,9 +125,9 @@ def test_a_page_that_says_so_is_left_alone_and_its_sequence_goes_on(
     cause: Literal["page hidden", "device lost"],
 ) -> None:
     with flying() as session:
-        x, y, z = shown(session).actual.position
+        x, y, z = shown(session).display.actual.position
         session.command(from_page.EnterMode(0, "OPR CMD"))
-        session.command(from_page.SetTarget(1, (x + 0.1, y, z), shown(session).actual.attitude))
+        session.command(from_page.SetTarget(1, (x + 0.1, y, z), shown(session).display.actual.attitude))
         session.command(from_page.Proceed(2))
         comes(session, lambda frame: frame.sequence == "in progress", "under way")
         session.command(from_page.HandsOff(3, cause))
@@ -222,7 +223,7 @@ def test_silent_sticks_go_to_zero_and_no_sooner(monkeypatch: pytest.MonkeyPatch)
         assert goes_on(session, 5).translation[0] == 1.0
         clock[0] += 0.02 * SILENCE
         assert goes_on(session, 5).translation == STILL
-        assert shown(session).stick_seq == 4
+        assert shown(session).display.stick_seq == 4
 
 
 def test_sticks_that_were_lost_are_flown_again_once_they_were_at_rest(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -238,7 +239,7 @@ def test_sticks_that_were_lost_are_flown_again_once_they_were_at_rest(monkeypatc
         with pytest.raises(CommandError, match="the sticks were silent: let go of them first"):
             session.steer(sticks(5, forward=1.0))
         session.steer(sticks(6, forward=1.0))  # told once
-        comes(session, lambda frame: frame.stick_seq == 6, "heard")
+        comes(session, lambda frame: frame.display.stick_seq == 6, "heard")
         assert goes_on(session, 20).translation == STILL
         session.steer(sticks(7))
         session.steer(sticks(8, forward=1.0))
@@ -252,7 +253,7 @@ def test_a_restart_begins_anew() -> None:
         session.let_go()
         session.command(from_page.Restart(1))
         frame = comes(session, lambda frame: frame.tick == 1, "the first instant again")
-        assert frame.joints == pytest.approx(tuple(scenario().initial_angles.tolist()), abs=1e-12)
+        assert frame.angles == pytest.approx(tuple(scenario().initial_angles.tolist()), abs=1e-12)
         assert [event.kind for event in session.log_since(0)][-1] == "restart"
 
 
@@ -274,17 +275,17 @@ def test_a_demonstration_ends_with_its_script() -> None:
 
 def test_a_target_keyed_in_is_flown_to() -> None:
     with flying() as session:
-        here = shown(session).actual
+        here = shown(session).display.actual
         x, y, z = here.position
         session.command(from_page.EnterMode(0, "OPR CMD"))
         session.command(from_page.SetTarget(1, (x + 0.05, y, z), here.attitude))
         session.command(from_page.Proceed(2))
         under_way = comes(session, lambda frame: frame.sequence == "in progress", "under way")
-        assert under_way.aim is not None
-        assert under_way.aim.position == pytest.approx((x + 0.05, y, z), abs=1e-9)
-        assert under_way.aim.distance == pytest.approx(0.05, abs=0.02)
+        assert under_way.display.aim is not None and under_way.goal is not None
+        assert under_way.display.aim.position == pytest.approx((x + 0.05, y, z), abs=1e-9)
+        assert under_way.goal.distance == pytest.approx(0.05, abs=0.02)
         there = comes(session, lambda frame: frame.sequence == "idle", "there")
-        assert math.dist(there.actual.position, (x + 0.05, y, z)) < 1e-3
+        assert math.dist(there.display.actual.position, (x + 0.05, y, z)) < 1e-3
 
 
 def test_more_commands_than_may_wait_are_refused() -> None:

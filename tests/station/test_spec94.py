@@ -9,8 +9,11 @@ from aftdeck.frames import Pose
 from aftdeck.scenario.load import built_in
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station import from_page
-from aftdeck.station.wire import Translator
+from aftdeck.station.commands import inputs_of
+from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.messages import from_page
+from aftdeck.station.session import HANDS_OFF
 from tests.station.pages import scenario
 from tests.steering.flying import BAY, PAYLOAD
 from tests.steering.flying import scenario as written
@@ -23,12 +26,12 @@ LOADED = "srms-berth"
 @pytest.mark.parametrize("name", [LOADED, "loaded", "first-flight", "concept-1972"])
 def test_the_tables_limits_are_those_in_force(name: str, rate: str) -> None:
     sim = Simulation(scenario(name))
-    translator = Translator(sim.scenario, demo=False)
+    displays, payloads = Displays(sim.scenario), welcome_of(sim.scenario, demo=False).payloads
     setting = RATES.index(rate)
     for mode in ("ORB UNL", "SINGLE"):
         frame = sim.step(Inputs(mode=mode, rate=rate))  # type: ignore[arg-type]
-        shown = translator.frame(frame, 0)
-        row = translator.welcome.payloads[shown.payload]
+        shown = displays.frame(frame, 0)
+        row = payloads[shown.display.payload_id]
         assert shown.por_limits == (row.translation[setting], row.rotation[setting])
         if mode == "SINGLE":
             assert shown.rate_limits == (row.coarse, row.vernier)[setting]
@@ -37,9 +40,9 @@ def test_the_tables_limits_are_those_in_force(name: str, rate: str) -> None:
 @pytest.mark.parametrize(("name", "held"), [(LOADED, 1), ("loaded", 1), ("first-flight", 0), ("srms-deploy", 0)])
 def test_the_payload_id_is_that_of_what_is_in_the_grasp(name: str, held: int) -> None:
     sim = Simulation(scenario(name))
-    translator = Translator(sim.scenario, demo=False)
-    assert translator.frame(sim.step(Inputs()), 0).payload == held
-    table = translator.welcome.payloads
+    displays = Displays(sim.scenario)
+    assert displays.frame(sim.step(Inputs()), 0).display.payload_id == held
+    table = welcome_of(sim.scenario, demo=False).payloads
     assert [row.id for row in table] == list(range(len(table)))
     assert table[0].mass == 0.0 and all(row.mass > 0.0 for row in table[1:])
 
@@ -48,19 +51,19 @@ def test_a_payload_that_a_phase_attaches_has_its_id_its_row_and_its_point_of_res
     heavy, light = (PAYLOAD.replace("[payload]", "[phase.payload]").format(mass=f"{m} lb") for m in (32000, 1000))
     still = '[[phase]]\nmode = "ORB UNL"\nduration = 0.08\n'
     made = written(BAY, f"control_period = 0.08\n{still}{still}{heavy}{still}{light}{still}detached = true\n")
-    sim, translator = Simulation(made), Translator(made, demo=False)
+    sim, displays = Simulation(made), Displays(made)
     frames = [sim.step() for _ in range(4)]
-    shown = [translator.frame(frame, 0) for frame in frames]
-    assert [frame.payload for frame in shown] == [0, 1, 2, 0]
-    table = [row.mass * 2.2046226218 for row in translator.welcome.payloads]
+    shown = [displays.frame(frame, 0) for frame in frames]
+    assert [frame.display.payload_id for frame in shown] == [0, 1, 2, 0]
+    table = [row.mass * 2.2046226218 for row in welcome_of(made, demo=False).payloads]
     assert table == pytest.approx([0.0, 32000.0, 1000.0])
     for frame, page in zip(frames[1:3], shown[1:3], strict=True):
         assert frame.payload is not None
         centre, axes = map(np.array, frame.payload)
         hand = made.arm.end_effector(np.array(frame.orientation))
-        there = frame.position + hand @ np.array(page.por_offset)
+        there = frame.position + hand @ np.array(page.display.por_offset)
         assert axes.T @ (there - centre) == pytest.approx([0.3, -0.4, 0.1], abs=1e-9)
-    assert [page.por_offset == (0.0, 0.0, 0.0) for page in shown] == [True, False, False, True]
+    assert [page.display.por_offset == (0.0, 0.0, 0.0) for page in shown] == [True, False, False, True]
 
 
 @pytest.mark.parametrize("name", [LOADED, "loaded"])
@@ -69,22 +72,24 @@ def test_the_offset_leads_from_the_tip_to_the_point_that_orb_ld_moves(name: str)
     arm = sim.scenario.arm
     for _ in range(20):
         frame = sim.step(Inputs(mode="ORB LD", rotation=(0.5, -0.3, 1.0)))
-    shown = Translator(sim.scenario, demo=False).frame(frame, 0)
+    shown = Displays(sim.scenario).frame(frame, 0)
     tip = Pose(np.array(frame.position), np.array(frame.orientation))
     hand = arm.model.mount.to("panel", Pose(tip.position, arm.end_effector(tip.rotation)))
-    point = hand.position + hand.rotation @ np.array(shown.por_offset)
-    assert point == pytest.approx(shown.actual.position, abs=1e-9)
+    point = hand.position + hand.rotation @ np.array(shown.display.por_offset)
+    assert point == pytest.approx(shown.display.actual.position, abs=1e-9)
 
 
 @pytest.mark.parametrize("name", built_in())
 def test_a_stored_point_keyed_in_is_the_pose_that_the_sequence_flies_to(name: str) -> None:
     loaded = scenario(name)
-    translator = Translator(loaded, demo=False)
-    told = {sequence.position: sequence.points for sequence in translator.welcome.sequences}
+    told = {sequence.position: sequence.points for sequence in welcome_of(loaded, demo=False).sequences}
     assert set(told) == set(loaded.sequences)
     for position, points in loaded.sequences.items():
         for shown, point in zip(told[position], points, strict=True):
-            pose = translator.target(from_page.SetTarget(0, shown.position, shown.attitude))
+            message = from_page.SetTarget(0, shown.position, shown.attitude)
+            target = inputs_of(HANDS_OFF, message, loaded.arm).target
+            assert target is not None
+            pose = target.pose
             assert pose.position == pytest.approx(point.target.pose.position, abs=1e-9)
             assert pose.rotation == pytest.approx(point.target.pose.rotation, abs=1e-9)
             assert shown.pause == point.pause
@@ -92,4 +97,4 @@ def test_a_stored_point_keyed_in_is_the_pose_that_the_sequence_flies_to(name: st
 
 def test_the_singularity_is_cautioned_of_where_the_arm_says_so() -> None:
     loaded = scenario("first-flight")
-    assert Translator(loaded, demo=False).welcome.singular == loaded.arm.model.singular
+    assert welcome_of(loaded, demo=False).singular == loaded.arm.model.singular

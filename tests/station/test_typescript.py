@@ -8,10 +8,10 @@ from typing import Literal
 import msgspec
 import pytest
 
-from aftdeck.station import from_page, kinds, to_page
-from aftdeck.station.typescript import _Writer, typescript
+from aftdeck.station.messages import from_page, kinds, to_page
+from aftdeck.station.messages.typescript import _Writer, typescript
 
-GENERATED = Path(__file__).parents[2] / "web" / "src" / "protocol.ts"
+GENERATED = Path(__file__).parents[2] / "web" / "src" / "link" / "protocol.ts"
 
 
 class Sample(msgspec.Struct, tag_field="kind", tag="sample"):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Literal
 
 import numpy as np
 import pytest
@@ -11,6 +10,7 @@ import pytest
 import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.simulation.frame import Frame, WayOut
+from aftdeck.simulation.ways_out import by_stick
 from tests.kinematics.test_inverse import STRAIGHT
 from tests.reference.tables import table
 from tests.steering.flying import PAYLOAD, fly, scenario
@@ -51,30 +51,14 @@ def near(kind: str, rng: np.random.Generator) -> Array:
 
 
 def taken(way: WayOut, mode: str) -> aftdeck.Inputs:
-    """The advice taken at its word: its text names the mode or the stick, the axis and the way."""
+    """Inputs that do what the frame advises, in the position that it names or else in the present one."""
+    position = way.position or mode
     if way.stick == "joint":
-        position, *joint, sign = way.text.split(" ")
-        assert (position, sign) == ("SINGLE", "+" if way.sign > 0 else "−")
-        assert "_".join(joint) == ARM.joints[way.axis]
-        return aftdeck.Inputs(mode="SINGLE", joint=way.axis, drive=float(way.sign))
-    stick, axis = way.text.split(" ")
-    names = ("X", "Y", "Z") if stick == "THC" else ("roll", "pitch", "yaw")
-    assert (stick == "THC") == (way.stick == "translation")
-    assert axis == ("+" if way.sign > 0 else "−") + names[way.axis]
+        return aftdeck.Inputs(mode=position, joint=way.axis, drive=float(way.sign))
     x, y, z = (float(way.sign) if k == way.axis else 0.0 for k in range(3))
-    return aftdeck.Inputs((x, y, z) if stick == "THC" else ZERO, ZERO if stick == "THC" else (x, y, z), mode=mode)
-
-
-def freed(text: str, mode: str) -> aftdeck.Inputs:
-    """A contact's way out taken at its word; it may name a mode to enter before the stick."""
-    way = text.removeprefix("way out: ").removeprefix("ORB UNL, ")
-    moved_to = "ORB UNL" if "ORB UNL, " in text else mode
-    if way.startswith("SINGLE"):
-        _, *joint, sign = way.split(" ")
-        return taken(WayOut("contact", way, "joint", ARM.joints.index("_".join(joint)), 1 if sign == "+" else -1), mode)
-    stick: Literal["translation", "rotation"] = "translation" if way.startswith("THC") else "rotation"
-    axis = ("X", "Y", "Z", "roll", "pitch", "yaw").index(way[5:]) % 3
-    return taken(WayOut("contact", way, stick, axis, 1 if way[4] == "+" else -1), moved_to)
+    if way.stick == "translation":
+        return aftdeck.Inputs((x, y, z), mode=position)
+    return aftdeck.Inputs(rotation=(x, y, z), mode=position)
 
 
 def clear(cause: str, frame: Frame) -> bool:
@@ -91,15 +75,16 @@ def follow(start: Array, mode: str, extra: str, seconds: float) -> None:
     first = aftdeck.Simulation(made).step(aftdeck.Inputs(mode=mode))
     causes = [*first.singular, *(ARM.joints[joint] for joint, zone in enumerate(first.zones) if zone)]
     assert causes, start
-    assert [way.cause for way in first.ways_out] == ([] if first.work.arm_inhibit else causes)
+    assert [way.cause for way in first.ways_out] == (["contact"] if first.work.arm_inhibit else causes)
     for cause in causes:
         sim = aftdeck.Simulation(made)
         frame, read = sim.step(aftdeck.Inputs(mode=mode)), []
         while not clear(cause, frame):
             if frame.work.arm_inhibit:
-                assert not frame.ways_out, "only the contact's own way out is flown"
+                (contact,) = frame.ways_out
+                assert contact.cause == "contact"
                 assert frame.time_s < seconds, (start.tolist(), mode, extra, cause, frame.work.inhibits)
-                frame = fly(sim, 2.0, freed(frame.work.inhibits[-1], mode))[-1]
+                frame = fly(sim, 2.0, taken(contact, mode))[-1]
                 continue
             advice = next(way for way in frame.ways_out if way.cause == cause)
             read.append(advice.text)
@@ -180,14 +165,27 @@ def test_where_an_axis_moves_a_joint_the_advice_is_for_the_joint_and_names_the_p
     sim = aftdeck.Simulation(scenario((0, 60, -80, 20, 85, 0)))
     for mode in ("SINGLE", "DIRECT", "MASTER"):
         (way,) = sim.step(aftdeck.Inputs(mode=mode)).ways_out
-        assert (way.cause, way.text) == ("wrist", f"{mode} wrist yaw −")
+        assert (way.cause, way.stick, way.axis, way.sign, way.position) == ("wrist", "joint", 4, -1, mode)
+        assert way.text == f"{mode} wrist yaw −"
 
 
 def test_where_no_stick_moves_the_point_the_advice_names_the_mode_to_enter() -> None:
     sim = aftdeck.Simulation(scenario((0, 60, -80, 20, 85, 0)))
     (by_hand,) = sim.step(aftdeck.Inputs(mode="ORB UNL")).ways_out
     (way,) = sim.step(aftdeck.Inputs(mode="OPR CMD")).ways_out
+    assert (by_hand.position, way.position) == ("", "ORB UNL")
+    assert (way.stick, way.axis, way.sign) == (by_hand.stick, by_hand.axis, by_hand.sign)
     assert way.text == f"ORB UNL, {by_hand.text}"
+
+
+def test_a_stick_directions_text_names_the_stick_the_axis_and_the_sign() -> None:
+    state = aftdeck.Simulation(scenario())._state
+    for k in range(12):
+        way = by_stick(state, "contact", k)
+        stick, direction = way.text.split(" ")
+        names = ("X", "Y", "Z") if way.stick == "translation" else ("roll", "pitch", "yaw")
+        assert stick == ("THC" if way.stick == "translation" else "RHC")
+        assert direction == ("+" if way.sign > 0 else "−") + names[way.axis]
 
 
 def test_far_from_everything_there_is_no_advice() -> None:

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { Appearance, type Looks, looksOf } from '../src/appearance';
+import { Appearance, type Looks, looksOf } from '../src/page/appearance';
 
 const kept = new Map<string, string>();
 const store = {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { Arrivals } from '../src/arrivals';
-import { type Knows, ownLamps } from '../src/panel/own-lamps';
-import type { Frame, Event as LogEvent } from '../src/protocol';
+import { Arrivals } from '../src/link/delayed-messages';
+import type { Frame, Event as LogEvent } from '../src/link/protocol';
+import { type Knows, ownLamps } from '../src/panel/spine/own-lamps';
 
 const DELAYS = { command_delay_s: 0.5, telemetry_delay_s: 1, camera_delay_s: 2 };
 /** Steps of 100 ms. */

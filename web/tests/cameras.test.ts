@@ -1,11 +1,10 @@
 import { Matrix4 } from 'three';
 import { expect, test } from 'vitest';
-import { bestPair, between, type Sighting, type Target } from '../src/advice';
+import { bestPair, between, type Sighting, type Target } from '../src/cameras/best-pair';
 import { CameraDrag } from '../src/input/camera-drag';
 import { CameraHand, together, turningOf } from '../src/input/camera-hand';
 import { DEFAULTS } from '../src/input/defaults';
-import { lensWords, zoomed } from '../src/panel/lens';
-import type { BodyInfo, Camera, Shape, Vec3 } from '../src/protocol';
+import type { BodyInfo, Camera, Shape, Vec3 } from '../src/link/protocol';
 import { Body } from '../src/scene/bodies';
 import { Cameras } from '../src/scene/cameras';
 import { LambertLight } from '../src/scene/lambert';
@@ -13,7 +12,8 @@ import { Materials } from '../src/scene/materials';
 import { Orbit } from '../src/scene/orbit';
 import { Sight } from '../src/scene/sight';
 import { settingOf, viewOf } from '../src/scene/view';
-import { tornHere } from '../src/windows';
+import { tornHere } from '../src/windows/opened';
+import { lensWords, zoomed } from '../src/words/lens';
 import views from './views.json';
 
 interface Witness {

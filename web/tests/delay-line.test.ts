@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { DelayLine, isStale } from '../src/delay-line';
-import type { Frame } from '../src/protocol';
+import { DelayLine, isStale } from '../src/link/delay-line';
+import type { Frame } from '../src/link/protocol';
 
 /** What a line with this delay [s] shows at each time [ms], of frames that come every 100 ms from 0 on, by tick. */
 function shows(delay: number, times: readonly number[], frames = 100): readonly (number | undefined)[] {

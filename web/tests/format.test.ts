@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { attitude, clock, degrees, fixed, missionTime, parseNumber, timeCode } from '../src/format';
+import { attitude, clock, degrees, fixed, missionTime, parseNumber, timeCode } from '../src/words/format';
 
 test('a number has a sign, fixed decimals and a true minus', () => {
   expect(fixed(1.26, 1)).toBe('+1.3');

@@ -1,11 +1,17 @@
 import { expect, test } from 'vitest';
+import { InHand, KEYS } from '../src/input/active-device';
 import { DEFAULTS } from '../src/input/defaults';
-import { InHand, KEYS } from '../src/input/in-hand';
-import { wayParts } from '../src/panel/way-to-fixture';
-import { withHandles } from '../src/panel/with-handles';
-import { unitsOf } from '../src/units';
+import { wayParts } from '../src/panel/clearance/way-to-fixture';
+import { unitsOf } from '../src/words/units';
+import { wayOutText } from '../src/words/way-out';
 
 const SI = unitsOf('SI');
+const WAY = { cause: 'elbow', text: '', position: '' };
+const WAYS = [
+  { ...WAY, stick: 'translation', axis: 0, sign: 1 },
+  { ...WAY, stick: 'translation', axis: 2, sign: -1 },
+  { ...WAY, stick: 'rotation', axis: 0, sign: -1 },
+] as const;
 
 test('what flies is named as the part of the device that was moved last, until a key is pressed', () => {
   const still = Array.from({ length: 17 }, () => ({ pressed: false, value: 0 }));
@@ -19,11 +25,11 @@ test('what flies is named as the part of the device that was moved last, until a
   const inHand = new InHand({ devices: [device], keyboard: { held } } as never);
   const words = () => {
     inHand.look();
-    return withHandles('way out: THC +X, THC −Z, RHC −roll', inHand);
+    return WAYS.map((way) => wayOutText(way, '', inHand)).join(', ');
   };
-  expect(words()).toBe('way out: THC +X (W), THC −Z (Q), RHC −roll (U)');
+  expect(words()).toBe('THC +X (W), THC −Z (Q), RHC −roll (U)');
   device.reading.axes = [0, -0.6, 0, 0];
-  expect(words()).toBe('way out: THC +X (L↑), THC −Z (LT), RHC −roll (LB)');
+  expect(words()).toBe('THC +X (L↑), THC −Z (LT), RHC −roll (LB)');
   device.reading.axes = [0, 0, 0, 0];
   expect(inHand.name('latch')).toBe('Menu + South');
   expect(wayParts([0.3, 0, 0], SI, inHand)[0]).toEqual({ stick: '+X', handle: 'L↑', value: '30' });

@@ -1,9 +1,9 @@
 import { expect, test } from 'vitest';
-import { KEPT_S, LastMinutes } from '../src/last-minutes';
-import type { Event as LogEvent, Recent, Strip } from '../src/protocol';
+import type { Event as LogEvent, Recent, Strip } from '../src/link/protocol';
 import { marks } from '../src/replay/axis';
-import { roundRange } from '../src/round-range';
-import { unitsOf } from '../src/units';
+import { KEPT_S, LastMinutes } from '../src/windows/last-minutes';
+import { roundRange } from '../src/words/round-range';
+import { unitsOf } from '../src/words/units';
 
 const UNITS = unitsOf('SI');
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { Latency } from '../src/latency';
-import { type Delay, type Delays, delayWords, linkLamp } from '../src/panel/link';
+import { Latency } from '../src/link/latency';
+import { type Delay, type Delays, delayWords, linkLamp } from '../src/panel/rail/delays';
 
 const NONE: Delay = { set: 0, measured: null };
 const delays = (command: Delay, others: Partial<Delays> = {}): Delays => ({

@@ -1,13 +1,13 @@
 import { MeshBasicMaterial } from 'three';
 import { expect, test } from 'vitest';
-import { toggled } from '../src/panel/light';
-import type { LightCondition, Vec3 } from '../src/protocol';
+import type { LightCondition, Vec3 } from '../src/link/protocol';
+import { toggled } from '../src/panel/rail/light';
 import { agx, LIGHT_OF } from '../src/scene/agx';
 import { Body, lampCount } from '../src/scene/bodies';
 import { daylightOf, FULL_SUN } from '../src/scene/daylight';
 import { Exposure, KEY, metered, RANGE, TIME_CONSTANT_S } from '../src/scene/exposure';
+import { lampsOf } from '../src/scene/floodlights';
 import { LambertLight } from '../src/scene/lambert';
-import { lampsOf } from '../src/scene/lamps';
 import { Materials } from '../src/scene/materials';
 
 function condition(name: string, strength: number, to_sun: Vec3 = [0, 0, 2]): LightCondition {

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { about, next, words } from '../src/panel/look-ahead';
-import type { Ahead } from '../src/protocol';
-import { unitsOf } from '../src/units';
+import type { Ahead } from '../src/link/protocol';
+import { about, next, words } from '../src/panel/desk/look-ahead';
+import { unitsOf } from '../src/words/units';
 
 const joints = ['Sho yaw', 'Sho pitch', 'Elbow', 'Wri pitch', 'Wri yaw', 'Wri roll'].map((label) => ({
   label,

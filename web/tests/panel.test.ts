@@ -1,19 +1,20 @@
 import { expect, test } from 'vitest';
-import { Latency } from '../src/latency';
-import { stickToPicture } from '../src/panel/axes';
-import { BAR, place } from '../src/panel/joint-scale';
-import { together } from '../src/panel/keys';
-import { segments } from '../src/panel/lamp-test';
-import { leadsAway } from '../src/panel/limits';
-import { limitTags, pointWords } from '../src/panel/resolution';
-import { whatNext } from '../src/panel/route';
-import { leaving } from '../src/panel/scenarios';
-import { firstShown, startPoint } from '../src/panel/stored-points';
-import { opposite } from '../src/panel/thc';
-import type { Frame, JointInfo } from '../src/protocol';
-import { isSoftware } from '../src/quality';
-import { parse } from '../src/socket';
-import { unitsOf } from '../src/units';
+import { KEYS } from '../src/input/active-device';
+import { Latency } from '../src/link/latency';
+import type { Frame, JointInfo } from '../src/link/protocol';
+import { parse } from '../src/link/socket';
+import { isSoftware } from '../src/page/quality';
+import { together } from '../src/panel/controllers/key-map';
+import { leadsAway } from '../src/panel/desk/limits';
+import { limitTags, pointWords } from '../src/panel/desk/resolution';
+import { opposite } from '../src/panel/desk/thc';
+import { BAR, place } from '../src/panel/joints/joint-scale';
+import { stickToPicture } from '../src/panel/monitors/axes';
+import { leaving } from '../src/panel/rail/scenarios';
+import { segments } from '../src/panel/spine/lamp-test';
+import { whatNext } from '../src/panel/target/route';
+import { firstShown, startPoint } from '../src/panel/target/stored-points';
+import { unitsOf } from '../src/words/units';
 
 const joint = { hard: [-180, 180], soft: [-177.4, 177.4], reach: [-175.4, 175.4] } as const;
 
@@ -99,9 +100,17 @@ test('a message of an unknown type is refused by name', () => {
 });
 
 test('a joint past a limit is told what leads away, its name once', () => {
-  const way = { cause: 'elbow_pitch', stick: 'translation', axis: 2, sign: 1 } as const;
-  expect(leadsAway({ ...way, text: 'THC +Z' })).toBe('Elbow pitch: THC +Z leads away');
-  expect(leadsAway({ ...way, text: 'SINGLE elbow pitch −' })).toBe('Elbow pitch: SINGLE − leads away');
+  const way = {
+    cause: 'elbow_pitch',
+    stick: 'translation',
+    axis: 2,
+    sign: 1,
+    position: '',
+    text: '',
+  } as const;
+  expect(leadsAway(way, KEYS)).toBe('Elbow pitch: THC +Z (E) leads away');
+  const single = { ...way, stick: 'joint', sign: -1, position: 'SINGLE' } as const;
+  expect(leadsAway(single, KEYS)).toBe('Elbow pitch: SINGLE − leads away');
 });
 
 test.each([
@@ -120,7 +129,8 @@ const moving = { velocity: [0.1, -0.3, 0], turn_rate: [0, 0, 0.01] };
 const named: readonly JointInfo[] = [{ label: 'Sho yaw' }, { label: 'Sho pitch' }] as never;
 
 function frameOf(parts: object): Frame {
-  return { limits: [], por_limits: [0.6, 0.08], actual: still, commanded: moving, ...parts } as never;
+  const display = { actual: still, commanded: moving };
+  return { limits: [], por_limits: [0.6, 0.08], display, ...parts } as never;
 }
 
 test('a limit is named beside the bar of the axis that feels it', () => {
@@ -149,11 +159,11 @@ test('the title says which point moves along which axes', () => {
 
 test('AUTO says what PROCEED would do', () => {
   const at = (parts: object) =>
-    whatNext(frameOf({ points: 4, point: 1, sequence: 'ready', aim: {}, ...parts }));
+    whatNext(frameOf({ points: 4, point: 1, sequence: 'ready', goal: {}, ...parts }));
   expect(at({})).toContain('starts');
   expect(at({ sequence: 'in progress' })).toContain('pause point');
   expect(at({ point: 4 })).toContain('goes on');
-  expect(at({ point: 4, sequence: 'idle', aim: null })).toContain('complete');
+  expect(at({ point: 4, sequence: 'idle', goal: null })).toContain('complete');
   expect(at({ point: 2, sequence: 'idle', check: { good: false, text: '' } })).toContain('clear');
 });
 

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import type { Block, Frame, Moment, Strip } from '../src/protocol';
+import type { Block, Frame, Moment, Strip } from '../src/link/protocol';
 import { marks } from '../src/replay/axis';
 import { actionOf } from '../src/replay/keys';
 import { marksOf, stretchAt } from '../src/replay/lanes';
@@ -8,7 +8,7 @@ import { figure, minutes, withUnit } from '../src/replay/quantity';
 import { began, drawnRate } from '../src/replay/rail';
 import { following, LEAST_S, lengthOf, partOf, zoomed } from '../src/replay/span';
 import { boundsOf, heights, path } from '../src/replay/strips';
-import { unitsOf } from '../src/units';
+import { unitsOf } from '../src/words/units';
 
 const EXTENT = { period_s: 0.02, ticks: 1000, stride: 1, block: 100 };
 

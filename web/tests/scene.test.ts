@@ -1,6 +1,6 @@
 import { Matrix4, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import type { BodyInfo, Camera, Group, Shape } from '../src/protocol';
+import type { BodyInfo, Camera, Group, Shape } from '../src/link/protocol';
 import { Body } from '../src/scene/bodies';
 import { Cameras } from '../src/scene/cameras';
 import { LambertLight } from '../src/scene/lambert';

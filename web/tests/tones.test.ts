@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { kept, Tones } from '../src/tones';
+import { kept, Tones } from '../src/page/tones';
 
 /** Keeps what was started and stopped, at which pitch. */
 class FakeAudio {

@@ -1,14 +1,14 @@
 import { expect, test } from 'vitest';
+import { isDown } from '../src/input/active-device';
 import { DEFAULTS } from '../src/input/defaults';
-import { isDown } from '../src/input/in-hand';
 import { USES } from '../src/input/keymap';
 import { movers } from '../src/input/rebind';
-import type { Condition, Frame, WorkFrame } from '../src/protocol';
+import type { Condition, Frame, Work } from '../src/link/protocol';
 import { farewell } from '../src/tutorial';
 import { BEGIN, back, isOver, looked, type Progress, seen, skip } from '../src/tutorial/progress';
 import { LIFTED, MOVED, STEPS } from '../src/tutorial/steps';
 import { pieces } from '../src/tutorial/words';
-import { unitsOf } from '../src/units';
+import { unitsOf } from '../src/words/units';
 
 const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
 
@@ -29,7 +29,17 @@ interface Flown {
 }
 
 function condition(name: string, holds: boolean, value = 0): Condition {
-  return { name, holds, value, limit: 0.1, unit: 'm', margin: 0, text: `${name} fails` };
+  return {
+    name,
+    holds,
+    value,
+    limit: 0.1,
+    unit: 'm',
+    margin: 0,
+    text: '',
+    words: `${name} fails`,
+    numbers: [],
+  };
 }
 
 /** A frame: over the payload in its seat, nothing right yet, nothing held. */
@@ -43,15 +53,15 @@ function frame(flown: Flown = {}): Frame {
           condition('pin depth', flown.depth ?? false),
         ],
     hand: { flags, switch: flown.closing ? 'close' : 'stop' },
-    cargo: [{ name: 'payload', held, seat, speed: 0 }],
+    cargo: [{ name: 'payload', held, seat }],
     clearance_level: flown.warns ? 'warning' : 'info',
-  } as unknown as WorkFrame;
+  } as unknown as Work;
   const { rate = 'coarse' } = flown;
   return {
     tick,
     rate,
     translation: [stick, 0, 0],
-    actual: { position: [x, 0, 0] },
+    display: { actual: { position: [x, 0, 0] } },
     work,
   } as unknown as Frame;
 }

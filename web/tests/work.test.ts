@@ -1,29 +1,36 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { drawnGap } from '../src/cameras/pictures';
+import { KEYS } from '../src/input/active-device';
 import { Hold } from '../src/input/hold';
-import { KEYS } from '../src/input/in-hand';
-import { inUnits } from '../src/measured';
-import { whereIs } from '../src/panel/cargo';
-import { ConditionBars } from '../src/panel/condition-bar';
-import { figures, shortened, whatNow } from '../src/panel/conditions';
-import { graspWords } from '../src/panel/effector';
-import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/gap-scale';
-import { angleAt, BAR, place } from '../src/panel/joint-scale';
-import { working } from '../src/panel/keys';
-import { clipped, labelPlace } from '../src/panel/label-place';
-import { replaced } from '../src/panel/master';
-import { isMoving } from '../src/panel/orbiter';
-import { Paced } from '../src/panel/paced';
-import { Places } from '../src/panel/places';
-import { isMoving as onItsWay } from '../src/panel/prong';
-import { seatNow } from '../src/panel/seat';
-import { counted } from '../src/panel/spine';
-import { linesOf } from '../src/panel/touching';
-import { SPAN_S, Trend } from '../src/panel/trend';
-import { wayParts } from '../src/panel/way-to-fixture';
-import { withHandles } from '../src/panel/with-handles';
-import { drawnGap } from '../src/pictures';
-import type { CargoFrame, Condition, Frame, Near, WorkFrame } from '../src/protocol';
-import { unitsOf } from '../src/units';
+import type {
+  Cargo,
+  ClosestPoints,
+  Condition,
+  Frame,
+  Near,
+  Objective,
+  WayOut,
+  Work,
+} from '../src/link/protocol';
+import { ConditionBars } from '../src/panel/clearance/condition-bar';
+import { figures, shortened, whatNow } from '../src/panel/clearance/conditions';
+import { linesOf } from '../src/panel/clearance/contacts';
+import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/clearance/gap-scale';
+import { Places } from '../src/panel/clearance/places';
+import { SPAN_S, Trend } from '../src/panel/clearance/trend';
+import { wayParts } from '../src/panel/clearance/way-to-fixture';
+import { working } from '../src/panel/controllers/key-map';
+import { isMoving } from '../src/panel/desk/orbiter';
+import { whereIs } from '../src/panel/effector/cargo';
+import { graspWords } from '../src/panel/effector/effector';
+import { isMoving as onItsWay } from '../src/panel/effector/prong';
+import { seatNow } from '../src/panel/effector/seat';
+import { angleAt, BAR, place } from '../src/panel/joints/joint-scale';
+import { replaced } from '../src/panel/joints/master';
+import { clipped, labelPlace } from '../src/panel/monitors/label-place';
+import { Paced } from '../src/panel/parts/paced';
+import { counted } from '../src/panel/spine/spine';
+import { unitsOf } from '../src/words/units';
 
 const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
 
@@ -32,12 +39,22 @@ function near(parts: Partial<Near>): Near {
 }
 
 function condition(parts: Partial<Condition>): Condition {
-  const given = { name: 'palm height', unit: 'm', value: 0, limit: 0.1, margin: 0.1, text: '', ...parts };
+  const given = {
+    name: 'palm height',
+    unit: 'm' as const,
+    value: 0,
+    limit: 0.1,
+    margin: 0.1,
+    text: '',
+    words: '',
+    numbers: [],
+    ...parts,
+  };
   return { ...given, holds: given.margin >= 0 };
 }
 
-function work(parts: Partial<WorkFrame>): WorkFrame {
-  return { contacts: [], inhibits: [], conditions: [], cargo: [], pursuit: '', ...parts } as WorkFrame;
+function work(parts: Partial<Work>): Work {
+  return { contacts: [], inhibits: [], conditions: [], cargo: [], objective: null, ...parts } as Work;
 }
 
 test('the gauge is logarithmic between its ends, and stays on itself', () => {
@@ -79,18 +96,22 @@ test('where nothing is watched the curve has a gap, and a restart begins it anew
 });
 
 test('what inhibits stands above what is made to touch, the deepest contact first', () => {
-  const lines = linesOf(
-    work({
-      contacts: [
-        near({ a: 'prong', essential: true, clearance: 0 }),
-        near({ a: 'wrist', b: 'payload top', clearance: -0.01 }),
-        near({ b: 'payload top', clearance: -0.02 }),
-      ],
-      inhibits: ['palm touches payload top: 0.02 m deep', 'way out: THC −Z'],
-    }),
-    SI,
-    KEYS,
-  );
+  const way: WayOut = {
+    cause: 'contact',
+    text: '',
+    stick: 'translation',
+    axis: 2,
+    sign: -1,
+    position: '',
+  };
+  const touching = work({
+    contacts: [
+      near({ a: 'prong', essential: true, clearance: 0 }),
+      near({ a: 'wrist', b: 'payload top', clearance: -0.01 }),
+      near({ b: 'payload top', clearance: -0.02 }),
+    ],
+  });
+  const lines = linesOf({ work: touching, ways_out: [way] }, [], SI, KEYS);
   expect(lines.map(({ level }) => level)).toEqual(['warning', 'warning', 'caution', 'info']);
   expect(lines[0]?.text).toBe('Palm touches payload top, 2.0 cm deep');
   expect(lines[2]?.text).toBe('Way out: THC −Z (Q)');
@@ -98,8 +119,10 @@ test('what inhibits stands above what is made to touch, the deepest contact firs
 });
 
 test('a wide gap is not drawn, nor one that is closed', () => {
-  expect(drawnGap(near({ clearance: 0.4 }))?.clearance).toBe(0.4);
-  expect([drawnGap(null), drawnGap(near({ clearance: 5 })), drawnGap(near({ clearance: -0.01 }))]).toEqual([
+  const gap = {} as ClosestPoints;
+  const drawn = (nearest: Near | null) => drawnGap({ work: { nearest }, display: { gap } } as Frame);
+  expect(drawn(near({ clearance: 0.4 }))).toBe(gap);
+  expect([drawn(null), drawn(near({ clearance: 5 })), drawn(near({ clearance: -0.01 }))]).toEqual([
     null,
     null,
     null,
@@ -171,15 +194,6 @@ test('the way to the pin names the stick and the key that shorten it', () => {
   ]);
 });
 
-test('a stick’s direction in words comes with its key', () => {
-  expect(withHandles('way out: ORB UNL, THC −Z', KEYS)).toBe('way out: ORB UNL, THC −Z (Q)');
-  expect(withHandles('RHC +roll', KEYS)).toBe('RHC +roll (O)');
-  expect(withHandles('THC −Z or the telescope longer frees it', KEYS)).toBe(
-    'THC −Z (Q) or the telescope longer frees it',
-  );
-  expect(withHandles('SINGLE elbow −', KEYS)).toBe('SINGLE elbow −');
-});
-
 test('figures are in the operator’s small units', () => {
   expect(figures(condition({ value: 0.0635 }), FEET)).toEqual({ value: '2.5', unit: 'in' });
   expect(figures(condition({ value: 1.2 }), SI)).toEqual({ value: '120', unit: 'cm' });
@@ -188,41 +202,22 @@ test('figures are in the operator’s small units', () => {
   expect(figures(condition({ value: null as never }), SI).value).toBe('–');
 });
 
-test('words about a condition are told in the operator’s units', () => {
-  const palm = 'palm 4.04 ft above the bar, 0 to 0.75 in allowed';
-  expect(inUnits(palm, SI)).toBe('palm 123 cm above the bar, 0 to 1.91 cm allowed');
-  expect(inUnits(palm, FEET)).toBe('palm 48.5 in above the bar, 0 to 0.75 in allowed');
-  expect(inUnits('bar 1.2 m clear of the palm, −20 to 35 mm allowed', FEET)).toBe(
-    'bar 47.2 in clear of the palm, −0.787 to 1.38 in allowed',
-  );
-  expect(inUnits('0.2 ft/s, at most 0.1 ft/s allowed', SI)).toBe('6.1 cm/s, at most 3.05 cm/s allowed');
-  const other = 'pitch −12.5°, at most 10° allowed; beacon 2 is in it';
-  expect(inUnits(other, SI)).toBe(other);
-});
-
-test('what words tell apart stays apart in other units', () => {
-  const [value, limit] =
-    inUnits('palm 0.7502 in above the bar, 0 to 0.75 in allowed', SI).match(/1\.\d+/g) ?? [];
-  expect(Number(value)).toBeGreaterThan(Number(limit));
-});
-
 test('once all is met the title says what to do, or nothing where it happens by itself', () => {
-  const snares = { carriage: 0 } as WorkFrame['hand'];
-  const prong = { carriage: null } as WorkFrame['hand'];
-  expect(whatNow(work({ pursuit: 'capture payload', hand: snares }), KEYS)).toBe(': squeeze, hold G');
-  expect(whatNow(work({ pursuit: 'acquire payload', hand: prong }), KEYS)).toBe('');
-  expect(whatNow(work({ pursuit: 'latch payload', hand: snares }), KEYS)).toBe(': latch, hold T');
-  expect(whatNow(work({ pursuit: 'insert in the Cargo bay', hand: prong }), KEYS)).toBe(': let go, hold R');
-  expect(whatNow(work({ pursuit: 'dock in the Docking port', hand: prong }), KEYS)).toBe('');
+  const now = (action: Objective['action']) => whatNow(work({ objective: { action, text: '' } }), KEYS);
+  expect(now('capture')).toBe(': squeeze, hold G');
+  expect(now('acquire')).toBe('');
+  expect(now('berth')).toBe(': latch, hold T');
+  expect(now('insert')).toBe(': let go, hold R');
+  expect(now('dock')).toBe('');
 });
 
-const CARGO: CargoFrame = { name: 'payload', held: false, seat: '', speed: 0 };
+const CARGO = { name: 'payload', held: false, seat: '' } as Cargo;
 
 test('a payload is in the grasp, in a seat, both, or free', () => {
-  expect(whereIs(CARGO)).toBe('free');
-  expect(whereIs({ ...CARGO, seat: 'bay' })).toBe('bay');
-  expect(whereIs({ ...CARGO, held: true })).toBe('held');
-  expect(whereIs({ ...CARGO, held: true, seat: 'bay' })).toBe('held, fixed');
+  expect(whereIs(false, '')).toBe('free');
+  expect(whereIs(false, 'Cargo bay')).toBe('Cargo bay');
+  expect(whereIs(true, '')).toBe('held');
+  expect(whereIs(true, 'Cargo bay')).toBe('held, fixed');
 });
 
 test('the end effector says what it holds, how heavy that is and how fast it may go; else how far the next is', () => {
@@ -230,8 +225,8 @@ test('the end effector says what it holds, how heavy that is and how fast it may
     { id: 0, mass: 0, translation: [0.6, 0.1] },
     { id: 2, mass: 1000, translation: [0.06, 0.03] },
   ] as const;
-  const words = (cargo: readonly CargoFrame[], fixture: number | null, rate: Frame['rate'] = 'coarse') =>
-    graspWords({ work: { cargo, fixture }, payload: 2, rate }, payloads, SI);
+  const words = (cargo: readonly Cargo[], fixture: number | null, rate: Frame['rate'] = 'coarse') =>
+    graspWords({ work: { cargo }, display: { fixture, payload_id: 2 }, rate }, payloads, SI);
   const beacon = { ...CARGO, name: 'beacon', held: true };
   expect(words([CARGO, beacon], null)).toBe('beacon, 1000 kg, to 0.060 m/s');
   expect(words([CARGO, beacon], null, 'vernier')).toBe('beacon, 1000 kg, to 0.030 m/s');

@@ -26,6 +26,8 @@ _FRAME = {
     "tip_rotation": "orientation",
     "point_m": "resolution",
 }
+_WAY_OUT = "way out: "
+"""Beginning of the line, among the reasons of an inhibit, that tells the way out of a contact."""
 _GOAL = {"position_m": "position", "distance_m": "distance", "angle_rad": "angle"}
 _WORK = {
     "stand_m": "stand",
@@ -47,12 +49,15 @@ _CARGO = {"position_m": "position", "rotation": "orientation", "velocity_m_s": "
 class FramesOf1:
     """Converter of a run's frames, in order: a frame's clearance level depends on the level before."""
 
-    def __init__(self, thresholds: Callable[[], tuple[float, float]]) -> None:
-        """Convert frames; `thresholds` returns the scenario's clearances for caution and warning [m].
+    def __init__(self, joints: tuple[str, ...], thresholds: Callable[[], tuple[float, float]]) -> None:
+        """Convert frames.
 
-        It is called only for early files, which do not record the clearance level.
+        Args:
+            joints: names of the arm's joints.
+            thresholds: returns the scenario's clearances for caution and warning [m]; called only for early files,
+                which do not record the clearance level.
         """
-        self._thresholds = thresholds
+        self._joints, self._thresholds = joints, thresholds
         self._level: Level = CLEAR
 
     def frame(self, old: Plain) -> Plain:
@@ -68,14 +73,37 @@ class FramesOf1:
             dict(zip(("pan", "tilt", "zoom"), views[i : i + 3], strict=True)) for i in range(0, len(views), 3)
         ]
         new["work"] = work = self._work(old["work"])
+        new["ways_out"] = [way | {"position": _position(way["text"], way["stick"])} for way in old["ways_out"]]
+        new["ways_out"] += [
+            self._out_of_contact(text.removeprefix(_WAY_OUT))
+            for text in old["work"]["inhibits"]
+            if text.startswith(_WAY_OUT)
+        ]
         new.setdefault("times", {})
         new.setdefault("wrist_pitch", None)
         if new.get("attached") is None:  # scenarios had at most one payload of their own then
             new["attached"] = int(place is not None and not any(one["held"] for one in work["cargo"]))
         return new
 
+    def _out_of_contact(self, text: str) -> Plain:
+        """Return the way out of a contact, which layout 1 has only as text."""
+        *_, command, direction = text.removeprefix("ORB UNL, ").split(" ")
+        sign = -1 if direction.startswith("−") or direction == "shorter" else 1
+        way = {"cause": "contact", "text": text, "sign": sign, "position": "", "axis": 0}
+        if command == "telescope":
+            return way | {"stick": "telescope"}
+        if command in ("THC", "RHC"):
+            stick = "translation" if command == "THC" else "rotation"
+            axis = ("X", "Y", "Z", "roll", "pitch", "yaw").index(direction[1:]) % 3
+        else:
+            stick, axis = "joint", self._joints.index("_".join(text.split(" ")[1:-1]))
+        return way | {"stick": stick, "axis": axis, "position": _position(text, stick)}
+
     def _work(self, old: Plain) -> Plain:
         new = _renamed(old, _WORK)
+        text = new.pop("pursuit")
+        new["objective"] = {"action": text.split(" ")[0], "text": text} if text else None
+        new["inhibits"] = [text for text in old["inhibits"] if not text.startswith(_WAY_OUT)]
         new["nearest"] = None if old["nearest"] is None else _near(old["nearest"])
         new["contacts"] = [_near(one) for one in old["contacts"]]
         new["hand"] = _renamed(old["hand"], _HAND)
@@ -90,9 +118,10 @@ class FramesOf1:
 
 
 def as_told(frame: FrameRecord) -> FrameRecord:
-    """Return a frame without the values that layout 1 does not record: its check's seconds, cause and joints."""
+    """Return a frame without the values that layout 1 does not record: parts of its check and of its conditions."""
     check = frame.check and Check(frame.check.good, frame.check.text)
-    return replace(frame, check=check)
+    conditions = tuple(replace(condition, words="", numbers=()) for condition in frame.work.conditions)
+    return replace(frame, check=check, work=replace(frame.work, conditions=conditions))
 
 
 def inputs(old: Plain) -> Plain:
@@ -102,6 +131,13 @@ def inputs(old: Plain) -> Plain:
     if place is not None:
         new["target"] = {"position": place, "rotation": rotation, "joints": joints}
     return new
+
+
+def _position(text: str, stick: str) -> str:
+    """Return the panel position that the text of a way out names; empty if it names none."""
+    if stick == "joint":
+        return text.split(" ", maxsplit=1)[0]
+    return "ORB UNL" if text.startswith("ORB UNL, ") else ""
 
 
 def _near(old: Plain) -> Plain:

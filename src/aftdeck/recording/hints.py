@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from types import UnionType
-from typing import Annotated, Any, Union, get_args, get_origin
+from typing import Annotated, Any, TypeGuard, Union, get_args, get_origin
 
 import msgspec
 
@@ -23,7 +23,7 @@ def without_none(hint: Any) -> Any:
     return hint
 
 
-def is_object(hint: Any) -> bool:
+def is_object(hint: Any) -> TypeGuard[type]:
     """Return whether values of a type are written as objects: structs and named tuples."""
     return isinstance(hint, type) and (issubclass(hint, msgspec.Struct) or hasattr(hint, "_fields"))
 

@@ -72,7 +72,7 @@ class Recording:
             raise self._damaged("it does not begin with what the run started from")
         self.opening = first
         if first.format == 1:
-            self._old = FramesOf1(lambda: self._thresholds)
+            self._old = FramesOf1(first.joints, lambda: self._thresholds)
 
     def messages(self) -> Iterator[Message]:
         """Yield all messages in order, as far as the file goes; `ended` or `cut` is known afterwards.

@@ -15,8 +15,8 @@ from aftdeck.simulation.floating import floating
 from aftdeck.simulation.grasp import put_effector, steer, take_hold
 from aftdeck.simulation.lined_up import count
 from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.objective import holding
 from aftdeck.simulation.panel import make_ready
-from aftdeck.simulation.pursuit import holding
 from aftdeck.simulation.relations import permitted
 from aftdeck.simulation.state import State, new_state
 from aftdeck.simulation.tasks import change_task

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -54,7 +55,7 @@ class Berth:
         return self.port is None and self.seat.latch == "auto"
 
     @property
-    def verb(self) -> str:
+    def verb(self) -> Literal["dock", "insert", "berth"]:
         """Verb for bringing a cargo into the seat."""
         return "dock" if self.at_once else "insert" if self.lies else "berth"
 

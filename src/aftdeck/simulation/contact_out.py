@@ -9,16 +9,18 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.simulation.ahead import frames_after
 from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.log import spoken
+from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.restrain import AHEAD, kept_apart
 from aftdeck.simulation.state import State
-from aftdeck.simulation.ways_out import STICKS, entered, steering_of
+from aftdeck.simulation.ways_out import by_joint, by_stick, steering_of
 from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, stick_rates
 from aftdeck.worksite.restrain import leads_out, ways_out
 
 LOOK_EVERY = 10
 """Control steps between two searches."""
+CONTACT = "contact"
+"""Cause of these ways out."""
 SLOWLY = 0.02
 """Fraction of the full rate at which a way is tried [1]: about as fast as the arm starts from rest."""
 
@@ -27,12 +29,12 @@ class _Way(NamedTuple):
     """Motion that the operator can command.
 
     Attributes:
-        name: the command as text.
+        command: the command, as a way out.
         rates: (6,) joint rates [rad/s].
         telescope: drive of the telescope, -1 to 1.
     """
 
-    name: str
+    command: WayOut
     rates: Array
     telescope: float
 
@@ -40,8 +42,8 @@ class _Way(NamedTuple):
 def way_out_of_contact(flight: Flight, state: State) -> None:
     """Find the motion that leads out of the contacts fastest, and store its command in `advice`.
 
-    Joints and telescope are tried only if no stick leads out. `advice` is empty if nothing leads out. The search runs
-    every `LOOK_EVERY` steps, and in every step while `advice` is empty.
+    Joints and telescope are tried only if no stick leads out. `advice` is None if nothing leads out. The search runs
+    every `LOOK_EVERY` steps, and in every step while `advice` is None.
     """
     things = state.site
     if things.advice and state.tick % LOOK_EVERY:
@@ -54,9 +56,9 @@ def way_out_of_contact(flight: Flight, state: State) -> None:
             ahead = [_afters(flight, state, ways, SLOWLY * steps) for steps in AHEAD]
             won = leads_out(things.watch, *apart, first, ahead)
         if won.max() > 0.0:
-            things.advice = f"way out: {ways[int(won.argmax())].name}"
+            things.advice = ways[int(won.argmax())].command
             return
-    things.advice = ""
+    things.advice = None
 
 
 def _afters(flight: Flight, state: State, ways: list[_Way], steps: float) -> Array:
@@ -68,19 +70,19 @@ def _sticks(state: State) -> list[_Way]:
     """Return the motion of each stick direction by itself, in ORB UNL if the present mode takes no sticks."""
     rates = np.zeros((DIRECTIONS, 6))
     stick_rates(*steering_of(state), rates)
-    return [_Way(f"{entered(state)}{name}", own, 0.0) for name, own in zip(STICKS, rates, strict=True)]
+    return [_Way(by_stick(state, CONTACT, k), own, 0.0) for k, own in enumerate(rates)]
 
 
 def _joints(flight: Flight, state: State) -> list[_Way]:
     """Return the motions of each joint by itself, and of the telescope if the arm has one."""
-    arm, position = flight.scenario.arm, state.panel.mode
-    mode = position if MODES[position].kind == "single" else "SINGLE"
+    mode = state.panel.mode if MODES[state.panel.mode].kind == "single" else "SINGLE"
     found = []
-    for joint, name in enumerate(arm.joints):
-        for sign, sense in ((1.0, "+"), (-1.0, "−")):
+    for joint, limit in enumerate(flight.scenario.arm.rate_limits):
+        for sign in (1, -1):
             rates = np.zeros(6)
-            rates[joint] = sign * arm.rate_limits[joint]
-            found.append(_Way(f"{mode} {spoken(name)} {sense}", rates, 0.0))
+            rates[joint] = sign * limit
+            found.append(_Way(by_joint(flight, mode, CONTACT, joint, sign), rates, 0.0))
     if flight.telescope.rate:
-        found += [_Way("telescope longer", np.zeros(6), 1.0), _Way("telescope shorter", np.zeros(6), -1.0)]
+        for sign, text in ((1, "telescope longer"), (-1, "telescope shorter")):
+            found.append(_Way(WayOut(CONTACT, text, "telescope", 0, sign), np.zeros(6), float(sign)))
     return found

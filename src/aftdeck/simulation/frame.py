@@ -78,13 +78,14 @@ class Check(msgspec.Struct, frozen=True):
 
 
 class WayOut(msgspec.Struct, frozen=True, gc=False):
-    """Stick or joint command that leads away from a singularity or a joint's limit."""
+    """Command that leads away from a singularity or a joint's limit, or out of the contacts that inhibit the arm."""
 
-    cause: Annotated[str, told("`elbow` (a singularity) or a joint's name")]
+    cause: Annotated[str, told("`elbow` (a singularity), a joint's name, or `contact`")]
     text: Annotated[str, told("for people: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -`")]
-    stick: Annotated[Literal["translation", "rotation", "joint"], told("which stick")]
+    stick: Annotated[Literal["translation", "rotation", "joint", "telescope"], told("which stick or switch")]
     axis: Annotated[int, told("axis 0 to 2 of the stick, or the joint")]
     sign: Annotated[int, told("+1 or -1")]
+    position: Annotated[str, told("panel position to enter first; empty: the stick acts in the present one")] = ""
 
 
 class Goal(msgspec.Struct, frozen=True, gc=False):
@@ -185,7 +186,10 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     singular: Annotated[tuple[str, ...], told("singularities nearer than the arm's threshold")]
     ways_out: Annotated[
         tuple[WayOut, ...],
-        told("for each singularity that is near and each joint past a limit: what leads away from it"),
+        told(
+            "for each singularity that is near and each joint past a limit: what leads away from it; while a contact "
+            "inhibits the arm, only what leads out of the contact"
+        ),
     ]
     goal: Annotated[Goal | None, told("target of an automatic mode")]
     times: Annotated[Times, told("TP, ETA and ETAP")]

@@ -11,7 +11,7 @@ from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.separation import named
 from aftdeck.simulation.flight import Flight
 from aftdeck.simulation.frame_numbers import moving
-from aftdeck.simulation.pursuit import pursuit
+from aftdeck.simulation.objective import present_objective
 from aftdeck.simulation.site import Site
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import MASTER
@@ -34,8 +34,7 @@ def look_work(flight: Flight, state: State) -> Work:
         standing = things.contacts.standing(site.layout, things.watch.found, flight.scenario.arm.model.units)
         contacts = tuple(near_of(flight, state, things.watch.found, contact.group) for contact in standing)
         reasons = tuple(contact.text for contact in standing if contact.inhibits)
-        reasons += (things.advice,) if things.advice and reasons else ()
-    pursued, conditions = pursuit(flight, state)
+    objective, conditions = present_objective(flight, state)
     return Work(
         task=things.task,
         nearest=None if group < 0 else near_of(flight, state, things.watch.found, group),
@@ -44,7 +43,7 @@ def look_work(flight: Flight, state: State) -> Work:
         arm_inhibit=inhibit.arm,
         finger_inhibit=inhibit.finger,
         inhibits=reasons,
-        pursuit=pursued,
+        objective=objective,
         conditions=conditions,
         hand=_hand(flight, state),
         stand=state.plant.stand.position if site.prong else None,

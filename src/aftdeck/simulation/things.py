@@ -12,6 +12,7 @@ from aftdeck.bodies.pose import POSE, compose
 from aftdeck.plant.slide import Slide, Travel
 from aftdeck.scenario.schema import Until
 from aftdeck.simulation.floating import Floating
+from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.site import Site
 from aftdeck.state_part import StatePart
 from aftdeck.worksite.contacts import Contacts
@@ -76,7 +77,7 @@ class Things(StatePart):
         effector_mode: END EFFECTOR MODE.
         rigid: MAN CONTR.
         task: the report's mode, 1 to 4.
-        advice: way out of the contacts that was found last; "" if there is none.
+        advice: way out of the contacts that was found last; None if there is none.
         refused_orbiter: True if a translation of the orbiter was rejected in the last step.
         waiting: True if the carriage or the latches are stopped before a contact.
         halt: what blocked the commanded motion in the last step: "seat" (a seat holds the held payload), "contact" (the
@@ -106,7 +107,7 @@ class Things(StatePart):
     effector_mode: Literal["auto", "manual"] = "auto"
     rigid: Literal["off", "rigid", "derigid"] = "off"
     task: int = 1
-    advice: str = ""
+    advice: WayOut | None = None
     refused_orbiter: bool = False
     waiting: bool = False
     halt: Halt = ""

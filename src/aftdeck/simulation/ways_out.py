@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 
 from aftdeck.kinematics.singular import NAMES
@@ -19,18 +21,26 @@ NEARLY = 0.6
 """Fraction of the fastest stick's rate above which the advice keeps the stick named before [1]."""
 JOINT_BY_JOINT = ("SINGLE", "DIRECT", "MASTER")
 """Modes in which the operator moves single joints, not the point of resolution."""
-STICKS = ("RHC +roll", "RHC −roll", "RHC +pitch", "RHC −pitch", "RHC +yaw", "RHC −yaw",
-           "THC +X", "THC −X", "THC +Y", "THC −Y", "THC +Z", "THC −Z")  # fmt: skip
+AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
+    ("rotation", "RHC {}roll"),
+    ("rotation", "RHC {}pitch"),
+    ("rotation", "RHC {}yaw"),
+    ("translation", "THC {}X"),
+    ("translation", "THC {}Y"),
+    ("translation", "THC {}Z"),
+)
+"""For each axis of the sticks, the stick, and the name of one of its directions with braces for the sign."""
 
 
 def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...]) -> tuple[WayOut, ...]:
     """Return a way out for each near singularity and each joint past a limit, and update the panel's advice.
 
-    The result is () while a contact inhibits the arm: the way out of the contact takes precedence (`contact_out.py`).
+    While a contact inhibits the arm, the result is the way out of that contact alone, if there is one (`contact_out`).
     """
-    if state.site.contacts.inhibit.arm or (not singular and not any(zones)):
+    contact = state.site.contacts.inhibit.arm
+    if contact or (not singular and not any(zones)):
         state.panel.advice.clear()
-        return ()
+        return (state.site.advice,) if contact and state.site.advice is not None else ()
     found = [_from_singularity(flight, state, NAMES.index(name), zones) for name in singular]
     found += [_from_limit(flight, state, joint) for joint, zone in enumerate(zones) if zone]
     return tuple(found)
@@ -55,9 +65,17 @@ def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return state.rules if manual else state.carried.rules["ORB UNL", panel.rate, 4], command, steering
 
 
-def entered(state: State) -> str:
-    """Return a text that names ORB UNL as the mode to enter first; "" if the present mode is manual."""
-    return "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL, "
+def by_stick(state: State, cause: str, direction: int) -> WayOut:
+    """Return stick direction 0 to 11 as a way out (axis by axis, + before −), in ORB UNL if no stick mode is on."""
+    (stick, name), sign = AXES[direction // 2], 1 if direction % 2 == 0 else -1
+    text, enter = name.format("+" if sign > 0 else "−"), "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL"
+    return WayOut(cause, f"{enter}, {text}" if enter else text, stick, direction // 2 % 3, sign, enter)
+
+
+def by_joint(flight: Flight, position: str, cause: str, joint: int, sign: int) -> WayOut:
+    """Return the motion of one joint, in a panel position, as a way out."""
+    text = f"{position} {spoken(flight.scenario.arm.joints[joint])} {'+' if sign > 0 else '−'}"
+    return WayOut(cause, text, "joint", joint, sign, position)
 
 
 def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:
@@ -74,10 +92,7 @@ def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:
     if tried[before] >= NEARLY * tried[best]:
         best = before
     advice[cause] = best
-    stick, sign = best // 2, 1 if best % 2 == 0 else -1
-    return WayOut(
-        cause, f"{entered(state)}{STICKS[best]}", "rotation" if stick in range(3) else "translation", stick % 3, sign
-    )
+    return by_stick(state, cause, best)
 
 
 def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int, ...]) -> WayOut:
@@ -86,7 +101,7 @@ def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int
         return out
     arm = flight.scenario.arm
     joint, sign = joint_out(arm.model.links, state.plant.angles, arm.limits.reach, which, arm.model.singular)
-    return _by_joint(flight, state, name, joint, _inward(flight, state, joint) if zones[joint] else sign)
+    return by_joint(flight, _position(state), name, joint, _inward(flight, state, joint) if zones[joint] else sign)
 
 
 def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
@@ -94,16 +109,15 @@ def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
     inward = _inward(flight, state, joint)
     if state.panel.mode not in JOINT_BY_JOINT and (out := _best(state, name, _tried(flight, state, -1, joint, inward))):
         return out
-    return _by_joint(flight, state, name, joint, inward)
+    return by_joint(flight, _position(state), name, joint, inward)
+
+
+def _position(state: State) -> str:
+    """Return the panel position in which a joint is moved: the present one if joints are moved in it, else SINGLE."""
+    return state.panel.mode if state.panel.mode in JOINT_BY_JOINT else "SINGLE"
 
 
 def _inward(flight: Flight, state: State, joint: int) -> int:
     """Return the direction, +1 or -1, in which a joint moves away from its nearer reach limit."""
     low, high = flight.reach[joint]
     return 1 if state.plant.angles[joint] < 0.5 * (low + high) else -1
-
-
-def _by_joint(flight: Flight, state: State, cause: str, joint: int, sign: int) -> WayOut:
-    position = state.panel.mode if state.panel.mode in JOINT_BY_JOINT else "SINGLE"
-    named = spoken(flight.scenario.arm.joints[joint])
-    return WayOut(cause, f"{position} {named} {'+' if sign > 0 else '−'}", "joint", joint, sign)

@@ -164,4 +164,4 @@ def _tell_contacts(flight: Flight, state: State, before: Inhibit) -> None:
     if now.arm:
         way_out_of_contact(flight, state)
     else:
-        things.advice = ""
+        things.advice = None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from aftdeck.errors import CommandError
 from aftdeck.scenario.load import about, built_in, load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.station import to_page
+from aftdeck.station.messages import to_page
 
 FIRST = ("tutorial", "first-flight")
 """Scenarios for newcomers, listed first; the others follow in alphabetical order."""

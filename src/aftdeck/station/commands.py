@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Collection
 
 import msgspec
 
 from aftdeck.errors import CommandError
-from aftdeck.frames import Pose
+from aftdeck.kinematics.arm import Arm
+from aftdeck.recording.records import ControllerRecord
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.station import from_page, to_page
+from aftdeck.station.messages import from_page
+from aftdeck.station.messages.welcome import Welcome
 
 FARTHEST = 1000.0
 """Largest magnitude of a component of a keyed-in position [m]; the arm itself reaches 16 m."""
@@ -48,7 +50,7 @@ def check_sticks(sticks: from_page.Sticks) -> None:
         raise CommandError("sticks lie between -1 and 1; this message was not flown")
 
 
-def check_camera(message: from_page.DriveCamera, welcome: to_page.Welcome) -> None:
+def check_camera(message: from_page.DriveCamera, welcome: Welcome) -> None:
     """Raise `CommandError` if the camera does not exist or has no drive, or if a switch is beyond its travel."""
     driven = [camera.name for camera in welcome.cameras if camera.drive is not None]
     if message.camera not in driven:
@@ -58,19 +60,19 @@ def check_camera(message: from_page.DriveCamera, welcome: to_page.Welcome) -> No
         raise CommandError("a camera's pan, tilt and zoom lie between -1 and 1; this message was not flown")
 
 
-def check_shown(message: from_page.Shown, welcome: to_page.Welcome) -> None:
+def check_shown(message: from_page.Shown, welcome: Welcome) -> None:
     """Raise `CommandError` if a camera does not exist."""
     _check_names("camera", [name for monitor in message.monitors for name in monitor], _cameras(welcome))
 
 
-def check_light(lighting: Lighting, welcome: to_page.Welcome) -> None:
+def check_light(lighting: Lighting, welcome: Welcome) -> None:
     """Raise `CommandError` if a light condition, a lamp or a camera does not exist."""
     _check_names("condition of light", [lighting.condition], [condition.name for condition in welcome.conditions])
     _check_names("lamp", lighting.lamps, welcome.lamps)
     _check_names("camera", [locked.camera for locked in lighting.locked], _cameras(welcome))
 
 
-def check_switch(message: from_page.FromPage, welcome: to_page.Welcome) -> None:
+def check_switch(message: from_page.FromPage, welcome: Welcome) -> None:
     """Raise `CommandError` if a switch position does not exist or a target exceeds `FARTHEST` or `MOST_TURNED`."""
     match message:
         case from_page.SelectJoint(joint=joint) if not 0 <= joint < len(welcome.joints):
@@ -89,15 +91,13 @@ def check_switch(message: from_page.FromPage, welcome: to_page.Welcome) -> None:
             pass
 
 
-def inputs_of(
-    sticks: from_page.Sticks, message: from_page.FromPage | None, target: Callable[[from_page.SetTarget], Pose]
-) -> Inputs:
+def inputs_of(sticks: from_page.Sticks, message: from_page.FromPage | None, arm: Arm) -> Inputs:
     """Return the inputs of one step: the sticks, and at most one message that sets a switch.
 
     Args:
         sticks: deflections from the page in control.
         message: command of the page for this step, already checked; None if there is none.
-        target: converts a keyed-in target from panel components to frame 7 in L.
+        arm: the arm, which converts a keyed-in target from panel components to frame 7 in L.
     """
     inputs = Inputs(
         translation=sticks.translation,
@@ -113,7 +113,7 @@ def inputs_of(
         case from_page.RateHold():
             return msgspec.structs.replace(inputs, rate_hold=True)
         case from_page.SetTarget():
-            return msgspec.structs.replace(inputs, target=target_at(target(message)))
+            return msgspec.structs.replace(inputs, target=target_at(arm.from_panel(message.position, message.attitude)))
         case from_page.Proceed():
             return msgspec.structs.replace(inputs, proceed=True)
         case from_page.Stop():
@@ -122,7 +122,15 @@ def inputs_of(
             return inputs
 
 
-def _cameras(welcome: to_page.Welcome) -> list[str]:
+def controller_records(message: from_page.Controllers) -> tuple[ControllerRecord, ...]:
+    """Return the hand controllers in use, in the form in which they are recorded."""
+    return tuple(
+        ControllerRecord(used.kind, used.name, used.deadband, used.expo, used.bindings, used.centres)
+        for used in message.controllers
+    )
+
+
+def _cameras(welcome: Welcome) -> list[str]:
     return [camera.name for camera in welcome.cameras]
 
 

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.tasks import TASKS
-from aftdeck.station.curves import Lane, Stretch
-from aftdeck.station.kinds import Level
-from aftdeck.station.to_page import Lamp
+from aftdeck.station.messages.curves import Lane, Stretch
+from aftdeck.station.messages.frame import Lamp
+from aftdeck.station.messages.kinds import Level
 
 MONITORS = ("MON 1", "MON 2")
 

@@ -7,10 +7,10 @@ import math
 from aftdeck.recording.records import ControllerRecord
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.captured import Captured, captured
-from aftdeck.station.curves import Quantity
-from aftdeck.station.playback import Measure
+from aftdeck.station.messages.curves import Quantity
+from aftdeck.station.messages.frame import Lamp
+from aftdeck.station.messages.playback import Measure
 from aftdeck.station.strips import worst_rate
-from aftdeck.station.to_page import Lamp
 from aftdeck.worksite.alarm import Level
 
 _MINUTE = 60.0

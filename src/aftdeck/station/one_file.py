@@ -21,7 +21,7 @@ import msgspec
 
 from aftdeck.errors import RecordingError
 from aftdeck.station.built import STATIC, built_page
-from aftdeck.station.playback import BLOCK
+from aftdeck.station.messages.playback import BLOCK
 from aftdeck.station.reel import Reel
 from aftdeck.station.verdict import verdict
 

@@ -10,7 +10,7 @@ import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from aftdeck.errors import CommandError, InputError
-from aftdeck.station import from_page, kinds, to_page
+from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.pages import Pages
 from aftdeck.station.recent import Mark
 from aftdeck.station.session import Phase
@@ -201,7 +201,7 @@ class Page:
                 await self._send(now)
             if news := session.log_since(lines):
                 lines += len(news)
-                await self._send(to_page.Events(tuple(to_page.Event(e.time_s, e.kind, e.level, e.text) for e in news)))
+                await self._send(to_page.Events(news))
             recent = session.recent.news(told) if self.strips else None
             if recent:
                 message, told = recent

@@ -11,8 +11,8 @@ from threading import Thread
 from typing import Protocol
 
 from aftdeck.errors import AftdeckError
-from aftdeck.station import to_page
 from aftdeck.station.choice import Choice
+from aftdeck.station.messages import to_page
 from aftdeck.station.seats import ANSWER_WITHIN, Seats
 from aftdeck.station.session import Session
 

@@ -10,8 +10,9 @@ from typing import NamedTuple
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.station import to_page
 from aftdeck.station.lanes import Lanes
+from aftdeck.station.messages import to_page
+from aftdeck.station.messages.frame import Lamp
 from aftdeck.station.strips import blank, readings, worst_joint
 
 KEPT_S = 300.0
@@ -53,7 +54,7 @@ class RecentFlight:
     def add(
         self,
         frame: Frame,
-        lamps: Iterable[to_page.Lamp],
+        lamps: Iterable[Lamp],
         latency_ms: float | None,
         monitors: Sequence[tuple[str, ...]],
     ) -> None:

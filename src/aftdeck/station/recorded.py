@@ -15,7 +15,7 @@ from starlette.routing import BaseRoute, Mount, Route, Router
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from aftdeck.errors import RecordingError
-from aftdeck.station.playback import Recorded
+from aftdeck.station.messages.playback import Recorded
 from aftdeck.station.player import FLYING, WHERE, Player
 from aftdeck.station.reel import Reel
 

@@ -24,14 +24,15 @@ from aftdeck.recording.convert import lighting_of
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import ControllersRecord, FrameRecord, LightRecord, Note, Shown
 from aftdeck.scenario.light import Lighting
-from aftdeck.simulation.frame import Event as SimEvent
+from aftdeck.simulation.frame import Event
+from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.station.conversion.lamps import lamps
+from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.lanes import Lanes
 from aftdeck.station.measures import Measures
-from aftdeck.station.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
+from aftdeck.station.messages.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
 from aftdeck.station.strips import Strips, readings, worst_joint
-from aftdeck.station.to_page import Event
 from aftdeck.station.verdict import CHECKING
-from aftdeck.station.wire import Translator
 
 _QUICK = 1
 """Compression level of the temporary file."""
@@ -52,7 +53,7 @@ class Reel:
         recording = Recording(path)
         scenario = scenario_of(recording.opening)
         self._scenario = scenario
-        self._translator = Translator(scenario, demo=True)
+        self._displays = Displays(scenario)
         self._readings = readings(scenario)
         self._lights: list[tuple[int, Lighting]] = [(0, scenario.lighting)]
         self._ends, self._lock = [0], Lock()
@@ -119,7 +120,7 @@ class Reel:
         ticks = 0
         for message in recording.messages():
             if isinstance(message, Note):
-                events.append(_event(message))
+                events.append(Event(message.time_s, message.kind, message.level, message.text))
             elif isinstance(message, ControllersRecord):
                 measures.use(message.controllers)
             elif isinstance(message, Shown):
@@ -130,11 +131,11 @@ class Reel:
             elif isinstance(message, LightRecord):
                 self._lights.append((ticks + 1, lighting_of(message)))
             elif isinstance(message, FrameRecord):
-                lamps = self._translator.lamps(message)
-                lanes.add(message, lamps)
+                lit = lamps(self._scenario, message)
+                lanes.add(message, lit)
                 strips.add(self._readings(message, message.latency_ms))
-                measures.add(message, lamps)
-                events += [_event(event) for event in message.events]
+                measures.add(message, lit)
+                events += message.events
                 ticks = message.tick
                 waiting.append(message)
                 if len(waiting) == BLOCK:
@@ -145,7 +146,7 @@ class Reel:
         if waiting:
             self._pack(waiting)
         return PlaybackIndex(
-            welcome=self._translator.welcome,
+            welcome=welcome_of(self._scenario, demo=True),
             file=recording.path.name,
             began=opening.began,
             version=opening.version,
@@ -184,7 +185,7 @@ class Reel:
 
     def _moment(self, record: FrameRecord) -> Moment:
         return Moment(
-            self._translator.frame(record, -1, lighting=self._lighting(record.tick)),
+            self._displays.frame(record, -1, lighting=self._lighting(record.tick)),
             self._readings(record, record.latency_ms),
             worst_joint(record, self._scenario),
         )
@@ -192,7 +193,3 @@ class Reel:
     def _lighting(self, tick: int) -> Lighting:
         """Return the lighting in a step."""
         return self._lights[bisect(self._lights, tick, key=lambda light: light[0]) - 1][1]
-
-
-def _event(record: SimEvent) -> Event:
-    return Event(record.time_s, record.kind, record.level, record.text)

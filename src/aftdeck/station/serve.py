@@ -19,7 +19,7 @@ from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.station.app import make_app
 from aftdeck.station.built import StationError, built_page
-from aftdeck.station.kinds import MAX_MESSAGE_BYTES
+from aftdeck.station.messages.kinds import MAX_MESSAGE_BYTES
 from aftdeck.station.preparation import Preparation
 from aftdeck.station.session import Session
 

@@ -30,19 +30,22 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.look_ahead import Axis
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
-from aftdeck.station import from_page, kinds, to_page
 from aftdeck.station.commands import (
     check_camera,
     check_light,
     check_shown,
     check_sticks,
     check_switch,
+    controller_records,
     inputs_of,
     travel,
 )
+from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.messages import from_page, kinds
+from aftdeck.station.messages.frame import Ahead
 from aftdeck.station.recent import RecentFlight
 from aftdeck.station.unattended import left_alone
-from aftdeck.station.wire import Translator, controller_records
 
 LOST = 2.0
 """Silence after which deflected sticks must be centred before they act again [s]."""
@@ -99,20 +102,20 @@ class Session:
         self.phase = Phase.READY
         self.failure = ""
         self.scenario, self._seed = scenario, seed
-        self._translator = Translator(scenario, demo=demo)
-        self.welcome = self._translator.welcome
+        self._displays = Displays(scenario)
+        self.welcome = welcome_of(scenario, demo=demo)
         self._start_demo = demo
         self._demo = demo
         warm_up(scenario)
         self._sim = Simulation(scenario, seed)
         self.recent = RecentFlight(scenario)
-        self._translator.frame(Simulation(scenario, seed).step(Inputs()), -1)  # compiles its laws too
+        self._displays.frame(Simulation(scenario, seed).step(Inputs()), -1)  # compiles its laws too
         self._lock = threading.Lock()
         self._record, self._trial, self._live = record, trial, live
         self._tape = Tape(record, Index(), live, trial)
         self._latency_ms: float | None = None
         self._look_s = LOOK_S
-        self._ahead: to_page.Ahead | None = None
+        self._ahead: Ahead | None = None
         self._axis: Axis | None = None
         self._controllers = NO_CONTROLLERS
         self._recorded = NO_CONTROLLERS
@@ -332,7 +335,7 @@ class Session:
         if self._demo and (moved or message is not None or self._sim.ended):
             self._demo = False
             self._note("hand", "you have the sticks")
-        inputs = None if self._demo else inputs_of(sticks, message, self._translator.target)
+        inputs = None if self._demo else inputs_of(sticks, message, self.scenario.arm)
         flown = -1 if inputs is None else _arriving(way, sticks.seq)
         if handed:
             self._note("hand-over", handed)
@@ -350,11 +353,11 @@ class Session:
             self._note("recording", text, "warning")
         if frame.tick % LOOK_EVERY == 1:
             self._axis = _deflected(frame) or self._axis
-            self._ahead = self._translator.ahead(self._sim.ahead(self._look_s, self._axis), frame)
-        shown = self._translator.frame(
+            self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
+        shown = self._displays.frame(
             frame, sticks.seq, self._tape.running_s, self._ahead, self._lighting_kept, flown_seq=flown
         )
-        self.recent.add(frame, shown.lamps, self._latency_ms, self._monitors)
+        self.recent.add(frame, shown.display.lamps, self._latency_ms, self._monitors)
         self._newest = _encoder.encode(shown)
         self._note_all(frame)
 

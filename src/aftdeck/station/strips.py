@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame, Six
 from aftdeck.simulation.log import spoken
-from aftdeck.station.curves import Curve, Quantity, Strip
+from aftdeck.station.messages.curves import Curve, Quantity, Strip
 
 BUCKETS = 1000
 """Number of equal parts of a run. A curve keeps two values of each part, the least and the greatest.

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from aftdeck.errors import AftdeckError
 from aftdeck.recording.replay import verify
-from aftdeck.station.playback import Verdict
+from aftdeck.station.messages.playback import Verdict
 
 CHECKING = Verdict("checking", "checking")
 

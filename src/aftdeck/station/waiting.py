@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 from starlette.websockets import WebSocket
 
-from aftdeck.station import to_page
+from aftdeck.station.messages import to_page
 from aftdeck.station.page import MOST_PAGES, goodbye, send
 from aftdeck.station.pages import Pages
 from aftdeck.station.preparation import Preparation

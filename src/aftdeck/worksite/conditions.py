@@ -9,7 +9,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Iterable
-from typing import Annotated, Literal
+from typing import Annotated, Literal, NamedTuple
 
 import msgspec
 
@@ -47,6 +47,8 @@ class Condition(msgspec.Struct, frozen=True, gc=False):
     unit: Annotated[Unit, told("m, rad, m/s, or empty")]
     margin: Annotated[float, told("by how much it holds, or fails where negative, in `unit`", decimals=5)]
     text: Annotated[str, told("for people: `palm 2.5 in above the bar, 0 to 0.75 in allowed`")]
+    words: Annotated[str, told("the text with `{}` in place of each number; empty in a recording without it")] = ""
+    numbers: Annotated[tuple[float, ...], told("those numbers, in `unit`", decimals=5)] = ()
 
 
 def within(
@@ -76,10 +78,10 @@ def within(
     size = shown(abs(value), unit, units)
     if not holds and abs(margin) < _LIKE * abs(limit) + _TINY:
         size = _told_apart(abs(value), abs(limit), unit, units)
-    text = says[value < 0.0].format(size)
-    if allowed := _allowed(least, greatest, unit, units, holds):
-        text = f"{text}, {allowed} allowed"
-    return Condition(name, holds, value, limit, unit, margin, text)
+    measured, allowed = says[value < 0.0], _allowed(least, greatest, unit, units, holds)
+    text, words = measured.format(size) + allowed.text, measured + allowed.words
+    numbers = (abs(value), *allowed.numbers) if "{}" in measured else allowed.numbers
+    return Condition(name, holds, value, limit, unit, margin, text, words, numbers)
 
 
 def all_hold(conditions: Iterable[Condition]) -> bool:
@@ -166,14 +168,33 @@ def _digits(value: float, figures: int) -> str:
     return text
 
 
+class _Allowed(NamedTuple):
+    """Second half of a condition's text: the allowed range.
+
+    Attributes:
+        text: the text.
+        words: the text with `{}` in place of each number.
+        numbers: those numbers.
+    """
+
+    text: str
+    words: str
+    numbers: tuple[float, ...]
+
+
 @functools.lru_cache(maxsize=256)
-def _allowed(least: float, greatest: float, unit: Unit, units: Units, holds: bool) -> str:
-    """Return the text of the allowed range; empty if only a negative value is not allowed and the condition holds."""
+def _allowed(least: float, greatest: float, unit: Unit, units: Units, holds: bool) -> _Allowed:
+    """Return the allowed range; without text if only a negative value is not allowed and the condition holds."""
     if least == 0.0 and greatest == math.inf:
-        return "" if holds else "none"
+        text = "" if holds else ", none allowed"
+        return _Allowed(text, text, ())
     if least in (-math.inf, -greatest):
-        return f"at most {shown(greatest, unit, units)}"
-    if greatest == math.inf:
-        return f"at least {shown(least, unit, units)}"
-    per, suffix = _scale(max(abs(least), abs(greatest)), unit, units)
-    return f"{_digits(least * per, _FIGURES)} to {_digits(greatest * per, _FIGURES)}{suffix}"
+        words, bound = ", at most {} allowed", greatest
+    elif greatest == math.inf:
+        words, bound = ", at least {} allowed", least
+    else:
+        words = ", {} to {} allowed"
+        per, suffix = _scale(max(abs(least), abs(greatest)), unit, units)
+        text = words.format(_digits(least * per, _FIGURES), _digits(greatest * per, _FIGURES) + suffix)
+        return _Allowed(text, words, (least, greatest))
+    return _Allowed(words.format(shown(bound, unit, units)), words, (bound,))

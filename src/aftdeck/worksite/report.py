@@ -63,6 +63,13 @@ class Hand(msgspec.Struct, frozen=True, gc=False):
     rigid: Annotated[Literal["off", "rigid", "derigid"], told("END EFFECTOR MAN CONTR of the snares")] = "off"
 
 
+class Objective(msgspec.Struct, frozen=True, gc=False):
+    """What the end effector can do where it is."""
+
+    action: Annotated[Literal["acquire", "capture", "dock", "insert", "berth"], told("which action")]
+    text: Annotated[str, told("for people: `acquire payload`, `berth in the Cargo bay`")]
+
+
 class Work(msgspec.Struct, frozen=True, gc=False):
     """The worksite after a step."""
 
@@ -79,7 +86,9 @@ class Work(msgspec.Struct, frozen=True, gc=False):
     arm_inhibit: Annotated[bool, told("the arm is inhibited")]
     finger_inhibit: Annotated[bool, told("the finger is inhibited")]
     inhibits: Annotated[tuple[str, ...], told("why the arm or the finger is inhibited, and what frees it")]
-    pursuit: Annotated[str, told("what the conditions are for: `acquire payload`; empty: nothing is near enough")]
+    objective: Annotated[
+        Objective | None, told("what can be done here, once the conditions hold; null: nothing is near enough")
+    ]
     conditions: Annotated[tuple[Condition, ...], told("of capture, docking or latching")]
     hand: Annotated[Hand, told("the end effector")]
     stand: Annotated[float | None, told("length of the telescope; null: this arm stands on none", "m")]

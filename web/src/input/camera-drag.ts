@@ -1,6 +1,6 @@
 /** Turning a camera by its picture: a drag is a switch pushed as far as it went from where it began. */
 
-import { clamp } from '../clamp';
+import { clamp } from '../basics/clamp';
 import { STILL, type Turning } from './camera-hand';
 
 /** A drag this long turns at full rate, in picture heights; one shorter than the slack not at all [px]. */

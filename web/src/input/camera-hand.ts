@@ -1,8 +1,8 @@
 /** The switches that turn the camera in hand: held keys, or whatever else says how far they are pushed. */
 
-import { clamp } from '../clamp';
-import type { Camera } from '../protocol';
-import type { Command } from '../socket';
+import { clamp } from '../basics/clamp';
+import type { Camera } from '../link/protocol';
+import type { Command } from '../link/socket';
 import type { Mapping } from './mapping';
 
 /** Pan to the right, tilt upwards, zoom in, each in [-1, 1]. */

@@ -1,9 +1,9 @@
 /** All that moves the hand controllers: keyboard, pads, SpaceMouse and touch sticks, each with its mapping. */
 
-import type { ControllerInUse } from '../protocol';
+import type { ControllerInUse } from '../link/protocol';
+import { InHand, KEYS, type Names } from './active-device';
 import { type Deflection, equal, type Hand, sum, ZERO } from './deflection';
 import { Device } from './device';
-import { InHand, KEYS, type Names } from './in-hand';
 import { Keyboard, type KeyboardListener } from './keyboard';
 import type { Action } from './keymap';
 import type { Kind } from './mapping';

@@ -1,6 +1,6 @@
 /** Axes of the hand controllers and of the camera in hand, each in [-1, 1]. */
 
-import { clamp } from '../clamp';
+import { clamp } from '../basics/clamp';
 
 /** THC X, Y, Z; RHC roll, pitch, yaw; the telescope (positive: longer); the camera in hand. */
 export const AXES = ['X', 'Y', 'Z', 'roll', 'pitch', 'yaw', 'telescope', 'pan', 'tilt', 'zoom'] as const;

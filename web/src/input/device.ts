@@ -1,6 +1,6 @@
 /** One device with axes and buttons: from its raw reading to axes and actions, and whether it may fly. */
 
-import { clamp } from '../clamp';
+import { clamp } from '../basics/clamp';
 import { AXES, type Deflection, HANDS, type Hand, isZero, ZERO } from './deflection';
 import { type Action, type Grip, USES } from './keymap';
 import { centred, indexOf, type Kind, type Mapping, shape } from './mapping';

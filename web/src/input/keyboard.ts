@@ -1,6 +1,6 @@
 /** The keyboard as two hand controllers and a row of switches, by the keyboard's mapping. */
 
-import { clamp } from '../clamp';
+import { clamp } from '../basics/clamp';
 import { type Deflection, ZERO } from './deflection';
 import { type Action, USES, type Use } from './keymap';
 import { learnLetter } from './layout';

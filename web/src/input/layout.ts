@@ -3,7 +3,7 @@
  * tells them, or as they are pressed; and the parts of a pad.
  */
 
-import { keeper } from '../kept';
+import { keeper } from '../page/local-storage';
 import { type Kind, sourcesOf } from './mapping';
 import { mappingOf } from './store';
 

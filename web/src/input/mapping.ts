@@ -4,7 +4,7 @@
  * (`b9+b12`).
  */
 
-import { clamp } from '../clamp';
+import { clamp } from '../basics/clamp';
 import { USES } from './keymap';
 
 export const KINDS = [

@@ -4,7 +4,7 @@
  * devices and spacenavd; what is not understood is said, and moves nothing.
  */
 
-import { clamp } from '../clamp';
+import { clamp } from '../basics/clamp';
 import type { Reading } from './device';
 
 /** Logitech, who made the early ones, and 3Dconnexion. */

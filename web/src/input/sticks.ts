@@ -1,8 +1,8 @@
 /** The hand controllers as the station is told of them. */
 
-import type { Latency } from '../latency';
-import type { Vec3 } from '../protocol';
-import type { Command } from '../socket';
+import type { Latency } from '../link/latency';
+import type { Vec3 } from '../link/protocol';
+import type { Command } from '../link/socket';
 import { STILL, type Turning } from './camera-hand';
 import type { Controllers } from './controllers';
 import {

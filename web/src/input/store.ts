@@ -1,6 +1,6 @@
 /** The mappings in use, kept in the browser, a kind of device at a time; and how often they have changed. */
 
-import { keeper } from '../kept';
+import { keeper } from '../page/local-storage';
 import { DEFAULTS } from './defaults';
 import { KINDS, type Kind, type Mapping, parseMapping } from './mapping';
 

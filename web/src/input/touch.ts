@@ -1,6 +1,6 @@
 /** Two sticks and two sliders on the screen: where fingers, or a mouse, have put them. */
 
-import { clamp } from '../clamp';
+import { clamp } from '../basics/clamp';
 import type { Reading } from './device';
 
 /** Left stick right, down; left slider down; right stick right, down; right slider right. */

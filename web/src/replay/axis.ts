@@ -1,6 +1,6 @@
 /** The time axis over lanes and strips. */
 
-import { el } from '../panel/dom';
+import { el } from '../panel/parts/dom';
 import { minutes } from './quantity';
 import { lengthOf, partOf, type Span } from './span';
 

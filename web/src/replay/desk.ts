@@ -1,13 +1,13 @@
 /** The desk as it was flown: the same groups, drawn from the recorded frame, and nothing to operate. */
 
 import { NO_CONTROLLERS } from '../input/controllers';
-import { deskGroups, type Groups } from '../panel/desk';
-import { el } from '../panel/dom';
-import { EventsGroup } from '../panel/events';
-import { lightSegments } from '../panel/lamp-test';
-import type { Desk, View } from '../panel/part';
-import type { Frame, PlaybackIndex } from '../protocol';
-import type { Units } from '../units';
+import type { Frame, PlaybackIndex } from '../link/protocol';
+import { deskGroups, type Groups } from '../panel/desk/desk';
+import { EventsGroup } from '../panel/desk/events';
+import { el } from '../panel/parts/dom';
+import type { Desk, View } from '../panel/parts/part';
+import { lightSegments } from '../panel/spine/lamp-test';
+import type { Units } from '../words/units';
 
 export class FlownDesk {
   readonly element: HTMLElement;

@@ -1,13 +1,13 @@
 /** Playing a recording: the monitors, the run's figures, and time below them; drawn as the playhead moves. */
 
-import { publish } from '../hook';
-import { notice } from '../notice';
-import { el, setClass } from '../panel/dom';
-import { Pictures } from '../pictures';
-import type { Frame, PlaybackIndex } from '../protocol';
-import type { Drawing } from '../quality';
-import { type UnitName, unitsOf } from '../units';
-import { BLOCKED, type Torn, tearOff, tornHere } from '../windows';
+import { Pictures } from '../cameras/pictures';
+import type { Frame, PlaybackIndex } from '../link/protocol';
+import { publish } from '../page/hook';
+import { notice } from '../page/notice';
+import type { Drawing } from '../page/quality';
+import { el, setClass } from '../panel/parts/dom';
+import { BLOCKED, type Torn, tearOff, tornHere } from '../windows/opened';
+import { type UnitName, unitsOf } from '../words/units';
 import { FlownDesk } from './desk';
 import { listen } from './keys';
 import { Player } from './player';

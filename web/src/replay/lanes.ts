@@ -1,7 +1,7 @@
 /** Lanes: what was so from when to when, and the events as marks. */
 
-import { el, setAttribute, setClass, setText, svg } from '../panel/dom';
-import type { Lane, Event as LogEvent, Stretch } from '../protocol';
+import type { Lane, Event as LogEvent, Stretch } from '../link/protocol';
+import { el, setAttribute, setClass, setText, svg } from '../panel/parts/dom';
 import { lengthOf, partOf, type Span } from './span';
 
 /** A stretch shorter than this part of the axis has no room for its name. */

@@ -1,6 +1,6 @@
 /** A recording's position, speed and the blocks of frames round it; it knows nothing of the page. */
 
-import type { Block, Moment, PlaybackIndex } from '../protocol';
+import type { Block, Moment, PlaybackIndex } from '../link/protocol';
 
 export const SPEEDS = [0.25, 0.5, 1, 2, 4, 8] as const;
 /** Blocks kept decoded, so that memory does not grow with the recording. */

@@ -1,8 +1,8 @@
 /** Numbers of strips and measures with their units, as the operator reads them. */
 
-import { degrees, fixed } from '../format';
-import type { Measure, Quantity } from '../protocol';
-import type { Units } from '../units';
+import type { Measure, Quantity } from '../link/protocol';
+import { degrees, fixed } from '../words/format';
+import type { Units } from '../words/units';
 
 interface Shown {
   readonly unit: string;

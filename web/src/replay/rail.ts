@@ -1,9 +1,9 @@
 /** The top rail of a replay: what is played, how it was recorded, and whether it was recomputed. */
 
-import { button, el, setClass, setText } from '../panel/dom';
-import { delayWords } from '../panel/link';
-import type { PlaybackIndex, Verdict, Welcome } from '../protocol';
-import type { Units } from '../units';
+import type { PlaybackIndex, Verdict, Welcome } from '../link/protocol';
+import { button, el, setClass, setText } from '../panel/parts/dom';
+import { delayWords } from '../panel/rail/delays';
+import type { Units } from '../words/units';
 
 export interface ReplayRail {
   readonly element: HTMLElement;

@@ -1,9 +1,9 @@
 /** At the right of the monitors: figures of the run, and its log up to the playhead. */
 
-import { clock } from '../format';
-import { button, el, group, setClass, setText } from '../panel/dom';
-import type { PlaybackIndex } from '../protocol';
-import type { Units } from '../units';
+import type { PlaybackIndex } from '../link/protocol';
+import { button, el, group, setClass, setText } from '../panel/parts/dom';
+import { clock } from '../words/format';
+import type { Units } from '../words/units';
 import { figure } from './quantity';
 
 /** Height of a line [rem], as `.log li`. */

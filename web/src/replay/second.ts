@@ -1,14 +1,14 @@
 /** A second window of a recording: a monitor, all cameras or the strips, at the playhead of the page that plays. */
 
-import { Display } from '../display';
-import { missionTime } from '../format';
-import { publish } from '../hook';
-import type { Frame, PlaybackIndex } from '../protocol';
-import type { Drawing } from '../quality';
-import { StripWindow } from '../strip-window';
-import { PLAYED, Tether } from '../tether';
-import { unitsOf } from '../units';
-import type { Said, Torn } from '../windows';
+import type { Frame, PlaybackIndex } from '../link/protocol';
+import { publish } from '../page/hook';
+import type { Drawing } from '../page/quality';
+import { Display } from '../windows/monitor-window';
+import type { Said, Torn } from '../windows/opened';
+import { PLAYED, Tether } from '../windows/secondary-window';
+import { StripWindow } from '../windows/strip-window';
+import { missionTime } from '../words/format';
+import { unitsOf } from '../words/units';
 import { Player } from './player';
 import { minutes } from './quantity';
 import type { Source } from './source';

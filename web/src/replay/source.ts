@@ -1,6 +1,6 @@
 /** Where a recording comes from: the server that `aftdeck replay --open` runs, or this very file. */
 
-import type { Block, PlaybackIndex, Verdict } from '../protocol';
+import type { Block, PlaybackIndex, Verdict } from '../link/protocol';
 
 export interface Source {
   index(): Promise<PlaybackIndex>;

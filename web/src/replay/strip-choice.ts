@@ -1,7 +1,7 @@
 /** The key that opens the list of strips, of which some are drawn. */
 
-import { button, el, setPressed } from '../panel/dom';
-import type { Strip } from '../protocol';
+import type { Strip } from '../link/protocol';
+import { button, el, setPressed } from '../panel/parts/dom';
 
 export class StripChoice {
   readonly element: HTMLElement;

@@ -1,8 +1,8 @@
 /** Strips: quantities over the run, with their values at the playhead. */
 
-import { el, setAttribute, setClass, setText, svg } from '../panel/dom';
-import type { Curve, Strip } from '../protocol';
-import type { Units } from '../units';
+import type { Curve, Strip } from '../link/protocol';
+import { el, setAttribute, setClass, setText, svg } from '../panel/parts/dom';
+import type { Units } from '../words/units';
 import { placeAt, stretched } from './lanes';
 import { shown, withUnit } from './quantity';
 import { partOf, type Span } from './span';

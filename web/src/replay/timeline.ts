@@ -1,8 +1,8 @@
 /** One time axis and one playhead over lanes and strips; a click or a drag puts the playhead there. */
 
-import { el, setAttribute } from '../panel/dom';
-import type { Moment, PlaybackIndex } from '../protocol';
-import type { Units } from '../units';
+import type { Moment, PlaybackIndex } from '../link/protocol';
+import { el, setAttribute } from '../panel/parts/dom';
+import type { Units } from '../words/units';
 import { labels } from './axis';
 import { eventRow, laneRow, type Row } from './lanes';
 import { minutes } from './quantity';

@@ -1,7 +1,7 @@
 /** Play, pause, speed, time, and what stands below: strips by choice, or the desk as flown. */
 
-import { button, el, setAttribute, setClass, setPressed, setText } from '../panel/dom';
-import type { PlaybackIndex } from '../protocol';
+import type { PlaybackIndex } from '../link/protocol';
+import { button, el, setAttribute, setClass, setPressed, setText } from '../panel/parts/dom';
 import { type Player, SPEEDS } from './player';
 import { minutes } from './quantity';
 import { StripChoice } from './strip-choice';

@@ -1,11 +1,11 @@
 /** The windows torn off a page that plays: they are told what it shows and where it is, and act on it. */
 
-import { pageName } from '../identity';
+import type { Pictures } from '../cameras/pictures';
 import { RelayedKeys } from '../input/key-relay';
-import type { Pictures } from '../pictures';
-import type { Camera } from '../protocol';
-import type { UnitName } from '../units';
-import { type Said, Windows } from '../windows';
+import { pageName } from '../link/identity';
+import type { Camera } from '../link/protocol';
+import { type Said, Windows } from '../windows/opened';
+import type { UnitName } from '../words/units';
 import type { Player } from './player';
 
 export class ReplayWindows {

@@ -10,7 +10,7 @@ import {
   Quaternion,
   Vector3,
 } from 'three';
-import type { BodyInfo, Group, Light, Shape, Vec3 } from '../protocol';
+import type { BodyInfo, Group, Light, Shape, Vec3 } from '../link/protocol';
 import type { Quality } from './drawn';
 import type { Materials } from './materials';
 import { surfaceOf } from './shapes';

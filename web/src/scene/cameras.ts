@@ -1,6 +1,6 @@
 import { MathUtils, Matrix4, PerspectiveCamera, Quaternion, Vector3 } from 'three';
-import { present } from '../assert';
-import type { Camera, Quat, Vec3 } from '../protocol';
+import { present } from '../basics/assert';
+import type { Camera, Quat, Vec3 } from '../link/protocol';
 import type { Body } from './bodies';
 import { Orbit } from './orbit';
 import { settingOf, type View, viewOf } from './view';

@@ -1,6 +1,6 @@
 import { Color, Vector3 } from 'three';
-import { present } from '../assert';
-import type { LightCondition } from '../protocol';
+import { present } from '../basics/assert';
+import type { LightCondition } from '../link/protocol';
 
 /** What comes from sun, Earth and sky: unit directions in the scene, and colours times strength. */
 export interface Daylight {

@@ -13,7 +13,7 @@ import {
   Vector2,
   Vector3,
 } from 'three';
-import type { Near } from '../protocol';
+import type { ClosestPoints } from '../link/protocol';
 import type { Body } from './bodies';
 
 /** Width of the line and of its edge [CSS px]. */
@@ -93,15 +93,15 @@ export class Gap {
   }
 
   /** Draws the gap of a pair in a colour; null: none. `plane`: with the separating plane. */
-  set(near: Near | null, colour: string, plane: boolean): void {
-    this.line.visible = near !== null;
-    this.plane.visible = plane && near !== null && Math.hypot(...near.normal) > 0;
-    if (!near) return;
+  set(gap: ClosestPoints | null, colour: string, plane: boolean): void {
+    this.line.visible = gap !== null;
+    this.plane.visible = plane && gap !== null && Math.hypot(...gap.normal) > 0;
+    if (!gap) return;
     const { uniforms } = this.line.material;
-    uniforms['a']?.value.set(...near.point_a);
-    uniforms['b']?.value.set(...near.point_b);
+    uniforms['a']?.value.set(...gap.point_a);
+    uniforms['b']?.value.set(...gap.point_b);
     uniforms['colour']?.value.set(...rgb(colour));
-    if (this.plane.visible) this.turn(near);
+    if (this.plane.visible) this.turn(gap);
   }
 
   /** A picture of this size is drawn next [CSS px]. */
@@ -120,19 +120,19 @@ export class Gap {
   }
 
   /** Puts the square halfway between the two, as large as the smaller of them. */
-  private turn(near: Near): void {
+  private turn(gap: ClosestPoints): void {
     const { plane } = this;
-    const normal = new Vector3(...near.normal);
-    plane.position.set(...near.plane);
+    const normal = new Vector3(...gap.normal);
+    plane.position.set(...gap.plane);
     plane.up.copy(Math.abs(normal.dot(UP)) > 0.9 ? FORE : UP);
     plane.lookAt(normal.add(plane.position));
-    const side = Math.min(this.sizeAt(near.point_a), this.sizeAt(near.point_b));
+    const side = Math.min(this.sizeAt(gap.point_a), this.sizeAt(gap.point_b));
     plane.scale.setScalar(Math.min(GREATEST, Math.max(LEAST, side)));
     plane.updateMatrixWorld(true);
   }
 
   /** Length of the smallest body at a point of the scene. */
-  private sizeAt(at: Near['point_a']): number {
+  private sizeAt(at: ClosestPoints['point_a']): number {
     let least = Number.POSITIVE_INFINITY;
     this.bodies.forEach(({ group }, i) => {
       const box = this.boxes[i];

@@ -13,9 +13,9 @@ import {
   Vector3,
   WebGLRenderer,
 } from 'three';
-import { present } from '../assert';
-import type { LightCondition, Lighting, Near, Quat, Vec3, Welcome } from '../protocol';
-import type { Drawing } from '../quality';
+import { present } from '../basics/assert';
+import type { ClosestPoints, LightCondition, Lighting, Quat, Vec3, Welcome } from '../link/protocol';
+import type { Drawing } from '../page/quality';
 import { LIGHT_OF } from './agx';
 import { Blob } from './blob';
 import { Body, type DrawnBody, lampCount } from './bodies';
@@ -24,10 +24,10 @@ import { type Daylight, daylightOf, FULL_SUN } from './daylight';
 import type { Quality, Rect, View } from './drawn';
 import { Earth } from './earth';
 import { Exposure, metered } from './exposure';
+import { lampsOf } from './floodlights';
 import { Gap } from './gap';
 import { Ghost } from './ghost';
 import { LambertLight } from './lambert';
-import { lampsOf } from './lamps';
 import { Lights } from './lights';
 import { Materials } from './materials';
 import { Meter } from './meter';
@@ -195,8 +195,8 @@ export class Scene {
   }
 
   /** The narrowest gap, drawn as a line in a colour `#rrggbb`, on demand with the plane in it; null: none. */
-  setGap(near: Near | null, colour: string, plane: boolean): void {
-    this.gap.set(near, colour, plane);
+  setGap(gap: ClosestPoints | null, colour: string, plane: boolean): void {
+    this.gap.set(gap, colour, plane);
   }
 
   /** Where holding the sticks would take the arm, by the poses of `Welcome.ghost`; null: nothing is shown. */

@@ -1,6 +1,6 @@
 import { Color, type IUniform, ShaderMaterial, type Texture, Vector2, Vector3, Vector4 } from 'three';
 import type { Daylight } from './daylight';
-import { isSpot, type Lamp, PENUMBRA, standing } from './lamps';
+import { isSpot, type Lamp, PENUMBRA, standing } from './floodlights';
 
 /**
  * Sun, Earth and sky are summed at the corners; where no lamp counts, that is made what is shown there, too, and pixels

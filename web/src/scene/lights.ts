@@ -8,7 +8,7 @@ import {
   SpotLight,
 } from 'three';
 import type { Daylight } from './daylight';
-import { isSpot, type Lamp, PENUMBRA } from './lamps';
+import { isSpot, type Lamp, PENUMBRA } from './floodlights';
 
 /** Half the side of the square round the bay that casts shadows [m]. */
 const SHADOWED = 15;

@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
-import { present } from '../assert';
-import type { Loft, Section } from '../protocol';
+import { present } from '../basics/assert';
+import type { Loft, Section } from '../link/protocol';
 import { Surface } from './surface';
 
 const edgeAlong = new Vector3();

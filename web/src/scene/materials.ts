@@ -1,6 +1,6 @@
 import { Color, type Material as Drawn, MeshBasicMaterial, MeshStandardMaterial, type Texture } from 'three';
-import { present } from '../assert';
-import type { Material } from '../protocol';
+import { present } from '../basics/assert';
+import type { Material } from '../link/protocol';
 import type { Quality } from './drawn';
 import { crumpleTexture, type Pattern, patternTexture } from './textures';
 

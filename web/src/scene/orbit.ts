@@ -1,8 +1,8 @@
 /** The engineering view: an eye that goes round a place or a thing, moved freely by mouse and keys. */
 
 import { type Matrix4, Vector3 } from 'three';
-import { clamp } from '../clamp';
-import type { Camera, Vec3 } from '../protocol';
+import { clamp } from '../basics/clamp';
+import type { Camera, Vec3 } from '../link/protocol';
 import type { View } from './view';
 
 /** It does not look straight down or up, where left and right would change sides [rad]. */

@@ -7,7 +7,7 @@ import {
   NoColorSpace,
   type Texture,
 } from 'three';
-import { present } from '../assert';
+import { present } from '../basics/assert';
 
 /** How often the clouds repeat from the nadir to the limb. */
 const REPEATS = 2.4;

@@ -1,5 +1,5 @@
 import { ExtrudeGeometry, Matrix4, Shape as Outline, Vector2, Vector3 } from 'three';
-import type { Plate } from '../protocol';
+import type { Plate } from '../link/protocol';
 import { Surface } from './surface';
 
 const X = new Vector3(1, 0, 0);

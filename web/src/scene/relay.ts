@@ -1,7 +1,7 @@
 /** Where the processor draws: what was drawn is read back once it is there, and put on the page then. */
 
 import type { WebGLRenderer } from 'three';
-import { present } from '../assert';
+import { present } from '../basics/assert';
 import type { Rect } from './drawn';
 
 /** Bytes of a pixel. */

@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
-import { present } from '../assert';
-import type { Axis, Vec2 } from '../protocol';
+import { present } from '../basics/assert';
+import type { Axis, Vec2 } from '../link/protocol';
 import { Surface } from './surface';
 
 /** A smooth stretch of a profile: points (along the axis, away from it), the outside to the left. */

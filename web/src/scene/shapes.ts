@@ -1,6 +1,17 @@
 import { Vector3 } from 'three';
-import { assertUnreachable } from '../assert';
-import type { Box, Cylinder, Group, Hexahedron, Light, Ring, Shape, Shell, Sphere, Vec2 } from '../protocol';
+import { assertUnreachable } from '../basics/assert';
+import type {
+  Box,
+  Cylinder,
+  Group,
+  Hexahedron,
+  Light,
+  Ring,
+  Shape,
+  Shell,
+  Sphere,
+  Vec2,
+} from '../link/protocol';
 import type { Quality } from './drawn';
 import { loft } from './loft';
 import { plate } from './plate';

@@ -1,7 +1,7 @@
 /** What a camera sees: points of the scene that lie in its picture and that nothing stands before. */
 
 import { type Intersection, type Mesh, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
-import type { Camera, Vec3 } from '../protocol';
+import type { Camera, Vec3 } from '../link/protocol';
 import type { Body } from './bodies';
 import type { Cameras } from './cameras';
 

@@ -1,5 +1,5 @@
 import { CanvasTexture, LinearMipmapNearestFilter, NoColorSpace, RepeatWrapping, type Texture } from 'three';
-import { present } from '../assert';
+import { present } from '../basics/assert';
 import type { Quality } from './drawn';
 
 /** What is drawn on a surface, as a grey that dims its colour; `plain` has none. */

@@ -1,7 +1,7 @@
 /** Where a camera looks from and to with its drives at a setting; the same law as `bodies/cameras.py`. */
 
 import { Vector3 } from 'three';
-import type { Camera, Vec3 } from '../protocol';
+import type { Camera, Vec3 } from '../link/protocol';
 
 /** What a camera shows, in its body's frame. */
 export interface View {

@@ -1,7 +1,7 @@
 /** The tutorial's card, over the groups that a beginner does not need. */
 
-import type { InHand } from '../input/in-hand';
-import { button, el, setClass, setText } from '../panel/dom';
+import type { InHand } from '../input/active-device';
+import { button, el, setClass, setText } from '../panel/parts/dom';
 import { padDrawing } from './pad';
 import { isOver, type Progress } from './progress';
 import { type Cap, STEPS } from './steps';

@@ -1,13 +1,13 @@
 /** The tutorial: six steps of a first capture, each ended by doing it, in the scenario that is made for it. */
 
-import type { InHand } from '../input/in-hand';
+import type { InHand } from '../input/active-device';
 import type { Action } from '../input/keymap';
 import { revision } from '../input/store';
-import { keeper } from '../kept';
-import { button, setAttribute, setClass, setPressed } from '../panel/dom';
-import type { Desk, View } from '../panel/part';
-import type { Frame } from '../protocol';
-import type { Units } from '../units';
+import type { Frame } from '../link/protocol';
+import { keeper } from '../page/local-storage';
+import { button, setAttribute, setClass, setPressed } from '../panel/parts/dom';
+import type { Desk, View } from '../panel/parts/part';
+import type { Units } from '../words/units';
 import { Card } from './card';
 import { BEGIN, back, looked, type Progress, seen, skip } from './progress';
 import { STEPS } from './steps';
@@ -81,7 +81,7 @@ export class Tutorial {
   values({ frame, flying, units }: View): void {
     if (this.unasked && flying) this.show(true);
     if (!this.open) return;
-    this.progress = seen(this.progress, frame, frame.poses[7 * this.payload + 2] ?? 0);
+    this.progress = seen(this.progress, frame, frame.display.poses[7 * this.payload + 2] ?? 0);
     this.draw(frame, units);
   }
 

@@ -1,8 +1,8 @@
 /** A pad of the browser's standard mapping, drawn: what matters is outlined, what is held is lit. */
 
+import { isDown } from '../input/active-device';
 import type { Device } from '../input/device';
-import { isDown } from '../input/in-hand';
-import { setAttribute, setClass, svg } from '../panel/dom';
+import { setAttribute, setClass, svg } from '../panel/parts/dom';
 
 /** Round parts: sources that stand for it, centre and radius. */
 const ROUND: readonly (readonly [sources: string, x: number, y: number, r: number])[] = [

@@ -1,6 +1,6 @@
 /** How far a beginner has come: plain data, taken on by what the frames show. */
 
-import type { Frame, Vec3 } from '../protocol';
+import type { Frame, Vec3 } from '../link/protocol';
 import { held, isFree, STEPS } from './steps';
 
 export interface Progress {
@@ -42,7 +42,7 @@ export function seen(before: Progress, now: Frame, height: number): Progress {
   if (now.tick < before.tick) return seen(BEGIN, now, height);
   const first = before.tick < 0 && held(now);
   const seated = now.work.cargo.some(({ seat }) => seat !== '');
-  const from = before.from ?? now.actual.position;
+  const from = before.from ?? now.display.actual.position;
   const seat = before.seat === null || seated ? height : before.seat;
   const at = first ? LIFT : before.at;
   const after = { ...before, at, from, seat, tick: now.tick };

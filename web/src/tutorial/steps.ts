@@ -3,10 +3,10 @@
  * done. `{+X}` in words stands for whatever moves +X on the device in use; `*…*` is something that the desk shows.
  */
 
-import { small } from '../format';
-import { inUnits } from '../measured';
-import type { Condition, Frame, Vec3 } from '../protocol';
-import type { Units } from '../units';
+import type { Condition, Frame, Vec3 } from '../link/protocol';
+import { conditionText } from '../words/condition-text';
+import { small } from '../words/format';
+import type { Units } from '../words/units';
 
 /** What is known of the flight since a step began. */
 export interface Since {
@@ -71,7 +71,7 @@ export const STEPS: readonly Step[] = [
       'across it. Hold one for some seconds and watch both pictures.',
     caps: () => MOVERS,
     groups: ['thc'],
-    done: (now, { from }) => distance(now.actual.position, from) >= MOVED,
+    done: (now, { from }) => distance(now.display.actual.position, from) >= MOVED,
   },
   {
     name: 'line up',
@@ -192,7 +192,7 @@ function besides(now: Frame): string {
 function wanting({ work: { conditions } }: Frame, units: Units): string {
   const fails = ({ holds, name }: Condition) => !holds && name !== 'pin depth';
   const first = conditions.find(fails) ?? conditions.find(({ holds }) => !holds);
-  return first ? inUnits(first.text, units) : 'no pin is near';
+  return first ? conditionText(first, units) : 'no pin is near';
 }
 
 function distance([ax, ay, az]: Vec3, [bx, by, bz]: Vec3): number {

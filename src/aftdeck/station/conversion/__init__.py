@@ -1,0 +1,1 @@
+"""Conversion of a scenario and its frames to what a page displays."""

@@ -1,0 +1,154 @@
+"""Frames of a scenario as a page gets them: what it needs to display each, and the look-ahead."""
+
+from __future__ import annotations
+
+import math
+from typing import cast
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.frames import SCENE_FROM_PANEL_AXES, Pose, panel_attitude, quaternion, rotation_x
+from aftdeck.scenario.light import Lighting
+from aftdeck.scenario.model import Scenario
+from aftdeck.scene.everything import ScenePoses
+from aftdeck.simulation import frame as sim
+from aftdeck.simulation import look_ahead
+from aftdeck.station.conversion.fixture import Fixtures
+from aftdeck.station.conversion.lamps import lamps
+from aftdeck.station.messages.frame import Ahead, Aim, ClosestPoints, Display, Frame, Resolution, with_display
+from aftdeck.station.messages.kinds import Vec3
+from aftdeck.steering.mode import MODES, STICK_AXES
+from aftdeck.worksite.report import Near
+
+
+class Displays:
+    """Maker of the displays of one scenario's frames."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        mount = scenario.arm.model.mount
+        self._scenario = scenario
+        self._arm = self._raised = scenario.arm
+        self._mount = mount
+        self._hand = rotation_x(scenario.arm.model.end_effector_roll)
+        self._poses = ScenePoses(scenario)
+        self._fixtures = Fixtures(scenario)
+        self._scene_axes = SCENE_FROM_PANEL_AXES @ mount.rotation
+        self._scene_origin = SCENE_FROM_PANEL_AXES @ mount.origin - scenario.worksite.origin
+
+    def ahead(self, ahead: look_ahead.Ahead, frame: sim.Frame) -> Ahead:
+        """Return a look-ahead, made from `frame`, in the form that the page uses."""
+        near = ahead.nearest
+        return Ahead(
+            seconds=ahead.seconds,
+            held=ahead.held,
+            moves=ahead.moves,
+            clearance=None if near is None else near.clearance,
+            a="" if near is None else near.a,
+            b="" if near is None else near.b,
+            contact_s=ahead.contact_s,
+            stopping=ahead.stopping,
+            joint=ahead.joint,
+            room=ahead.room,
+            poses=tuple(self._poses.then(ahead, self._poses.prong(frame))),
+        )
+
+    def frame(
+        self,
+        frame: sim.Frame,
+        stick_seq: int,
+        recording_s: float | None = None,
+        ahead: Ahead | None = None,
+        lighting: Lighting | None = None,
+        flown_seq: int = -1,
+    ) -> Frame:
+        """Return a frame with its display; without `lighting`, the lighting is the scenario's."""
+        tip = Pose(np.array(frame.position), np.array(frame.orientation))
+        loaded = MODES[frame.mode].loaded and not self._scenario.strict
+        shown = Pose(np.array(frame.resolution), self._shown_axes(frame, tip, loaded))
+        control = self._control_axes(frame, tip)
+        work, to_fixture = frame.work, self._fixtures.nearest(frame.work, tip.position)
+        display = Display(
+            stick_seq=stick_seq,
+            flown_seq=flown_seq,
+            recording_s=recording_s,
+            actual=self._resolution(shown, frame.twist),
+            commanded=self._resolution(self._commanded(frame, tip, shown), frame.twist_demanded),
+            aim=self._aim(frame.goal),
+            payload_id=_payload_id(frame),
+            por_offset=self._por_offset(frame, tip),
+            fixture=None if to_fixture is None else math.hypot(*to_fixture.tolist()),
+            to_fixture=None
+            if to_fixture is None or MODES[frame.mode].kind != "manual"
+            else _vec3(to_fixture @ control),
+            orbiter=_vec3(self._mount.rotation @ np.array(work.orbiter)),
+            orbiter_velocity=_vec3(self._mount.rotation @ np.array(work.orbiter_velocity)),
+            lamps=lamps(self._scenario, frame),
+            gap=None if work.nearest is None else self._gap(work.nearest),
+            contacts=tuple([self._gap(near) for near in work.contacts]),
+            ahead=ahead,
+            axes=quaternion(SCENE_FROM_PANEL_AXES @ control),
+            poses=tuple(self._poses.at(frame)),
+            lighting=lighting or self._scenario.lighting,
+        )
+        return with_display(frame, display)
+
+    def _por_offset(self, frame: sim.Frame, tip: Pose) -> Vec3:
+        """Return the vector from the tip to the point that ORB LD and PL move, in the end effector's axes [m]."""
+        if frame.payload is None or self._scenario.strict:  # as published, every mode moves the tip
+            return (0.0, 0.0, 0.0)
+        centre, axes = np.array(frame.payload[0]), np.array(frame.payload[1])
+        own = self._scenario.own_payloads[frame.attached - 1] if frame.attached else None
+        point = centre if own is None else centre + axes @ own.por
+        return _vec3((point - tip.position) @ tip.rotation @ self._hand)
+
+    def _shown_axes(self, frame: sim.Frame, tip: Pose, loaded: bool) -> Array:
+        """Return the axes in L whose attitude the panel shows: the payload's in its modes, else the end effector's."""
+        if loaded and frame.payload is not None:
+            return np.array(frame.payload[1])
+        return tip.rotation @ self._hand
+
+    def _commanded(self, frame: sim.Frame, tip: Pose, shown: Pose) -> Pose:
+        """Return the pose in L that the panel would show if the arm had followed the commanded rates."""
+        stand = frame.work.stand
+        if stand is not None and stand != self._raised.stand:
+            self._raised = self._arm.at(stand=stand)
+        there = self._raised.forward(frame.angles_commanded)
+        turn = there.rotation @ tip.rotation.T
+        return Pose(there.position + turn @ (shown.position - tip.position), turn @ shown.rotation)
+
+    def _control_axes(self, frame: sim.Frame, tip: Pose) -> Array:
+        """Return the axes that the sticks act along, in panel components."""
+        along = STICK_AXES.get(frame.law)
+        if along == "end effector":
+            hand = tip.rotation if self._scenario.strict else tip.rotation @ self._hand
+            return np.asarray(self._mount.rotation @ hand)
+        if along == "payload" and frame.payload is not None:
+            return np.asarray(self._mount.rotation @ np.array(frame.payload[1]))
+        return np.eye(3)
+
+    def _resolution(self, pose: Pose, twist: sim.Six) -> Resolution:
+        """Return a point of resolution in panel components; `pose` and `twist` are in L."""
+        shown = self._mount.to("panel", pose)
+        roll, pitch, yaw = (self._mount.rotation @ np.array(twist[:3])).tolist()
+        velocity = _vec3(self._mount.rotation @ np.array(twist[3:]))
+        return Resolution(_vec3(shown.position), panel_attitude(shown.rotation), velocity, (pitch, yaw, roll))
+
+    def _aim(self, goal: sim.Goal | None) -> Aim | None:
+        if goal is None:
+            return None
+        shown = self._mount.to("panel", Pose(np.array(goal.position), np.array(goal.rotation) @ self._hand))
+        return Aim(_vec3(shown.position), panel_attitude(shown.rotation))
+
+    def _gap(self, near: Near) -> ClosestPoints:
+        a, b = (self._scene_axes @ np.array(point) + self._scene_origin for point in (near.point_a, near.point_b))
+        return ClosestPoints(_vec3(a), _vec3(b), _vec3(0.5 * (a + b)), _vec3(self._scene_axes @ np.array(near.normal)))
+
+
+def _payload_id(frame: sim.Frame) -> int:
+    """Return the PL ID of the captured payload; 0 if there is none."""
+    return frame.attached or next((i for i, cargo in enumerate(frame.work.cargo, 1) if cargo.held), 0)
+
+
+def _vec3(values: Array) -> Vec3:
+    return cast("Vec3", tuple(values.tolist()))

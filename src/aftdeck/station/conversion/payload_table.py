@@ -1,0 +1,52 @@
+"""Data of the page of targets and payloads (SPEC 94 PDRS CONTROL): the payload table and the stored points."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from aftdeck.frames import Pose, panel_attitude
+from aftdeck.scenario.limits import por_with
+from aftdeck.scenario.model import Point, Scenario
+from aftdeck.station.messages.kinds import Six, Vec3
+from aftdeck.station.messages.welcome import PayloadInfo, StoredPoint, StoredSequence
+from aftdeck.steering.layout import RATE, SPEED, TURN
+from aftdeck.steering.rules import rules_of
+
+
+def payload_table(scenario: Scenario) -> tuple[PayloadInfo, ...]:
+    """Return the payload table by PL ID: no payload, then the scenario's own payloads, then the worksite's."""
+    own = [("payload" if k == 1 else f"payload {k}", one.mass) for k, one in enumerate(scenario.own_payloads, 1)]
+    loads = (("no payload", 0.0), *own, *((cargo.name, cargo.mass) for cargo in scenario.cargo))
+    return tuple(_row(scenario, number, name, mass) for number, (name, mass) in enumerate(loads))
+
+
+def _row(scenario: Scenario, number: int, name: str, mass: float) -> PayloadInfo:
+    """Return a row of the table: the steering's limits with a payload, which depend on its mass [kg] alone."""
+    model = scenario.arm.model
+    rules = rules_of(model, por_with(model, mass, scenario.por), scenario.control_period)
+    coarse, vernier = rules["SINGLE", "coarse", 8], rules["SINGLE", "vernier", 8]
+    return PayloadInfo(
+        id=number,
+        name=name,
+        mass=mass,
+        translation=(float(coarse[SPEED]), float(vernier[SPEED])),
+        rotation=(float(coarse[TURN]), float(vernier[TURN])),
+        coarse=cast("Six", tuple(coarse[RATE : RATE + 6].tolist())),
+        vernier=cast("Six", tuple(vernier[RATE : RATE + 6].tolist())),
+    )
+
+
+def stored_sequences(scenario: Scenario) -> tuple[StoredSequence, ...]:
+    """Return the points of AUTO 1-4, in panel components."""
+    return tuple(
+        StoredSequence(position, tuple(_stored(scenario, point) for point in points))
+        for position, points in sorted(scenario.sequences.items())
+    )
+
+
+def _stored(scenario: Scenario, point: Point) -> StoredPoint:
+    pose = point.target.pose
+    hand = Pose(pose.position, scenario.arm.end_effector(pose.rotation))
+    shown = scenario.arm.model.mount.to("panel", hand)
+    position = cast("Vec3", tuple(shown.position.tolist()))
+    return StoredPoint(position, panel_attitude(shown.rotation), point.pause)

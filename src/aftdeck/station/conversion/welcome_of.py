@@ -1,0 +1,92 @@
+"""The welcome of a scenario: its arm, modes, cameras, payloads and bodies, as a page gets them before all frames."""
+
+from __future__ import annotations
+
+from aftdeck.arrays import Array
+from aftdeck.scenario.cameras import cameras_of
+from aftdeck.scenario.light import conditions
+from aftdeck.scenario.model import Scenario
+from aftdeck.scene.bodies import bodies_of
+from aftdeck.simulation.master import AXES, axes_of
+from aftdeck.station.conversion.payload_table import payload_table, stored_sequences
+from aftdeck.station.messages import kinds
+from aftdeck.station.messages.welcome import BodyInfo, JointInfo, ModeInfo, SeatInfo, StandInfo, Welcome, WorkInfo
+from aftdeck.steering.mode import MODES, Mode
+from aftdeck.version import __version__
+
+
+def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
+    """Return the first message to a page; `demo` if the session begins with the scenario's script."""
+    model = scenario.arm.model
+    bodies = tuple(BodyInfo(body.name, body.shapes) for body in bodies_of(scenario))
+    joints = tuple(
+        JointInfo(
+            name,
+            label,
+            stick=AXES[axis],
+            hard=_pair(model.limits.hard[i]),
+            soft=_pair(model.limits.soft[i]),
+            reach=_pair(model.limits.reach[i]),
+            coarse=float(model.rates.coarse[i]),
+            vernier=float(model.rates.vernier[i]),
+            servo=float(model.rates.servo[i]),
+        )
+        for i, (name, label, axis) in enumerate(zip(model.joints, model.labels, axes_of(model), strict=True))
+    )
+    modes = tuple(
+        ModeInfo(m.position, m.laws, m.title, m.kind, m.point, _has_points(scenario, m), m.axes, m.axis_names)
+        for m in MODES.values()
+    )
+    return Welcome(
+        protocol=kinds.PROTOCOL,
+        version=__version__,
+        scenario=scenario.name,
+        title=scenario.title,
+        text=scenario.description,
+        arm=model.title,
+        control_period_s=scenario.control_period,
+        command_delay_s=scenario.delay * scenario.control_period,
+        telemetry_delay_s=scenario.telemetry_delay,
+        camera_delay_s=scenario.camera_delay,
+        units=model.units,
+        joints=joints,
+        modes=modes,
+        work=_work(scenario),
+        conditions=conditions(),
+        lamps=scenario.lamps,
+        bodies=bodies,
+        ghost=_ghost(scenario, len(bodies)),
+        cameras=cameras_of(scenario),
+        payloads=payload_table(scenario),
+        sequences=stored_sequences(scenario),
+        singular=model.singular,
+        phases=tuple(phase.name for phase in scenario.phases) if demo else (),
+    )
+
+
+def _work(scenario: Scenario) -> WorkInfo:
+    """Return the equipment of a scenario's worksite and its clearance thresholds."""
+    has = scenario.arm.model.equipment
+    return WorkInfo(
+        hand="snares" if has.prong is None else "prong",
+        stand=None if has.telescope is None else StandInfo(*has.telescope),
+        cargo=tuple(cargo.name for cargo in scenario.cargo),
+        seats=tuple(SeatInfo(seat.name, seat.title) for seat in scenario.worksite.seats),
+        parts=tuple(scenario.parts),
+        caution=scenario.caution,
+        warning=scenario.warning,
+    )
+
+
+def _ghost(scenario: Scenario, count: int) -> tuple[int, ...]:
+    """Return the indices of the arm's bodies and of the worksite's payloads, among `count` bodies."""
+    first, cargo = len(scenario.worksite.bodies), len(scenario.cargo)
+    return (*range(first, first + len(scenario.arm.model.frames)), *range(count - cargo, count))
+
+
+def _has_points(scenario: Scenario, mode: Mode) -> bool:
+    return not mode.position.startswith("AUTO") or mode.position in scenario.sequences
+
+
+def _pair(values: Array) -> tuple[float, float]:
+    return float(values[0]), float(values[1])

@@ -1,0 +1,141 @@
+"""The frame as a page gets it: the simulation's frame, and beside it what a page needs to display it."""
+
+from __future__ import annotations
+
+from operator import attrgetter
+from typing import Any, Literal
+
+import msgspec
+
+from aftdeck.scenario.light import Lighting
+from aftdeck.simulation import frame as sim
+from aftdeck.station.messages.kinds import Level, Quat, Vec3
+
+FlightLamp = Literal["SINGULAR", "REACH LIM", "SOFT STOP", "RATE LIM", "CLEARANCE", "DERIGIDIZE", "RELEASE"]
+"""Lamps that the simulation lights; the page has others of its own, and a place for each."""
+
+
+class Lamp(msgspec.Struct, frozen=True, gc=False):
+    """A lit lamp and its cause."""
+
+    name: FlightLamp
+    level: Level
+    text: str
+    """Cause: ``elbow 0.12`` for SINGULAR."""
+
+
+class Resolution(msgspec.Struct, frozen=True, gc=False):
+    """Point of resolution, in panel components."""
+
+    position: Vec3
+    """X, Y, Z [m]."""
+    attitude: Vec3
+    """Pitch, yaw, roll [rad], each in [0, 2 pi)."""
+    velocity: Vec3
+    """Rate of X, Y, Z [m/s]."""
+    turn_rate: Vec3
+    """Angular velocity about panel pitch, yaw, roll axes [rad/s]."""
+
+
+class Aim(msgspec.Struct, frozen=True, gc=False):
+    """Target of an automatic mode, in panel components; `Frame.goal` has what remains of the motion to it."""
+
+    position: Vec3
+    attitude: Vec3
+
+
+class ClosestPoints(msgspec.Struct, frozen=True, gc=False):
+    """Where two monitored parts are nearest to each other, in the scene."""
+
+    point_a: Vec3
+    point_b: Vec3
+    plane: Vec3
+    """Point of the plane between the two parts, halfway between the closest points."""
+    normal: Vec3
+    """Unit normal of this plane, from a to b; zero if the parts collide."""
+
+
+class Ahead(msgspec.Struct, frozen=True):
+    """Look-ahead: state of the arm in some seconds with the present stick command.
+
+    It is computed every 10 control steps: five times a second with the default control period.
+    """
+
+    seconds: float
+    """Time span of the look-ahead [s]."""
+    held: bool
+    """True for the present stick command; false if the sticks are centred: the last axis used, at full deflection."""
+    moves: bool
+    """True if the arm is then at another place than now."""
+    clearance: float | None
+    """Smallest clearance then [m]; null if no pair is monitored."""
+    a: str
+    """`a` and `b`: the two parts with this clearance; empty if no pair is monitored."""
+    b: str
+    contact_s: float | None
+    """Time to the first contact found on the way [s]; null if none is found."""
+    stopping: float
+    """Distance that the tip still moves if the sticks are released now [m]."""
+    joint: int
+    """Joint nearest to a reach limit then, 0 to 5."""
+    room: float
+    """Angle from this joint to that limit then [rad]; negative past the limit."""
+    poses: tuple[float, ...]
+    """Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`."""
+
+
+class Display(msgspec.Struct, frozen=True):
+    """What a page needs to display a frame: read-outs in panel components, lamps, and what to draw in the scene."""
+
+    stick_seq: int
+    """`seq` of the last `Sticks` that this step has taken; the page uses it to time stick-to-picture."""
+    flown_seq: int
+    """`seq` of the last `Sticks` that this step has flown, after the command delay; -1 if none, or the script flew."""
+    recording_s: float | None
+    """Simulated time in the recording so far [s]; null if the run is not recorded."""
+    actual: Resolution
+    commanded: Resolution
+    aim: Aim | None
+    """Target of an automatic mode."""
+    payload_id: int
+    """PL ID of the captured payload, as in `Welcome.payloads`; 0 if there is none."""
+    por_offset: Vec3
+    """Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]."""
+    fixture: float | None
+    """Distance from the empty snares to their position at the nearest grapple fixture [m].
+
+    Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
+    """
+    to_fixture: Vec3 | None
+    """Vector of this distance, along the axes that the sticks act along [m]; null also in modes without sticks."""
+    orbiter: Vec3
+    """Displacement of the orbiter: forward, starboard, down [m]."""
+    orbiter_velocity: Vec3
+    """Velocity of the orbiter along the same axes [m/s]."""
+    lamps: tuple[Lamp, ...]
+    gap: ClosestPoints | None
+    """Closest points of `Work.nearest`."""
+    contacts: tuple[ClosestPoints, ...]
+    """Closest points of each of `Work.contacts`, in their order."""
+    ahead: Ahead | None
+    """Newest look-ahead; null if none was made yet."""
+    axes: Quat
+    """Axes of the control frame in the scene, for the frame axes in the pictures."""
+    poses: tuple[float, ...]
+    """Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene."""
+    lighting: Lighting
+
+
+class Frame(sim.Frame, frozen=True, tag_field="type", tag="frame"):
+    """All data that the page shows of one instant; the newest frame counts, and older ones may be skipped."""
+
+    display: Display
+
+
+_fields = attrgetter(*sim.Frame.__struct_fields__)
+
+
+def with_display(frame: sim.Frame, display: Display) -> Frame:
+    """Return a frame of the simulation as a message to a page."""
+    told: tuple[Any, ...] = (*_fields(frame), display)
+    return Frame(*told)

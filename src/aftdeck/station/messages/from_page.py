@@ -1,0 +1,350 @@
+"""Messages from a page to the server, and the structures in them."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+
+from aftdeck.scenario.light import Lighting
+from aftdeck.station.messages.kinds import (
+    Binding,
+    ControllerKind,
+    EffectorSwitch,
+    LawChoice,
+    Monitor,
+    Name,
+    Offset,
+    ProblemPart,
+    Rate,
+    Seq,
+    Six,
+    Vec3,
+    WireMessage,
+)
+
+
+class Hello(WireMessage, frozen=True, tag="hello"):
+    """First message of a page, with the version of the protocol that the page uses."""
+
+    protocol: int
+    shows: bool = False
+    """True for a secondary window or a too narrow page: it only shows the run and cannot take control (`TakeSeat`)."""
+    strips: bool = False
+    """True if the page draws strips: the server then also sends it the last minutes of the run (`Recent`)."""
+
+
+class Sticks(WireMessage, frozen=True, tag="sticks"):
+    """Deflections of the hand controllers, after deadband and expo, each axis in [-1, 1].
+
+    The page sends them whenever they change. While a stick is deflected or RATE HOLD keeps a rate, it sends them at
+    least every 0.2 s: after 0.5 s of silence the server sets the sticks to zero and treats the controls as unattended
+    (`HandsOff`).
+    """
+
+    seq: Seq
+    """Increases with every message of a page; the server rejects a number that is not greater than the last."""
+    translation: Vec3
+    """THC: +X, +Y, +Z of the present control frame."""
+    rotation: Vec3
+    """RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame."""
+    drive: float
+    """SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT)."""
+    telescope: float = 0.0
+    """Telescope under the arm: + longer, - shorter, in [-1, 1]."""
+    orbiter: Vec3 = (0.0, 0.0, 0.0)
+    """Translation of the orbiter: forward, starboard, down, each in [-1, 1]."""
+
+
+class EnterMode(WireMessage, frozen=True, tag="enter_mode"):
+    """Turn the MODE rotary to a position and press ENTER."""
+
+    seq: Seq
+    mode: str
+    """A panel position, as `ModeInfo.position`."""
+
+
+class SelectJoint(WireMessage, frozen=True, tag="select_joint"):
+    """Turn the JOINT rotary."""
+
+    seq: Seq
+    joint: int
+    """0 to 5, in the order of `Welcome.joints`."""
+
+
+class SelectRate(WireMessage, frozen=True, tag="select_rate"):
+    """Set the COARSE/VERNIER switch."""
+
+    seq: Seq
+    rate: Rate
+
+
+class SetTarget(WireMessage, frozen=True, tag="set_target"):
+    """Key in the end position and attitude of OPR CMD (SPEC 94 items 18-23), in panel components."""
+
+    seq: Seq
+    position: Vec3
+    """X, Y, Z [m]."""
+    attitude: Vec3
+    """Pitch, yaw, roll [rad]."""
+
+
+class SelectLaw(WireMessage, frozen=True, tag="select_law"):
+    """Set the switch beside OPR CMD and AUTO 1-4, which selects the report's mode (1 to 3) that they fly."""
+
+    seq: int
+    law: LawChoice
+
+
+class PayloadAxes(WireMessage, frozen=True, tag="payload_axes"):
+    """Set the switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4)."""
+
+    seq: int
+    on: bool
+
+
+class RateHold(WireMessage, frozen=True, tag="rate_hold"):
+    """Press RATE HOLD: keep the present stick command, or cancel RATE HOLD if it is on."""
+
+    seq: int
+
+
+class PositionHold(WireMessage, frozen=True, tag="position_hold"):
+    """Set POSITION HOLD: keep position and attitude while the sticks are centred."""
+
+    seq: int
+    on: bool
+
+
+class AskSticks(WireMessage, frozen=True, tag="ask_sticks"):
+    """Ask for control of the arm; the page in control gives or keeps the sticks within 10 s, or the request expires."""
+
+    seq: Seq
+
+
+class GiveSticks(WireMessage, frozen=True, tag="give_sticks"):
+    """Give the sticks, which must be centred, to the page that asks for control."""
+
+    seq: Seq
+
+
+class KeepSticks(WireMessage, frozen=True, tag="keep_sticks"):
+    """Keep the sticks; the server informs the page that asks for control."""
+
+    seq: Seq
+
+
+class SetName(WireMessage, frozen=True, tag="set_name"):
+    """Set the name of the person at this page, for the other pages and for the log."""
+
+    seq: Seq
+    name: str
+    """One line of at most 24 characters; empty to call the page by its number again."""
+
+
+class LeaveSeat(WireMessage, frozen=True, tag="leave_seat"):
+    """Leave the seat: the page has become too narrow to control the arm, and from now on only shows the run.
+
+    If this page was in control, the next page takes control.
+    """
+
+    seq: Seq
+
+
+class TakeSeat(WireMessage, frozen=True, tag="take_seat"):
+    """Take a seat again: the page is wide enough now. It takes control if no page has it, and otherwise observes."""
+
+    seq: Seq
+
+
+class HandsOff(WireMessage, frozen=True, tag="hands_off"):
+    """Leave the controls unattended: sticks centred, RATE HOLD off, POSITION HOLD on. A sequence continues."""
+
+    seq: Seq
+    cause: Literal["page hidden", "device lost"]
+
+
+class SetBrakes(WireMessage, frozen=True, tag="brakes"):
+    """Set BRAKES: on stops every joint at once."""
+
+    seq: Seq
+    on: bool
+
+
+class SetSafing(WireMessage, frozen=True, tag="safing"):
+    """Set SAFING: on commands zero joint rates; off is its CANCEL."""
+
+    seq: Seq
+    on: bool
+
+
+class LookAhead(WireMessage, frozen=True, tag="look_ahead"):
+    """Set the time span of the look-ahead."""
+
+    seq: Seq
+    seconds: Annotated[float, msgspec.Meta(ge=2.0, le=20.0)]
+    """[s]"""
+
+
+class Proceed(WireMessage, frozen=True, tag="proceed"):
+    """Set the AUTO SEQ switch to PROCEED."""
+
+    seq: Seq
+
+
+class Stop(WireMessage, frozen=True, tag="stop"):
+    """Set the AUTO SEQ switch to STOP. This also sets the sticks to zero and stops the end effector."""
+
+    seq: Seq
+
+
+class SetEffector(WireMessage, frozen=True, tag="effector"):
+    """Set the end effector switch: the prong closes or opens; the snares capture or release."""
+
+    seq: Seq
+    switch: EffectorSwitch
+
+
+class SetEffectorMode(WireMessage, frozen=True, tag="effector_mode"):
+    """Set END EFFECTOR MODE of the snares: the whole sequence (auto), or the snares alone (manual)."""
+
+    seq: Seq
+    mode: Literal["auto", "manual"]
+
+
+class SetRigid(WireMessage, frozen=True, tag="rigid"):
+    """Set END EFFECTOR MAN CONTR of the snares: in manual mode, it moves the carriage alone."""
+
+    seq: Seq
+    rigid: Literal["off", "rigid", "derigid"]
+
+
+class PressLatch(WireMessage, frozen=True, tag="latch"):
+    """Latch the payload in its seat (retention latches, docking port), or unlatch it."""
+
+    seq: Seq
+    latch: Literal["latch", "unlatch"]
+
+
+class SetMaster(WireMessage, frozen=True, tag="master"):
+    """Set the joint angles of the master arm, which the arm follows in MASTER."""
+
+    seq: Seq
+    angles: Six
+    """[rad]"""
+
+
+class Initialise(WireMessage, frozen=True, tag="initialise"):
+    """Put arm and payload back to where a part of the problem begins."""
+
+    seq: Seq
+    part: ProblemPart
+
+
+class Restart(WireMessage, frozen=True, tag="restart"):
+    """Put the scenario back to its first instant."""
+
+    seq: Seq
+
+
+class FlyScenario(WireMessage, frozen=True, tag="fly_scenario"):
+    """Leave this run and run another scenario; the recording of this run is finished and kept."""
+
+    seq: Seq
+    number: Annotated[int, msgspec.Meta(ge=0)]
+    """Index in `Scenarios.scenarios`."""
+
+
+class DriveCamera(WireMessage, frozen=True, tag="drive_camera"):
+    """Set the switches that drive a camera, each in [-1, 1]; they expire after 0.5 s of silence, as `Sticks` do."""
+
+    seq: Seq
+    camera: Name
+    pan: float
+    """+ to the right in the picture."""
+    tilt: float
+    """+ upwards."""
+    zoom: float
+    """+ zooms in, to a narrower field of view."""
+    slow: bool
+    """True for the low speed, if the drive has two."""
+
+
+class Shown(WireMessage, frozen=True, tag="shown"):
+    """Report the latency that the page measures and the cameras that it shows, for the recording and the strips.
+
+    The page sends it once a second and when a monitor shows another camera.
+    """
+
+    seq: Seq
+    latency_ms: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] | None
+    """Time from stick to picture, 95th percentile of the last 10 s [ms]; null if there is no measurement."""
+    monitors: Annotated[tuple[Monitor, ...], msgspec.Meta(max_length=2)] = ()
+    """Cameras that MON 1 and MON 2 show."""
+
+
+class SetLight(WireMessage, frozen=True, tag="set_light"):
+    """Set the whole lighting from now on. It is recorded, but it is not an input of the simulation."""
+
+    seq: Seq
+    lighting: Lighting
+
+
+class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Device that moves the hand controllers, with its settings and the use of its keys, buttons and axes."""
+
+    kind: ControllerKind
+    name: Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
+    """Name that the browser gives the device."""
+    deadband: Annotated[float, msgspec.Meta(ge=0.0, le=0.5)]
+    """Part of an axis' travel about its centre that counts as zero."""
+    expo: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
+    """0 linear, 1 cubic: (1 - expo) x + expo x**3, where x is the deflection beyond the deadband."""
+    bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=64)]
+    """Key, button or axis, and its use: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
+    centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=16)]
+    """Rest position of each axis, as the operator has confirmed it; 0 for the axes beyond the last."""
+
+
+class Controllers(WireMessage, frozen=True, tag="controllers"):
+    """Report the hand controllers in use, for the recording: when the page takes control and whenever they change."""
+
+    seq: Seq
+    controllers: Annotated[tuple[ControllerInUse, ...], msgspec.Meta(max_length=5)]
+
+
+FromPage = (
+    Sticks
+    | Shown
+    | Controllers
+    | DriveCamera
+    | SetLight
+    | EnterMode
+    | SelectJoint
+    | SelectRate
+    | SelectLaw
+    | PayloadAxes
+    | RateHold
+    | PositionHold
+    | AskSticks
+    | GiveSticks
+    | KeepSticks
+    | SetName
+    | LeaveSeat
+    | TakeSeat
+    | HandsOff
+    | LookAhead
+    | SetBrakes
+    | SetSafing
+    | SetTarget
+    | Proceed
+    | Stop
+    | Restart
+    | FlyScenario
+    | SetEffector
+    | SetEffectorMode
+    | SetRigid
+    | PressLatch
+    | SetMaster
+    | Initialise
+)

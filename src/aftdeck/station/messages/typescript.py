@@ -1,0 +1,146 @@
+"""TypeScript of all messages: ``python -m aftdeck.station.messages.typescript`` prints ``web/src/link/protocol.ts``.
+
+Every struct becomes an interface. Every alias (tuple, literal or union) in `NAMED` becomes a type of
+the same name. The docstrings of structs and fields become comments. The encoder writes every field, even one at its
+default, so that no field is optional.
+"""
+
+from __future__ import annotations
+
+import inspect
+import sys
+import types
+import typing
+
+import msgspec
+
+from aftdeck import shapes
+from aftdeck.recording.hints import apart, is_object, names
+from aftdeck.simulation import frame as sim
+from aftdeck.station.messages import frame, from_page, kinds, playback, to_page, welcome
+from aftdeck.told import comments
+from aftdeck.worksite import report
+
+HEADER = """\
+// Generated from simulation/frame.py and station/messages by `make generate`; do not edit.
+// All quantities are SI and radians; see there for frames.
+"""
+
+MODULES = (kinds, from_page, welcome, frame, to_page, playback)
+"""Modules whose structs the page uses."""
+NAMED = (shapes, *MODULES, sim, report)
+"""Modules whose aliases are names in TypeScript, too."""
+
+_PLAIN: dict[object, str] = {
+    float: "number",
+    int: "number",
+    str: "string",
+    bool: "boolean",
+    type(None): "null",
+}
+
+
+def typescript() -> str:
+    """Return the whole file, ending in a newline.
+
+    Raises:
+        TypeError: a field has a type that has no TypeScript here, or two structs have the same name.
+    """
+    return _Writer().file()
+
+
+class _Writer:
+    """Collector of the structs of `MODULES` and of all structs that they contain."""
+
+    def __init__(self) -> None:
+        self.aliases: dict[object, str] = {}
+        for module in NAMED:
+            for name, value in vars(module).items():
+                if typing.get_origin(value) in (tuple, typing.Literal, typing.Union, types.UnionType):
+                    self.aliases.setdefault(value, name)
+        self.interfaces: dict[type[msgspec.Struct], str] = {}
+
+    def file(self) -> str:
+        named = [f"export type {name} = {self.structure(alias)};" for alias, name in self.aliases.items()]
+        for value in [value for module in MODULES for value in vars(module).values()]:
+            if isinstance(value, type) and issubclass(value, msgspec.Struct) and value is not kinds.WireMessage:
+                self.structure(value)
+        parts = [
+            HEADER,
+            f"export const PROTOCOL = {kinds.PROTOCOL};\n",
+            "\n".join(named) + "\n",
+            *self.interfaces.values(),
+        ]
+        return "\n".join(parts)
+
+    def name(self, hint: object) -> str:
+        """Return a type hint in TypeScript, by its alias if it has one."""
+        alias = self.aliases.get(hint)
+        return self.structure(hint) if alias is None else alias
+
+    def structure(self, hint: object) -> str:
+        """Return a type hint in TypeScript, spelt out."""
+        plain = _PLAIN.get(hint)
+        if plain is not None:
+            return plain
+        origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+        if origin is typing.Literal:
+            return " | ".join(_literal(value) for value in arguments)
+        if origin in (typing.Union, types.UnionType):
+            return " | ".join(self.name(part) for part in arguments)
+        if origin is tuple and arguments[-1] is Ellipsis:
+            item = self.name(arguments[0])
+            return f"readonly ({item})[]" if " " in item else f"readonly {item}[]"
+        if origin is tuple:
+            return f"readonly [{', '.join(self.name(part) for part in arguments)}]"
+        if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
+            if hint not in self.interfaces:
+                if any(known.__name__ == hint.__name__ for known in self.interfaces):
+                    raise TypeError(f"two structs are called {hint.__name__}; the page needs a name for each")
+                self.interfaces[hint] = ""  # reserves the place of the struct, and ends a recursion
+                self.interfaces[hint] = self.interface(hint)
+            return hint.__name__
+        if is_object(hint):
+            hints = typing.get_type_hints(hint)
+            return f"readonly [{', '.join(f'{name}: {self.name(hints[name])}' for name in names(hint))}]"
+        raise TypeError(
+            f"{hint} has no TypeScript here; use numbers, strings, booleans, tuples, literals, structs and their unions"
+        )
+
+    def interface(self, struct: type[msgspec.Struct]) -> str:
+        hints, said = typing.get_type_hints(struct), comments(struct)
+        told = typing.get_type_hints(struct, include_extras=True)
+        lines = [*_comment(inspect.getdoc(struct), ""), f"export interface {struct.__name__} {{"]
+        config = struct.__struct_config__
+        if config.tag_field is not None:
+            lines.append(f"  readonly {config.tag_field}: {_literal(config.tag)};")
+        for field, wire in zip(struct.__struct_fields__, struct.__struct_encode_fields__, strict=True):
+            lines += _comment(_described(apart(told[field])[1]) or said.get(field), "  ")
+            lines.append(f"  readonly {wire}: {self.name(hints[field])};")
+        return "\n".join([*lines, "}", ""])
+
+
+def _described(meta: msgspec.Meta | None) -> str:
+    """Return a told field's description, with its unit and axes."""
+    if meta is None or meta.description is None:
+        return ""
+    extra = meta.extra or {}
+    unit = "" if extra["unit"] in ("", "1") else f" [{extra['unit']}]"
+    return f"{meta.description}{unit}" + (f", along the axes of {extra['frame']}" if extra["frame"] else "")
+
+
+def _literal(value: object) -> str:
+    return f"'{value}'" if isinstance(value, str) else str(value)
+
+
+def _comment(text: str | None, indent: str) -> list[str]:
+    if not text:
+        return []
+    lines = text.replace("``", "`").splitlines()
+    if len(lines) == 1:
+        return [f"{indent}/** {lines[0]} */"]
+    return [f"{indent}/**", *(f"{indent} * {line}".rstrip() for line in lines), f"{indent} */"]
+
+
+if __name__ == "__main__":
+    sys.stdout.write(typescript())

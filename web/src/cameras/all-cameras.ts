@@ -1,0 +1,80 @@
+/** All cameras at once: what each sees, which pair sees most, and the plan of where they stand. */
+
+import type { Camera, ClosestPoints, Frame } from '../link/protocol';
+import type { Matrix } from '../panel/monitors/matrix';
+import { extentOf } from '../panel/monitors/plan';
+import type { Scene } from '../scene';
+import type { Rect } from '../scene/drawn';
+import { pairWords, type Survey } from './coverage';
+
+/** One camera is looked through each so many times that the page is drawn. */
+const SURVEYED = 3;
+
+/** A monitor, by its label and what it shows. */
+export interface Showing {
+  readonly label: string;
+  readonly cameras: readonly Camera[];
+}
+
+/** The page as it stands when all cameras are shown. */
+export interface Drawn {
+  readonly frame: Frame;
+  readonly gap: ClosestPoints | null;
+  readonly monitors: readonly Showing[];
+  /** So often has the page been drawn. */
+  readonly count: number;
+  /** Everything is drawn anew. */
+  readonly wiped: boolean;
+}
+
+export class AllCameras {
+  private readonly televised: readonly Camera[];
+
+  /** `pace`: the plan is drawn each so many times that the page is. */
+  constructor(
+    private readonly matrix: Matrix,
+    private readonly scene: Scene,
+    private readonly survey: Survey,
+    private readonly cameras: readonly Camera[],
+    private readonly pace: number,
+  ) {
+    this.televised = cameras.filter(({ kind }) => kind === 'camera');
+  }
+
+  /** @param rectOf where an element lies on the canvas. */
+  show(drawn: Drawn, rectOf: (element: HTMLElement) => Rect): void {
+    const { frame, gap, monitors, count, wiped } = drawn;
+    const { matrix, survey } = this;
+    if (wiped) survey.lookAll(frame, gap);
+    else if (count % SURVEYED === 0) survey.look(frame, gap, 1);
+    this.cameras.forEach((camera, i) => {
+      const tags = monitors.filter(({ cameras }) => cameras.includes(camera));
+      matrix.say(
+        i,
+        survey.sees(camera),
+        tags.map(({ label }) => label),
+      );
+    });
+    matrix.setAdvice(pairWords(survey.best()));
+    if (count % this.pace === 0 || wiped) this.drawPlan(drawn, rectOf);
+  }
+
+  private drawPlan({ gap, monitors }: Drawn, rectOf: (element: HTMLElement) => Rect): void {
+    const { plan } = this.matrix;
+    if (!plan.picture.isConnected) return;
+    const rect = rectOf(plan.picture);
+    if (rect.width < 1 || rect.height < 1) return;
+    const { scene } = this;
+    const used = monitors.flatMap(({ cameras }) => cameras);
+    const marks = this.televised.map((camera) => ({
+      camera,
+      lens: scene.sight.lens(camera),
+      ahead: scene.sight.direction(camera),
+      angle: scene.setting(camera.name)[2],
+      used: used.includes(camera),
+    }));
+    const extent = extentOf([...marks.map(({ lens }) => lens), ...this.survey.places], rect);
+    plan.set(extent, marks, gap?.plane ?? null);
+    scene.drawPlan(rect, extent);
+  }
+}

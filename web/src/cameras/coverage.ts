@@ -1,0 +1,116 @@
+/** What every camera sees of the work, looked at one camera after the other, and what follows from it. */
+
+import type { Camera, ClosestPoints, Frame, Vec3, Welcome } from '../link/protocol';
+import { stickToPicture } from '../panel/monitors/axes';
+import type { Scene } from '../scene';
+import { bestPair, type Pair, type Sighting, TARGETS, type Target } from './best-pair';
+
+/** How the names of the arm's bodies begin; the one that carries the tip; a payload without a place of its own. */
+const [ARM, TIP, PAYLOAD] = ['arm.', 'arm.wrist_roll', 'payload'];
+
+type Places = Readonly<Record<Target, Vec3 | null>>;
+
+export class Survey {
+  private readonly seen = new Map<string, Sighting>();
+  private readonly payloads: readonly string[];
+  private at: Places = { tip: null, payload: null, gap: null };
+  private next = 0;
+
+  constructor(
+    private readonly scene: Scene,
+    private readonly welcome: Pick<Welcome, 'cameras' | 'work' | 'bodies'>,
+  ) {
+    const names = new Set([...welcome.work.cargo, PAYLOAD]);
+    this.payloads = welcome.bodies.map(({ name }) => name).filter((name) => names.has(name));
+  }
+
+  /** Looks through so many cameras more, with the scene as it stands at a frame. */
+  look(frame: Frame, gap: ClosestPoints | null, count: number): void {
+    const { cameras } = this.welcome;
+    this.at = {
+      tip: this.place('tip', gap),
+      payload: this.place('payload', gap),
+      gap: this.place('gap', gap),
+    };
+    for (let i = 0; i < count; i += 1) {
+      const camera = cameras[this.next % cameras.length];
+      this.next += 1;
+      if (camera) this.seen.set(camera.name, this.sighting(camera, frame, gap));
+    }
+  }
+
+  /** Where something to see is; null: there is none. */
+  place(target: Target, gap: ClosestPoints | null): Vec3 | null {
+    if (target === 'tip') return this.scene.middle(TIP);
+    if (target === 'gap') return gap?.plane ?? null;
+    return this.payloads.map((name) => this.scene.middle(name)).find((place) => place !== null) ?? null;
+  }
+
+  /** Looks through all of them at once. */
+  lookAll(frame: Frame, gap: ClosestPoints | null): void {
+    this.look(frame, gap, this.welcome.cameras.length);
+  }
+
+  /** What a camera saw when it was looked through last. */
+  sees(camera: Camera): readonly Target[] {
+    const seen = this.seen.get(camera.name)?.sees;
+    return TARGETS.filter((target) => seen?.has(target));
+  }
+
+  /** Where what there is to see is. */
+  get places(): readonly Vec3[] {
+    return Object.values(this.at).filter((place) => place !== null);
+  }
+
+  /** The best pair of television cameras. */
+  best(): Pair | null {
+    return this.bestOf(({ kind }) => kind === 'camera');
+  }
+
+  /**
+   * What the two monitors show at first: the best pair of those that stand still, as the arm's own cameras look
+   * elsewhere once it moves; with an empty hand, the hand's own camera in place of the second, if it sees the payload
+   * that is to be taken.
+   */
+  first(frame: Frame): readonly Camera[] {
+    const { cameras } = this.welcome;
+    const pair = this.bestOf(({ kind, body }) => kind === 'camera' && !body.startsWith(ARM)) ?? this.best();
+    const named = (pair?.cameras ?? []).flatMap(({ camera }) =>
+      cameras.filter(({ name }) => name === camera),
+    );
+    const held = frame.work.cargo.some((cargo) => cargo.held);
+    const own = cameras.find(({ body, kind }) => body === TIP && kind === 'camera');
+    const aimed = !held && own && this.sees(own).includes('payload') ? [own] : [];
+    return [...named.slice(0, 2 - aimed.length), ...aimed, ...cameras].slice(0, 2);
+  }
+
+  private bestOf(allowed: (camera: Camera) => boolean): Pair | null {
+    const sightings = this.welcome.cameras
+      .filter(allowed)
+      .map(({ name }) => this.seen.get(name))
+      .filter((sighting) => sighting !== undefined);
+    return bestPair(sightings, this.at);
+  }
+
+  private sighting(camera: Camera, frame: Frame, gap: ClosestPoints | null): Sighting {
+    const { sight } = this.scene;
+    const sees = new Set<Target>();
+    const ahead = sight.ahead(camera);
+    if (ahead.has(TIP) || sight.body(camera, TIP)) sees.add('tip');
+    if (this.payloads.some((name) => ahead.has(name) || sight.body(camera, name))) sees.add('payload');
+    if (gap && sight.line(camera, gap.point_a, gap.point_b)) sees.add('gap');
+    const turned = stickToPicture(this.scene.directions(camera.name, frame.display.axes));
+    return { camera: camera.name, sees, lens: sight.lens(camera), turned };
+  }
+}
+
+/** What the best pair is good for, in a few sentences. */
+export function pairWords(pair: Pair | null): readonly string[] {
+  if (!pair) return ['No two cameras see the same.'];
+  const [a, b] = pair.cameras;
+  const angle = (radians: number) => `${Math.round((radians * 180) / Math.PI)}°`;
+  return [
+    `${a.camera} and ${b.camera} both see the ${pair.targets.join(' and the ')}, ${angle(pair.apart)} apart.`,
+    `Sticks against picture: ${a.camera} ${angle(a.turned)}, ${b.camera} ${angle(b.turned)}.`,
+  ];
+}

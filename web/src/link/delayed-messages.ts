@@ -1,0 +1,92 @@
+/** What comes from the station, each thing shown as late as the scenario has it, and how late that is by measure. */
+
+import type { Delays } from '../panel/rail/delays';
+import { type Age, DelayLine, type Seen } from './delay-line';
+import type { Frame, Event as LogEvent, Welcome } from './protocol';
+import { Samples } from './samples';
+
+/** `telemetry`: figures, lamps, tones and log; `camera`: pictures. */
+export type Shows = 'telemetry' | 'camera';
+
+interface Line {
+  readonly line: DelayLine;
+  /** How old what was shown was, as it was shown first [s]. */
+  readonly ages: Samples;
+  last: Seen | null;
+}
+
+export class Arrivals {
+  /** How often the flight has begun anew. */
+  restarts = 0;
+  private newest: Seen | null = null;
+  private readonly lines: Readonly<Record<Shows, Line>>;
+  /** Lines of the log that are on their way. */
+  private log: LogEvent[] = [];
+  private readonly command: number;
+
+  constructor(welcome: Pick<Welcome, 'command_delay_s' | 'telemetry_delay_s' | 'camera_delay_s'>) {
+    const line = (delay: number) => ({ line: new DelayLine(delay), ages: new Samples(), last: null });
+    this.command = welcome.command_delay_s;
+    this.lines = { telemetry: line(welcome.telemetry_delay_s), camera: line(welcome.camera_delay_s) };
+  }
+
+  /** A frame came at `now` [ms]; true: the flight has begun anew with it. */
+  put(frame: Frame, now: number): boolean {
+    const anew = this.newest !== null && frame.tick < this.newest.frame.tick;
+    if (anew) this.restarts += 1;
+    this.newest = { frame, at: now };
+    for (const { line } of Object.values(this.lines)) line.put(this.newest);
+    return anew;
+  }
+
+  /** What is to be shown at `now` [ms]; null: nothing has come. */
+  at(shows: Shows, now: number): Seen | null {
+    return this.lines[shows].line.at(now);
+  }
+
+  age(shows: Shows, now: number): Age {
+    return this.lines[shows].line.age(now);
+  }
+
+  /** So long has nothing come [s]. */
+  silence(now: number): number {
+    return (now - (this.newest?.at ?? now)) / 1000;
+  }
+
+  /** This is shown at `now` [ms]; what was shown before it had to come is not so old. */
+  show(shows: Shows, seen: Seen, now: number): void {
+    const line = this.lines[shows];
+    const age = (now - seen.at) / 1000;
+    if (line.last !== seen && age >= line.line.delay) line.ages.add(age, now);
+    line.last = seen;
+  }
+
+  /** `answer`: from a stick to the frame that has flown it, as measured [s]. */
+  delays(answer: number | null, now: number): Delays {
+    const { telemetry, camera } = this.lines;
+    const shown = ({ line, ages }: Line) => ({ set: line.delay, measured: ages.part(0.5, now) });
+    return {
+      command: { set: this.command, measured: answer },
+      telemetry: shown(telemetry),
+      camera: shown(camera),
+    };
+  }
+
+  /** Lines of the log come with the figures of their time. */
+  addEvents(events: readonly LogEvent[]): void {
+    this.log.push(...events);
+  }
+
+  /** The lines that are due at `now` [ms]. */
+  dueEvents(now: number): readonly LogEvent[] {
+    const { line } = this.lines.telemetry;
+    const until = line.delay > 0 ? (line.at(now)?.frame.time_s ?? 0) : Infinity;
+    const later = this.log.findIndex(({ time_s }) => time_s > until);
+    return this.log.splice(0, later < 0 ? Infinity : later);
+  }
+
+  /** All lines that are on their way. */
+  takeEvents(): readonly LogEvent[] {
+    return this.log.splice(0);
+  }
+}

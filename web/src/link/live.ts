@@ -1,0 +1,111 @@
+/** Flying: connect, and hand every message to the station. */
+
+import { assertUnreachable } from '../basics/assert';
+import { publish } from '../page/hook';
+import { notice } from '../page/notice';
+import type { Drawing } from '../page/quality';
+import { Station } from '../page/station';
+import { onTooNarrow, tooNarrow } from '../page/width';
+import { LiveStrips } from '../windows/live-strips';
+import { Display } from '../windows/monitor-window';
+import { tornHere } from '../windows/opened';
+import type { Role, Scenarios, Welcome } from './protocol';
+import { type FromSession, Link, type LinkState } from './socket';
+
+/** What the page says while there is nothing to fly yet. */
+function words(link: LinkState): string {
+  if (link.kind === 'preparing') return link.text;
+  return link.kind === 'lost'
+    ? `No answer from the station, try ${link.attempt}.`
+    : 'Connecting to the station.';
+}
+
+export function fly(root: HTMLElement, drawing: Drawing): void {
+  let station: Station | Display | LiveStrips | null = null;
+  const torn = tornHere(location.search);
+  let welcomed: Welcome | null = null;
+  let role: Role | null = null;
+  let scenarios: Scenarios | null = null;
+
+  function welcome(message: Welcome): void {
+    // A station that comes back as it was keeps its page, and tells its whole log anew.
+    if (station && JSON.stringify(message) === JSON.stringify(welcomed)) {
+      if (!(station instanceof Display)) station.forgetEvents();
+      return;
+    }
+    station?.dispose();
+    welcomed = message;
+    if (torn === 'strips') {
+      station = new LiveStrips(root, message);
+      return;
+    }
+    if (torn !== null) {
+      station = new Display(root, message, drawing, torn);
+      return;
+    }
+    const own = new Station(root, message, drawing, (command) => link.send(command));
+    own.setTooNarrow(tooNarrow());
+    if (role) own.setRole(role);
+    if (scenarios) own.setScenarios(scenarios);
+    station = own;
+    document.title = `${message.title} · Aftdeck`;
+  }
+
+  function message(received: FromSession): void {
+    switch (received.type) {
+      case 'welcome':
+        welcome(received);
+        break;
+      case 'scenarios':
+        scenarios = received;
+        if (station instanceof Station) station.setScenarios(received);
+        break;
+      case 'role':
+        role = received;
+        if (station instanceof Station) station.setRole(received);
+        break;
+      case 'frame':
+        station?.setFrame(received);
+        break;
+      case 'events':
+        if (station && !(station instanceof Display)) station.addEvents(received.events);
+        break;
+      case 'recent':
+        if (station instanceof LiveStrips) station.setRecent(received);
+        break;
+      case 'refused':
+        if (station instanceof Station) station.refuse(received.text, received.seq);
+        break;
+      default:
+        assertUnreachable(received);
+    }
+  }
+
+  function state(now: LinkState): void {
+    if (station instanceof Station) station.setLink(now);
+    if (now.kind === 'refused') {
+      station?.dispose();
+      station = null;
+      notice(root, now.sentence);
+    } else if (now.kind !== 'open' && !station) {
+      notice(root, words(now));
+    }
+  }
+
+  const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
+  const link = new Link(`${scheme}://${location.host}/ws`, { message, state }, () => ({
+    shows: torn !== null || tooNarrow(),
+    strips: torn === 'strips',
+  }));
+  onTooNarrow(() => {
+    if (station instanceof Station) station.setTooNarrow(tooNarrow());
+    link.reseat();
+  });
+  publish(drawing.renderer, () => ({
+    frames: station?.drawn ?? 0,
+    lastFrame: station?.shown.frame ?? null,
+    restarts: station?.shown.restarts ?? 0,
+    bodies: station?.bodies ?? [],
+    latency95: station instanceof Station ? station.latency.percentile95(performance.now()) : null,
+  }));
+}

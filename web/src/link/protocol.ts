@@ -1,0 +1,1382 @@
+// Generated from simulation/frame.py and station/messages by `make generate`; do not edit.
+// All quantities are SI and radians; see there for frames.
+
+export const PROTOCOL = 4;
+
+export type Vec2 = readonly [number, number];
+export type Vec3 = readonly [number, number, number];
+export type Axis = 'x' | 'y' | 'z';
+export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'glow';
+export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group;
+export type Six = readonly [number, number, number, number, number, number];
+export type Quat = readonly [number, number, number, number];
+export type Rate = 'coarse' | 'vernier';
+export type LawChoice = 'position' | 'closed loop' | 'open loop';
+export type Level = 'info' | 'caution' | 'warning';
+export type EffectorSwitch = 'stop' | 'close' | 'open';
+export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
+export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
+export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
+export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE';
+export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
+export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
+export type Block = readonly Moment[];
+export type Rows = readonly [Vec3, Vec3, Vec3];
+export type Sequence = 'idle' | 'checking' | 'ready' | 'in progress';
+export type LimitKind = 'joint rate' | 'soft stop' | 'hard stop' | 'singularity' | 'joint acceleration' | 'POR translation' | 'POR rotation' | 'POR acceleration' | 'seat' | 'contact' | 'switch';
+export type Cause = '' | 'reach' | 'seat' | 'switch' | 'contact' | 'limit' | 'miss' | 'time';
+
+/** A box with its centre at its position. */
+export interface Box {
+  readonly kind: 'box';
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  /** Edges along x, y, z [m]. */
+  readonly size: Vec3;
+}
+
+/** A solid cylinder or truncated cone with its centre at its position. */
+export interface Cylinder {
+  readonly kind: 'cylinder';
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  readonly axis: Axis;
+  readonly length: number;
+  /** Radius at the end with the smaller axis coordinate [m]. */
+  readonly radius: number;
+  /** Radius at the other end [m]; None if it equals `radius`. */
+  readonly radius_end: number | null;
+}
+
+/**
+ * A wall bent round an axis: tube, nozzle, door, or a piece of a disc if the wall is as thick as its radius.
+ *
+ * Angles run from y to z about axis x, from z to x about y, from x to y about z.
+ */
+export interface Shell {
+  readonly kind: 'shell';
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  readonly axis: Axis;
+  readonly length: number;
+  /** Outer radius at the end with the smaller axis coordinate [m]. */
+  readonly radius: number;
+  /** Outer radius at the other end [m]; None if it equals `radius`. */
+  readonly radius_end: number | null;
+  readonly thickness: number;
+  readonly start: number;
+  readonly sweep: number;
+}
+
+/** A round bar bent about an axis, a full turn or part of one; angles as in `Shell`. */
+export interface Ring {
+  readonly kind: 'ring';
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  readonly axis: Axis;
+  /** Radius of the bar's centre line [m]. */
+  readonly radius: number;
+  /** Radius of the bar [m]. */
+  readonly bar: number;
+  readonly start: number;
+  readonly sweep: number;
+}
+
+/** A sphere. */
+export interface Sphere {
+  readonly kind: 'sphere';
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  readonly radius: number;
+}
+
+/** A flat outline with a thickness, half on each side of the plane through its position. */
+export interface Plate {
+  readonly kind: 'plate';
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  readonly normal: Axis;
+  /** Corners in order, not closed, as (y, z), (x, z) or (x, y) for normal x, y or z [m]. */
+  readonly outline: readonly Vec2[];
+  readonly thickness: number;
+  /** Distance by which the rims are cut back, at most half the thickness [m]. */
+  readonly bevel: number;
+}
+
+/** A skin over cross-sections along x, closed at both ends. */
+export interface Loft {
+  readonly kind: 'loft';
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  /** Sections in order of increasing x. */
+  readonly sections: readonly Section[];
+}
+
+/**
+ * A rounded cross-section of a loft: an upper and a lower half of a superellipse.
+ *
+ * Its points satisfy |y/half_width|^n + |z/height|^n = 1 about `middle`, where n is the exponent of the half:
+ * 2 gives an ellipse, 5 nearly a rectangle.
+ */
+export interface Section {
+  readonly x: number;
+  readonly half_width: number;
+  readonly top: number;
+  readonly middle: number;
+  readonly bottom: number;
+  /** Exponents of the upper and of the lower half. */
+  readonly exponents: Vec2;
+}
+
+/** A body of eight vertices and six flat faces, numbered as in `aftdeck.bodies.hexahedron`. */
+export interface Hexahedron {
+  readonly kind: 'hexahedron';
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly material: Material;
+  /** Vertices, numbered v - 1 = 4 (on the +y side) + 2 (+x) + 1 (+z), in the body's own axes [m]. */
+  readonly vertices: readonly Vec3[];
+}
+
+/** A lamp: a round face that points along its own x axis and lights the space in front. */
+export interface Light {
+  readonly kind: 'light';
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly radius: number;
+  /** Half angle of the beam [rad]; above pi/2 the lamp shines all round. */
+  readonly cone: number;
+  /** Range of the light [m]. */
+  readonly reach: number;
+  /** Intensity on the lamp's axis [cd], on the scale in which the sun gives 4.1 lx. */
+  readonly intensity: number;
+  /** Name of the panel's switch that lights this lamp and all others with that switch. */
+  readonly switch: string;
+}
+
+/** Shapes that share a position; drawn once or several times in even steps, and optionally mirrored. */
+export interface Group {
+  readonly kind: 'group';
+  /** Position [m]. */
+  readonly position: Vec3;
+  /** Roll, pitch, yaw about fixed x, y, z, applied in that order [rad]. */
+  readonly rotation: Vec3;
+  readonly shapes: readonly Shape[];
+  /** Number of copies. */
+  readonly count: number;
+  /** Translation from one copy to the next, along the group's own axes [m]. */
+  readonly step: Vec3;
+  /** Rotation from one copy to the next, about the group's own axes, given as a `rotation` [rad]. */
+  readonly turn: Vec3;
+  /** Whether all copies are drawn once more, reflected in the plane y = 0 of the frame that lists the group. */
+  readonly mirror: boolean;
+}
+
+/**
+ * Deflections of the hand controllers, after deadband and expo, each axis in [-1, 1].
+ *
+ * The page sends them whenever they change. While a stick is deflected or RATE HOLD keeps a rate, it sends them at
+ * least every 0.2 s: after 0.5 s of silence the server sets the sticks to zero and treats the controls as unattended
+ * (`HandsOff`).
+ */
+export interface Sticks {
+  readonly type: 'sticks';
+  /** Increases with every message of a page; the server rejects a number that is not greater than the last. */
+  readonly seq: number;
+  /** THC: +X, +Y, +Z of the present control frame. */
+  readonly translation: Vec3;
+  /** RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame. */
+  readonly rotation: Vec3;
+  /** SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT). */
+  readonly drive: number;
+  /** Telescope under the arm: + longer, - shorter, in [-1, 1]. */
+  readonly telescope: number;
+  /** Translation of the orbiter: forward, starboard, down, each in [-1, 1]. */
+  readonly orbiter: Vec3;
+}
+
+/**
+ * Report the latency that the page measures and the cameras that it shows, for the recording and the strips.
+ *
+ * The page sends it once a second and when a monitor shows another camera.
+ */
+export interface Shown {
+  readonly type: 'shown';
+  readonly seq: number;
+  /** Time from stick to picture, 95th percentile of the last 10 s [ms]; null if there is no measurement. */
+  readonly latency_ms: number | null;
+  /** Cameras that MON 1 and MON 2 show. */
+  readonly monitors: readonly (readonly string[])[];
+}
+
+/** Report the hand controllers in use, for the recording: when the page takes control and whenever they change. */
+export interface Controllers {
+  readonly type: 'controllers';
+  readonly seq: number;
+  readonly controllers: readonly ControllerInUse[];
+}
+
+/** Device that moves the hand controllers, with its settings and the use of its keys, buttons and axes. */
+export interface ControllerInUse {
+  readonly kind: ControllerKind;
+  /** Name that the browser gives the device. */
+  readonly name: string;
+  /** Part of an axis' travel about its centre that counts as zero. */
+  readonly deadband: number;
+  /** 0 linear, 1 cubic: (1 - expo) x + expo x**3, where x is the deflection beyond the deadband. */
+  readonly expo: number;
+  /** Key, button or axis, and its use: `KeyW +X`, `a1 -X`, `b9+b12 +telescope`. */
+  readonly bindings: readonly string[];
+  /** Rest position of each axis, as the operator has confirmed it; 0 for the axes beyond the last. */
+  readonly centres: readonly number[];
+}
+
+/** Set the switches that drive a camera, each in [-1, 1]; they expire after 0.5 s of silence, as `Sticks` do. */
+export interface DriveCamera {
+  readonly type: 'drive_camera';
+  readonly seq: number;
+  readonly camera: string;
+  /** + to the right in the picture. */
+  readonly pan: number;
+  /** + upwards. */
+  readonly tilt: number;
+  /** + zooms in, to a narrower field of view. */
+  readonly zoom: number;
+  /** True for the low speed, if the drive has two. */
+  readonly slow: boolean;
+}
+
+/** Set the whole lighting from now on. It is recorded, but it is not an input of the simulation. */
+export interface SetLight {
+  readonly type: 'set_light';
+  readonly seq: number;
+  readonly lighting: Lighting;
+}
+
+/** Present light: the condition, the lamps that are on, and the locked exposures. */
+export interface Lighting {
+  /** Name of the condition, as in `LightCondition.name`. */
+  readonly condition: string;
+  /** Switches that are on. */
+  readonly lamps: readonly string[];
+  readonly locked: readonly LockedExposure[];
+}
+
+/** A camera whose exposure does not follow the brightness of its picture. */
+export interface LockedExposure {
+  readonly camera: string;
+  /** Exposure of the camera [stops above that of full sunlight]. */
+  readonly stops: number;
+}
+
+/** Turn the MODE rotary to a position and press ENTER. */
+export interface EnterMode {
+  readonly type: 'enter_mode';
+  readonly seq: number;
+  /** A panel position, as `ModeInfo.position`. */
+  readonly mode: string;
+}
+
+/** Turn the JOINT rotary. */
+export interface SelectJoint {
+  readonly type: 'select_joint';
+  readonly seq: number;
+  /** 0 to 5, in the order of `Welcome.joints`. */
+  readonly joint: number;
+}
+
+/** Set the COARSE/VERNIER switch. */
+export interface SelectRate {
+  readonly type: 'select_rate';
+  readonly seq: number;
+  readonly rate: Rate;
+}
+
+/** Set the switch beside OPR CMD and AUTO 1-4, which selects the report's mode (1 to 3) that they fly. */
+export interface SelectLaw {
+  readonly type: 'select_law';
+  readonly seq: number;
+  readonly law: LawChoice;
+}
+
+/** Set the switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4). */
+export interface PayloadAxes {
+  readonly type: 'payload_axes';
+  readonly seq: number;
+  readonly on: boolean;
+}
+
+/** Press RATE HOLD: keep the present stick command, or cancel RATE HOLD if it is on. */
+export interface RateHold {
+  readonly type: 'rate_hold';
+  readonly seq: number;
+}
+
+/** Set POSITION HOLD: keep position and attitude while the sticks are centred. */
+export interface PositionHold {
+  readonly type: 'position_hold';
+  readonly seq: number;
+  readonly on: boolean;
+}
+
+/** Ask for control of the arm; the page in control gives or keeps the sticks within 10 s, or the request expires. */
+export interface AskSticks {
+  readonly type: 'ask_sticks';
+  readonly seq: number;
+}
+
+/** Give the sticks, which must be centred, to the page that asks for control. */
+export interface GiveSticks {
+  readonly type: 'give_sticks';
+  readonly seq: number;
+}
+
+/** Keep the sticks; the server informs the page that asks for control. */
+export interface KeepSticks {
+  readonly type: 'keep_sticks';
+  readonly seq: number;
+}
+
+/** Set the name of the person at this page, for the other pages and for the log. */
+export interface SetName {
+  readonly type: 'set_name';
+  readonly seq: number;
+  /** One line of at most 24 characters; empty to call the page by its number again. */
+  readonly name: string;
+}
+
+/**
+ * Leave the seat: the page has become too narrow to control the arm, and from now on only shows the run.
+ *
+ * If this page was in control, the next page takes control.
+ */
+export interface LeaveSeat {
+  readonly type: 'leave_seat';
+  readonly seq: number;
+}
+
+/** Take a seat again: the page is wide enough now. It takes control if no page has it, and otherwise observes. */
+export interface TakeSeat {
+  readonly type: 'take_seat';
+  readonly seq: number;
+}
+
+/** Leave the controls unattended: sticks centred, RATE HOLD off, POSITION HOLD on. A sequence continues. */
+export interface HandsOff {
+  readonly type: 'hands_off';
+  readonly seq: number;
+  readonly cause: 'page hidden' | 'device lost';
+}
+
+/** Set the time span of the look-ahead. */
+export interface LookAhead {
+  readonly type: 'look_ahead';
+  readonly seq: number;
+  /** [s] */
+  readonly seconds: number;
+}
+
+/** Set BRAKES: on stops every joint at once. */
+export interface SetBrakes {
+  readonly type: 'brakes';
+  readonly seq: number;
+  readonly on: boolean;
+}
+
+/** Set SAFING: on commands zero joint rates; off is its CANCEL. */
+export interface SetSafing {
+  readonly type: 'safing';
+  readonly seq: number;
+  readonly on: boolean;
+}
+
+/** Key in the end position and attitude of OPR CMD (SPEC 94 items 18-23), in panel components. */
+export interface SetTarget {
+  readonly type: 'set_target';
+  readonly seq: number;
+  /** X, Y, Z [m]. */
+  readonly position: Vec3;
+  /** Pitch, yaw, roll [rad]. */
+  readonly attitude: Vec3;
+}
+
+/** Set the AUTO SEQ switch to PROCEED. */
+export interface Proceed {
+  readonly type: 'proceed';
+  readonly seq: number;
+}
+
+/** Set the AUTO SEQ switch to STOP. This also sets the sticks to zero and stops the end effector. */
+export interface Stop {
+  readonly type: 'stop';
+  readonly seq: number;
+}
+
+/** Put the scenario back to its first instant. */
+export interface Restart {
+  readonly type: 'restart';
+  readonly seq: number;
+}
+
+/** Leave this run and run another scenario; the recording of this run is finished and kept. */
+export interface FlyScenario {
+  readonly type: 'fly_scenario';
+  readonly seq: number;
+  /** Index in `Scenarios.scenarios`. */
+  readonly number: number;
+}
+
+/** Set the end effector switch: the prong closes or opens; the snares capture or release. */
+export interface SetEffector {
+  readonly type: 'effector';
+  readonly seq: number;
+  readonly switch: EffectorSwitch;
+}
+
+/** Set END EFFECTOR MODE of the snares: the whole sequence (auto), or the snares alone (manual). */
+export interface SetEffectorMode {
+  readonly type: 'effector_mode';
+  readonly seq: number;
+  readonly mode: 'auto' | 'manual';
+}
+
+/** Set END EFFECTOR MAN CONTR of the snares: in manual mode, it moves the carriage alone. */
+export interface SetRigid {
+  readonly type: 'rigid';
+  readonly seq: number;
+  readonly rigid: 'off' | 'rigid' | 'derigid';
+}
+
+/** Latch the payload in its seat (retention latches, docking port), or unlatch it. */
+export interface PressLatch {
+  readonly type: 'latch';
+  readonly seq: number;
+  readonly latch: 'latch' | 'unlatch';
+}
+
+/** Set the joint angles of the master arm, which the arm follows in MASTER. */
+export interface SetMaster {
+  readonly type: 'master';
+  readonly seq: number;
+  /** [rad] */
+  readonly angles: Six;
+}
+
+/** Put arm and payload back to where a part of the problem begins. */
+export interface Initialise {
+  readonly type: 'initialise';
+  readonly seq: number;
+  readonly part: ProblemPart;
+}
+
+/** Line of progress while the station prepares its first session; comes before the welcome. */
+export interface Preparing {
+  readonly type: 'preparing';
+  readonly text: string;
+}
+
+/** Answer to `Hello`, sent again when the scenario changes: data that stays the same in a session. */
+export interface Welcome {
+  readonly type: 'welcome';
+  readonly protocol: number;
+  readonly version: string;
+  readonly scenario: string;
+  readonly title: string;
+  /** Task of the operator in this scenario, in a sentence or two. */
+  readonly text: string;
+  readonly arm: string;
+  readonly control_period_s: number;
+  /** Time from a command to its arrival at the arm [s]. */
+  readonly command_delay_s: number;
+  /** Delay with which the page shows figures, lamps and log [s]. */
+  readonly telemetry_delay_s: number;
+  /** Delay with which the page shows pictures [s]. */
+  readonly camera_delay_s: number;
+  /** Units of the panel's read-outs, as the arm file prefers them. */
+  readonly units: 'ft-in' | 'SI';
+  readonly joints: readonly JointInfo[];
+  readonly modes: readonly ModeInfo[];
+  readonly bodies: readonly BodyInfo[];
+  /** Indices of the bodies whose poses are in `Ahead.poses`. */
+  readonly ghost: readonly number[];
+  readonly cameras: readonly Camera[];
+  readonly work: WorkInfo;
+  /** Light conditions that can be selected: directions of sun and Earth. */
+  readonly conditions: readonly LightCondition[];
+  /** Switches of the lamps that this scenario has. */
+  readonly lamps: readonly string[];
+  /** Payload table by PL ID, from 0. */
+  readonly payloads: readonly PayloadInfo[];
+  readonly sequences: readonly StoredSequence[];
+  /** Normalised distance from a singularity below which the page shows a caution. */
+  readonly singular: number;
+  /**
+   * Names of the script's phases in order, as in `Frame.phase`.
+   *
+   * Empty if the scenario has none, or if the session does not begin with the script.
+   */
+  readonly phases: readonly string[];
+}
+
+/** One joint of the arm: names, limits [rad] and rate limits [rad/s]. */
+export interface JointInfo {
+  /** Name in the arm file: `shoulder_yaw`. */
+  readonly name: string;
+  /** Name on the page: `Sho yaw`. */
+  readonly label: string;
+  /** Axis of the hand controllers that turns this joint of the master arm: `THC Y`. */
+  readonly stick: string;
+  readonly hard: Vec2;
+  readonly soft: Vec2;
+  readonly reach: Vec2;
+  readonly coarse: number;
+  readonly vernier: number;
+  readonly servo: number;
+}
+
+/** One position of the MODE rotary. */
+export interface ModeInfo {
+  /** Name as printed on the panel: `ORB UNL`. */
+  readonly position: string;
+  /** The report's mode numbers that the position can fly, the default first; 0 TEST, 9 DIRECT, 10 MASTER. */
+  readonly laws: readonly number[];
+  /** Motion that it flies, in a few words: `tip along its own axes`. */
+  readonly title: string;
+  readonly kind: 'automatic' | 'manual' | 'single' | 'test' | 'master';
+  /** Point that it moves: `tip`, `payload`. */
+  readonly point: string;
+  /**
+   * True if this scenario has what the position needs, such as the stored points of AUTO 1-4.
+   *
+   * A position that moves a payload also needs a captured payload.
+   */
+  readonly enabled: boolean;
+  /** Axes that the sticks act along: `orbiter axes`. */
+  readonly axes: string;
+  /** Meaning of + for the three axes of the THC: `+X fwd`, `+Y stbd`, `+Z down`. */
+  readonly axis_names: readonly [string, string, string];
+}
+
+/** Rigid body to draw; its pose is in `Display.poses`, at the body's index in `Welcome.bodies`. */
+export interface BodyInfo {
+  readonly name: string;
+  readonly shapes: readonly Shape[];
+}
+
+/** Television camera, window eye or engineering view on a body, with its initial setting. */
+export interface Camera {
+  /** Short name on the selector, such as `B`. */
+  readonly name: string;
+  /** Full name, such as `Aft bulkhead port`. */
+  readonly title: string;
+  /** Name of the body that carries the camera. */
+  readonly body: string;
+  /** Position of the lens in the body's frame [m]. */
+  readonly position: Vec3;
+  /** Direction of view in the body's frame (any length above zero). */
+  readonly boresight: Vec3;
+  /** Direction in the body's frame that is up in the picture, not parallel to the boresight; the pan axis. */
+  readonly up: Vec3;
+  /** Horizontal field of view [rad]. */
+  readonly field_of_view: number;
+  /** Pan and tilt unit; None if the camera is fixed. */
+  readonly drive: Drive | null;
+  readonly kind: 'camera' | 'window' | 'engineering';
+  /** Opening of a window; None for any other kind. */
+  readonly pane: Pane | null;
+}
+
+/** Pan and tilt unit with its lens; an axis that is None keeps the camera's initial setting. */
+export interface Drive {
+  /** Direction of zero pan and tilt in the body's frame, perpendicular to the camera's `up`. */
+  readonly zero: Vec3;
+  /** Distance of the lens ahead of the point where the pan and tilt axes meet [m]. */
+  readonly lens: number;
+  readonly pan: Travel | null;
+  readonly tilt: Travel | null;
+  /** Travel of the horizontal field of view. */
+  readonly zoom: Travel | null;
+}
+
+/** Range and rates of one of a camera's drives. */
+export interface Travel {
+  /** [rad] */
+  readonly least: number;
+  /** [rad] */
+  readonly greatest: number;
+  /** [rad/s] */
+  readonly rate: number;
+  /** Low rate of a drive with two rates [rad/s]; None if the drive has one rate. */
+  readonly slow: number | null;
+}
+
+/**
+ * Opening of a window, perpendicular to the line of sight and centred on it.
+ *
+ * Anything beside the opening, or between the eye and the opening, is invisible.
+ */
+export interface Pane {
+  /** Distance from the eye [m]. */
+  readonly distance: number;
+  /** [m] */
+  readonly width: number;
+  /** [m] */
+  readonly height: number;
+}
+
+/** Equipment of the worksite, and thresholds of its clearances. */
+export interface WorkInfo {
+  /** Kind of the arm's end effector. */
+  readonly hand: 'prong' | 'snares';
+  /** Telescope of the arm; null if the arm stands on none. */
+  readonly stand: StandInfo | null;
+  /** Names of the payloads; each payload has a body of the same name. */
+  readonly cargo: readonly string[];
+  /** Seats where payloads can be fixed. */
+  readonly seats: readonly SeatInfo[];
+  /** Parts of the problem at which the operator can re-initialise. */
+  readonly parts: readonly ProblemPart[];
+  /** Clearance below which the page shows a caution [m]. */
+  readonly caution: number;
+  /** Clearance below which the page shows a warning [m]. */
+  readonly warning: number;
+}
+
+/** Telescope that an arm stands on: its length and its rate. */
+export interface StandInfo {
+  /** [m] */
+  readonly least: number;
+  readonly greatest: number;
+  /** [m/s] */
+  readonly rate: number;
+}
+
+/** Seat where a payload can be fixed. */
+export interface SeatInfo {
+  /** Name in a frame: `Cargo.seat`. */
+  readonly name: string;
+  /** Name for display. */
+  readonly title: string;
+}
+
+/** Directions to the sun and the Earth, and the light from them. */
+export interface LightCondition {
+  readonly name: string;
+  /** Direction to the sun in the scene, of any length. */
+  readonly to_sun: Vec3;
+  /** Direction to the Earth's centre in the scene, of any length. */
+  readonly nadir: Vec3;
+  readonly sun: Glow;
+  readonly earthshine: Glow;
+  readonly sky: SkyGlow;
+  /** Initial exposure of the cameras [stops above that of full sunlight]. */
+  readonly exposure: number;
+  readonly source: string;
+}
+
+/** Light from one side. */
+export interface Glow {
+  readonly colour: string;
+  /** Illuminance [lx], on the scale in which full sunlight is 4.1 lx. */
+  readonly strength: number;
+}
+
+/** Light from all sides. */
+export interface SkyGlow {
+  readonly above: string;
+  /** Colour of the half sphere below the orbiter; `above` is the colour of the one above it. */
+  readonly below: string;
+  readonly strength: number;
+}
+
+/** Row of the payload table (SPEC 94 item 3): limits that the steering obeys with this payload captured. */
+export interface PayloadInfo {
+  /** PL ID; 0 if no payload is held. */
+  readonly id: number;
+  readonly name: string;
+  /** [kg] */
+  readonly mass: number;
+  /** Speed limit of the point of resolution, coarse and vernier [m/s]. */
+  readonly translation: Vec2;
+  /** Angular rate limit of the point of resolution, coarse and vernier [rad/s]. */
+  readonly rotation: Vec2;
+  /** Joint rate limits in SINGLE, DIRECT and MASTER, coarse; `vernier` has those of vernier [rad/s]. */
+  readonly coarse: Six;
+  readonly vernier: Six;
+}
+
+/** Points that one of AUTO 1-4 flies through (SPEC 94 items 13-16). */
+export interface StoredSequence {
+  /** As `ModeInfo.position`. */
+  readonly position: string;
+  readonly points: readonly StoredPoint[];
+}
+
+/** Prestored point of AUTO 1-4, in panel components. */
+export interface StoredPoint {
+  /** X, Y, Z [m]. */
+  readonly position: Vec3;
+  /** Pitch, yaw, roll [rad], each in [0, 2 pi). */
+  readonly attitude: Vec3;
+  /** True if the sequence waits for PROCEED at this point; false for a fly-by point. */
+  readonly pause: boolean;
+}
+
+/** Scenarios that this station can run: sent on connection and whenever something in the message changes. */
+export interface Scenarios {
+  readonly type: 'scenarios';
+  readonly scenarios: readonly ScenarioInfo[];
+  /** Number of the scenario that is running. */
+  readonly flown: number;
+  /**
+   * Number of the scenario that is being prepared; null if there is none.
+   *
+   * The sticks are at zero meanwhile. When the scenario runs, every page gets a new `Welcome`.
+   */
+  readonly coming: number | null;
+}
+
+/** Scenario that this station can run. */
+export interface ScenarioInfo {
+  readonly name: string;
+  readonly title: string;
+  /** Task of the operator, in a sentence or two. */
+  readonly text: string;
+  /** True for the user's own file; the others are built in. */
+  readonly given: boolean;
+}
+
+/** Role of this page, and which page is in control: sent on connection and whenever it changes. */
+export interface Role {
+  readonly type: 'role';
+  readonly flying: boolean;
+  /** Number of observers: pages with a seat, without the one in control. */
+  readonly watchers: number;
+  /** Number of this page, from 1; 0 if it only shows the run. */
+  readonly number: number;
+  /** Number of the page in control; 0 if there is none. */
+  readonly flier: number;
+  /** Number of the page that asks for the sticks; 0 if there is none. */
+  readonly asking: number;
+  /** Name as it was given at this page; empty if none was given. */
+  readonly name: string;
+  /** Names of all pages that have one, this page included. */
+  readonly names: readonly NamedPage[];
+}
+
+/** Page at which a person has given a name. */
+export interface NamedPage {
+  readonly number: number;
+  /** Name as the other pages get it: the page's number is appended if two pages have the same name. */
+  readonly name: string;
+}
+
+/** All data that the page shows of one instant; the newest frame counts, and older ones may be skipped. */
+export interface Frame {
+  readonly type: 'frame';
+  /** control steps done */
+  readonly tick: number;
+  /** simulated time: tick x control period [s] */
+  readonly time_s: number;
+  /** the script's phase; empty when flown by hand */
+  readonly phase: string;
+  /** who flew this step */
+  readonly by: 'hand' | 'script';
+  /** panel position entered */
+  readonly mode: string;
+  /** the report's mode number flown, 1 to 8; 0 TEST, 9 DIRECT, 10 MASTER */
+  readonly law: number;
+  /** switch beside OPR CMD and AUTO 1-4 */
+  readonly law_choice: LawChoice;
+  /** switch beside ORB LD */
+  readonly payload_axes: boolean;
+  /** RATE HOLD keeps a stick command */
+  readonly rate_hold: boolean;
+  /** POSITION HOLD is on */
+  readonly position_hold: boolean;
+  /** BRAKES are on: the joints stand */
+  readonly brakes: boolean;
+  /** SAFING: zero joint rates are commanded */
+  readonly safing: boolean;
+  /** selected joint, 0 to 5 */
+  readonly joint: number;
+  /** rate setting */
+  readonly rate: Rate;
+  /** CHECKING, READY and IN PROG of the automatic modes */
+  readonly sequence: Sequence;
+  /** AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes */
+  readonly point: number;
+  /** AUTO 1-4: how many there are */
+  readonly points: number;
+  /** CMD CK of the present target */
+  readonly check: Check | null;
+  /** THC as flown, in [-1, 1], along the axes of control */
+  readonly translation: Vec3;
+  /** RHC as flown, in [-1, 1], along the axes of control */
+  readonly rotation: Vec3;
+  /** DRIVE as flown, in [-1, 1] */
+  readonly drive: number;
+  /** joint angles, measured [rad] */
+  readonly angles: Six;
+  /** joint rates, measured [rad/s] */
+  readonly rates: Six;
+  /** where the commanded rates would have brought the joints [rad] */
+  readonly angles_commanded: Six;
+  /** joint rates, commanded [rad/s] */
+  readonly rates_commanded: Six;
+  /** joint rate limits in force [rad/s] */
+  readonly rate_limits: Six;
+  /** per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop */
+  readonly zones: readonly [number, number, number, number, number, number];
+  /** of the tip [m], along the axes of L */
+  readonly position: Vec3;
+  /** attitude of frame 7, along the axes of L */
+  readonly orientation: Rows;
+  /** T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; the concept arm's: of its lower arm's frame; null in a recording that does not tell it, along the axes of orbiter */
+  readonly wrist_pitch: Rows | null;
+  /** point of resolution: the payload's in ORB LD and PL, else the tip [m], along the axes of L */
+  readonly resolution: Vec3;
+  /** the payload in the grasp */
+  readonly payload: readonly [position: Vec3, orientation: Rows] | null;
+  /** which of the scenario's own payloads (`Scenario.own_payloads`) that is, from 1; 0: none of them */
+  readonly attached: number;
+  /** angular velocity, then velocity of the point of resolution [rad/s, m/s], along the axes of L */
+  readonly twist: Six;
+  /** what RATLMT left of the commanded twist [rad/s, m/s], along the axes of L */
+  readonly twist_commanded: Six;
+  /** what the mode asked for, before every limit [rad/s, m/s], along the axes of L */
+  readonly twist_demanded: Six;
+  /** speed and angular rate of the point of resolution, in force [m/s, rad/s] */
+  readonly por_limits: Vec2;
+  /** what RATLMT left of the demand, 0 to 1 */
+  readonly ratio: number;
+  /** limits that acted in this step */
+  readonly limits: readonly Limit[];
+  /** signed distances: shoulder, elbow, wrist */
+  readonly singularity: Vec3;
+  /** singularities nearer than the arm's threshold */
+  readonly singular: readonly string[];
+  /** for each singularity that is near and each joint past a limit: what leads away from it; while a contact inhibits the arm, only what leads out of the contact */
+  readonly ways_out: readonly WayOut[];
+  /** target of an automatic mode */
+  readonly goal: Goal | null;
+  /** TP, ETA and ETAP */
+  readonly times: Times;
+  /** contacts, captures, and where the worksite's things are */
+  readonly work: Work;
+  /** what happened in this step */
+  readonly events: readonly Event[];
+  /** pan, tilt and field of view of the cameras that turn, in the order of `scenario.cameras.cameras_of` [rad] */
+  readonly views: readonly (readonly [pan: number, tilt: number, zoom: number])[];
+  /** SHA-256 of the state behind all this, to the last digit */
+  readonly sha256: string;
+  readonly display: Display;
+}
+
+/** Verdict of CMD CK, from a rehearsal of the motion to a target. */
+export interface Check {
+  /** GOOD, not FAIL */
+  readonly good: boolean;
+  /** `GOOD: 83 s` or `FAIL: elbow pitch meets its soft stop 12 s from here` */
+  readonly text: string;
+  /** GOOD: how long the motion takes; FAIL: when it fails [s] */
+  readonly seconds: number;
+  /** why it fails; empty: it does not */
+  readonly cause: Cause;
+  /** the joint angles that mode 1 flies to; null in modes 2 and 3, and where it fails [rad] */
+  readonly joints: Six | null;
+}
+
+/** Limit that acted in a step. */
+export interface Limit {
+  /** which kind */
+  readonly kind: LimitKind;
+  /** 0 to 5; -1: no single joint is concerned */
+  readonly joint: number;
+  /** for people */
+  readonly text: string;
+}
+
+/** Command that leads away from a singularity or a joint's limit, or out of the contacts that inhibit the arm. */
+export interface WayOut {
+  /** `elbow` (a singularity), a joint's name, or `contact` */
+  readonly cause: string;
+  /** for people: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -` */
+  readonly text: string;
+  /** which stick or switch */
+  readonly stick: 'translation' | 'rotation' | 'joint' | 'telescope';
+  /** axis 0 to 2 of the stick, or the joint */
+  readonly axis: number;
+  /** +1 or -1 */
+  readonly sign: number;
+  /** panel position to enter first; empty: the stick acts in the present one */
+  readonly position: string;
+}
+
+/** Target of an automatic mode (pose of frame 7), and the distance, angle and time that remain. */
+export interface Goal {
+  /** of the tip there [m], along the axes of L */
+  readonly position: Vec3;
+  /** attitude of frame 7 there, along the axes of L */
+  readonly rotation: Rows;
+  /** what is left [m] */
+  readonly distance: number;
+  /** what is left [rad] */
+  readonly angle: number;
+  /** ETA - TP; 0 when not under way, and while modes 1 and 3 still bring the arm to rest [s] */
+  readonly remaining_s: number;
+}
+
+/**
+ * Times of the phase under way, as in JSC-12628, counted from the beginning of the phase.
+ *
+ * A phase begins when an automatic motion sets off, a phase of the script begins, or a panel position is entered.
+ */
+export interface Times {
+  /** TP: how long it has lasted [s] */
+  readonly tp_s: number;
+  /** ETA: when it ends, estimated in the automatic modes, given in a script's others; null: unknown [s] */
+  readonly eta_s: number | null;
+  /** ETAP: when the rotation would end if it went as fast as permitted; in modes 2 and 3, else null [s] */
+  readonly etap_s: number | null;
+}
+
+/** The worksite after a step. */
+export interface Work {
+  /** the report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked */
+  readonly task: number;
+  /** the watched pair with the least clearance, but for those that are, or come, together as the task needs it, of which the conditions tell (`simulation.lined_up`); null: no pair is watched */
+  readonly nearest: Near | null;
+  /** what that clearance calls for, by the scenario's thresholds */
+  readonly clearance_level: Level;
+  /** pairs that touch or overlap */
+  readonly contacts: readonly Near[];
+  /** the arm is inhibited */
+  readonly arm_inhibit: boolean;
+  /** the finger is inhibited */
+  readonly finger_inhibit: boolean;
+  /** why the arm or the finger is inhibited, and what frees it */
+  readonly inhibits: readonly string[];
+  /** what can be done here, once the conditions hold; null: nothing is near enough */
+  readonly objective: Objective | null;
+  /** of capture, docking or latching */
+  readonly conditions: readonly Condition[];
+  /** the end effector */
+  readonly hand: Hand;
+  /** length of the telescope; null: this arm stands on none [m] */
+  readonly stand: number | null;
+  /** how far the orbiter has moved [m], along the axes of L */
+  readonly orbiter: Vec3;
+  /** its velocity [m/s], along the axes of L */
+  readonly orbiter_velocity: Vec3;
+  /** the worksite's payloads */
+  readonly cargo: readonly Cargo[];
+  /** the master arm's joint angles; null in other modes than MASTER [rad] */
+  readonly master: Six | null;
+}
+
+/** Two monitored parts. */
+export interface Near {
+  /** a part, for people: `lower boom` */
+  readonly a: string;
+  /** the other part */
+  readonly b: string;
+  /** their distance; negative where they overlap [m] */
+  readonly clearance: number;
+  /** speed at which the two closest points approach [m/s] */
+  readonly closing: number;
+  /** the closest point of a [m], along the axes of L */
+  readonly point_a: Vec3;
+  /** the closest point of b [m], along the axes of L */
+  readonly point_b: Vec3;
+  /** unit normal of a plane between the two, from a to b; zero where they collide, along the axes of L */
+  readonly normal: Vec3;
+  /** of that plane from the origin [m], along the axes of L */
+  readonly distance: number;
+  /** the two are made to touch: inhibits nothing */
+  readonly essential: boolean;
+  /** what of a touches or penetrates: `vertex 3`; empty where they are apart */
+  readonly feature_a: string;
+  /** the same of b */
+  readonly feature_b: string;
+}
+
+/** What the end effector can do where it is. */
+export interface Objective {
+  /** which action */
+  readonly action: 'acquire' | 'capture' | 'dock' | 'insert' | 'berth';
+  /** for people: `acquire payload`, `berth in the Cargo bay` */
+  readonly text: string;
+}
+
+/** One condition with its measured value, its limit and its margin. */
+export interface Condition {
+  /** which: `palm height` */
+  readonly name: string;
+  /** whether it holds */
+  readonly holds: boolean;
+  /** what is measured, in `unit` */
+  readonly value: number;
+  /** what it is held against, in `unit`: the nearer of two bounds, or the one passed */
+  readonly limit: number;
+  /** m, rad, m/s, or empty */
+  readonly unit: 'm' | 'rad' | 'm/s' | 'rad/s' | 's' | '';
+  /** by how much it holds, or fails where negative, in `unit` */
+  readonly margin: number;
+  /** for people: `palm 2.5 in above the bar, 0 to 0.75 in allowed` */
+  readonly text: string;
+  /** the text with `{}` in place of each number; empty in a recording without it */
+  readonly words: string;
+  /** those numbers, in `unit` */
+  readonly numbers: readonly number[];
+}
+
+/** The end effector. */
+export interface Hand {
+  /** how its switch stands */
+  readonly switch: EffectorSwitch;
+  /** 0 closed to 1 open: of the prong, or of the snares */
+  readonly opening: number;
+  /** prong to fixed finger; null: this arm has none [m] */
+  readonly spacing: number | null;
+  /** 0 extended to 1 rigid; null: this arm has none */
+  readonly carriage: number | null;
+  /** lit on the panel: `CAPTURE`, `RIGID` */
+  readonly flags: readonly string[];
+  /** END EFFECTOR MODE of the snares */
+  readonly mode: 'auto' | 'manual';
+  /** END EFFECTOR MAN CONTR of the snares */
+  readonly rigid: 'off' | 'rigid' | 'derigid';
+}
+
+/** A payload of the worksite. */
+export interface Cargo {
+  /** which */
+  readonly name: string;
+  /** its centre [m], along the axes of L */
+  readonly position: Vec3;
+  /** its attitude, along the axes of L */
+  readonly orientation: Rows;
+  /** of its centre [m/s], along the axes of L */
+  readonly velocity: Vec3;
+  /** the end effector holds it */
+  readonly held: boolean;
+  /** the seat that it is fixed to; empty: none */
+  readonly seat: string;
+}
+
+/** Event of a step, as a line of the log. */
+export interface Event {
+  /** simulated time [s] */
+  readonly time_s: number;
+  /** what it is about */
+  readonly kind: string;
+  /** how urgent */
+  readonly level: Level;
+  /** for people */
+  readonly text: string;
+}
+
+/** What a page needs to display a frame: read-outs in panel components, lamps, and what to draw in the scene. */
+export interface Display {
+  /** `seq` of the last `Sticks` that this step has taken; the page uses it to time stick-to-picture. */
+  readonly stick_seq: number;
+  /** `seq` of the last `Sticks` that this step has flown, after the command delay; -1 if none, or the script flew. */
+  readonly flown_seq: number;
+  /** Simulated time in the recording so far [s]; null if the run is not recorded. */
+  readonly recording_s: number | null;
+  readonly actual: Resolution;
+  readonly commanded: Resolution;
+  /** Target of an automatic mode. */
+  readonly aim: Aim | null;
+  /** PL ID of the captured payload, as in `Welcome.payloads`; 0 if there is none. */
+  readonly payload_id: number;
+  /** Vector from the tip to the point of resolution of ORB LD and PL, in the end effector's axes [m]. */
+  readonly por_offset: Vec3;
+  /**
+   * Distance from the empty snares to their position at the nearest grapple fixture [m].
+   *
+   * Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
+   */
+  readonly fixture: number | null;
+  /** Vector of this distance, along the axes that the sticks act along [m]; null also in modes without sticks. */
+  readonly to_fixture: Vec3 | null;
+  /** Displacement of the orbiter: forward, starboard, down [m]. */
+  readonly orbiter: Vec3;
+  /** Velocity of the orbiter along the same axes [m/s]. */
+  readonly orbiter_velocity: Vec3;
+  readonly lamps: readonly Lamp[];
+  /** Closest points of `Work.nearest`. */
+  readonly gap: ClosestPoints | null;
+  /** Closest points of each of `Work.contacts`, in their order. */
+  readonly contacts: readonly ClosestPoints[];
+  /** Newest look-ahead; null if none was made yet. */
+  readonly ahead: Ahead | null;
+  /** Axes of the control frame in the scene, for the frame axes in the pictures. */
+  readonly axes: Quat;
+  /** Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene. */
+  readonly poses: readonly number[];
+  readonly lighting: Lighting;
+}
+
+/** Point of resolution, in panel components. */
+export interface Resolution {
+  /** X, Y, Z [m]. */
+  readonly position: Vec3;
+  /** Pitch, yaw, roll [rad], each in [0, 2 pi). */
+  readonly attitude: Vec3;
+  /** Rate of X, Y, Z [m/s]. */
+  readonly velocity: Vec3;
+  /** Angular velocity about panel pitch, yaw, roll axes [rad/s]. */
+  readonly turn_rate: Vec3;
+}
+
+/** Target of an automatic mode, in panel components; `Frame.goal` has what remains of the motion to it. */
+export interface Aim {
+  readonly position: Vec3;
+  readonly attitude: Vec3;
+}
+
+/** A lit lamp and its cause. */
+export interface Lamp {
+  readonly name: FlightLamp;
+  readonly level: Level;
+  /** Cause: `elbow 0.12` for SINGULAR. */
+  readonly text: string;
+}
+
+/** Where two monitored parts are nearest to each other, in the scene. */
+export interface ClosestPoints {
+  readonly point_a: Vec3;
+  readonly point_b: Vec3;
+  /** Point of the plane between the two parts, halfway between the closest points. */
+  readonly plane: Vec3;
+  /** Unit normal of this plane, from a to b; zero if the parts collide. */
+  readonly normal: Vec3;
+}
+
+/**
+ * Look-ahead: state of the arm in some seconds with the present stick command.
+ *
+ * It is computed every 10 control steps: five times a second with the default control period.
+ */
+export interface Ahead {
+  /** Time span of the look-ahead [s]. */
+  readonly seconds: number;
+  /** True for the present stick command; false if the sticks are centred: the last axis used, at full deflection. */
+  readonly held: boolean;
+  /** True if the arm is then at another place than now. */
+  readonly moves: boolean;
+  /** Smallest clearance then [m]; null if no pair is monitored. */
+  readonly clearance: number | null;
+  /** `a` and `b`: the two parts with this clearance; empty if no pair is monitored. */
+  readonly a: string;
+  readonly b: string;
+  /** Time to the first contact found on the way [s]; null if none is found. */
+  readonly contact_s: number | null;
+  /** Distance that the tip still moves if the sticks are released now [m]. */
+  readonly stopping: number;
+  /** Joint nearest to a reach limit then, 0 to 5. */
+  readonly joint: number;
+  /** Angle from this joint to that limit then [rad]; negative past the limit. */
+  readonly room: number;
+  /** Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`. */
+  readonly poses: readonly number[];
+}
+
+/** New log lines, oldest first; none is ever skipped. */
+export interface Events {
+  readonly type: 'events';
+  readonly events: readonly Event[];
+}
+
+/** Data for a window that draws strips: first the last minutes of the run, then only new data. */
+export interface Recent {
+  readonly type: 'recent';
+  /**
+   * All strips, with curves that have no points: a run begins, and the data sent before is no longer valid.
+   *
+   * Empty while the run continues.
+   */
+  readonly strips: readonly Strip[];
+  readonly samples: readonly Sample[];
+  /** Lanes of the last minutes if a stretch has begun, otherwise empty; the last stretch of each lane continues. */
+  readonly lanes: readonly Lane[];
+}
+
+/** Strip chart of one quantity over the run. */
+export interface Strip {
+  readonly name: string;
+  readonly quantity: Quantity;
+  readonly curves: readonly Curve[];
+  readonly low: number;
+  /** `low` and `high`: range of all values, including zero if zero means rest. */
+  readonly high: number;
+  /** Limit to draw as a line across the strip; None if there is none. */
+  readonly limit: number | null;
+  /** Values below this one cause a caution; for a clearance, the scenario's threshold. None if there is none. */
+  readonly caution: number | null;
+  /** Values below this one cause a warning; None if there is none. */
+  readonly warning: number | null;
+  /** True if the strip is drawn until the reader chooses other strips. */
+  readonly shown: boolean;
+  /** True if zero means rest; the drawn range then includes zero. */
+  readonly rests: boolean;
+}
+
+/** Line of a strip, thinned so that no peak is lost. */
+export interface Curve {
+  readonly role: 'actual' | 'commanded';
+  readonly times_s: readonly number[];
+  /** None where the quantity had no value. */
+  readonly values: readonly (number | null)[];
+}
+
+/** Values of all strips at one instant. */
+export interface Sample {
+  readonly time_s: number;
+  /** Values of all curves, strip after strip; null where a curve has no value. */
+  readonly values: readonly (number | null)[];
+  /** Joint nearest to its rate limit; empty at rest. */
+  readonly worst: string;
+}
+
+/** Row of consecutive stretches, up to the last frame. */
+export interface Lane {
+  readonly name: string;
+  readonly stretches: readonly Stretch[];
+}
+
+/** Stretch of a lane: an interval in which the label and the level do not change. */
+export interface Stretch {
+  readonly start_s: number;
+  readonly end_s: number;
+  /** State during the stretch; empty if the lane has nothing to show. */
+  readonly label: string;
+  readonly level: Level;
+}
+
+/** Rejection of a message or command, with the reason in a sentence for the operator. */
+export interface Refused {
+  readonly type: 'refused';
+  /** `seq` of the message; -1 if the message could not be read, or if the rejection concerns no single message. */
+  readonly seq: number;
+  readonly text: string;
+}
+
+/** One recorded frame, with the exact value of each curve in it. */
+export interface Moment {
+  readonly frame: Frame;
+  /** Values of all curves, strip after strip; null where a curve has no value. */
+  readonly values: readonly (number | null)[];
+  /** Joint nearest to its rate limit; empty at rest. */
+  readonly worst: string;
+}
+
+/** First message of a page, with the version of the protocol that the page uses. */
+export interface Hello {
+  readonly type: 'hello';
+  readonly protocol: number;
+  /** True for a secondary window or a too narrow page: it only shows the run and cannot take control (`TakeSeat`). */
+  readonly shows: boolean;
+  /** True if the page draws strips: the server then also sends it the last minutes of the run (`Recent`). */
+  readonly strips: boolean;
+}
+
+/** Cameras that the monitors of the page in control showed from a time on. */
+export interface Pictured {
+  readonly time_s: number;
+  /** Camera names of MON 1 and MON 2: two if the monitor was split, none if no page was in control. */
+  readonly monitors: readonly (readonly string[])[];
+}
+
+/** Figure of the whole run. */
+export interface Measure {
+  readonly name: string;
+  readonly quantity: Quantity;
+  readonly value: number | null;
+  /** Value in words if `quantity` is `words`; otherwise empty. */
+  readonly text: string;
+  /** Explanation of the figure, in a sentence. */
+  readonly about: string;
+  /** Angle that belongs to a distance: rotation of the two objects relative to each other [rad]; null if none. */
+  readonly angle: number | null;
+  /** Worst alarm level that belongs to the figure. */
+  readonly level: Level;
+}
+
+/** Result of comparing the re-simulated frames with the recorded ones. */
+export interface Verdict {
+  readonly state: 'checking' | 'equal' | 'different' | 'impossible';
+  /** Text for display: `all 2002 frames equal`. */
+  readonly text: string;
+}
+
+/** Recording in the folder of a station that records. */
+export interface Recorded {
+  /** Name of the file, without its folder. */
+  readonly file: string;
+  /** Wall time of the last write to the file, ISO 8601, UTC. */
+  readonly changed: string;
+  /** True if the present run is being recorded into this file. */
+  readonly now: boolean;
+}
+
+/** Data of a recording that the page needs before it draws the first frame. */
+export interface PlaybackIndex {
+  readonly welcome: Welcome;
+  /** Name of the file, without its folder. */
+  readonly file: string;
+  /** Wall time at which the run began, ISO 8601, UTC. */
+  readonly began: string;
+  /** Version of Aftdeck that made the recording. */
+  readonly version: string;
+  readonly seed: number;
+  /** KEY=VALUE for each change that a re-run made to the scenario. */
+  readonly changes: readonly string[];
+  /** Participant's code; empty if none was given. */
+  readonly participant: string;
+  /** Condition of the trial; empty if none was given. */
+  readonly condition: string;
+  /** Duration of a control step [s]. */
+  readonly period_s: number;
+  /** Number of steps in the recording. */
+  readonly ticks: number;
+  /** Steps from one drawn frame to the next; 1 if every frame is drawn. */
+  readonly stride: number;
+  /** Number of moments in each block but the last. */
+  readonly block: number;
+  /** Reason for the end of the run; empty if the recording was cut short. */
+  readonly ended: string;
+  readonly verdict: Verdict;
+  readonly events: readonly Event[];
+  readonly lanes: readonly Lane[];
+  readonly pictures: readonly Pictured[];
+  readonly strips: readonly Strip[];
+  readonly measures: readonly Measure[];
+}

@@ -1,0 +1,65 @@
+/** How the page and its pictures look, as their user likes it: kept by the browser, the same in all its windows. */
+
+import type { Keeper } from './local-storage';
+
+const KEPT = 'aftdeck.appearance';
+
+export interface Looks {
+  /** Television of the early flights: black and white, with noise. */
+  readonly early: boolean;
+  /** For a dark room: the page at 55 % of its lightness, pictures at 75 %. */
+  readonly night: boolean;
+}
+
+const FRESH: Looks = { early: false, night: false };
+
+/** What was kept; what cannot be read is as new. */
+export function looksOf(text: string | null): Looks {
+  if (text === null) return FRESH;
+  try {
+    const { early, night } = JSON.parse(text) as Partial<Looks>;
+    return { early: early === true, night: night === true };
+  } catch {
+    return FRESH;
+  }
+}
+
+export class Appearance {
+  private looks: Looks;
+
+  /** `changed`: called with what holds, now and after each change. */
+  constructor(
+    private readonly store: Keeper,
+    private readonly changed: (looks: Looks) => void,
+  ) {
+    this.looks = looksOf(store.getItem(KEPT));
+    changed(this.looks);
+  }
+
+  get early(): boolean {
+    return this.looks.early;
+  }
+
+  get night(): boolean {
+    return this.looks.night;
+  }
+
+  set(change: Partial<Looks>): void {
+    this.looks = { ...this.looks, ...change };
+    this.store.setItem(KEPT, JSON.stringify(this.looks));
+    this.changed(this.looks);
+  }
+
+  /** Follows what other windows of this browser keep, until the signal. */
+  follow(signal: AbortSignal): void {
+    window.addEventListener(
+      'storage',
+      ({ key, newValue }) => {
+        if (key !== KEPT) return;
+        this.looks = looksOf(newValue);
+        this.changed(this.looks);
+      },
+      { signal },
+    );
+  }
+}

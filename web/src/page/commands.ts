@@ -1,0 +1,108 @@
+/** What keys and buttons do beside moving the sticks. */
+
+import { assertUnreachable } from '../basics/assert';
+import type { Pictures } from '../cameras/pictures';
+import type { Action } from '../input/keymap';
+import type { Groups } from '../panel/desk/desk';
+
+/** Something that opens and closes. */
+interface Sheet {
+  close(): void;
+}
+
+export interface Acting {
+  readonly groups: Groups;
+  readonly pictures: Pictures;
+  readonly light: { toggle(): void; lock(): void };
+  readonly controlPage: Sheet & { toggle(): void };
+  readonly keys: Sheet & { toggle(): void };
+  /** What else an Escape closes. */
+  readonly sheets: readonly Sheet[];
+  stop(): void;
+  changeRate(): void;
+  holdRate(): void;
+  acknowledge(): void;
+  showPlane(): void;
+  flyOrbiter(): void;
+}
+
+export function act(action: Action, by: Acting): void {
+  const { groups, pictures, light, controlPage, keys } = by;
+  switch (action.name) {
+    case 'stop':
+      by.stop();
+      break;
+    case 'rate':
+      by.changeRate();
+      break;
+    case 'rate hold':
+      by.holdRate();
+      break;
+    case 'proceed':
+      groups.target.proceed();
+      break;
+    case 'turn mode':
+      groups.mode.turn(action.by);
+      break;
+    case 'enter':
+      groups.mode.enter();
+      break;
+    case 'turn joint':
+      groups.mode.turnJoint(action.by);
+      break;
+    case 'camera':
+      pictures.chooseDigit(action.number - 1, performance.now());
+      break;
+    case 'cameraStep':
+      pictures.step(action.by);
+      break;
+    case 'otherMonitor':
+      pictures.takeOther();
+      break;
+    case 'matrix':
+      pictures.toggleMatrix();
+      break;
+    case 'split':
+      pictures.toggleSplit();
+      break;
+    case 'slow camera':
+      pictures.toggleSlow();
+      break;
+    case 'acknowledge':
+      by.acknowledge();
+      break;
+    case 'grip':
+      groups.grip(action);
+      break;
+    case 'safing':
+      groups.safe();
+      break;
+    case 'position hold':
+      groups.holdPosition();
+      break;
+    case 'plane':
+      by.showPlane();
+      break;
+    case 'fly orbiter':
+      by.flyOrbiter();
+      break;
+    case 'light':
+      light.toggle();
+      break;
+    case 'lock exposure':
+      light.lock();
+      break;
+    case 'control page':
+      controlPage.toggle();
+      break;
+    case 'keys':
+      keys.toggle();
+      break;
+    case 'leave':
+      for (const sheet of [keys, controlPage, ...by.sheets]) sheet.close();
+      if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+      break;
+    default:
+      assertUnreachable(action);
+  }
+}

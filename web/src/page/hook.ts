@@ -1,0 +1,58 @@
+/** What tests and measurements read: `window.__aftdeck`. */
+
+import type { Frame } from '../link/protocol';
+import type { DrawnBody } from '../scene/bodies';
+
+export interface Hook {
+  /** Pictures drawn, and how many in the last whole second. */
+  frames: number;
+  fps: number;
+  /** The last frame that the whole page shows: pictures, lamps and figures. */
+  lastFrame: Frame | null;
+  /** How often the flight shown has begun anew; counted from what arrives, so that none is missed. */
+  restarts: number;
+  /** Stick to picture, 95th percentile of the last 10 s [ms]. */
+  latency95: number | null;
+  /** The bodies of the scene as they are drawn now. */
+  readonly bodies: readonly DrawnBody[];
+  /** What draws, as WebGL names it. */
+  renderer: string;
+}
+
+declare global {
+  interface Window {
+    __aftdeck: Hook;
+  }
+}
+
+/** Publishes the hook; `read` is asked at every look. */
+export function publish(renderer: string, read: () => Omit<Hook, 'fps' | 'renderer'>): void {
+  let fps = 0;
+  let before = 0;
+  setInterval(() => {
+    const { frames } = read();
+    fps = Math.max(0, frames - before);
+    before = frames;
+  }, 1000);
+  window.__aftdeck = {
+    get frames() {
+      return read().frames;
+    },
+    get fps() {
+      return fps;
+    },
+    get lastFrame() {
+      return read().lastFrame;
+    },
+    get restarts() {
+      return read().restarts;
+    },
+    get latency95() {
+      return read().latency95;
+    },
+    get bodies() {
+      return read().bodies;
+    },
+    renderer,
+  };
+}

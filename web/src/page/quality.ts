@@ -1,0 +1,28 @@
+/** Which drawing profile the page uses, and on what. */
+
+import type { Quality } from '../scene/drawn';
+
+export interface Drawing {
+  readonly quality: Quality;
+  /** What draws, as WebGL names it. */
+  readonly renderer: string;
+  /** Drawn by the processor. */
+  readonly software: boolean;
+}
+
+/** The profile asked for by `?quality=`, else the low one where no graphics card draws; null without WebGL 2. */
+export function chooseDrawing(search: string): Drawing | null {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (!gl) return null;
+  const names = gl.getExtension('WEBGL_debug_renderer_info');
+  const renderer = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  const software = isSoftware(renderer);
+  const asked = new URLSearchParams(search).get('quality');
+  const quality = asked === 'low' || asked === 'full' ? asked : software ? 'low' : 'full';
+  return { quality, renderer, software };
+}
+
+export function isSoftware(renderer: string): boolean {
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
+}

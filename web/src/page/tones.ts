@@ -1,0 +1,126 @@
+/** The station's sounds: alarms that are heard until they are seen, and clicks for what was done. */
+
+import type { Keeper } from './local-storage';
+
+export type Alarm = 'none' | 'caution' | 'warning';
+
+/** One tone [Hz], this long [s]. */
+const CAUTION = { pitch: 500, seconds: 0.25 };
+/** Two tones in turn [Hz], until acknowledged; each lasts half a turn, 2.5 turns a second. */
+const WARNING = { pitches: [375, 1000], half: 0.2 } as const;
+/** Clicks [Hz], how long each is and how far apart they are [s]. */
+const CLICK = { seconds: 0.03, apart: 0.11, entered: [1200], captured: [900, 1500] } as const;
+/** So loud at full volume [1]. */
+const LOUD = 0.25;
+const KEPT = 'aftdeck.tones';
+
+export interface Kept {
+  readonly volume: number;
+  readonly muted: boolean;
+}
+
+/** What was kept of volume and mute; what cannot be read is as new. */
+export function kept(text: string | null): Kept {
+  const fresh = { volume: 0.5, muted: false };
+  if (text === null) return fresh;
+  try {
+    const { volume, muted } = JSON.parse(text) as Partial<Kept>;
+    if (typeof volume !== 'number' || !(volume >= 0 && volume <= 1) || typeof muted !== 'boolean')
+      return fresh;
+    return { volume, muted };
+  } catch {
+    return fresh;
+  }
+}
+
+export class Tones {
+  private context: AudioContext | null = null;
+  private master: GainNode | null = null;
+  private warble: OscillatorNode | null = null;
+  private alarm: Alarm = 'none';
+  private settings: Kept;
+
+  /** `open`: makes the browser's sound; browsers let it be heard only once a key or a pointer was used. */
+  constructor(
+    private readonly store: Keeper,
+    private readonly open: () => AudioContext,
+  ) {
+    this.settings = kept(store.getItem(KEPT));
+  }
+
+  get muted(): boolean {
+    return this.settings.muted;
+  }
+
+  get volume(): number {
+    return this.settings.volume;
+  }
+
+  set(change: Partial<Kept>): void {
+    this.settings = { ...this.settings, ...change };
+    this.store.setItem(KEPT, JSON.stringify(this.settings));
+    if (this.master) this.master.gain.value = this.level;
+  }
+
+  /** The operator has used a key or a pointer: from now on the browser lets sounds be heard. */
+  wake(): void {
+    if (this.context) {
+      if (this.context.state === 'suspended') void this.context.resume();
+      return;
+    }
+    this.context = this.open();
+    this.master = this.context.createGain();
+    this.master.gain.value = this.level;
+    this.master.connect(this.context.destination);
+  }
+
+  /** The alarm that nobody has acknowledged yet; called ten times a second. `more`: another one came in. */
+  sound(alarm: Alarm, more: boolean): void {
+    if (alarm === 'caution' && (this.alarm === 'none' || more)) this.tone(CAUTION.pitch, 0, CAUTION.seconds);
+    this.alarm = alarm;
+    if (alarm !== 'warning') {
+      this.warble?.stop();
+      this.warble = null;
+      return;
+    }
+    const { context, master } = this;
+    if (!context || !master) return;
+    if (!this.warble) {
+      this.warble = context.createOscillator();
+      this.warble.connect(master);
+      this.warble.start();
+    }
+    this.warble.frequency.value = WARNING.pitches[Math.floor(context.currentTime / WARNING.half) % 2] ?? 0;
+  }
+
+  /** A payload was captured. */
+  captured(): void {
+    CLICK.captured.forEach((pitch, k) => {
+      this.tone(pitch, k * CLICK.apart, CLICK.seconds);
+    });
+  }
+
+  /** A mode was entered. */
+  entered(): void {
+    this.tone(CLICK.entered[0], 0, CLICK.seconds);
+  }
+
+  dispose(): void {
+    void this.context?.close();
+    this.context = this.master = this.warble = null;
+  }
+
+  private get level(): number {
+    return this.settings.muted ? 0 : this.settings.volume * LOUD;
+  }
+
+  private tone(pitch: number, after: number, seconds: number): void {
+    const { context, master } = this;
+    if (!context || !master) return;
+    const tone = context.createOscillator();
+    tone.frequency.value = pitch;
+    tone.connect(master);
+    tone.start(context.currentTime + after);
+    tone.stop(context.currentTime + after + seconds);
+  }
+}

@@ -1,0 +1,97 @@
+/** Clearance: the nearest pair of parts, how fast it closes, its last minute, and what contact inhibits. */
+
+import { keyOf } from '../../input/layout';
+import type { Near } from '../../link/protocol';
+import { small } from '../../words/format';
+import type { Unit, Units } from '../../words/units';
+import { button, el, group, setAttribute, setClass, setPressed, setText } from '../parts/dom';
+import type { Desk, Part } from '../parts/part';
+import { touching } from './contacts';
+import { gapGauge } from './gap-gauge';
+import { contactIn, STEADY } from './gap-scale';
+import { lastMinute } from './minute';
+import { Trend } from './trend';
+
+export interface ClearanceGroup extends Part {
+  /** The separating plane is shown in the pictures. */
+  setPlane(on: boolean): void;
+}
+
+/** `plane` shows or hides the separating plane. */
+export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceGroup {
+  const { work } = welcome;
+  const number = el('b', { class: 'gap-value' });
+  const unit = el('span', { class: 'unit' });
+  const closing = el('span');
+  const contact = el('span');
+  const pair = el('p', { class: 'pair' });
+  const gauge = gapGauge(work);
+  const history = lastMinute(work);
+  const contacts = touching(welcome);
+  const arm = el('span', { class: 'flag' }, 'Arm inhibit');
+  const finger = el('span', { class: 'flag' }, 'Finger inhibit');
+  const planeKey = button({ class: 'more' }, ['Plane'], plane);
+  const element = group(
+    'clearance',
+    'Clearance',
+    el(
+      'div',
+      { class: 'reading' },
+      el('p', { class: 'number' }, number, ' ', unit),
+      el('p', { class: 'closing' }, closing, contact),
+    ),
+    pair,
+    gauge.element,
+    history.element,
+    contacts.element,
+    el('div', { class: 'inhibits', role: 'status', 'aria-label': 'Inhibited' }, arm, finger),
+  );
+  element.querySelector('h2')?.append(planeKey);
+  const trend = new Trend();
+  return {
+    element,
+    setPlane(on) {
+      setPressed(planeKey, on);
+    },
+    bars({ frame }) {
+      const { nearest } = frame.work;
+      trend.add(frame.time_s, nearest?.clearance ?? null);
+      gauge.point(nearest?.clearance ?? null);
+    },
+    values({ frame, units, controllers }) {
+      const { nearest, clearance_level, arm_inhibit, finger_inhibit } = frame.work;
+      setAttribute(planeKey, 'title', `The plane that separates the two: ${keyOf('plane')}`);
+      setClass(element, 'caution', clearance_level === 'caution');
+      setClass(element, 'warning', clearance_level === 'warning');
+      setText(number, nearest ? small(nearest.clearance, units.gap) : '–');
+      setText(unit, nearest ? units.gap.name : '');
+      setText(closing, nearest ? closingWords(nearest, units.creep) : '');
+      const seconds = nearest && contactIn(nearest.clearance, nearest.closing);
+      setText(contact, seconds ? `contact in ${Math.max(1, Math.round(seconds))} s` : '');
+      setText(pair, nearest ? pairWords(nearest) : 'No parts are watched here');
+      setAttribute(pair, 'title', pair.textContent);
+      gauge.setUnits(units);
+      // What touches takes the history's room.
+      history.element.hidden = contacts.set(frame, units, controllers.names);
+      history.draw(trend, frame.time_s, units);
+      setClass(arm, 'lit', arm_inhibit);
+      setClass(finger, 'lit', finger_inhibit);
+      finger.hidden = work.hand !== 'prong';
+    },
+  };
+}
+
+function pairWords({ a, b }: Pick<Near, 'a' | 'b'>): string {
+  return `${a.charAt(0).toUpperCase()}${a.slice(1)} to ${b}`;
+}
+
+function closingWords({ closing, clearance }: Near, creep: Unit): string {
+  if (clearance <= 0) return 'in contact';
+  if (Math.abs(closing) < STEADY) return 'steady';
+  return `${closing > 0 ? 'closing' : 'opening'} ${small(Math.abs(closing), creep)} ${creep.name}`;
+}
+
+/** What the lamp says: the pair and how far apart it is. */
+export function clearanceCause(nearest: Near, { gap }: Units): string {
+  return `${small(nearest.clearance, gap)} ${gap.name}, ${nearest.a} to ${nearest.b}`;
+}

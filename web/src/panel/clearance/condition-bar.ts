@@ -1,0 +1,30 @@
+/** How long the bars of conditions are. */
+
+import type { Condition } from '../../link/protocol';
+
+/** Scale of a condition whose bounds are all zero, by unit: 10 cm, 5°, 2 in/s, 1°/s. */
+const SCALES: Readonly<Record<string, number>> = { m: 0.1, rad: 0.087, 'm/s': 0.05, 'rad/s': 0.017 };
+
+export class ConditionBars {
+  /** The greatest bound seen of each condition, by name. */
+  private readonly bounds = new Map<string, number>();
+
+  /** A condition's bound is the nearer of two: its scale is the greater, once that was seen. */
+  learn(conditions: readonly Condition[]): void {
+    for (const { name, limit } of conditions) {
+      const bound = Math.abs(limit);
+      if (bound > (this.bounds.get(name) ?? 0)) this.bounds.set(name, bound);
+    }
+  }
+
+  /** The part of its bar that a condition fills: the limit is at 0.5, what holds is short of it. */
+  part(condition: Condition): number {
+    return Math.min(1, Math.max(0, 0.5 - 0.5 * this.margin(condition)));
+  }
+
+  /** The margin as a part of the condition's scale; what cannot be measured holds nowhere. */
+  private margin({ name, unit, margin }: Condition): number {
+    if (!Number.isFinite(margin)) return -1;
+    return margin / (this.bounds.get(name) || SCALES[unit] || 1);
+  }
+}

@@ -1,0 +1,141 @@
+/** What has to hold before something is captured, docked or latched: each with its limit, in its own place. */
+
+import type { Names } from '../../input/active-device';
+import type { Condition, Work } from '../../link/protocol';
+import { conditionText } from '../../words/condition-text';
+import { degrees, fixed, small } from '../../words/format';
+import type { Units } from '../../words/units';
+import { el, group, setAbout, setAttribute, setClass, setText, svg } from '../parts/dom';
+import type { Part } from '../parts/part';
+import { ConditionBars } from './condition-bar';
+import { Places } from './places';
+import { wayToFixture } from './way-to-fixture';
+
+/** Cells that there is room for. */
+const MOST = 6;
+/** Words as the flown panels shorten them, so that a cell holds what tells it from the others. */
+const SHORT = { forward: 'fwd', starboard: 'stbd', 'trunnion in guide': 'in guide' } as const;
+/** Length of a bar; its limit stands in the middle. */
+const LENGTH = 100;
+
+export function conditionsGroup(): Part {
+  const cells = Array.from({ length: MOST }, cell);
+  const way = wayToFixture();
+  const element = group(
+    'conditions',
+    'Conditions',
+    el('ol', { class: 'cells' }, ...cells.map((each) => each.element), way.element),
+  );
+  // What it is done to stands in the title whole, or not at all.
+  const [deed, object] = [el('span'), el('span')];
+  const title = element.querySelector('h2 b');
+  title?.replaceChildren(deed, object);
+  const [places, lengths] = [new Places(MOST), new ConditionBars()];
+  let shown: readonly Condition[] = [];
+  return {
+    element,
+    bars({ frame }) {
+      const { conditions } = frame.work;
+      lengths.learn(conditions);
+      shown = places.order(conditions);
+      cells.forEach((each, i) => {
+        const condition = shown[i];
+        if (condition) each.fill(lengths.part(condition));
+      });
+    },
+    values({ frame, units, controllers: { names } }) {
+      const { objective, conditions } = frame.work;
+      const { action, text } = objective ?? { action: 'Conditions', text: 'Conditions' };
+      setText(deed, action);
+      setText(object, text.slice(action.length));
+      if (title) setAttribute(title, 'title', text);
+      cells.forEach((each, i) => {
+        each.set(shown[i], units);
+      });
+      way.set(conditions.length > 0 ? frame.display.to_fixture : null, units, names);
+      const met = conditions.length > 0 && conditions.every(({ holds }) => holds);
+      setClass(element, 'met', met);
+      setAbout(element, met ? `all met${whatNow(frame.work, names)}` : failure(shown, units));
+    },
+  };
+}
+
+/** What fails first, in words. */
+function failure(conditions: readonly Condition[], units: Units): string {
+  const first = conditions.find(({ holds }) => !holds);
+  return first ? conditionText(first, units) : '';
+}
+
+/** What the operator does once all conditions are met; nothing where it happens by itself. */
+export function whatNow({ objective }: Pick<Work, 'objective'>, names: Names): string {
+  switch (objective?.action) {
+    case 'berth':
+      return `: latch, hold ${names.name('latch')}`;
+    case 'insert':
+      return `: let go, hold ${names.name('open')}`;
+    case 'capture':
+      return `: squeeze, hold ${names.name('close')}`;
+    default:
+      return '';
+  }
+}
+
+function cell() {
+  const name = el('span', { class: 'name' });
+  const value = el('b');
+  const unit = el('span', { class: 'unit' });
+  const tick = el('i', { class: 'tick', 'aria-label': 'met' });
+  const fill = svg('rect', { class: 'fill', x: '0', y: '3', width: '0', height: '4' });
+  const element = el(
+    'li',
+    {},
+    name,
+    el('span', { class: 'value' }, value, ' ', unit, tick),
+    svg(
+      'svg',
+      { viewBox: `0 0 ${LENGTH} 10`, preserveAspectRatio: 'none', 'aria-hidden': 'true' },
+      svg('rect', { class: 'track', x: '0', y: '3', width: String(LENGTH), height: '4' }),
+      fill,
+      svg('path', { class: 'limit', d: `M${LENGTH / 2} 0V10` }),
+    ),
+  );
+  return {
+    element,
+    /** `part` of the bar; its middle is the limit. */
+    fill(part: number) {
+      setAttribute(fill, 'width', (part * LENGTH).toFixed(1));
+    },
+    set(condition: Condition | undefined, units: Units) {
+      element.hidden = condition === undefined;
+      if (!condition) return;
+      const shown = figures(condition, units);
+      setText(name, shortened(condition.name));
+      setText(value, shown.value);
+      setText(unit, shown.unit);
+      setClass(element, 'holds', condition.holds);
+      setAttribute(element, 'title', `${condition.name}: ${conditionText(condition, units)}`);
+    },
+  };
+}
+
+/** A condition's name as a cell holds it. */
+export function shortened(name: string): string {
+  return Object.entries(SHORT).reduce((text, [long, short]) => text.replace(long, short), name);
+}
+
+/** A condition's value in the operator's units. */
+export function figures({ value, unit }: Condition, units: Units): { value: string; unit: string } {
+  if (!Number.isFinite(value)) return { value: '–', unit: '' };
+  switch (unit) {
+    case 'm':
+      return { value: small(value, units.gap), unit: units.gap.name };
+    case 'm/s':
+      return { value: small(value, units.creep), unit: units.creep.name };
+    case 'rad':
+      return { value: degrees(value, 1, false), unit: '°' };
+    case 'rad/s':
+      return { value: degrees(value, 2, false), unit: '°/s' };
+    default:
+      return { value: fixed(value, Number.isInteger(value) ? 0 : 1, false), unit };
+  }
+}

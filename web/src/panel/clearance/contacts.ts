@@ -1,0 +1,71 @@
+/** What touches, what that inhibits, and what frees it, in a few lines. */
+
+import type { Names } from '../../input/active-device';
+import type { Frame, Welcome, Work } from '../../link/protocol';
+import { small } from '../../words/format';
+import type { Units } from '../../words/units';
+import { spoken, wayOutText } from '../../words/way-out';
+import { el } from '../parts/dom';
+
+export interface Line {
+  readonly text: string;
+  readonly level: 'info' | 'caution' | 'warning';
+}
+
+export interface Touching {
+  readonly element: HTMLElement;
+  /** Writes the lines of a frame; returns whether any of them calls for the operator. */
+  set(frame: Pick<Frame, 'work' | 'ways_out'>, units: Units, names: Names): boolean;
+}
+
+export function touching({ joints }: Pick<Welcome, 'joints'>): Touching {
+  const list = el('ul', { class: 'touching' });
+  let shown = '';
+  return {
+    element: list,
+    set(frame, units, names) {
+      const lines = linesOf(frame, joints, units, names);
+      const key = lines.map(({ level, text }) => `${level} ${text}`).join('\n');
+      if (key !== shown) {
+        shown = key;
+        list.replaceChildren(
+          ...lines.map(({ level, text }) =>
+            el('li', { class: level, title: text }, el('i', { class: 'sign' }), el('span', {}, text)),
+          ),
+        );
+      }
+      return lines.some(({ level }) => level !== 'info');
+    },
+  };
+}
+
+/** Detrimental contacts, deepest first; what frees the arm of them; the contacts that are made to be, in one line. */
+export function linesOf(
+  { work: { contacts }, ways_out }: { readonly work: Pick<Work, 'contacts'> } & Pick<Frame, 'ways_out'>,
+  joints: Welcome['joints'],
+  { gap }: Units,
+  names: Names,
+): readonly Line[] {
+  const harmful = contacts
+    .filter(({ essential }) => !essential)
+    .sort((a, b) => a.clearance - b.clearance)
+    .map(({ a, b, clearance }) => {
+      const deep = clearance < 0 ? `, ${small(-clearance, gap)} ${gap.name} deep` : '';
+      return `${a} touches ${b}${deep}`;
+    });
+  const ways = ways_out
+    .filter(({ cause }) => cause === 'contact')
+    .map((way) => `Way out: ${wayOutText(way, spoken(joints[way.axis]?.name ?? ''), names)}`);
+  const essential = contacts.filter((each) => each.essential).map(({ a, b }) => `${a} – ${b}`);
+  return [
+    ...harmful.map((text): Line => ({ text: sentence(text), level: 'warning' })),
+    ...ways.map((text): Line => ({ text, level: 'caution' })),
+    ...essential
+      .slice(0, 1)
+      .map((): Line => ({ text: `Made to touch: ${essential.join(', ')}`, level: 'info' })),
+  ];
+}
+
+function sentence(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}

@@ -1,0 +1,257 @@
+/** The sheet “Controllers”: every device's axes live, what each part of it does, and changing that. Nothing flies. */
+
+import { Capture } from '../../input/capture';
+import type { Controllers } from '../../input/controllers';
+import type { Device } from '../../input/device';
+import { labelOf } from '../../input/keymap';
+import { type Kind, MOST_DEADBAND } from '../../input/mapping';
+import { bind, keyRefusal, type Source, unbind, zeroed } from '../../input/rebind';
+import { isDefault, mappingOf, restore, revision, save } from '../../input/store';
+import { button, el, setText } from '../parts/dom';
+import { range } from '../parts/range';
+import { AxisTable } from './axis-table';
+import { Choices } from './choices';
+import { UseTable } from './use-table';
+
+const NOTHING_FLIES =
+  'The sticks rest while this sheet is open; STOP and BRAKES work. Press a cap to put another key, button or axis there.';
+
+export class ControllersSheet {
+  readonly element: HTMLDialogElement;
+  private kind: Kind = 'keyboard';
+  /** The use that waits for a press or a movement. */
+  private asked: { readonly use: string; readonly capture: Capture } | null = null;
+  private drawn = '';
+  private readonly choices;
+  private readonly axes = new AxisTable((use) => this.ask(use));
+  private readonly uses = new UseTable((use) => this.ask(use));
+  private readonly state = el('span', { class: 'state' });
+  private readonly told = el('p', { class: 'told', role: 'status' }, NOTHING_FLIES);
+  private readonly cancel = button({ class: 'quiet' }, ['As it was'], () => this.answer(NOTHING_FLIES));
+  private readonly empty = button({ class: 'quiet' }, ['Nothing'], () => this.leave());
+  private readonly deadband = range('Deadband', MOST_DEADBAND, 0.01, percent, (deadband) =>
+    this.change({ deadband }),
+  );
+  private readonly expo = range(
+    'Expo',
+    1,
+    0.05,
+    (value) => value.toFixed(2),
+    (expo) => this.change({ expo }),
+  );
+  private readonly zero = button(
+    { title: 'Takes where the axes stand now as zero' },
+    ['Zero where it rests'],
+    () => this.zeroNow(),
+  );
+  private readonly swap = button({}, ['Swap THC, RHC'], () => this.controllers.pads.swap());
+  private readonly connect = button({}, ['Connect'], () => void this.controllers.spaceMouse.connect());
+  private readonly show = button({}, ['Show them'], () => this.controllers.touch.show());
+  private readonly restore = button({}, ['As it came'], () => this.toDefault());
+
+  constructor(private readonly controllers: Controllers) {
+    this.choices = new Choices((kind) => this.choose(kind));
+    this.element = el(
+      'dialog',
+      { class: 'controllers', 'aria-label': 'Controllers', tabindex: '-1' },
+      el(
+        'header',
+        {},
+        el('h2', {}, 'Controllers'),
+        this.choices.element,
+        button({ class: 'done' }, ['Close'], () => this.close()),
+      ),
+      el(
+        'div',
+        { class: 'setting' },
+        this.state,
+        this.deadband.element,
+        this.expo.element,
+        this.connect,
+        this.show,
+        this.swap,
+        this.zero,
+        this.restore,
+      ),
+      el('div', { class: 'asking' }, this.told, this.empty, this.cancel),
+      el('div', { class: 'tables' }, this.axes.element, this.uses.element),
+    );
+    this.element.addEventListener('close', () => this.left());
+  }
+
+  open(): void {
+    if (this.element.open) return;
+    this.controllers.release();
+    this.controllers.paused = true;
+    const [first] = this.controllers.devices;
+    this.choose(first?.kind ?? 'keyboard');
+    this.element.showModal();
+    this.element.focus();
+  }
+
+  close(): void {
+    this.element.close();
+    this.left();
+  }
+
+  /** A key while the sheet waits for one; true: it was taken. */
+  taken(event: KeyboardEvent): boolean {
+    if (!this.element.open || !this.asked) return false;
+    if (event.repeat) return true;
+    if (event.code === 'Escape') this.answer(NOTHING_FLIES);
+    else if (event.code === 'Delete') this.leave();
+    else if (this.kind === 'keyboard') {
+      const refusal = keyRefusal(event);
+      if (refusal === null) this.take({ source: event.code, sign: 1 });
+      else setText(this.told, refusal);
+    } else return false;
+    return true;
+  }
+
+  /** Shows where everything stands now. */
+  tick(): void {
+    if (!this.element.open) return;
+    const device = this.device;
+    const found =
+      this.kind === 'keyboard' || !this.asked ? null : this.asked.capture.look(device?.reading ?? null);
+    if (found) this.take(found);
+    this.choices.show(this.controllers, this.kind);
+    const signature = `${this.kind} ${revision()}`;
+    if (signature !== this.drawn) this.fill(signature);
+    this.settings(device);
+    const keys = this.controllers.keyboard;
+    if (this.kind === 'keyboard') this.axes.keys(keys.target, keys.value, keys.held);
+    else this.axes.device(device, mappingOf(this.kind));
+    this.uses.light(this.kind === 'keyboard' ? keys.held : pressed(device));
+  }
+
+  private get device(): Device | null {
+    return this.controllers.devices.find(({ kind }) => kind === this.kind) ?? null;
+  }
+
+  private choose(kind: Kind): void {
+    this.kind = kind;
+    this.drawn = '';
+    this.answer(NOTHING_FLIES);
+    this.tick();
+  }
+
+  private fill(signature: string): void {
+    this.drawn = signature;
+    const focused = document.activeElement?.getAttribute('data-use');
+    this.axes.fill(this.kind);
+    this.uses.fill(this.kind);
+    if (focused) this.element.querySelector<HTMLElement>(`[data-use="${CSS.escape(focused)}"]`)?.focus();
+  }
+
+  private settings(device: Device | null): void {
+    const mapping = mappingOf(this.kind);
+    const keyboard = this.kind === 'keyboard';
+    setText(this.state, stateWords(this.kind, device, this.controllers));
+    this.deadband.show(mapping.deadband, !keyboard);
+    this.expo.show(mapping.expo, !keyboard);
+    const { spaceMouse, pads, touch } = this.controllers;
+    this.connect.hidden = this.kind !== 'spacemouse' || !spaceMouse.possible || device?.state === 'flying';
+    this.show.hidden = this.kind !== 'touch' || touch.shown;
+    this.swap.hidden = pads.devices.length < 2 || !/pad|joystick/.test(this.kind);
+    this.zero.hidden = keyboard || this.kind === 'touch' || !device?.reading;
+    this.restore.hidden = isDefault(this.kind);
+    this.cancel.hidden = this.empty.hidden = this.asked === null;
+  }
+
+  private ask(use: string): void {
+    this.controllers.keyboard.release();
+    this.asked = { use, capture: new Capture(mappingOf(this.kind)) };
+    this.asked.capture.look(this.device?.reading ?? null);
+    this.axes.ask(use);
+    this.uses.ask(use);
+    const what = this.kind === 'keyboard' ? 'Press the key' : 'Press or move what shall be';
+    const words = this.kind === 'keyboard' ? `for “${labelOf(use)}”` : `“${labelOf(use)}”`;
+    setText(this.told, `${what} ${words}. Delete: nothing. Esc: as it was.`);
+  }
+
+  private take(source: Source): void {
+    if (!this.asked) return;
+    const { use } = this.asked;
+    try {
+      const kept = save(this.kind, bind(this.kind, mappingOf(this.kind), use, source));
+      const how = kept ? 'and kept by this browser' : 'for now: this browser keeps nothing';
+      this.answer(`“${labelOf(use)}” is changed, ${how}.`);
+    } catch (error) {
+      this.asked = { use, capture: new Capture(mappingOf(this.kind)) };
+      setText(this.told, error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  private leave(): void {
+    if (!this.asked) return;
+    const { use } = this.asked;
+    save(this.kind, unbind(mappingOf(this.kind), use));
+    this.answer(`Nothing does “${labelOf(use)}” here any more.`);
+  }
+
+  private answer(text: string): void {
+    this.asked = null;
+    this.axes.ask(null);
+    this.uses.ask(null);
+    setText(this.told, text);
+  }
+
+  private change(part: { readonly deadband?: number; readonly expo?: number }): void {
+    save(this.kind, { ...mappingOf(this.kind), ...part });
+  }
+
+  private toDefault(): void {
+    restore(this.kind);
+    this.answer('Everything is here as it came.');
+  }
+
+  private zeroNow(): void {
+    const reading = this.device?.reading;
+    if (!reading) return;
+    try {
+      save(this.kind, zeroed(this.kind, mappingOf(this.kind), reading.axes));
+      this.answer('Where the axes stand now is zero.');
+    } catch (error) {
+      setText(this.told, error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  private left(): void {
+    if (!this.controllers.paused) return;
+    this.answer(NOTHING_FLIES);
+    this.controllers.release();
+    this.controllers.paused = false;
+  }
+}
+
+function percent(value: number): string {
+  return `${Math.round(100 * value)} %`;
+}
+
+/** Sources of the buttons that are down. */
+function pressed(device: Device | null): ReadonlySet<string> {
+  const buttons = device?.reading?.buttons ?? [];
+  return new Set(buttons.flatMap((each, i) => (each.pressed || each.value > 0.5 ? [`b${i}`] : [])));
+}
+
+const STATES = {
+  none: '',
+  waiting: 'let go of all its sticks',
+  flying: 'ready',
+  lost: 'is gone',
+} as const;
+
+function stateWords(kind: Kind, device: Device | null, { spaceMouse }: Controllers): string {
+  if (kind === 'keyboard') return 'Keyboard: keys by their place.';
+  if (kind === 'spacemouse' && !spaceMouse.possible)
+    return 'This browser has no WebHID, which a SpaceMouse needs; Chrome and Edge have it.';
+  if (kind === 'spacemouse' && spaceMouse.problem) return spaceMouse.problem;
+  if (device) {
+    const rests = device.state === 'waiting' && device.resting;
+    return `${device.short}: ${rests ? 'rests off centre; let go, then zero it' : STATES[device.state]}`;
+  }
+  if (kind === 'touch') return 'Touch sticks appear when the screen is touched.';
+  if (kind === 'spacemouse') return 'No SpaceMouse is connected.';
+  return 'No pad is seen: press one of its buttons.';
+}

@@ -1,0 +1,189 @@
+/** The key map, over the monitors, as the mappings in use have it; its caps light as they are pressed. */
+
+import { keyOf, learnLayout, nameOfSource } from '../../input/layout';
+import { type Kind, sourcesOf } from '../../input/mapping';
+import { mappingOf } from '../../input/store';
+import type { Welcome } from '../../link/protocol';
+import { button, el, setClass } from '../parts/dom';
+
+type Cap = readonly [use: string, does: string];
+
+const LEFT: readonly Cap[] = [
+  ['-Z', 'up'],
+  ['+X', '+X'],
+  ['+Z', 'down'],
+  ['-Y', 'left'],
+  ['-X', '−X'],
+  ['+Y', 'right'],
+];
+
+const RIGHT: readonly Cap[] = [
+  ['-roll', 'roll −'],
+  ['+pitch', 'nose up'],
+  ['+roll', 'roll +'],
+  ['-yaw', 'left'],
+  ['-pitch', 'nose dn'],
+  ['+yaw', 'right'],
+];
+
+type Row = readonly [uses: readonly string[], does: string, pad?: 'untold'];
+
+/** Uses, and what they do. */
+const FLYING: readonly Row[] = [
+  [['stop'], 'stop: sticks to zero, a sequence to rest'],
+  [['brakes'], 'brakes on; held 0.5 s: off'],
+  [['rate'], 'coarse or vernier'],
+  [['rate hold'], 'rate hold: keep the rates, let go of them'],
+  [['mode -', 'mode +', 'enter'], 'turn the mode rotary, enter the mode'],
+  [['joint -', 'joint +'], 'joint in SINGLE, DIRECT; THC X drives it'],
+  [['proceed'], 'proceed: to the target, on from a pause'],
+  [['otherMonitor'], 'the other monitor, or half, in hand'],
+  [['camera 1', 'camera 10'], 'camera 1 to 10 in hand; twice: 11 to 20'],
+  [['cameraStep -', 'cameraStep +'], 'camera before, after'],
+  [['-pan', '+tilt', '+zoom'], 'and their opposites: pan, tilt, zoom'],
+  [['slow camera'], 'cameras turn slowly'],
+  [['matrix', 'split'], 'all cameras, and back; split'],
+  [['light', 'lock exposure'], 'sun and lamps; lock the exposure in hand'],
+];
+
+/** The same of what this arm has. */
+export function working({ work: { hand, stand } }: Pick<Welcome, 'work'>): readonly Row[] {
+  const prong: readonly Row[] = [
+    [['close'], 'held 0.3 s: the prong closes'],
+    [['open'], 'held 1 s: the prong opens'],
+    [['close', 'open'], 'while the prong moves: either stops it', 'untold'],
+  ];
+  const snares: readonly Row[] = [
+    [['close'], 'held 0.3 s: capture'],
+    [['open'], 'held 1 s: release'],
+  ];
+  return [
+    ...(hand === 'prong' ? prong : snares),
+    [['latch'], 'held 1 s: latch the payload in its seat, or unlatch'],
+    [['safing', 'position hold'], 'safing, position hold; again: off'],
+    [['plane'], 'separating plane in the pictures'],
+    [['acknowledge'], 'acknowledge the master alarm'],
+    [['control page'], 'PDRS control: target, stored points, payloads'],
+    ...(stand ? ([[['-telescope', '+telescope'], 'telescope shorter, longer']] as const) : []),
+    [['fly orbiter'], 'THC flies the orbiter, or the arm again'],
+  ];
+}
+
+export class KeyMap {
+  readonly element = el('dialog', {
+    class: 'key-map',
+    'aria-label': 'Key map',
+    tabindex: '-1',
+    autofocus: '',
+  });
+  private caps = new Map<string, HTMLElement[]>();
+
+  /** `change`: opens what changes the keys. */
+  constructor(
+    private readonly welcome: Welcome,
+    private readonly change: () => void,
+  ) {
+    void learnLayout().then(() => this.fill());
+  }
+
+  toggle(): void {
+    if (this.element.open) this.close();
+    else {
+      this.fill();
+      this.element.show();
+      this.element.focus();
+    }
+  }
+
+  close(): void {
+    this.element.close();
+  }
+
+  /** Lights the caps of the keys held. */
+  light(held: ReadonlySet<string>): void {
+    if (!this.element.open) return;
+    for (const [code, caps] of this.caps) {
+      for (const cap of caps) setClass(cap, 'held', held.has(code));
+    }
+  }
+
+  /** Writes it anew: mappings may have changed. */
+  private fill(): void {
+    this.caps = new Map();
+    this.element.replaceChildren(
+      el('div', { class: 'hands' }, this.hand('Left hand moves', LEFT), this.hand('Right hand turns', RIGHT)),
+      el('div', {}, el('h3', {}, 'Arm and cameras'), this.table(FLYING)),
+      el(
+        'div',
+        { class: 'working' },
+        el('h3', {}, 'End effector, worksite, panel'),
+        this.table(working(this.welcome)),
+        el('p', {}, 'MASTER: arrows move the slider in focus by half a degree, Page up, down by five.'),
+        el('p', {}, 'Keys go by their place. In a text field, keys type and do not fly.'),
+        el(
+          'div',
+          { class: 'close' },
+          button({}, ['Controllers: see, change'], () => this.change()),
+          button({}, ['Close'], () => this.close()),
+        ),
+      ),
+    );
+  }
+
+  private hand(title: string, keys: readonly Cap[]): HTMLElement {
+    const caps = keys.map(([use, does]) => {
+      const cap = this.cap(use);
+      cap.append(el('small', {}, does));
+      return cap;
+    });
+    const pad = [...new Set(keys.flatMap(([use]) => sources('pad', use)))];
+    return el(
+      'div',
+      {},
+      el('h3', {}, title),
+      el('div', { class: 'caps' }, ...caps),
+      el('p', {}, `Pad: ${together(pad)}`),
+    );
+  }
+
+  private table(rows: readonly Row[]): HTMLElement {
+    const lines = rows.map(([uses, does, untold]) => {
+      const pad = untold ? '' : together(uses.flatMap((use) => sources('pad', use)));
+      return el(
+        'tr',
+        {},
+        el('th', { scope: 'row' }, ...this.row(uses)),
+        el('td', {}, does),
+        el('td', { class: 'pad' }, pad && `pad ${pad}`),
+      );
+    });
+    return el('table', {}, ...lines);
+  }
+
+  private row(uses: readonly string[]): (Node | string)[] {
+    const caps = uses.map((use) => this.cap(use));
+    return uses[0] === 'camera 1' ? [caps[0] ?? '', ' … ', caps[1] ?? ''] : caps;
+  }
+
+  private cap(use: string): HTMLElement {
+    const cap = el('kbd', {}, el('b', {}, keyOf(use) || '–'));
+    for (const code of sourcesOf(mappingOf('keyboard'), use)) {
+      this.caps.set(code, [...(this.caps.get(code) ?? []), cap]);
+    }
+    return cap;
+  }
+}
+
+function sources(kind: Kind, use: string): readonly string[] {
+  return sourcesOf(mappingOf(kind), use).map((source) => nameOfSource(kind, source));
+}
+
+/** Names one after the other, what they begin with alike said once: `Menu + Cross ↓ ↑`. */
+export function together(names: readonly string[]): string {
+  const [first = '', ...others] = names;
+  if (others.length === 0) return first;
+  let alike = first.lastIndexOf(' ') + 1;
+  while (alike > 0 && !others.every((name) => name.startsWith(first.slice(0, alike))))
+    alike = first.lastIndexOf(' ', alike - 2) + 1;
+  return alike > 0 ? [first, ...others.map((name) => name.slice(alike))].join(' ') : names.join(', ');
+}

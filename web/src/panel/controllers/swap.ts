@@ -1,0 +1,29 @@
+/** Asks whether each of two devices is in the right hand. */
+
+import type { Pads } from '../../input/pads';
+import { button, el, setText } from '../parts/dom';
+
+export interface SwapQuestion {
+  readonly element: HTMLElement;
+  show(): void;
+}
+
+export function swapQuestion(pads: Pads): SwapQuestion {
+  const words = el('p', { role: 'status' });
+  const element = el(
+    'section',
+    { class: 'swap', 'aria-label': 'Two devices', hidden: '' },
+    words,
+    button({}, ['Swap'], () => pads.swap()),
+    button({}, ['Keep'], () => pads.keep()),
+  );
+  return {
+    element,
+    show() {
+      if (element.hidden === pads.asks) element.hidden = !pads.asks;
+      const [thc, rhc] = pads.devices;
+      if (!pads.asks || !thc || !rhc) return;
+      setText(words, `First moved, so THC: ${thc.short}. Second, so RHC: ${rhc.short}. Swap?`);
+    },
+  };
+}

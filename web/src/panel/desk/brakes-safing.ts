@@ -1,0 +1,88 @@
+/** BRAKES, SAFING and POSITION HOLD: what keeps the arm where it is, in reach whatever flies it; and who moves the sticks. */
+
+import type { GripAction } from '../../input/keymap';
+import { keyOf } from '../../input/layout';
+import { button, el, setAttribute, setClass, setPressed, setText } from '../parts/dom';
+import { holdButton } from '../parts/hold-button';
+import type { Desk, View } from '../parts/part';
+
+/** Brakes are let go only by holding their switch this long [s]; they are on at once. */
+const OFF_S = 0.5;
+
+export interface Standing {
+  readonly element: HTMLElement;
+  /** The brakes' key or button went down or up. */
+  grip(action: GripAction): void;
+  /** SAFING, or its CANCEL. */
+  safe(): void;
+  /** POSITION HOLD on or off. */
+  hold(): void;
+  bars(): void;
+  values(view: View): void;
+}
+
+export function standing(desk: Desk): Standing {
+  let on = false;
+  let safed = false;
+  let holding = false;
+  const letGo = () => desk.send({ type: 'brakes', on: false });
+  const brakes = holdButton('Brakes', 'brakes', OFF_S, letGo, () => {
+    if (!on) desk.send({ type: 'brakes', on: true });
+    return on;
+  });
+  const safe = () => desk.send({ type: 'safing', on: !safed });
+  const hold = () => desk.send({ type: 'position_hold', on: !holding });
+  const [safingKey, holdKey] = [el('small'), el('small')];
+  const safing = button(
+    {
+      class: 'safing',
+      title: 'Commands zero joint rates, until it is cancelled',
+      'aria-label': 'Safing',
+    },
+    [el('b', {}, 'Safing'), safingKey],
+    safe,
+  );
+  const positionHold = button(
+    {
+      class: 'hold',
+      title: 'Keeps place and attitude while the sticks rest',
+      'aria-label': 'Position hold',
+    },
+    [el('b', {}, 'Pos hold'), holdKey],
+    hold,
+  );
+  const device = el('p', { class: 'device' });
+  return {
+    element: el('div', { class: 'standing' }, device, brakes.element, safing, positionHold),
+    grip({ down, at }) {
+      if (down) brakes.press(at);
+      else brakes.lift(at);
+    },
+    safe,
+    hold,
+    bars: () => brakes.tick(),
+    values({ frame, flying, flier, controllers }) {
+      const lost = controllers.gone.thc ?? controllers.gone.rhc;
+      const moved = frame.by === 'script' ? 'Move a stick to take over' : controllers.words;
+      const words = !flying ? flown(flier) : lost === null ? moved : `✕ ${lost} is gone`;
+      setText(device, words);
+      setAttribute(device, 'title', words);
+      setClass(device, 'lost', flying && lost !== null);
+      on = frame.brakes;
+      safed = frame.safing;
+      holding = frame.position_hold;
+      setPressed(brakes.element, on);
+      setPressed(safing, safed);
+      setPressed(positionHold, holding);
+      setText(safingKey, keyOf('safing'));
+      setText(holdKey, keyOf('position hold'));
+      setClass(brakes.element, 'caution', on);
+      setClass(safing, 'caution', safed);
+      setAttribute(brakes.element, 'title', on ? `Hold ${OFF_S} s to let go` : 'Every joint stands at once');
+    },
+  };
+}
+
+/** By whom; a recording does not tell. */
+const flown = (flier: string | null) =>
+  flier === '' ? 'Nobody flies' : flier === null ? '' : `${flier} flies`;

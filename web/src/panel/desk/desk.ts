@@ -1,0 +1,136 @@
+/** The desk's groups, flown and replayed: which stand where, and which give way to others. */
+
+import type { GripAction } from '../../input/keymap';
+import { clearanceGroup } from '../clearance/clearance';
+import { conditionsGroup } from '../clearance/conditions';
+import { cargoGroup } from '../effector/cargo';
+import { effectorGroup } from '../effector/effector';
+import { joints } from '../joints/joints';
+import { masterGroup } from '../joints/master';
+import { button, el, setClass } from '../parts/dom';
+import type { Desk, View } from '../parts/part';
+import { type TargetGroup, targetGroup } from '../target/target';
+import { standing } from './brakes-safing';
+import type { EventsGroup } from './events';
+import { limits } from './limits';
+import { lookAhead } from './look-ahead';
+import { type ModeGroup, modeGroup } from './mode';
+import { resolution } from './resolution';
+import { rhc } from './rhc';
+import { singularity } from './singularity';
+import { thc } from './thc';
+
+export interface DeskListener {
+  /** Shows or hides the separating plane. */
+  plane(): void;
+  /** Opens or closes the page PDRS control. */
+  controlPage(): void;
+  /** Hands the THC to the orbiter, or back to the arm. */
+  flyOrbiter(on: boolean): void;
+  /** Shows the last minutes as strips, in a window of their own; absent: there is no such window. */
+  strips?(): void;
+}
+
+export interface Groups {
+  /** The groups in the order of the focus: the upper row from the left, then the lower one. */
+  readonly elements: readonly HTMLElement[];
+  readonly mode: ModeGroup;
+  readonly target: TargetGroup;
+  setPlane(on: boolean): void;
+  grip(action: GripAction): void;
+  /** SAFING, or its CANCEL. */
+  safe(): void;
+  /** POSITION HOLD on or off. */
+  holdPosition(): void;
+  /** Puts the master arm where the arm is. */
+  meetMaster(): void;
+  bars(view: View): void;
+  values(view: View): void;
+}
+
+export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListener): Groups {
+  const target = targetGroup(desk);
+  const master = masterGroup(desk);
+  const mode = modeGroup(desk, () => target.proceed());
+  const clearance = clearanceGroup(desk, () => listener.plane());
+  const { strips } = listener;
+  if (strips) clearance.element.querySelector('h2 .about')?.after(stripsKey(strips));
+  const effector = effectorGroup(desk);
+  effector.element.querySelector('h2')?.append(pageKey(() => listener.controlPage()));
+  const [acting, cargo, conditions] = [limits(desk), cargoGroup(desk), conditionsGroup()];
+  const ahead = lookAhead(desk);
+  const resting = el('div', { class: 'resting' }, acting.element, cargo.element);
+  const still = standing(desk);
+  const [sticks, turns] = [thc(desk, (on) => listener.flyOrbiter(on)), rhc()];
+  const own = joints(desk);
+  const upper = [sticks, mode, resolution(desk), own, master, clearance, target, turns];
+  const last = singularity(desk);
+  const parts = [...upper, still, effector, acting, cargo, ahead, conditions, last];
+  const row = el(
+    'div',
+    { class: 'lower' },
+    events.element,
+    effector.element,
+    resting,
+    conditions.element,
+    ahead.element,
+    last.element,
+  );
+  const elements = [...upper.map(({ element }) => element), still.element, row];
+  cargo.element.hidden = desk.welcome.work.cargo.length === 0;
+  setClass(resting, 'alone', cargo.element.hidden);
+
+  /** Each of these stands in the other's place, where it is the one that matters. */
+  function give(view: View): void {
+    const kind = (position: string) => desk.welcome.modes.find((each) => each.position === position)?.kind;
+    const entered = kind(view.frame.mode);
+    const automatic = entered === 'automatic' || mode.inView()?.kind === 'automatic';
+    target.element.hidden = !automatic;
+    turns.element.hidden = automatic;
+    setClass(clearance.element, 'narrow', automatic);
+    master.element.hidden = entered !== 'master';
+    own.element.hidden = entered === 'master';
+    const pursuing = view.frame.work.conditions.length > 0;
+    conditions.element.hidden = !pursuing;
+    setClass(ahead.element, 'brief', pursuing);
+    resting.hidden = pursuing;
+  }
+
+  return {
+    elements,
+    mode,
+    target,
+    setPlane: (on) => clearance.setPlane(on),
+    grip: (action) => (action.grip === 'brakes' ? still : effector).grip(action),
+    safe: () => still.safe(),
+    holdPosition: () => still.hold(),
+    meetMaster: () => master.meet(),
+    bars(view) {
+      for (const part of parts) part.bars?.(view);
+    },
+    values(view) {
+      for (const part of parts) part.values?.(view);
+      give(view);
+    },
+  };
+}
+
+function pageKey(pressed: () => void): HTMLElement {
+  return button(
+    {
+      class: 'more',
+      title: 'PDRS control, number 94 of the flown displays: target, stored points, payloads',
+    },
+    ['SPEC 94'],
+    pressed,
+  );
+}
+
+function stripsKey(pressed: () => void): HTMLElement {
+  const title = 'The last minutes as strips, in a window of their own';
+  return button(
+    { class: 'more', title, 'aria-label': 'Strips ↗' },
+    [el('span', {}, 'Strips '), '↗'],
+    pressed,
+  );
+}

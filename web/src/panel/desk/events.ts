@@ -1,0 +1,101 @@
+/** The log, newest first: three lines of it, and opened every entry whole, over the read-outs beside; a lamp pressed keeps it to its cause. */
+
+import type { Event as LogEvent } from '../../link/protocol';
+import { clock } from '../../words/format';
+import { button, el, group, setAbout, setText } from '../parts/dom';
+
+const LINES = 3;
+/** Entries kept: opened, it is scrolled through them, and a filter finds older ones. */
+const KEPT = 200;
+
+export class EventsGroup {
+  readonly element: HTMLElement;
+  private readonly list = el('ol', { class: 'log' });
+  /** Opened: each entry whole. It lies over read-outs, never over what is pressed. */
+  private readonly whole = el('ol', { class: 'log wrapped', 'aria-label': 'Events, whole', tabindex: '0' });
+  private readonly more: HTMLButtonElement;
+  private readonly all: HTMLButtonElement;
+  private events: readonly LogEvent[] = [];
+  private open = false;
+  private keptTo: { readonly name: string; readonly kinds: readonly string[] } | null = null;
+
+  /** `hints` stand under the oldest line. */
+  constructor(private readonly hints: readonly string[]) {
+    this.more = button({ class: 'more', 'aria-expanded': 'false' }, ['more'], () => this.toggle());
+    this.all = button({ class: 'all', hidden: '' }, ['show all'], () => this.keepTo('', []));
+    this.element = group('events', 'Events', this.list, this.whole);
+    this.element.querySelector('h2')?.append(this.all, this.more);
+    this.draw();
+  }
+
+  /** New lines, oldest first. */
+  add(events: readonly LogEvent[]): void {
+    this.events = [...events].reverse().concat(this.events).slice(0, KEPT);
+    // Nothing new is hidden: a line that the filter would leave out ends it.
+    if (events.some((event) => !this.shows(event))) this.keptTo = null;
+    this.draw();
+  }
+
+  clear(): void {
+    this.events = [];
+    this.keptTo = null;
+    this.draw();
+  }
+
+  /** Shows only lines of these kinds, for the lamp of that name; all again when asked twice, or for no kind. */
+  keepTo(name: string, kinds: readonly string[]): void {
+    this.keptTo = kinds.length === 0 || this.keptTo?.name === name ? null : { name, kinds };
+    this.draw();
+  }
+
+  private shows({ kind }: LogEvent): boolean {
+    return this.keptTo === null || this.keptTo.kinds.includes(kind);
+  }
+
+  private get bottom(): number {
+    return this.list.offsetTop + this.list.offsetHeight + 1;
+  }
+
+  private toggle(): void {
+    this.open = !this.open;
+    this.element.classList.toggle('open', this.open);
+    this.more.setAttribute('aria-expanded', String(this.open));
+    setText(this.more, this.open ? 'less' : 'more');
+    this.draw();
+  }
+
+  private draw(): void {
+    const { keptTo } = this;
+    setAbout(this.element, keptTo ? `${keptTo.name} only` : '');
+    this.all.hidden = keptTo === null;
+    const under = keptTo ? [`No older line is about ${keptTo.name}.`] : this.hints;
+    const events = this.events.filter((event) => this.shows(event));
+    const entries = (count = KEPT) => [...events.slice(0, count).map(entry), ...under.map(hint)];
+    const lines = entries(LINES).slice(0, LINES);
+    // Two lines are the least that is worth wrapping into.
+    const told = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
+    const place = Math.max(0, told);
+    lines[place]?.classList.add('whole');
+    lines[place]?.style.setProperty('--lines', String(events.length > 0 ? LINES - 1 : LINES));
+    this.list.replaceChildren(...lines);
+    // Those that the whole one leaves no room for are read out, and not seen.
+    const over = lines.filter((line) => line.offsetTop + line.offsetHeight > this.bottom);
+    for (const line of over) line.classList.add('unseen');
+    this.whole.hidden = !this.open;
+    this.whole.replaceChildren(...(this.open ? entries() : []));
+  }
+}
+
+function entry({ time_s, level, text }: LogEvent): HTMLElement {
+  return el(
+    'li',
+    { class: level },
+    el('time', {}, clock(time_s)),
+    el('i', { class: 'sign', 'aria-label': level }),
+    el('span', { title: text }, text),
+  );
+}
+
+function hint(text: string): HTMLElement {
+  return el('li', { class: 'hint' }, el('span', { title: text }, text));
+}

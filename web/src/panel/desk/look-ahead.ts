@@ -1,0 +1,97 @@
+/** Look ahead: what the sticks as they stand would do in some seconds, in figures; the ghost is the same, drawn. */
+
+import type { Ahead } from '../../link/protocol';
+import { small } from '../../words/format';
+import type { Units } from '../../words/units';
+import { button, el, group, setAbout, setAttribute, setClass, setText } from '../parts/dom';
+import type { Desk, Part } from '../parts/part';
+
+/** How far may be looked ahead, in turn [s]. */
+const TIMES = [2, 5, 10, 20] as const;
+const DEGREES = 180 / Math.PI;
+
+export function lookAhead(desk: Desk): Part {
+  let seconds = 5;
+  const time = button({ class: 'more', title: 'How far to look ahead' }, [], () =>
+    desk.send({ type: 'look_ahead', seconds: next(seconds) }),
+  );
+  const [clear, stop, joint] = [el('b'), el('b'), el('b')];
+  const element = group(
+    'look-ahead',
+    'Look ahead',
+    el(
+      'dl',
+      {},
+      el('dt', {}, el('span', {}, 'Clearance '), 'then'),
+      el('dd', {}, clear),
+      el('dt', {}, 'Stops within'),
+      el('dd', {}, stop),
+      el('dt', {}, el('span', {}, 'Nearest '), 'limit'),
+      el('dd', {}, joint),
+    ),
+  );
+  element.querySelector('h2')?.append(time);
+  element.querySelector('h2 b')?.setAttribute('title', ABOUT);
+  return {
+    element,
+    values({
+      frame: {
+        display: { ahead },
+      },
+      units,
+    }) {
+      setText(time, `${(ahead?.seconds ?? seconds).toFixed(0)} s`);
+      if (!ahead) return;
+      seconds = ahead.seconds;
+      const told = words(ahead, desk.welcome.joints, units);
+      setText(clear, told.clearance);
+      setAttribute(clear, 'title', told.between);
+      setText(stop, told.stopping);
+      setText(joint, told.joint);
+      setAbout(element, about(ahead));
+      setClass(element, 'resting-sticks', !ahead.held);
+      setClass(clear, 'caution', ahead.contact_s !== null || below(ahead, desk.welcome.work.caution));
+      setClass(joint, 'caution', ahead.room <= 0);
+    },
+  };
+}
+
+const ABOUT = 'What holding the sticks does; the blue arm in the pictures is where the arm is then';
+
+/** Whose look it is. */
+export function about({ held, moves }: Pick<Ahead, 'held' | 'moves'>): string {
+  if (held) return 'sticks held';
+  return moves ? 'last axis, in full' : 'sticks at rest';
+}
+
+/** The next time that may be chosen [s]. */
+export function next(seconds: number): number {
+  return TIMES.find((each) => each > seconds) ?? TIMES[0];
+}
+
+function below({ clearance }: Ahead, caution: number): boolean {
+  return clearance !== null && clearance < caution;
+}
+
+/** The figures, in the operator's units. */
+export function words(
+  ahead: Ahead,
+  joints: readonly { readonly label: string }[],
+  { gap }: Pick<Units, 'gap'>,
+): {
+  readonly clearance: string;
+  readonly between: string;
+  readonly stopping: string;
+  readonly joint: string;
+} {
+  const { clearance, a, b, contact_s, stopping, joint, room } = ahead;
+  const shown = (value: number) => `${small(value, gap)} ${gap.name}`;
+  const left = `${Math.abs(room * DEGREES).toFixed(0)}°`;
+  return {
+    clearance:
+      contact_s !== null ? `contact ${contact_s.toFixed(1)} s` : clearance === null ? '–' : shown(clearance),
+    between: clearance === null ? '' : `${a} to ${b}`,
+    stopping: shown(stopping),
+    joint: `${joints[joint]?.label ?? ''} ${room > 0 ? left : `${left} past`}`,
+  };
+}

@@ -1,0 +1,40 @@
+/** The MODE rotary with its ENTER, and the switches of the mode in view. */
+
+import type { ModeInfo } from '../../link/protocol';
+import { group, setAbout, setClass } from '../parts/dom';
+import type { Desk, Part } from '../parts/part';
+import { rotary } from './rotary';
+import { switches } from './switches';
+
+export interface ModeGroup extends Part {
+  /** Turns the rotary by one position, without entering it. */
+  turn(by: number): void;
+  /** Enters the position turned to. */
+  enter(): void;
+  /** Turns the JOINT rotary by one. */
+  turnJoint(by: number): void;
+  /** The position turned to, or else the one entered. */
+  inView(): ModeInfo | undefined;
+}
+
+/** `proceed` is what the PROCEED key does. */
+export function modeGroup(desk: Desk, proceed: () => void): ModeGroup {
+  const positions = rotary(desk);
+  const below = switches(desk, proceed);
+  const element = group('mode', 'Mode', positions.element, below.element);
+  const infoOf = (name: string) => desk.welcome.modes.find(({ position }) => position === name);
+  return {
+    element,
+    values({ frame }) {
+      positions.set(frame.mode, frame.display.payload_id !== 0);
+      const shown = positions.shown();
+      setAbout(element, shown === frame.mode ? 'entered' : `Enter sets ${shown}`);
+      setClass(element, 'single', infoOf(frame.mode)?.kind === 'single');
+      below.set(frame, infoOf(shown));
+    },
+    turn: positions.turn,
+    enter: positions.enter,
+    turnJoint: below.turnJoint,
+    inView: () => infoOf(positions.shown()),
+  };
+}

@@ -1,0 +1,75 @@
+/** The MODE rotary: twelve positions, and MASTER where the arm has one; one is turned to, then entered. */
+
+import { button, el, setAttribute, setClass, setPressed } from '../parts/dom';
+import type { Desk } from '../parts/part';
+
+export interface Rotary {
+  readonly element: HTMLElement;
+  /** The position turned to; the one entered where none is. */
+  shown(): string;
+  /** The position that the station has entered; `grasping`: a payload is in the grasp. */
+  set(position: string, grasping: boolean): void;
+  turn(by: number): void;
+  /** Enters the position turned to. */
+  enter(): void;
+}
+
+export function rotary(desk: Desk): Rotary {
+  const { modes } = desk.welcome;
+  let entered = '';
+  let turned: string | null = null;
+
+  const enter = () => {
+    if (turned !== null) desk.send({ type: 'enter_mode', mode: turned });
+  };
+  const turnTo = (position: string) => {
+    turned = position === entered ? null : position;
+    draw();
+  };
+  const keys = modes.map(({ position, kind }) => {
+    const key = button({}, [el('i', { class: 'dot' }), position], () => {
+      if (turned === position) enter();
+      else turnTo(position);
+    });
+    setClass(key, 'thirteenth', kind === 'master');
+    return key;
+  });
+  const element = el('div', { class: 'rotary', role: 'group', 'aria-label': 'Mode' }, ...keys);
+  setClass(
+    element,
+    'with-master',
+    modes.some(({ kind }) => kind === 'master'),
+  );
+
+  function draw(): void {
+    modes.forEach(({ position }, i) => {
+      const key = keys[i];
+      if (!key) return;
+      setPressed(key, position === entered);
+      setClass(key, 'turned', position === turned);
+    });
+  }
+
+  return {
+    element,
+    shown: () => turned ?? entered,
+    set(position, grasping) {
+      modes.forEach(({ title, point, enabled }, i) => {
+        const key = keys[i];
+        if (!key) return;
+        const missing = point === 'payload' ? 'needs a payload in the grasp' : 'no points are stored';
+        const there = enabled && (grasping || point !== 'payload');
+        setClass(key, 'absent', !there);
+        setAttribute(key, 'title', there ? title : `${title}: ${missing}`);
+      });
+      if (position !== entered) turned = null;
+      entered = position;
+      draw();
+    },
+    turn(by) {
+      const at = modes.findIndex(({ position }) => position === (turned ?? entered));
+      turnTo(modes[(at + by + modes.length) % modes.length]?.position ?? entered);
+    },
+    enter,
+  };
+}

@@ -1,0 +1,49 @@
+/** How far each singularity is: 0 at it, 1 farthest; caution below the arm's threshold, with the way out. */
+
+import { fixed } from '../../words/format';
+import { spoken, wayOutText } from '../../words/way-out';
+import { el, group, setAbout, setAttribute, setClass, setText, svg } from '../parts/dom';
+import type { Desk, Part } from '../parts/part';
+
+const LENGTH = 200;
+
+export function singularity({ welcome: { singular, joints } }: Desk): Part {
+  const rows = ['Shoulder', 'Elbow', 'Wrist'].map((name) => {
+    const pointer = svg('rect', { class: 'pointer', y: '3', x: '-3', width: '6', height: '12' });
+    const label = el('span', { class: 'label' }, name);
+    const value = el('span', { class: 'value' });
+    const bar = svg(
+      'svg',
+      { viewBox: `-4 0 ${LENGTH + 8} 18`, preserveAspectRatio: 'none', 'aria-hidden': 'true' },
+      svg('rect', { class: 'track', x: '0', y: '7', width: String(LENGTH), height: '4' }),
+      svg('rect', { class: 'reach', x: '0', y: '7', width: String(singular * LENGTH), height: '4' }),
+      pointer,
+    );
+    return { name, pointer, label, value, row: el('div', { class: 'distance' }, label, bar, value) };
+  });
+  const gauges = el('div', { class: 'gauges' }, ...rows.map(({ row }) => row));
+  const element = group('singularity', 'Singularity', gauges);
+  setAbout(element, `caution below ${fixed(singular, 2, false)}`);
+  return {
+    element,
+    bars({ frame }) {
+      rows.forEach(({ pointer }, i) => {
+        const at = Math.min(1, Math.abs(frame.singularity[i] ?? 0)) * LENGTH;
+        setAttribute(pointer, 'transform', `translate(${at.toFixed(1)} 0)`);
+      });
+    },
+    values({ frame, controllers: { names } }) {
+      rows.forEach(({ name, label, value, row }, i) => {
+        const distance = Math.abs(frame.singularity[i] ?? 0);
+        const near = distance < singular;
+        const out = frame.ways_out.find(({ cause }) => cause === name.toLowerCase());
+        const words =
+          near && out ? `${name}: ${wayOutText(out, spoken(joints[out.axis]?.name ?? ''), names)}` : name;
+        setText(label, words);
+        setAttribute(label, 'title', words);
+        setText(value, fixed(distance, 2, false));
+        setClass(row, 'caution', near);
+      });
+    },
+  };
+}

@@ -1,0 +1,26 @@
+/** CMD CK: CHECKING while the motion to the target is rehearsed, then the verdict. */
+
+import type { Frame } from '../../link/protocol';
+import { el, setAttribute, setClass, setText } from '../parts/dom';
+
+export interface Verdict {
+  readonly element: HTMLElement;
+  set(frame: Pick<Frame, 'check' | 'sequence'>): void;
+}
+
+export function verdict(): Verdict {
+  const sign = el('i', { class: 'sign' });
+  const text = el('span');
+  const element = el('p', { class: 'check' }, el('b', {}, 'Cmd ck'), sign, text);
+  return {
+    element,
+    set({ check, sequence }) {
+      const told = sequence === 'checking' ? 'CHECKING' : (check?.text ?? '');
+      element.hidden = told === '';
+      setClass(element, 'good', check?.good === true);
+      setClass(element, 'caution', check?.good === false);
+      setText(text, told);
+      setAttribute(element, 'title', told);
+    },
+  };
+}

@@ -1,0 +1,43 @@
+/** The payloads of the worksite: what holds each, and how fast it moves. */
+
+import { small } from '../../words/format';
+import { el, group, setAbout, setAttribute, setText } from '../parts/dom';
+import type { Desk, Part } from '../parts/part';
+import { seatTitle } from './seat';
+
+/** The report's modes, by their numbers from 1 on. */
+export const TASKS = ['Acquire', 'Extract', 'Manoeuvre', 'Docked'] as const;
+const DOING = ['acquisition', 'extraction', 'manoeuvring', 'docked'] as const;
+const ROWS = 3;
+
+export function cargoGroup({ welcome }: Desk): Part {
+  const rows = welcome.work.cargo.slice(0, ROWS).map((name) => {
+    const state = el('span');
+    const speed = el('span', { class: 'speed' });
+    const row = el('tr', {}, el('th', { scope: 'row', title: name }, name), el('td', {}, state, speed));
+    return { name, state, speed, row };
+  });
+  const table = el('table', {}, el('tbody', {}, ...rows.map(({ row }) => row)));
+  const element = group('cargo', rows.length === 1 ? 'Payload' : 'Payloads', table);
+  return {
+    element,
+    values({ frame, units: { creep } }) {
+      setAbout(element, `mode ${frame.work.task}, ${DOING[frame.work.task - 1] ?? ''}`);
+      for (const { name, state, speed } of rows) {
+        const cargo = frame.work.cargo.find((each) => each.name === name);
+        const seat = cargo ? seatTitle(welcome.work, cargo.seat) : '';
+        setText(state, cargo ? whereIs(cargo.held, seat) : '–');
+        setAttribute(state, 'title', seat);
+        // What is held moves as the arm does, and what is seated does not.
+        const free = cargo && !cargo.held && cargo.seat === '';
+        setText(speed, free ? `${small(Math.hypot(...cargo.velocity), creep)} ${creep.name}` : '');
+      }
+    },
+  };
+}
+
+/** What a payload is fixed to: the arm, a seat of this title, both, or nothing. */
+export function whereIs(held: boolean, seat: string): string {
+  if (!held) return seat === '' ? 'free' : seat;
+  return seat === '' ? 'held' : 'held, fixed';
+}

@@ -1,0 +1,84 @@
+/** The end effector: its switches and flags, and the seat that holds a payload; what is held to act. */
+
+import type { GripAction } from '../../input/keymap';
+import type { Display, Frame, PayloadInfo, Work } from '../../link/protocol';
+import { fixed, small } from '../../words/format';
+import type { Units } from '../../words/units';
+import { group, setAbout } from '../parts/dom';
+import type { Desk, Part } from '../parts/part';
+import { prong } from './prong';
+import { seat } from './seat';
+import { snares } from './snares';
+
+export interface EffectorGroup extends Part {
+  /** A grip's key or button went down or up. */
+  grip(action: GripAction): void;
+}
+
+export function effectorGroup(desk: Desk): EffectorGroup {
+  const { work } = desk.welcome;
+  const hand = work.hand === 'prong' ? prong(desk) : snares(desk);
+  const seats = work.seats.length > 0 && work.cargo.length > 0 ? seat(desk) : null;
+  const element = group('effector', 'End effector', hand.element, ...(seats ? [seats.element] : []));
+  element.classList.add(work.hand);
+  let latest: Work | null = null;
+
+  function grip({ grip: which, down, at }: GripAction): void {
+    if (which === 'brakes') return; // not the hand's
+    if (which === 'latch') {
+      if (down) seats?.keyed().press(at);
+      else seats?.lift(at);
+      return;
+    }
+    if (!down) {
+      hand[which].lift(at);
+      return;
+    }
+    const moving = latest !== null && hand.moves(latest.hand);
+    if (moving) desk.send({ type: 'effector', switch: 'stop' });
+    // Held on, the other way's key turns it round.
+    if (!moving || latest?.hand.switch !== which) hand[which].press(at);
+  }
+
+  return {
+    element,
+    grip,
+    bars({ frame }) {
+      latest = frame.work;
+      hand.bars(frame.work.hand);
+      seats?.tick();
+    },
+    values({ frame, units }) {
+      hand.set(frame.work.hand, units);
+      seats?.set(frame.work);
+      setAbout(element, graspWords(frame, desk.welcome.payloads, units));
+    },
+  };
+}
+
+/** Nearer than this, the conditions of a capture tell how far the fixture is [m]. */
+const CONDITIONS_M = 3;
+
+/** What the end effector holds, how heavy that is and how fast its point may move; empty, how far the next fixture is. */
+export function graspWords(
+  {
+    work: { cargo },
+    display: { fixture, payload_id },
+    rate,
+  }: Pick<Frame, 'rate'> & {
+    readonly work: Pick<Work, 'cargo'>;
+    readonly display: Pick<Display, 'fixture' | 'payload_id'>;
+  },
+  payloads: readonly Pick<PayloadInfo, 'id' | 'mass' | 'translation'>[],
+  { mass, speed, gap }: Pick<Units, 'mass' | 'speed' | 'gap'>,
+): string {
+  const held = cargo.find((each) => each.held);
+  if (!held && fixture !== null && fixture > CONDITIONS_M)
+    return `empty, fixture ${small(fixture, gap)} ${gap.name} away`;
+  if (!held) return cargo.length > 0 ? 'empty' : '';
+  const its = payloads.find(({ id }) => id === payload_id);
+  if (!its) return held.name;
+  const heavy = fixed(its.mass * mass.perSi, mass.decimals, false);
+  const fast = fixed(its.translation[rate === 'coarse' ? 0 : 1] * speed.perSi, speed.decimals, false);
+  return `${held.name}, ${heavy} ${mass.name}, to ${fast} ${speed.name}`;
+}

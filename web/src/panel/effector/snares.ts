@@ -1,0 +1,69 @@
+/** The SRMS's snares: the six flags of the panel, capture and release, and the switches of its manual mode. */
+
+import type { Hand as HandState } from '../../link/protocol';
+import { button, el, setClass, setPressed } from '../parts/dom';
+import { holdButton } from '../parts/hold-button';
+import type { Desk } from '../parts/part';
+import { CLOSE_S, type Hand, OPEN_S } from './hand';
+
+/** As on the panel, the row of a capture over that of a release. */
+const FLAGS = ['CAPTURE', 'CLOSE', 'RIGID', 'EXTEND', 'OPEN', 'DERIGID'] as const;
+
+const MODES = [
+  ['auto', 'Auto'],
+  ['manual', 'Man'],
+] as const;
+const CARRIAGE = ['rigid', 'derigid'] as const;
+
+export function snares(desk: Desk): Hand {
+  const close = holdButton('Capture', 'close', CLOSE_S, () =>
+    desk.send({ type: 'effector', switch: 'close' }),
+  );
+  const open = holdButton('Release', 'open', OPEN_S, () => desk.send({ type: 'effector', switch: 'open' }));
+  const flags = FLAGS.map((name) => el('span', { class: 'flag' }, name));
+  const modes = MODES.map(([mode, name]) =>
+    button({}, [name], () => desk.send({ type: 'effector_mode', mode })),
+  );
+  let rigid: HandState['rigid'] = 'off';
+  const carriage = CARRIAGE.map((way) =>
+    button({ title: 'The carriage alone; pressed again: off' }, [way], () =>
+      desk.send({ type: 'rigid', rigid: rigid === way ? 'off' : way }),
+    ),
+  );
+  const element = el(
+    'div',
+    { class: 'hand' },
+    el('div', { class: 'flags', role: 'status', 'aria-label': 'End effector flags' }, ...flags),
+    el('div', { class: 'grips' }, close.element, open.element),
+    el(
+      'div',
+      { class: 'manual' },
+      el('div', { class: 'switch', role: 'group', 'aria-label': 'End effector mode' }, ...modes),
+      el('div', { class: 'switch', role: 'group', 'aria-label': 'Man contr' }, ...carriage),
+    ),
+  );
+  return {
+    element,
+    close,
+    open,
+    moves: () => false,
+    bars() {
+      close.tick();
+      open.tick();
+    },
+    set(hand) {
+      FLAGS.forEach((name, i) => {
+        const flag = flags[i];
+        if (flag) setClass(flag, 'lit', hand.flags.includes(name));
+      });
+      rigid = hand.rigid;
+      modes.forEach((key, i) => {
+        setPressed(key, MODES[i]?.[0] === hand.mode);
+      });
+      carriage.forEach((key, i) => {
+        setPressed(key, CARRIAGE[i] === hand.rigid);
+        key.disabled = hand.mode === 'auto';
+      });
+    },
+  };
+}

@@ -1,0 +1,35 @@
+/** Where an angle stands on a joint's bar. */
+
+import type { JointInfo } from '../../link/protocol';
+
+/** Length of the bar, and of each of its four limit zones, which true scale would hide. */
+export const BAR = 170;
+const ZONE = 9;
+const PLACES = [0, ZONE, 2 * ZONE, BAR - 2 * ZONE, BAR - ZONE, BAR] as const;
+
+type Limits = Pick<JointInfo, 'hard' | 'soft' | 'reach'>;
+
+/** The angles that stand at `PLACES` [rad]. */
+function angles({ hard, soft, reach }: Limits): readonly number[] {
+  return [hard[0], soft[0], reach[0], reach[1], soft[1], hard[1]];
+}
+
+/** Place on the bar, 0 at the lower hard stop to `BAR` at the upper, of an angle [rad]. */
+export function place(joint: Limits, angle: number): number {
+  return between(angles(joint), PLACES, angle);
+}
+
+/** The angle [rad] at a place on the bar. */
+export function angleAt(joint: Limits, at: number): number {
+  return between(PLACES, angles(joint), at);
+}
+
+/** The value that stands in `to` where `at` stands in `from`; both grow, and end at their ends. */
+function between(from: readonly number[], to: readonly number[], at: number): number {
+  const above = from.findIndex((each) => at < each);
+  if (above === 0) return to[0] ?? 0;
+  if (above === -1) return to.at(-1) ?? 0;
+  const [low, high] = [from[above - 1] ?? 0, from[above] ?? 0];
+  const [start, end] = [to[above - 1] ?? 0, to[above] ?? 0];
+  return start + ((at - low) / (high - low)) * (end - start);
+}

@@ -1,0 +1,106 @@
+/** Joint angles between their limits, and joint rates as parts of theirs. */
+
+import type { Limit } from '../../link/protocol';
+import { degrees } from '../../words/format';
+import { rateBar } from '../parts/bar';
+import { el, group, setAbout, setAttribute, setClass, setText, svg } from '../parts/dom';
+import type { Desk, Part } from '../parts/part';
+import { jointBar, range } from './joint-bar';
+import { place } from './joint-scale';
+import { standRow } from './stand';
+
+export function joints(desk: Desk): Part {
+  const rows = desk.welcome.joints.map((joint) => {
+    // Over the bar, and hollow; it hides the pointer's stem where both stand at one place.
+    const commanded = svg('path', { class: 'commanded', d: 'M-3.8 0 H3.8 L0 6.4 Z' });
+    const scale = jointBar(joint, commanded);
+    const angle = el('td', { class: 'angle' });
+    const name = el('th', { scope: 'row' }, joint.label);
+    const tag = el('span', { class: 'limit-tag' });
+    const bar = rateBar();
+    const row = el(
+      'tr',
+      {},
+      name,
+      el('td', { class: 'scale', title: range(joint) }, scale.element),
+      angle,
+      el('td', { class: 'of-limit' }, el('div', {}, bar.element, tag)),
+    );
+    return { joint, row, scale, commanded, angle, bar, tag };
+  });
+  const stand = desk.welcome.work.stand && standRow(desk.welcome.work.stand);
+  const element = group(
+    'joints',
+    'Joints',
+    el(
+      'table',
+      {},
+      el(
+        'thead',
+        {},
+        el(
+          'tr',
+          {},
+          el('th'),
+          el(
+            'th',
+            { class: 'legend', scope: 'col' },
+            el('i', { class: 'reach' }),
+            'reach ',
+            el('i', { class: 'soft' }),
+            'soft ',
+            el('i', { class: 'hard' }),
+            'hard',
+          ),
+          el('th', { scope: 'col' }, 'deg'),
+          el('th', { scope: 'col' }, 'of limit'),
+        ),
+      ),
+      el('tbody', {}, ...rows.map(({ row }) => row), ...(stand ? [stand.element] : [])),
+    ),
+  );
+  return {
+    element,
+    bars({ frame }) {
+      stand?.point(frame.work.stand ?? 0);
+      rows.forEach(({ joint, scale, commanded, bar }, i) => {
+        scale.set(frame.angles[i] ?? 0);
+        const at = place(joint, frame.angles_commanded[i] ?? 0).toFixed(2);
+        setAttribute(commanded, 'transform', `translate(${at} 0)`);
+        const limit = frame.rate_limits[i] || 1;
+        bar.set((frame.rates[i] ?? 0) / limit, (frame.rates_commanded[i] ?? 0) / limit);
+      });
+    },
+    values({ frame, units }) {
+      stand?.set(frame.work.stand ?? 0, units);
+      const mode = desk.welcome.modes.find((each) => each.position === frame.mode);
+      const single = mode?.kind === 'single';
+      setClass(element, 'single', single);
+      setAbout(element, single ? `${desk.welcome.joints[frame.joint]?.label ?? ''} selected` : '');
+      rows.forEach(({ row, angle, tag }, i) => {
+        const zone = frame.zones[i] ?? 0;
+        setText(angle, degrees(frame.angles[i] ?? 0));
+        setClass(row, 'selected', single && frame.joint === i);
+        setClass(row, 'reach', zone >= 1);
+        setClass(row, 'soft', zone >= 2);
+        const acting = frame.limits.find((limit) => limit.joint === i);
+        setText(tag, acting ? SHORT[acting.kind] : '');
+        setClass(row, 'limited', acting !== undefined);
+      });
+    },
+  };
+}
+
+const SHORT: Readonly<Record<Limit['kind'], string>> = {
+  'joint rate': 'rate',
+  'joint acceleration': 'acc',
+  'soft stop': 'soft',
+  'hard stop': 'hard',
+  singularity: 'sing',
+  'POR translation': '',
+  'POR rotation': '',
+  'POR acceleration': '',
+  seat: '',
+  contact: '',
+  switch: '',
+};

@@ -1,0 +1,93 @@
+/** The master arm: six sliders in the joints' place, turned by the sticks as well; the arm follows it in MASTER. */
+
+import type { Frame, Six } from '../../link/protocol';
+import { degrees } from '../../words/format';
+import { el, group, setAbout, setText } from '../parts/dom';
+import { Paced } from '../parts/paced';
+import type { Desk, Part } from '../parts/part';
+import { slider } from './slider';
+import { standRow } from './stand';
+
+/** Sent no more often than this [ms]. */
+const PERIOD_MS = 50;
+/** The station tells where the master stands; so long after it was moved here, its own word counts again [ms]. */
+const OWN_MS = 500;
+
+export interface MasterGroup extends Part {
+  /** Puts the master where the arm is, so that the arm has nothing left to follow. */
+  meet(): void;
+}
+
+export function masterGroup(desk: Desk): MasterGroup {
+  let own: { readonly angles: Six; readonly at: number } | null = null;
+  let latest: Frame | null = null;
+  const out = new Paced<Six>(PERIOD_MS, (angles) => desk.send({ type: 'master', angles }));
+
+  const put = (angles: Six) => {
+    own = { angles, at: performance.now() };
+    out.put(angles);
+  };
+  /** The master stands where it was put last, here or as the station has it; in other modes, as the arm does. */
+  const master = (frame: Frame): Six => {
+    if (own && performance.now() - own.at > OWN_MS) own = null;
+    return own?.angles ?? frame.work.master ?? frame.angles;
+  };
+  const rows = desk.welcome.joints.map((joint, i) => {
+    const bar = slider(joint, (angle) => {
+      if (latest) put(replaced(master(latest), i, angle));
+    });
+    const actual = el('td', { class: 'angle' });
+    const commanded = el('td', { class: 'commanded' });
+    const row = el(
+      'tr',
+      {},
+      el('th', { scope: 'row', title: `${joint.stick} turns it as well` }, joint.label),
+      el('td', { class: 'scale' }, bar.element),
+      actual,
+      commanded,
+    );
+    return { bar, actual, commanded, row };
+  });
+  const stand = desk.welcome.work.stand && standRow(desk.welcome.work.stand);
+  const heads = ['', '', 'actual', 'master'].map((name) => el('th', { scope: 'col' }, name));
+  const element = group(
+    'master-arm',
+    'Master arm',
+    el(
+      'table',
+      {},
+      el('thead', {}, el('tr', {}, ...heads)),
+      el('tbody', {}, ...rows.map(({ row }) => row), ...(stand ? [stand.element] : [])),
+    ),
+  );
+  const thc = desk.welcome.joints.flatMap(({ stick }) => (stick.startsWith('THC') ? [stick.slice(4)] : []));
+  setAbout(element, `degrees; sliders, or THC ${thc.join(' ')} and RHC`);
+  return {
+    element,
+    meet() {
+      if (latest) put(latest.angles);
+    },
+    bars({ frame }) {
+      latest = frame;
+      stand?.point(frame.work.stand ?? 0);
+      const goal = master(frame);
+      rows.forEach(({ bar }, i) => {
+        bar.set(frame.angles[i] ?? 0, goal[i] ?? 0);
+      });
+    },
+    values({ frame, units }) {
+      stand?.set(frame.work.stand ?? 0, units);
+      const goal = master(frame);
+      rows.forEach(({ actual, commanded }, i) => {
+        setText(actual, degrees(frame.angles[i] ?? 0));
+        setText(commanded, degrees(goal[i] ?? 0));
+      });
+    },
+  };
+}
+
+/** The six angles with one put anew. */
+export function replaced([a, b, c, d, e, f]: Six, joint: number, angle: number): Six {
+  const put = (old: number, i: number) => (i === joint ? angle : old);
+  return [put(a, 0), put(b, 1), put(c, 2), put(d, 3), put(e, 4), put(f, 5)];
+}

@@ -1,0 +1,73 @@
+/** Frame axes over a picture: +X +Y +Z of the control frame as that camera sees them. */
+
+import { clamp } from '../../basics/clamp';
+import type { Vec3 } from '../../link/protocol';
+import { setAttribute, setClass, setText, svg } from '../parts/dom';
+
+const LENGTH = 34;
+/** The ring turns dashed from here on: 90°, and a little more so that looking straight down is steady [rad]. */
+const CROSSED = Math.PI / 2 + 0.04;
+/** An axis shorter than this in the picture points at the viewer or away. */
+const END_ON = 0.2;
+
+const ABOUT =
+  'Axes that the sticks move along, as this camera sees them. Dashed, with an angle: the picture is turned by so much against the sticks.';
+
+export interface AxesOverlay {
+  readonly element: SVGSVGElement;
+  /** Axes as the camera sees them: x right, y up, z towards the viewer. */
+  set(directions: readonly [Vec3, Vec3, Vec3]): void;
+}
+
+export function axesOverlay(): AxesOverlay {
+  const ring = svg('circle', { class: 'disc', r: '48' });
+  const angle = svg('text', { class: 'angle', x: '44', y: '40' });
+  const axes = ['X', 'Y', 'Z'].map((name) => {
+    const line = svg('line', { x1: '0', y1: '0' });
+    const end = svg('circle', { class: 'end', r: '4' });
+    const label = svg('text', {}, name);
+    return { line, end, label, element: svg('g', { class: 'axis' }, line, end, label) };
+  });
+  const element = svg(
+    'svg',
+    { class: 'frame-axes', viewBox: '-50 -50 100 100', 'aria-hidden': 'true' },
+    svg('title', {}, ABOUT),
+    ring,
+    ...axes.map(({ element: axis }) => axis),
+    svg('circle', { class: 'origin', r: '3' }),
+    angle,
+  );
+  return {
+    element,
+    set(directions) {
+      axes.forEach(({ line, end, label }, i) => {
+        const [right = 0, up = 0, towards = 0] = directions[i] ?? [];
+        const [x, y] = [right * LENGTH, -up * LENGTH];
+        const size = Math.hypot(right, up);
+        setAttribute(line, 'x2', x.toFixed(1));
+        setAttribute(line, 'y2', y.toFixed(1));
+        setAttribute(end, 'cx', x.toFixed(1));
+        setAttribute(end, 'cy', y.toFixed(1));
+        setClass(end, 'shown', size < END_ON);
+        setClass(end, 'towards', towards > 0);
+        const push = size < END_ON ? 9 : 8 / size;
+        const side = size < END_ON ? 1 : 0;
+        setAttribute(label, 'x', (x + (side ? 9 : right * push)).toFixed(1));
+        setAttribute(label, 'y', (y + (side ? -9 : -up * push)).toFixed(1));
+      });
+      const apart = stickToPicture(directions);
+      const crossed = apart > CROSSED;
+      setClass(ring, 'crossed', crossed);
+      setText(angle, crossed ? `${Math.round((apart * 180) / Math.PI)}°` : '');
+    },
+  };
+}
+
+/**
+ * Angle [rad] by which the picture is turned against the sticks: zero where +X goes into the picture,
+ * +Y to its right and +Z down in it.
+ */
+export function stickToPicture([x, y, z]: readonly [Vec3, Vec3, Vec3]): number {
+  const trace = -x[2] + y[0] - z[1];
+  return Math.acos(clamp((trace - 1) / 2));
+}

@@ -1,0 +1,148 @@
+/** All cameras at once: a tile each, what it sees, and below them what is needed to fly on. */
+
+import type { Target } from '../../cameras/best-pair';
+import { type Age, isStale } from '../../link/delay-line';
+import type { Camera } from '../../link/protocol';
+import { button, el, group, setAttribute, setClass, setText } from '../parts/dom';
+import { fitPane } from './picture';
+import { type Plan, plan } from './plan';
+
+/** Tiles beside and below each other; one size, whatever there are. */
+const [ACROSS, DOWN] = [5, 3];
+
+export interface Tile {
+  readonly camera: Camera;
+  /** The hole over the scene's canvas. */
+  readonly picture: HTMLElement;
+}
+
+export interface MatrixListener {
+  chosen(camera: Camera): void;
+  /** All cameras shall be shown in a window of their own; absent: they are. */
+  tearOff?: () => void;
+}
+
+export class Matrix {
+  readonly element: HTMLElement;
+  readonly strip: HTMLElement;
+  readonly tiles: readonly Tile[];
+  readonly plan: Plan;
+  private readonly parts;
+  private readonly views = el('div', { class: 'pair-words' });
+  private readonly lentTo = {
+    clearance: el('div', { class: 'lent' }),
+    lamps: el('div', { class: 'lent lamps-lent' }),
+  };
+  private back: (() => void)[] = [];
+
+  constructor(cameras: readonly Camera[], listener: MatrixListener) {
+    this.plan = plan(cameras.filter(({ kind }) => kind === 'camera'));
+    this.parts = cameras.map((camera) => {
+      const pane = el('div', { class: 'pane' });
+      const picture = el('div', { class: 'tile-picture' }, ...(camera.pane ? [pane] : []));
+      const lost = el('p', { class: 'lost' }, el('b', {}, 'Picture lost'), el('span'));
+      picture.append(lost);
+      const tags = el('span', { class: 'tags' });
+      const words = el('span', { class: 'words' });
+      const title = el('span', { class: 'title' }, camera.title);
+      const caption = el('span', { class: 'caption' }, el('b', {}, camera.name), title, tags, words);
+      const tile = button({ class: 'tile' }, [picture, caption], () => listener.chosen(camera));
+      return { camera, picture, tile, tags, words, lost, pane };
+    });
+    this.tiles = this.parts;
+    const { tearOff } = listener;
+    this.element = el(
+      'main',
+      { class: 'matrix', 'aria-label': 'All cameras' },
+      ...this.parts.map(({ tile }) => tile),
+    );
+    const across = Math.max(ACROSS, Math.ceil(cameras.length / DOWN));
+    const places = group('places', 'Camera places', this.plan.element);
+    // The plan takes the tiles that are left over, if it is larger there than below them.
+    const left = across * DOWN - cameras.length;
+    const among = left >= 2 && left < across;
+    if (among) {
+      setAttribute(places, 'style', `--left: ${left}`);
+      this.element.append(places);
+    }
+    setAttribute(this.element, 'style', `--across: ${across}`);
+    const views = group('views', 'Views', this.views);
+    if (tearOff) {
+      const off = button(
+        { class: 'more', title: 'All cameras in a window of their own' },
+        ['Own window'],
+        tearOff,
+      );
+      views.querySelector('h2')?.append(off);
+    }
+    this.strip = el(
+      'section',
+      { class: 'strip-below', 'aria-label': 'Clearance and lamps' },
+      ...(among ? [] : [places]),
+      this.lentTo.clearance,
+      group('lamps-group', 'Caution and warning', this.lentTo.lamps),
+      views,
+    );
+  }
+
+  /** Takes the desk's clearance and the lamps in, until `close`. */
+  open(clearance: HTMLElement | null, lamps: HTMLElement | null): void {
+    for (const [node, place] of [
+      [clearance, this.lentTo.clearance],
+      [lamps, this.lentTo.lamps],
+    ] as const) {
+      if (!node) continue;
+      const here = document.createComment('lent to all cameras');
+      node.replaceWith(here);
+      place.append(node);
+      this.back.push(() => here.replaceWith(node));
+    }
+  }
+
+  close(): void {
+    for (const give of this.back) give();
+    this.back = [];
+  }
+
+  /** What a camera sees, and the monitors that show it. */
+  say(index: number, sees: readonly Target[], tags: readonly string[]): void {
+    const part = this.parts[index];
+    if (!part) return;
+    const { tile, words, tags: shown, camera, pane, picture } = part;
+    fitPane(pane, camera, picture.clientWidth);
+    const said = sees.join(' ');
+    setText(words, said);
+    if (shown.textContent !== tags.join('')) shown.replaceChildren(...tags.map((tag) => el('em', {}, tag)));
+    setClass(tile, 'used', tags.length > 0);
+    const label = [
+      camera.name,
+      camera.title,
+      ...tags,
+      sees.length > 0 ? `sees ${sees.join(', ')}` : 'sees none of it',
+    ];
+    setAttribute(tile, 'aria-label', label.join(', '));
+  }
+
+  /** How old the pictures are [s]; null: they are recorded ones. */
+  setAge(age: Age | null): void {
+    const lost = age !== null && isStale(age);
+    for (const { tile, lost: words } of this.parts) {
+      setClass(tile, 'is-lost', lost);
+      if (lost) setText(words.lastElementChild ?? words, `no frame for ${(age.s - age.set).toFixed(1)} s`);
+    }
+  }
+
+  setAdvice(sentences: readonly string[]): void {
+    const said = [...sentences, 'Words under a picture: what it sees.'];
+    if (this.views.childElementCount !== said.length) this.views.replaceChildren(...said.map(() => el('p')));
+    said.forEach((sentence, i) => {
+      const line = this.views.children[i];
+      if (!line) return;
+      setText(line, sentence);
+      setAttribute(line, 'title', sentence.startsWith('Sticks') ? TURNED : '');
+    });
+  }
+}
+
+const TURNED =
+  'By how much a picture is turned against the directions in which the sticks move what it shows';

@@ -1,0 +1,265 @@
+/** One picture: a hole over the scene's canvas, and what is burned into it. */
+
+import { CameraDrag, type Place } from '../../input/camera-drag';
+import type { Turning } from '../../input/camera-hand';
+import { type Age, isStale } from '../../link/delay-line';
+import type { Camera, Frame, Vec3 } from '../../link/protocol';
+import { inset } from '../../page/width';
+import { timeCode } from '../../words/format';
+import { lensWords } from '../../words/lens';
+import { el, setAttribute, setClass, setText, svg } from '../parts/dom';
+import { axesOverlay } from './axes';
+import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
+import type { Box, Size } from './label-place';
+
+/** Dragging across a whole picture goes round by this much [rad]; a turn of the wheel comes nearer by this much. */
+const DRAGGED = Math.PI;
+const WHEEL = 1.15;
+/** A mouse's second button, among those that are down. */
+const SECOND = 2;
+/** What a mouse or a finger does in a picture. */
+const HINTS = {
+  turns: 'drag: pan, tilt · wheel or pinch: zoom',
+  zooms: 'wheel or pinch: zoom',
+  none: '',
+} as const;
+const WATCHED = 'you watch: whoever flies turns cameras';
+
+export interface PictureListener {
+  /** The operator took this picture in hand. */
+  taken(): void;
+  /** The engineering view was dragged to the right and upwards [rad], round or aside, or brought nearer by a factor. */
+  orbited(right: number, upwards: number, nearer: number, aside: boolean): void;
+  /** Cameras can be turned from this page, by whoever flies. */
+  readonly turns: boolean;
+}
+
+/** The touch sticks, over the pictures' lower corners. */
+const TOUCH = 'div.touch';
+
+export class Picture {
+  readonly element = el('div', { class: 'picture' });
+  private readonly drag = new CameraDrag();
+  private readonly band = svg('path', { class: 'band' });
+  private readonly hint = el('span');
+  private readonly name = el('b');
+  private readonly title = el('span');
+  private readonly time = el('span', { class: 'code' });
+  private readonly age = el('span');
+  private readonly lens = el('span');
+  private readonly stale = el('p', { class: 'stale' });
+  private readonly pane = el('div', { class: 'pane', 'aria-hidden': 'true' });
+  private readonly axes = axesOverlay();
+  private readonly gap = gapOverlay((picture) => this.burnedIn(picture));
+  private corners: { readonly of: Size; readonly touched: boolean; readonly boxes: readonly Box[] } | null =
+    null;
+  private shown: Camera;
+
+  constructor(
+    first: Camera,
+    private readonly listener: PictureListener,
+  ) {
+    this.shown = first;
+    this.element.append(
+      this.pane,
+      el('p', { class: 'burned name' }, this.name, ' ', this.title),
+      el('p', { class: 'burned time' }, this.time, this.age),
+      el('p', { class: 'burned lens' }, this.lens),
+      reticle(),
+      this.axes.element,
+      svg('svg', { class: 'dragged', 'aria-hidden': 'true' }, this.band),
+      el(
+        'p',
+        { class: 'burned hint', 'aria-hidden': 'true' },
+        this.hint,
+        el('span', { class: 'barred' }, WATCHED),
+      ),
+      ...this.gap.elements,
+      this.stale,
+    );
+    this.element.addEventListener('click', () => listener.taken());
+    this.followMouse();
+    this.show(first);
+  }
+
+  get camera(): Camera {
+    return this.shown;
+  }
+
+  show(camera: Camera): void {
+    this.shown = camera;
+    setText(this.name, camera.name);
+    setText(this.title, camera.title);
+    setClass(this.element, 'free', camera.kind === 'engineering');
+    setClass(this.element, 'driven', this.drivable);
+    setText(this.hint, HINTS[drives(camera)]);
+    setClass(this.element, 'window', camera.kind === 'window');
+  }
+
+  /** What the camera's drives stand at, or would: pan, tilt, field of view [rad]. At picture rate. */
+  setLens(setting: Vec3, { width }: Size): void {
+    setText(this.lens, lensWords(this.shown, setting));
+    fitPane(this.pane, this.shown, width);
+  }
+
+  /** How a drag, a pinch or the wheel pushes the switches of this camera now. */
+  turning(now: number): Turning {
+    return this.drag.turning(now);
+  }
+
+  /** Lets go of what is dragged. */
+  release(): void {
+    this.drag.release();
+    this.drawBand();
+  }
+
+  /** The control frame's axes, at picture rate. */
+  setAxes(directions: readonly [Vec3, Vec3, Vec3]): void {
+    this.axes.set(directions);
+  }
+
+  /** The narrowest gap and what touches, as this picture of that size sees them, at picture rate. */
+  setGap(line: GapLine | null, touches: readonly Touch[], picture: Size): void {
+    this.gap.show(line, touches, picture);
+  }
+
+  /** How wide the gap is, and which of its ends can be seen here. */
+  setGapText(text: string, seen: readonly [boolean, boolean]): void {
+    this.gap.setText(text, seen);
+  }
+
+  /** Time code of the picture and its age; null: it is a recorded one. */
+  setTime(frame: Frame, age: Age | null): void {
+    const stale = age !== null && isStale(age);
+    setText(this.time, timeCode(frame.time_s));
+    const old = age === null ? '' : `${age.s.toFixed(1)} s old`;
+    const how = age === null ? 'recorded' : stale || age.set > 0 ? old : 'live';
+    const locked = frame.display.lighting.locked.some(({ camera }) => camera === this.shown.name);
+    setText(this.age, locked ? `EXP LOCK  ${how}` : how);
+    setText(this.stale, stale ? old : '');
+    setClass(this.element, 'is-stale', stale);
+  }
+
+  private burnedIn(picture: Size): readonly Box[] {
+    const { corners } = this;
+    const touched = document.querySelector<HTMLElement>(TOUCH)?.hidden === false;
+    const same = corners?.of.width === picture.width && corners.of.height === picture.height;
+    if (same && corners.touched === touched) return corners.boxes;
+    const own =
+      inset() && !this.element.closest('.torn-off') ? this.narrowCorners(picture) : cornersOf(picture);
+    const boxes = touched ? [...own, ...this.touchSticks()] : own;
+    this.corners = { of: picture, touched, boxes };
+    return boxes;
+  }
+
+  /** The same where MON 2 lies in a corner of MON 1. */
+  private narrowCorners(picture: Size): readonly Box[] {
+    const own = cornersOf(picture);
+    if (this.element.closest('.monitor + .monitor')) return own;
+    const { width, height } = picture;
+    return [...own, { left: 0.5 * width, top: 0, right: width, bottom: 0.5 * height }];
+  }
+
+  /** Where the touch sticks lie, from this picture's corner. */
+  private touchSticks(): readonly Box[] {
+    const { left: x, top: y } = this.element.getBoundingClientRect();
+    return [...document.querySelectorAll(`${TOUCH} > div`)].map((part) => {
+      const { left, top, right, bottom } = part.getBoundingClientRect();
+      return { left: left - x, top: top - y, right: right - x, bottom: bottom - y };
+    });
+  }
+
+  private followMouse(): void {
+    const { element, drag } = this;
+    element.addEventListener('pointerdown', (event) => {
+      if (this.shown.kind !== 'engineering' && !this.drivable) return;
+      element.setPointerCapture(event.pointerId);
+      if (this.shown.kind === 'engineering') return;
+      this.listener.taken();
+      drag.press(event.pointerId, this.placeOf(event), element.clientHeight);
+    });
+    element.addEventListener('contextmenu', (event) => {
+      if (this.shown.kind === 'engineering') event.preventDefault();
+    });
+    element.addEventListener('pointermove', (event) => {
+      if (!element.hasPointerCapture(event.pointerId)) return;
+      drag.move(event.pointerId, this.placeOf(event));
+      this.drawBand();
+      if (this.shown.kind !== 'engineering') return;
+      const per = DRAGGED / element.clientWidth;
+      const aside = event.shiftKey || (event.buttons & SECOND) !== 0;
+      this.listener.orbited(-event.movementX * per, event.movementY * per, 1, aside);
+    });
+    for (const ends of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
+      element.addEventListener(ends, ({ pointerId }) => {
+        drag.lift(pointerId);
+        this.drawBand();
+      });
+    }
+    element.addEventListener(
+      'wheel',
+      (event) => {
+        const free = this.shown.kind === 'engineering';
+        if ((!free && !this.drivable) || event.deltaY === 0) return;
+        event.preventDefault();
+        const nearer = event.deltaY < 0;
+        if (free) this.listener.orbited(0, 0, nearer ? WHEEL : 1 / WHEEL, false);
+        else {
+          this.listener.taken();
+          drag.turnWheel(nearer ? 1 : -1, performance.now());
+        }
+      },
+      { passive: false },
+    );
+  }
+
+  private get drivable(): boolean {
+    return this.listener.turns && this.shown.drive !== null;
+  }
+
+  private placeOf({ clientX, clientY }: MouseEvent): Place {
+    const { left, top } = this.element.getBoundingClientRect();
+    return { x: clientX - left, y: clientY - top };
+  }
+
+  /** The way from where a drag began: as long as it is, so fast the camera turns. */
+  private drawBand(): void {
+    const { line } = this.drag;
+    const at = ({ x, y }: Place) => `${x.toFixed(1)} ${y.toFixed(1)}`;
+    setAttribute(this.band, 'd', line ? `M${at(line.from)} L${at(line.to)}` : '');
+  }
+}
+
+/** What of a camera a drag or the wheel turns. */
+function drives({ drive }: Camera): keyof typeof HINTS {
+  if (!drive) return 'none';
+  return drive.pan || drive.tilt ? 'turns' : 'zooms';
+}
+
+/** Opens a window's pane in a picture so many pixels wide. */
+export function fitPane(element: HTMLElement, { pane, field_of_view }: Camera, width: number): void {
+  if (!pane) return;
+  const perMetre = width / (2 * Math.tan(field_of_view / 2) * pane.distance);
+  const [wide, high] = [pane.width, pane.height].map((size) => `${(size * perMetre).toFixed(1)}px`);
+  setAttribute(element, 'style', `width: ${wide}; height: ${high}`);
+}
+
+/** What is burned into the corners of a picture, with room around it [px]. */
+function cornersOf({ width, height }: Size): readonly Box[] {
+  const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
+  const [across, axes, lens] = [0.5 * width, 7 * rem, 3 * rem];
+  return [
+    { left: 0, top: 0, right: width, bottom: 2.6 * rem },
+    { left: 0, top: height - axes, right: axes, bottom: height },
+    { left: width - across, top: height - lens, right: width, bottom: height },
+  ];
+}
+
+function reticle(): SVGSVGElement {
+  return svg(
+    'svg',
+    { class: 'reticle', viewBox: '-30 -30 60 60', 'aria-hidden': 'true' },
+    svg('path', { class: 'edge', d: 'M-30 0 H-12 M12 0 H30 M0 -30 V-12 M0 12 V30' }),
+    svg('path', { d: 'M-30 0 H-12 M12 0 H30 M0 -30 V-12 M0 12 V30' }),
+  );
+}

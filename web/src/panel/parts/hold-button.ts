@@ -1,0 +1,71 @@
+/** A button that acts once it was held for a while, by pointer, by Enter, or by a key of its own. */
+
+import { Hold } from '../../input/hold';
+import type { Grip } from '../../input/keymap';
+import { keyOf } from '../../input/layout';
+import { el, setText } from './dom';
+
+export interface HoldButton {
+  readonly element: HTMLButtonElement;
+  /** It went down, or came up, at `at` [ms, as performance.now()]. */
+  press(at: number): void;
+  lift(at: number): void;
+  /** Fills with the time gone; acts when that is over. */
+  tick(): void;
+}
+
+/** `grip`: what the operator holds a key for instead; `begins`: whether being held leads to anything now. */
+export function holdButton(
+  label: string,
+  grip: Grip,
+  seconds: number,
+  act: () => void,
+  begins: () => boolean = () => true,
+): HoldButton {
+  const hold = new Hold(seconds, act);
+  const press = (at: number) => {
+    if (begins()) hold.press(at);
+  };
+  const fill = el('i', { class: 'fill' });
+  const key = el('small');
+  const element = el(
+    'button',
+    {
+      type: 'button',
+      class: 'hold-button',
+      title: `Hold ${seconds} s`,
+      'aria-label': `${label}, hold ${seconds} s`,
+    },
+    fill,
+    el('b', {}, label),
+    key,
+  );
+  let filled = 0;
+  element.addEventListener('pointerdown', ({ timeStamp }) => press(timeStamp));
+  for (const ends of ['pointerup', 'pointerleave', 'pointercancel', 'blur'] as const) {
+    element.addEventListener(ends, ({ timeStamp }) => hold.lift(timeStamp));
+  }
+  element.addEventListener('keydown', (event) => {
+    if (event.key !== 'Enter') return;
+    event.preventDefault();
+    if (!event.repeat) press(event.timeStamp);
+  });
+  element.addEventListener('keyup', (event) => {
+    if (event.key === 'Enter') hold.lift(event.timeStamp);
+  });
+  element.addEventListener('click', (event) => {
+    if (event.detail > 0) element.blur();
+    else if (begins()) act(); // neither pointer nor key: an assistive device, which cannot hold
+  });
+  return {
+    element,
+    press,
+    lift: (at) => hold.lift(at),
+    tick() {
+      const part = hold.tick(performance.now());
+      if (part !== filled) fill.style.transform = `scaleX(${part.toFixed(3)})`;
+      filled = part;
+      setText(key, keyOf(grip));
+    },
+  };
+}

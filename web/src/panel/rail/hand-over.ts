@@ -1,0 +1,62 @@
+/** The sticks go from one page to another: who watches asks, who flies gives or keeps. */
+
+import type { Role } from '../../link/protocol';
+import type { Command } from '../../link/socket';
+import { button, el, setText } from '../parts/dom';
+import { called, calledFirst } from './operator-name';
+
+/** What the other is called is seen beside one's own name this long [ms]. */
+const SEEN_MS = 1000;
+
+export interface HandOver {
+  /** Asks: shown to who flies. */
+  readonly question: HTMLElement;
+  /** The key of who watches. */
+  readonly ask: HTMLButtonElement;
+  /** Who flies, and who watches. */
+  words(role: Role, now: number): string;
+}
+
+export function handOver(send: (command: Command) => void): HandOver {
+  const asked = el('p', { role: 'alert' });
+  const question = el(
+    'section',
+    { class: 'swap hand-over', 'aria-label': 'Hand-over', hidden: '' },
+    asked,
+    button({ title: 'The other page flies from now on' }, ['Give'], () => send({ type: 'give_sticks' })),
+    button({ title: 'You go on flying' }, ['Keep'], () => send({ type: 'keep_sticks' })),
+  );
+  const ask = button({ title: 'Asks the page that flies to give you its sticks', hidden: '' }, ['Ask'], () =>
+    send({ type: 'ask_sticks' }),
+  );
+  let before = { flier: 0, first: '' };
+  let given = { from: '', at: Number.NEGATIVE_INFINITY };
+  return {
+    question,
+    ask,
+    words(role, now) {
+      const { flying, flier, number, asking } = role;
+      if (before.flier !== 0 && flier !== 0 && flier !== before.flier)
+        given = { from: before.first, at: now };
+      before = { flier, first: calledFirst(role, flier) };
+      if (question.hidden === (flying && asking !== 0)) question.hidden = !question.hidden;
+      setText(asked, asking === 0 ? '' : `${calledFirst(role, asking)} asks for the sticks.`);
+      const asks = !flying && number !== 0; // a page without hands asks for none
+      if (ask.hidden === asks) ask.hidden = !asks;
+      ask.disabled = asking !== 0;
+      setText(ask, asking === number ? 'Asked' : 'Ask for the sticks');
+      if (now - given.at < SEEN_MS) return `${given.from} ▸ ${called(role, flier)}`;
+      if (!flying)
+        return flier === 0 ? 'You watch · nobody flies' : `You watch · ${called(role, flier)} flies`;
+      const watching = watched(role);
+      return watching === '' ? 'You fly' : `You fly · ${watching}`;
+    },
+  };
+}
+
+/** Who watches the one who flies: one by the name, more by their count. */
+function watched({ watchers, number, names }: Role): string {
+  if (watchers === 0) return '';
+  const other = names.find((each) => each.number !== number);
+  return watchers === 1 ? `${other?.name ?? 1} watches` : `${watchers} watch`;
+}

@@ -1,0 +1,102 @@
+/** Light on the place: sun and Earth, lamps, an exposure's lock, and what television makes of it; opens under its key. */
+
+import { keyOf } from '../../input/layout';
+import type { Camera, Frame, Lighting } from '../../link/protocol';
+import type { Appearance } from '../../page/appearance';
+import { button, el, setAttribute, setPressed, setText } from '../parts/dom';
+import { dropDown } from '../parts/drop-down';
+import type { Desk } from '../parts/part';
+
+export interface LightControl {
+  readonly element: HTMLElement;
+  values(frame: Frame): void;
+  /** Opens or closes the list; its first key has the focus then. */
+  toggle(): void;
+  /** Locks the exposure of the picture in hand, or lets it follow again. */
+  lock(): void;
+  close(): void;
+}
+
+/** What the lock acts on. */
+export interface Exposed {
+  readonly camera: Camera;
+  readonly appearance: Appearance;
+  /** How a camera's picture is exposed now [stops over full sunlight]. */
+  stops(camera: Camera): number;
+}
+
+export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightControl {
+  let lighting: Lighting = { condition: '', lamps: [], locked: [] };
+  const set = (change: Partial<Lighting>) => {
+    lighting = { ...lighting, ...change };
+    send({ type: 'set_light', lighting });
+  };
+  const conditions = welcome.conditions.map(({ name, source }) =>
+    button({ title: source }, [name], () => set({ condition: name })),
+  );
+  const lamps = welcome.lamps.map((name) =>
+    button({}, [name], () => set({ lamps: toggled(welcome.lamps, lighting.lamps, name) })),
+  );
+  const lockKey = button({}, [], () => lock());
+  const { appearance } = exposed;
+  const early = button({ title: EARLY }, ['early flights'], () =>
+    appearance.set({ early: !appearance.early }),
+  );
+  const list = el(
+    'div',
+    { class: 'choices light', role: 'group', 'aria-label': 'Light' },
+    el('div', { role: 'group', 'aria-label': 'Sun and Earth' }, el('h3', {}, 'Sun and Earth'), ...conditions),
+    el(
+      'div',
+      { role: 'group', 'aria-label': 'Lamps' },
+      ...(lamps.length > 0 ? [el('h3', {}, 'Lamps'), ...lamps] : []),
+      el('h3', {}, 'Exposure'),
+      lockKey,
+      el('h3', {}, 'Television'),
+      early,
+    ),
+  );
+  const drop = dropDown('Light', '', list);
+  const lock = () => {
+    const { camera } = exposed;
+    const others = lighting.locked.filter((each) => each.camera !== camera.name);
+    const locked = others.length < lighting.locked.length;
+    set({ locked: locked ? others : [...others, { camera: camera.name, stops: exposed.stops(camera) }] });
+  };
+
+  return {
+    element: drop.element,
+    values(frame) {
+      lighting = frame.display.lighting;
+      setAttribute(drop.key, 'title', `Sun, lamps and exposure: ${keyOf('light')}`);
+      setAttribute(lockKey, 'title', `The exposure of the picture in hand: ${keyOf('lock exposure')}`);
+      conditions.forEach((each, i) => {
+        setPressed(each, welcome.conditions[i]?.name === lighting.condition);
+      });
+      lamps.forEach((each, i) => {
+        setPressed(each, lighting.lamps.includes(welcome.lamps[i] ?? ''));
+      });
+      const { name } = exposed.camera;
+      setText(lockKey, `lock ${name}`);
+      setPressed(
+        lockKey,
+        lighting.locked.some(({ camera }) => camera === name),
+      );
+      setPressed(early, appearance.early);
+    },
+    toggle() {
+      drop.open(!drop.isOpen);
+      if (drop.isOpen) conditions[0]?.focus();
+      else drop.key.blur();
+    },
+    lock,
+    close: () => drop.open(false),
+  };
+}
+
+const EARLY = 'Black and white, with noise: all television cameras, on this browser';
+
+/** The lamps that are on, in the order of all, after one is switched. */
+export function toggled(all: readonly string[], on: readonly string[], name: string): readonly string[] {
+  return all.filter((each) => (each === name ? !on.includes(each) : on.includes(each)));
+}

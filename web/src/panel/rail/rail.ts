@@ -1,0 +1,156 @@
+/** The top rail: what is flown, how long, how quickly the picture answers, and who flies. */
+
+import type { LinkState } from '../../link/socket';
+import type { Appearance } from '../../page/appearance';
+import type { Tones } from '../../page/tones';
+import { missionTime } from '../../words/format';
+import { TASKS } from '../effector/cargo';
+import { button, el, setClass, setPressed, setText } from '../parts/dom';
+import type { Desk, View } from '../parts/part';
+import { areLong, type Delays, delayWords } from './delays';
+import { initialise } from './initialise';
+import type { LightControl } from './light';
+import type { Naming } from './naming';
+import { recordings } from './recordings';
+import type { ScenarioChoice } from './scenarios';
+import { sound } from './sound';
+
+/** Slower than this, the picture lags behind the hand [ms]. */
+const SLOW_MS = 100;
+
+export interface RailListener {
+  units(): void;
+  restart(): void;
+  keys(): void;
+  controllers(): void;
+}
+
+/** What has a key in the rail and is more than that. */
+export interface RailParts {
+  readonly tones: Tones;
+  readonly light: LightControl;
+  readonly appearance: Appearance;
+  readonly scenarios: ScenarioChoice;
+  readonly naming: Naming;
+  /** Opens and closes the tutorial. */
+  readonly tutorial: HTMLElement;
+  /** Who watches asks for the sticks. */
+  readonly ask: HTMLElement;
+}
+
+/** What the page measures of the last 10 s; null: no stick moved. */
+export interface Measured {
+  /** Stick to picture, 95th percentile [ms]. */
+  readonly picture: number | null;
+  readonly delays: Delays;
+}
+
+export interface Rail {
+  readonly element: HTMLElement;
+  values(view: View, measured: Measured, who: string, link: LinkState): void;
+  /** Closes what is open. */
+  close(): void;
+}
+
+export function rail(
+  desk: Desk,
+  software: boolean,
+  { tones, light, ask, appearance, scenarios, naming, tutorial }: RailParts,
+  listener: RailListener,
+): Rail {
+  const { welcome } = desk;
+  // The script's phases; flown by hand, the report's modes, which come in any order.
+  const scripted = welcome.phases.length > 0;
+  const steps = scripted ? welcome.phases : welcome.work.cargo.length > 0 ? TASKS : [];
+  // Only the present one has the room for its name.
+  const phases = steps.map((name) => ({ name, step: el('li', { title: name, 'aria-label': name }) }));
+  const parts = initialise(desk);
+  for (const { classList } of [parts.element, light.element]) classList.add('fliers');
+  const heard = sound(tones);
+  const lag = el('b');
+  const met = el('b');
+  const recorded = recordings();
+  const units = button({ title: 'Units of the read-outs' }, [], () => listener.units());
+  const dim = button({ title: DIM }, ['Dim'], () => appearance.set({ night: !appearance.night }));
+  const [delayed, takes] = [el('span'), el('b')];
+  const delay = el('span', { class: 'delay', title: DELAY }, delayed, takes);
+  const element = el(
+    'header',
+    { class: 'rail' },
+    el('h1', {}, 'Aftdeck'),
+    scenarios.element,
+    el('ol', { class: 'phases', 'aria-label': 'Phases' }, ...phases.map(({ step }) => step)),
+    el('span', { class: 'space' }),
+    ...(software ? [el('span', { class: 'note', title: SOFTWARE }, 'Low detail')] : []),
+    el('span', { class: 'times' }, el('span', { class: 'lag' }, 'Stick to picture ', lag), delay),
+    recorded.element,
+    el('span', { class: 'met' }, 'MET ', met),
+    naming.element,
+    ask,
+    heard.element,
+    el(
+      'div',
+      { class: 'rail-keys' },
+      units,
+      button({ class: 'fliers', title: 'Puts the scenario back to its first instant' }, ['Restart'], () =>
+        listener.restart(),
+      ),
+      parts.element,
+      light.element,
+      dim,
+      tutorial,
+      button({ title: 'The devices that fly, their keys and axes' }, ['Controllers'], () =>
+        listener.controllers(),
+      ),
+      button({ class: 'keys' }, ['Keys ?'], () => listener.keys()),
+    ),
+  );
+  return {
+    element,
+    values({ frame, flying, units: shown }, { picture, delays }, said, link) {
+      light.values(frame);
+      scenarios.values(frame);
+      const at = scripted ? welcome.phases.indexOf(frame.phase) : frame.work.task - 1;
+      phases.forEach(({ name, step }, i) => {
+        setClass(step, 'done', scripted && at >= 0 && i < at);
+        setClass(step, 'present', i === at);
+        setText(step, i === at ? name : '');
+      });
+      setText(lag, picture === null ? '–' : `${Math.round(picture)} ms`);
+      setClass(lag, 'caution', picture !== null && picture > SLOW_MS);
+      const { label, text } = delayWords(delays);
+      setText(delayed, `${label} `);
+      setText(takes, text);
+      setClass(delay, 'absent', text === '');
+      setClass(element, 'late', areLong(delays));
+      setText(met, missionTime(frame.time_s));
+      recorded.values(frame);
+      heard.values();
+      setPressed(dim, appearance.night);
+      setText(units, shown.name === 'SI' ? 'SI' : 'ft · in');
+      const lost = link.kind !== 'open';
+      naming.say(linkWords(link) ?? said);
+      setClass(naming.key, 'lost', lost);
+      setClass(naming.key, 'flying', flying && !lost);
+    },
+    close() {
+      parts.close();
+      light.close();
+      scenarios.close();
+      recorded.close();
+      naming.close();
+    },
+  };
+}
+
+/** What replaces the operator's name while there is no session; null while there is one. */
+function linkWords(link: LinkState): string | null {
+  if (link.kind === 'lost') return `No connection, try ${link.attempt}`;
+  return link.kind === 'preparing' ? link.text : null;
+}
+
+const SOFTWARE = 'This browser draws without a graphics card; add ?quality=full to the address to insist.';
+const DELAY =
+  'CMD: from a stick to the frame that has flown it. TLM: how old figures, lamps and log are. CAM: how old pictures are. ' +
+  'As the scenario sets them; in brackets as they were in the last 10 s, where that differs.';
+const DIM = 'For a dark room: the page at 55 % of its lightness, pictures at 75 %';

@@ -1,0 +1,60 @@
+/** REC with its running time, and under it the recordings of this station, each to be played in this page. */
+
+import type { Frame, Recorded } from '../../link/protocol';
+import { clock } from '../../words/format';
+import { el, setClass, setText } from '../parts/dom';
+import { dropDown } from '../parts/drop-down';
+
+export interface RecordingsControl {
+  readonly element: HTMLElement;
+  values(frame: Frame): void;
+  close(): void;
+}
+
+export function recordings(): RecordingsControl {
+  const running = el('b');
+  const rows = el('div', {}, el('p', {}, 'Looking.'));
+  const list = el(
+    'div',
+    { class: 'choices recordings', role: 'group', 'aria-label': 'Recordings' },
+    el('h3', {}, 'Replay'),
+    rows,
+  );
+  const drop = dropDown('REC ', TITLE, list);
+  drop.key.append(running);
+  drop.element.classList.add('rec');
+  drop.key.addEventListener('click', () => {
+    if (drop.isOpen) show().catch((error: unknown) => rows.replaceChildren(el('p', {}, `${error}`)));
+  });
+
+  async function show(): Promise<void> {
+    const answer = await fetch('recordings.json');
+    if (!answer.ok) throw new Error(`The station does not list its recordings: ${answer.status}`);
+    const all: readonly Recorded[] = await answer.json();
+    rows.replaceChildren(...all.map(row), ...(all.length === 0 ? [el('p', {}, 'None yet.')] : []));
+  }
+
+  return {
+    element: drop.element,
+    values({ display: { recording_s } }) {
+      setClass(drop.element, 'absent', recording_s === null);
+      setText(running, clock(recording_s ?? 0));
+    },
+    close() {
+      drop.open(false);
+    },
+  };
+}
+
+function row({ file, changed, now }: Recorded): HTMLElement {
+  const when = new Date(changed).toLocaleString(undefined, { dateStyle: 'short', timeStyle: 'short' });
+  return el(
+    'a',
+    { href: `replay/${encodeURIComponent(file)}/`, title: now ? SO_FAR : '' },
+    el('b', {}, file.replace(/\.mcap$/, '')),
+    el('small', {}, now ? 'this flight so far' : when),
+  );
+}
+
+const TITLE = 'This flight is recorded. Press for a replay of it, or of one before';
+const SO_FAR = 'The flight goes on meanwhile, with nobody at the sticks';

@@ -1,0 +1,112 @@
+/** What is flown, and what could be: a list under the scenario's name, a question before a flight is left. */
+
+import type { Frame, Scenarios } from '../../link/protocol';
+import { button, el, setPressed, setText } from '../parts/dom';
+import { dropDown } from '../parts/drop-down';
+import type { Desk } from '../parts/part';
+
+/** A joint that has turned by this much has been flown [rad]. */
+const TURNED = 1e-3;
+/** A page that comes so late has not seen the whole flight [s]. */
+const BEGUN_S = 1;
+
+export interface ScenarioChoice {
+  /** For the rail. */
+  readonly element: HTMLElement;
+  /** Over the monitors: the question, and what is made ready. */
+  readonly question: HTMLElement;
+  /** What the station tells of them. */
+  set(told: Scenarios): void;
+  values(frame: Frame): void;
+  /** Flies a scenario by its name; asks first where something was flown. */
+  choose(name: string): void;
+  close(): void;
+}
+
+/** `chosen`: a built-in scenario by its name, which may be the one that is flown. */
+export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) => void): ScenarioChoice {
+  let told: Scenarios | null = null;
+  let first: Frame | null = null;
+  let flown = false;
+  let recorded = false;
+  let asked = 0;
+  const list = el('div', { class: 'choices scenarios', role: 'group', 'aria-label': 'Scenarios' });
+  const drop = dropDown(welcome.title, `${welcome.title}: ${welcome.text}`, list);
+  drop.element.classList.add('scenario');
+  const words = el('p', { role: 'status' });
+  const fly = button({}, ['Leave and fly it'], () => {
+    send({ type: 'fly_scenario', number: asked });
+    question.hidden = true;
+  });
+  const stay = button({}, ['Stay'], () => {
+    question.hidden = true;
+  });
+  const question = el(
+    'section',
+    { class: 'leaving', 'aria-label': 'Scenario', hidden: '' },
+    words,
+    fly,
+    stay,
+  );
+  const take = (number: number) => {
+    const info = told?.scenarios[number];
+    drop.open(false);
+    if (!info) return;
+    if (!info.given) chosen(info.name);
+    if (number === told?.flown) return;
+    asked = number;
+    if (!flown) {
+      send({ type: 'fly_scenario', number });
+      return;
+    }
+    setText(words, leaving(welcome.title, info.title, recorded));
+    question.hidden = false;
+    fly.focus();
+  };
+  return {
+    element: drop.element,
+    question,
+    set(now) {
+      told = now;
+      const rows = now.scenarios.map(({ title, text, given }, number) => {
+        const name = given ? `${title} (your file)` : title;
+        const row = button({}, [el('b', {}, name), el('span', {}, text)], () => take(number));
+        setPressed(row, number === now.flown);
+        return row;
+      });
+      list.replaceChildren(...rows);
+      const coming = now.coming === null ? undefined : now.scenarios[now.coming];
+      question.hidden = !coming;
+      for (const key of [fly, stay]) key.hidden = coming !== undefined;
+      if (coming) setText(words, `Making “${coming.title}” ready. ${FIRST_TIME}`);
+    },
+    values(frame) {
+      recorded = frame.display.recording_s !== null;
+      if (!first || frame.tick < first.tick) {
+        // What was flown before this page came is flown.
+        flown = first === null && frame.time_s > BEGUN_S;
+        first = frame;
+      }
+      const { angles } = first;
+      flown ||= frame.angles.some((angle, i) => Math.abs(angle - (angles[i] ?? angle)) > TURNED);
+    },
+    choose(name) {
+      take(told?.scenarios.findIndex((info) => info.name === name && !info.given) ?? -1);
+    },
+    close() {
+      drop.open(false);
+      if (told?.coming === null) question.hidden = true;
+    },
+  };
+}
+
+const FIRST_TIME =
+  'Its first flight on this machine takes half a minute or so to prepare; the arm rests meanwhile.';
+
+/** What is asked before a flight is left that was flown already. */
+export function leaving(left: string, next: string, recorded: boolean): string {
+  const kept = recorded
+    ? 'Its recording is finished and kept.'
+    : 'It is not recorded, so nothing of it is kept.';
+  return `Leave “${left}” for “${next}”? ${kept}`;
+}

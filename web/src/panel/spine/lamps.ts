@@ -1,0 +1,75 @@
+/** Every lamp of the spine: where it stands, which lines of the log it speaks of, and where on the desk its cause is. */
+
+import type { FlightLamp, Lamp } from '../../link/protocol';
+
+/** Lit by a flight; by what this page knows of itself; or by TEST alone, since nothing of the kind is simulated. */
+export type LampName =
+  | FlightLamp
+  | 'CHECK CRT'
+  | 'CONTROLLER'
+  | 'CAMERA'
+  | 'LINK DELAY'
+  | 'MCIU'
+  | 'ABE'
+  | 'GPC DATA'
+  | 'CONTR ERR'
+  | 'PORT TEMP'
+  | 'STBD TEMP';
+
+export interface SpineLamp extends Omit<Lamp, 'name'> {
+  readonly name: LampName;
+}
+
+export interface Concern {
+  /** Kinds of log lines. */
+  readonly kinds: readonly string[];
+  /** The elements concerned now, and the group where there are none. */
+  readonly elements: string;
+  readonly group: string;
+}
+
+/** `arm` and `station` tell their cause beside them; of a pair the cause is in the title. */
+export type Row = 'arm' | 'pair' | 'station';
+
+const EFFECTOR = ['captured', 'missed', 'rigid', 'released'];
+const NONE: Concern = {
+  kinds: ['refused', 'blocked', 'fault', 'page'],
+  elements: '.events',
+  group: '.events',
+};
+
+/** In the order in which they stand. A lamp without a place does not compile. */
+export const LAMPS: Readonly<Record<LampName, Concern & { readonly row: Row }>> = {
+  SINGULAR: { row: 'arm', kinds: ['singular'], elements: '.distance.caution', group: '.singularity' },
+  'REACH LIM': { row: 'arm', kinds: ['limit'], elements: '.joints tr.reach', group: '.joints' },
+  'SOFT STOP': { row: 'arm', kinds: ['limit'], elements: '.joints tr.soft', group: '.joints' },
+  'RATE LIM': { row: 'arm', kinds: [], elements: '.joints tr.limited', group: '.limits' },
+  'CHECK CRT': { row: 'arm', ...NONE },
+  MCIU: { row: 'pair', ...NONE },
+  ABE: { row: 'pair', ...NONE },
+  'GPC DATA': { row: 'pair', ...NONE },
+  'CONTR ERR': { row: 'pair', ...NONE },
+  'PORT TEMP': { row: 'pair', ...NONE },
+  'STBD TEMP': { row: 'pair', ...NONE },
+  DERIGIDIZE: { row: 'pair', kinds: EFFECTOR, elements: '.flags', group: '.effector' },
+  RELEASE: { row: 'pair', kinds: EFFECTOR, elements: '.flags', group: '.effector' },
+  CAMERA: { row: 'pair', kinds: [], elements: '.monitor', group: '.events' },
+  'LINK DELAY': { row: 'pair', kinds: [], elements: '.rail .delay:not(.absent)', group: '.events' },
+  CLEARANCE: {
+    row: 'station',
+    kinds: ['clearance', 'contact', 'inhibit'],
+    elements: '.clearance .lit',
+    group: '.clearance',
+  },
+  CONTROLLER: {
+    row: 'station',
+    kinds: ['controller', 'hands off', 'position hold'],
+    elements: '.standing .device',
+    group: '.rhc',
+  },
+};
+
+/** The lamps of a row, in their order. */
+export function lampsIn(row: Row): readonly LampName[] {
+  return (Object.keys(LAMPS) as LampName[]).filter((name) => LAMPS[name].row === row);
+}

@@ -1,0 +1,121 @@
+/** The lamps between the monitors, each with its cause, under the master alarm. */
+
+import { keyOf } from '../../input/layout';
+import type { Alarm } from '../../page/tones';
+import { button, el, setAttribute, setClass, setText } from '../parts/dom';
+import { type LampName, lampsIn, type Row, type SpineLamp } from './lamps';
+
+/** A lamp alarms as it rises: one that was seen as a caution does so again as a warning. */
+const RANK = { info: 0, caution: 1, warning: 2 } as const;
+
+export interface SpineListener {
+  acknowledged(): void;
+  /** A lamp was pressed, by its name. */
+  pressed(lamp: LampName): void;
+}
+
+export class Spine {
+  readonly element: HTMLElement;
+  private readonly lamps = new Map<LampName, { key: HTMLButtonElement; cause: HTMLElement }>();
+  private readonly words = el('span');
+  private readonly master: HTMLButtonElement;
+  private readonly polite = el('p', { class: 'unseen', 'aria-live': 'polite' });
+  private readonly alert = el('p', { class: 'unseen', role: 'alert' });
+  private lit = new Map<LampName, SpineLamp>();
+  private unseen = new Set<LampName>();
+  private raised = false;
+  private readonly silent = el('p', { class: 'silent' }, 'Tones muted');
+
+  constructor(private readonly listener: SpineListener) {
+    this.master = button({ class: 'master' }, [el('b', {}, 'Master alarm'), this.words], () =>
+      listener.acknowledged(),
+    );
+    this.element = el(
+      'section',
+      { class: 'spine', 'aria-label': 'Lamps' },
+      this.master,
+      this.silent,
+      this.row('arm'),
+      this.row('pair', 'lamp-pairs'),
+      this.row('station'),
+      this.polite,
+      this.alert,
+    );
+    this.show([]);
+  }
+
+  /** Lights exactly these lamps; in a test all of them, which alarms nobody. */
+  show(lamps: readonly SpineLamp[], test = false): void {
+    const now = new Map(lamps.map((lamp) => [lamp.name, lamp]));
+    for (const [name, lamp] of now) {
+      if (RANK[lamp.level] > RANK[this.lit.get(name)?.level ?? 'info']) this.raise(lamp);
+    }
+    this.lit = now;
+    for (const name of this.unseen)
+      if (!now.has(name) || now.get(name)?.level === 'info') this.unseen.delete(name);
+    for (const [name, { key, cause }] of this.lamps) {
+      const lamp = now.get(name);
+      setClass(key, 'caution', lamp?.level === 'caution' || (test && lamp?.level !== 'warning'));
+      setClass(key, 'warning', lamp?.level === 'warning');
+      setClass(key, 'info', lamp?.level === 'info' && !test);
+      setText(cause, lamp?.text ?? '');
+      setAttribute(key, 'title', lamp?.text ?? '');
+    }
+    const warned = lamps.some(({ level, name }) => level === 'warning' && this.unseen.has(name));
+    setClass(this.master, 'caution', (test || this.unseen.size > 0) && !warned);
+    setClass(this.master, 'warning', warned);
+    const count = counted(lamps);
+    if (test) setText(this.words, 'lamp test');
+    else
+      setText(
+        this.words,
+        count === '' ? 'clear' : this.unseen.size > 0 ? `${count} · press ${keyOf('acknowledge')}` : count,
+      );
+  }
+
+  /** What nobody has acknowledged yet, and whether another lamp was lit since this was last asked. */
+  takeAlarm(): { readonly alarm: Alarm; readonly more: boolean } {
+    const levels = [...this.unseen].map((name) => this.lit.get(name)?.level);
+    const alarm = levels.includes('warning') ? 'warning' : levels.length > 0 ? 'caution' : 'none';
+    const more = this.raised;
+    this.raised = false;
+    return { alarm, more };
+  }
+
+  /** Says beside the master alarm that no tone will be heard. */
+  setMuted(muted: boolean): void {
+    this.silent.hidden = !muted;
+  }
+
+  /** The operator has seen what is lit. */
+  acknowledge(): void {
+    this.unseen.clear();
+    this.show([...this.lit.values()]);
+  }
+
+  private raise(lamp: SpineLamp): void {
+    this.raised = true;
+    this.unseen.add(lamp.name);
+    setText(lamp.level === 'warning' ? this.alert : this.polite, `${lamp.name}: ${lamp.text}`);
+  }
+
+  private row(row: Row, name = 'lamps'): HTMLElement {
+    return el('div', { class: name }, ...lampsIn(row).map((lamp) => this.lamp(lamp)));
+  }
+
+  private lamp(name: LampName): HTMLButtonElement {
+    const cause = el('small');
+    const key = button({ class: 'lamp' }, [el('b', {}, name), cause], () => this.listener.pressed(name));
+    this.lamps.set(name, { key, cause });
+    return key;
+  }
+}
+
+/** `1 warning, 2 cautions`; empty where neither is lit. */
+export function counted(lamps: readonly Pick<SpineLamp, 'level'>[]): string {
+  return (['warning', 'caution'] as const)
+    .map((name) => ({ name, count: lamps.filter(({ level }) => level === name).length }))
+    .filter(({ count }) => count > 0)
+    .map(({ name, count }) => `${count} ${name}${count === 1 ? '' : 's'}`)
+    .join(', ');
+}

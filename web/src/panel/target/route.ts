@@ -1,0 +1,55 @@
+/** AUTO 1-4: which point is flown to, what is left to it, and what comes then. */
+
+import type { Frame } from '../../link/protocol';
+import { degrees, fixed } from '../../words/format';
+import type { Units } from '../../words/units';
+import { el, setText } from '../parts/dom';
+
+export interface Route {
+  readonly element: HTMLElement;
+  set(frame: Frame, units: Units): void;
+}
+
+export function route(): Route {
+  const point = el('p', { class: 'point' });
+  const [distance, angle, time] = [el('dd'), el('dd'), el('dd')];
+  const unit = el('i');
+  const hint = el('p', { class: 'to-go' });
+  const element = el(
+    'div',
+    { class: 'route' },
+    point,
+    el(
+      'dl',
+      {},
+      el('dt', {}, 'Distance ', unit),
+      distance,
+      el('dt', {}, 'Angle ', el('i', {}, '°')),
+      angle,
+      el('dt', {}, 'Time to go ', el('i', {}, 's')),
+      time,
+    ),
+    hint,
+  );
+  return {
+    element,
+    set(frame, { length }) {
+      const { goal, points } = frame;
+      setText(point, points > 0 ? `Point ${frame.point} of ${points}` : 'No points stored');
+      setText(unit, length.name);
+      setText(distance, goal ? fixed(goal.distance * length.perSi, length.decimals, false) : '–');
+      setText(angle, goal ? degrees(goal.angle, 1, false) : '–');
+      setText(time, frame.sequence === 'in progress' && goal ? String(Math.ceil(goal.remaining_s)) : '–');
+      setText(hint, whatNext(frame));
+    },
+  };
+}
+
+/** What PROCEED and STOP would do now, in a sentence. */
+export function whatNext({ sequence, point, points, goal, check }: Frame): string {
+  if (points === 0) return 'Nothing to fly in this position.';
+  if (sequence === 'in progress') return 'Flies on to its next pause point; STOP or Space halts it.';
+  if (check && !check.good) return 'Fly clear, then enter it again.';
+  if (point === 1) return 'PROCEED starts the sequence.';
+  return goal ? 'Waits here; PROCEED goes on.' : 'Sequence complete; PROCEED begins it again.';
+}

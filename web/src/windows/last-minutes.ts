@@ -1,0 +1,116 @@
+/** The last minutes of a flight, as the time axis of lanes and strips draws them; what is older is forgotten. */
+
+import type { Lane, Event as LogEvent, Recent, Sample, Strip } from '../link/protocol';
+import { shown } from '../replay/quantity';
+import type { Span } from '../replay/span';
+import type { Timed } from '../replay/timeline';
+import { roundRange } from '../words/round-range';
+import type { Units } from '../words/units';
+
+/** No more is kept [s]. */
+export const KEPT_S = 300;
+
+export class LastMinutes {
+  private strips: readonly Strip[] = [];
+  private lanes: readonly Lane[] = [];
+  private samples: Sample[] = [];
+  private events: LogEvent[] = [];
+  private until = Infinity;
+
+  take({ strips, samples, lanes }: Recent): void {
+    if (strips.length > 0) {
+      this.strips = strips;
+      this.samples = [];
+      this.lanes = [];
+    }
+    if (lanes.length > 0) this.lanes = lanes;
+    this.samples.push(...samples);
+    const before = this.now - KEPT_S;
+    const kept = this.samples.findIndex(({ time_s }) => time_s >= before);
+    this.samples.splice(0, kept);
+    this.forgetEvents(before);
+  }
+
+  /** What is later than `time` [s] is kept, and not shown yet. */
+  reach(time: number): void {
+    this.until = time;
+  }
+
+  /** Lines of the log; time that goes back begins a flight anew. */
+  note(events: readonly LogEvent[]): void {
+    for (const event of events) {
+      const last = this.events.at(-1);
+      if (last && event.time_s < last.time_s) this.events = [];
+      this.events.push(event);
+    }
+    this.forgetEvents((this.events.at(-1)?.time_s ?? 0) - KEPT_S);
+  }
+
+  /** The log is told anew. */
+  forget(): void {
+    this.events = [];
+  }
+
+  /** The newest sample that is shown; null: there is none yet. */
+  get newest(): Sample | null {
+    return this.samples.findLast(({ time_s }) => time_s <= this.until) ?? null;
+  }
+
+  /** Its time [s]. */
+  get now(): number {
+    return this.newest?.time_s ?? 0;
+  }
+
+  /** Every strip that there can be, its curves without a point. */
+  get blank(): readonly Strip[] {
+    return this.strips;
+  }
+
+  /** All that lies over a part of the axis; of the strips, those chosen have their curves. */
+  over(span: Span, chosen: readonly string[], units: Units): Timed {
+    const begin = Math.max(
+      0,
+      this.samples.findIndex(({ time_s }) => time_s >= span.from),
+    );
+    const samples = this.samples.slice(begin).filter(({ time_s }) => time_s <= this.until);
+    let first = 0;
+    const strips = this.strips.map((strip) => {
+      const from = first;
+      first += strip.curves.length;
+      return chosen.includes(strip.name) ? drawn(strip, samples, from, units) : strip;
+    });
+    const events = this.events.filter(({ time_s }) => time_s >= span.from && time_s <= this.until);
+    return { lanes: this.lanes.map((lane) => goingOn(lane, span, this.now)), events, strips };
+  }
+
+  private forgetEvents(before: number): void {
+    this.events = this.events.filter(({ time_s }) => time_s >= before);
+  }
+}
+
+/** A lane until now, up to which its last stretch goes on, without what ended before the span. */
+function goingOn({ name, stretches }: Lane, span: Span, now: number): Lane {
+  const begun = stretches.filter(({ start_s }) => start_s <= now);
+  const until = begun.map((each, i) => (i === begun.length - 1 ? { ...each, end_s: now } : each));
+  return { name, stretches: until.filter(({ end_s }) => end_s >= span.from) };
+}
+
+/** A strip with its samples' values, which stand in them from `first`. */
+function drawn(strip: Strip, samples: readonly Sample[], first: number, units: Units): Strip {
+  const times_s = samples.map(({ time_s }) => time_s);
+  let [low, high] = strip.rests ? [0, strip.caution ?? 0] : [Infinity, -Infinity];
+  let some = false;
+  const curves = strip.curves.map(({ role }, i) => {
+    const values = samples.map((sample) => sample.values[first + i] ?? null);
+    for (const value of values) {
+      if (value === null) continue;
+      some = true;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+    return { role, times_s, values };
+  });
+  if (!some) return strip;
+  const range = roundRange(low, high, shown(strip.quantity, units).perSi);
+  return { ...strip, curves, low: range[0], high: range[1] };
+}

@@ -1,0 +1,115 @@
+/** A second window with the last minutes of what its page flies, as lanes and strips; time runs at its right end. */
+
+import { DelayLine, isStale } from '../link/delay-line';
+import type { Frame, Event as LogEvent, Recent, Welcome } from '../link/protocol';
+import { setClass } from '../panel/parts/dom';
+import { minutes } from '../replay/quantity';
+import type { Span } from '../replay/span';
+import { missionTime } from '../words/format';
+import { unitsOf } from '../words/units';
+import { KEPT_S, LastMinutes } from './last-minutes';
+import { FLOWN, Tether } from './secondary-window';
+import { StripWindow } from './strip-window';
+
+/** Figures change this often [ms]. */
+const VALUES_MS = 100;
+/** Curves move on when that is a pixel's width or so: this part of the axis. */
+const PIXEL = 1 / 1200;
+/** How much time the axis shows, by choice, and at first [s]. */
+const LENGTHS = [30, 60, 120, KEPT_S];
+const FIRST = 2;
+
+export class LiveStrips {
+  readonly drawn = 0;
+  readonly bodies = [];
+  shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
+  private newest: Frame | null = null;
+  private restarts = 0;
+  private readonly line: DelayLine;
+  private window: StripWindow | null = null;
+  private choice = FIRST;
+  private span: Span = { from: 0, to: 0 };
+  private asked = '';
+  private readonly minutes = new LastMinutes();
+  private readonly tether: Tether;
+  private readonly timer: number;
+
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly welcome: Welcome,
+  ) {
+    this.line = new DelayLine(welcome.telemetry_delay_s);
+    this.tether = new Tether({ ...FLOWN, name: 'Strips', title: welcome.title }, { heard() {} });
+    root.classList.add('torn-off', 'strips-live');
+    root.replaceChildren(this.tether.rail);
+    this.timer = window.setInterval(() => this.draw(), VALUES_MS);
+  }
+
+  setFrame(frame: Frame): void {
+    if (this.newest && frame.tick < this.newest.tick) this.restarts += 1;
+    this.newest = frame;
+    this.line.put({ frame, at: performance.now() });
+  }
+
+  setRecent(told: Recent): void {
+    this.minutes.take(told);
+    if (this.window) return;
+    const timed = { lanes: [], events: [], strips: this.minutes.blank };
+    this.window = new StripWindow(timed, Infinity, { sought: null, zoom: (way) => this.zoom(way) });
+    this.root.append(this.window.element);
+  }
+
+  addEvents(events: readonly LogEvent[]): void {
+    this.minutes.note(events);
+  }
+
+  forgetEvents(): void {
+    this.minutes.forget();
+  }
+
+  dispose(): void {
+    clearInterval(this.timer);
+    this.tether.dispose();
+    this.root.classList.remove('strips-live');
+  }
+
+  private get length(): number {
+    return LENGTHS[this.choice] ?? KEPT_S;
+  }
+
+  private zoom(way: 1 | -1): void {
+    this.choice = Math.min(Math.max(this.choice - way, 0), LENGTHS.length - 1);
+  }
+
+  private draw(): void {
+    const { window: shown, minutes: last, choice } = this;
+    const now = performance.now();
+    const frame = this.line.at(now)?.frame;
+    if (!frame || !shown) return;
+    last.reach(this.welcome.telemetry_delay_s > 0 ? frame.time_s : Infinity);
+    if (!last.newest) return;
+    const stale = isStale(this.line.age(now));
+    this.tether.show(missionTime(frame.time_s), stale ? 'Lost' : '');
+    setClass(document.body, 'stale', stale);
+    const units = unitsOf(this.tether.page?.units ?? this.welcome.units);
+    const asked = [this.length, units.name, ...shown.chosen].join();
+    const moved = last.now - this.span.to;
+    if (moved >= PIXEL * this.length || moved < 0 || asked !== this.asked) {
+      this.asked = asked;
+      this.span = { from: last.now - this.length, to: last.now };
+      shown.timeline.renew(last.over(this.span, shown.chosen, units), this.span);
+    }
+    shown.timeline.show(this.span.to, last.newest, units);
+    shown.show(
+      minutes(last.now, 1),
+      ` · last ${spoken(this.length)}`,
+      choice < LENGTHS.length - 1,
+      choice > 0,
+    );
+    this.shown = { frame, restarts: this.restarts };
+  }
+}
+
+function spoken(seconds: number): string {
+  return seconds < 60 ? `${seconds} s` : `${seconds / 60} min`;
+}

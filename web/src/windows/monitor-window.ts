@@ -1,0 +1,143 @@
+/** A second window with pictures: one monitor or all cameras, of what its page flies or plays. */
+
+import { Pictures } from '../cameras/pictures';
+import { Keyboard } from '../input/keyboard';
+import type { Action } from '../input/keymap';
+import { DelayLine, isStale } from '../link/delay-line';
+import type { Frame, Welcome } from '../link/protocol';
+import type { Drawing } from '../page/quality';
+import { el } from '../panel/parts/dom';
+import type { DrawnBody } from '../scene/bodies';
+import { missionTime } from '../words/format';
+import { type UnitName, unitsOf } from '../words/units';
+import type { PageState, Said, Torn } from './opened';
+import { FLOWN, PLAYED, Tether } from './secondary-window';
+
+/** Figures change this often [ms]. */
+const VALUES_MS = 100;
+
+/** The recording that is shown. */
+export interface Played {
+  readonly file: string;
+  /** What the page says, the place of its playhead among it. */
+  heard(said: Said): void;
+}
+
+export class Display {
+  drawn = 0;
+  shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
+  /** What the figures are of. */
+  private told = this.shown;
+  private newest: Frame | null = null;
+  private restarts = 0;
+  private readonly line: DelayLine;
+  private valuesAt = 0;
+  private request = 0;
+  /** Others are not told of what they told. */
+  private hearing = false;
+  private units: UnitName;
+  private readonly pictures: Pictures;
+  private readonly tether: Tether;
+  private readonly keyboard: Keyboard;
+
+  /** Without `played`, what is shown is flown. */
+  constructor(
+    root: HTMLElement,
+    welcome: Welcome,
+    drawing: Drawing,
+    private readonly what: Exclude<Torn, 'strips'>,
+    private readonly played: Played | null = null,
+  ) {
+    const name = what === 'matrix' ? 'All cameras' : `MON ${what + 1}`;
+    this.units = welcome.units;
+    this.line = new DelayLine(played ? 0 : welcome.camera_delay_s);
+    this.tether = new Tether(
+      { ...(played ? { ...PLAYED, file: played.file } : FLOWN), name, title: welcome.title },
+      {
+        heard: (said) => {
+          if (said.kind === 'page') this.follow(said);
+          played?.heard(said);
+        },
+        take: () => {
+          if (what !== 'matrix') this.tether.say({ kind: 'take', monitor: what });
+        },
+      },
+    );
+    this.pictures = new Pictures(welcome, drawing, { changed: () => this.tell() });
+    this.keyboard = new Keyboard({ moved() {}, acted: (action) => this.act(action), taken: () => false });
+    if (what === 'matrix') this.pictures.showMatrix(true);
+    else this.pictures.takeMonitor(what);
+    const shown =
+      what === 'matrix'
+        ? this.pictures.matrix.element
+        : el('main', { class: 'monitors' }, this.pictures.monitors[what].element);
+    root.classList.add('torn-off');
+    root.replaceChildren(this.pictures.canvas, shown, this.tether.rail);
+    this.request = requestAnimationFrame(() => this.tick());
+  }
+
+  get bodies(): readonly DrawnBody[] {
+    return this.pictures.bodies;
+  }
+
+  setFrame(frame: Frame): void {
+    if (this.newest && frame.tick < this.newest.tick) this.restarts += 1;
+    this.newest = frame;
+    this.line.put({ frame, at: performance.now() });
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.request);
+    this.tether.dispose();
+    this.keyboard.dispose();
+    this.pictures.dispose();
+  }
+
+  private tick(): void {
+    this.request = requestAnimationFrame(() => this.tick());
+    const frame = this.line.at(performance.now())?.frame;
+    if (!frame || this.pictures.drawing) return;
+    this.hearing = true; // what it shows at first is its page's choice
+    this.pictures.draw(frame, frame.work.clearance_level, () => {
+      this.drawn += 1;
+      this.shown = this.told;
+    });
+    this.hearing = false;
+    const now = performance.now();
+    if (now - this.valuesAt < VALUES_MS) return;
+    this.valuesAt = now;
+    const age = this.played ? null : this.line.age(now);
+    this.pictures.setTime({ frame, units: unitsOf(this.units) }, age);
+    this.tether.show(missionTime(frame.time_s), age !== null && isStale(age) ? 'Lost' : '');
+    this.told = { frame, restarts: this.restarts };
+    if (!this.pictures.drawing) this.shown = this.told;
+  }
+
+  /** Shows what the page does. */
+  private follow({ monitors, plane, units }: PageState): void {
+    this.hearing = true;
+    this.units = units;
+    if (plane !== this.pictures.showsPlane) this.pictures.togglePlane();
+    monitors.forEach((names, i) => {
+      this.pictures.show(i, names);
+    });
+    this.hearing = false;
+  }
+
+  /** The page shows what was chosen here. */
+  private tell(): void {
+    if (this.hearing) return;
+    const { what, pictures } = this;
+    if (what === 'matrix') {
+      pictures.showMatrix(true);
+      this.tether.say({ kind: 'put', name: pictures.camera.name });
+    } else this.tether.say({ kind: 'show', monitor: what, names: pictures.shown[what] ?? [] });
+  }
+
+  private act(action: Action): void {
+    if (action.name === 'camera') this.pictures.chooseDigit(action.number - 1, performance.now());
+    else if (action.name === 'cameraStep') this.pictures.step(action.by);
+    else if (action.name === 'split') this.pictures.toggleSplit();
+    else if (action.name === 'plane') this.pictures.togglePlane();
+  }
+}

@@ -1,0 +1,61 @@
+/** Lanes and strips that fill a window: what is drawn of them, and how much time the axis shows, by choice. */
+
+import { button, el, setText } from '../panel/parts/dom';
+import { StripChoice } from '../replay/strip-choice';
+import { type Timed, Timeline } from '../replay/timeline';
+
+/** Strips that there is room for. */
+const MOST_STRIPS = 7;
+
+export interface StripWindowListener {
+  /** The reader puts the playhead; null: it stays at the end. */
+  readonly sought: ((position: number) => void) | null;
+  /** The time axis: less of it, or more. */
+  zoom(way: 1 | -1): void;
+}
+
+export class StripWindow {
+  readonly element: HTMLElement;
+  readonly timeline: Timeline;
+  private readonly choice: StripChoice;
+  private readonly time = el('b', { class: 'position' });
+  private readonly about = el('span');
+  private readonly wider: HTMLButtonElement;
+  private readonly closer: HTMLButtonElement;
+
+  /** `duration`: the axis never shows more [s]. */
+  constructor(timed: Timed, duration: number, listener: StripWindowListener) {
+    this.timeline = new Timeline(timed, duration, listener.sought);
+    this.choice = new StripChoice(timed.strips, MOST_STRIPS, (names) => this.timeline.choose(names));
+    this.wider = button({ 'aria-label': 'Wider', title: 'More time' }, ['−'], () => listener.zoom(-1));
+    this.closer = button({ 'aria-label': 'Closer', title: 'Less time' }, ['+'], () => listener.zoom(1));
+    this.element = el(
+      'main',
+      { class: 'band', 'aria-label': 'Strips' },
+      el(
+        'div',
+        { class: 'transport' },
+        el('span', { class: 'clock' }, this.time, this.about),
+        el('p', { class: 'said' }),
+        el('span', { class: 'key commanded' }, 'commanded'),
+        el('span', { class: 'key actual' }, 'actual'),
+        el('div', { class: 'zoom', role: 'group', 'aria-label': 'Time axis' }, this.wider, this.closer),
+        this.choice.element,
+      ),
+      this.timeline.element,
+    );
+    this.timeline.choose(this.choice.chosen);
+  }
+
+  get chosen(): readonly string[] {
+    return this.choice.chosen;
+  }
+
+  /** The time that the figures are of, and what belongs to it; whether there is more or less to show. */
+  show(time: string, about: string, wider: boolean, closer: boolean): void {
+    setText(this.time, time);
+    setText(this.about, about);
+    this.wider.disabled = !wider;
+    this.closer.disabled = !closer;
+  }
+}

@@ -1,0 +1,73 @@
+/** The text of a condition in the operator's units, from its words and its numbers. */
+
+import type { Condition } from '../link/protocol';
+import { fixed } from './format';
+import type { Units } from './units';
+
+const DEGREE = 180 / Math.PI;
+/** Figures of a number; more where the value would otherwise read like a limit that it does not meet. */
+const FIGURES = 3;
+const MOST_FIGURES = 9;
+/** Decimals of a number with so few figures. */
+const DECIMALS = 3;
+
+/** `palm 4.04 ft above the bar, 0 to 0.75 in allowed` as `palm 123 cm above the bar, 0 to 1.91 cm allowed`. */
+export function conditionText(condition: Condition, units: Units): string {
+  const { words, text, holds } = condition;
+  if (words === '') return text; // an old recording
+  for (let figures = FIGURES; ; figures += 1) {
+    const [value = '', ...limits] = numbersOf(condition, units, figures);
+    if (!holds && limits.includes(value) && figures < MOST_FIGURES) continue;
+    return filled(words, [value, ...limits], suffix(condition, units));
+  }
+}
+
+/** The words with numbers in their places; a range has its unit once. */
+function filled(words: string, numbers: readonly string[], unit: string): string {
+  const [first = '', ...parts] = words.split('{}');
+  const rest = parts.map((part, i) => `${numbers[i] ?? ''}${part === ' to ' ? '' : unit}${part}`);
+  return first + rest.join('');
+}
+
+function numbersOf({ numbers, unit }: Condition, units: Units, figures: number): readonly string[] {
+  return numbers.map((number) => {
+    const value = number * scale(unit, units);
+    const before = value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value))) + 1;
+    const decimals = Math.min(DECIMALS + figures - FIGURES, Math.max(0, figures - before));
+    return fixed(Number(value.toFixed(decimals)), decimals, false)
+      .replace(/(\.\d*?)0+$/, '$1')
+      .replace(/\.$/, '');
+  });
+}
+
+function scale(unit: Condition['unit'], { gap, creep }: Units): number {
+  switch (unit) {
+    case 'm':
+      return gap.perSi;
+    case 'm/s':
+      return creep.perSi;
+    case 'rad':
+    case 'rad/s':
+      return DEGREE;
+    case 's':
+    case '':
+      return 1;
+  }
+}
+
+function suffix({ unit }: Condition, { gap, creep }: Units): string {
+  switch (unit) {
+    case 'm':
+      return ` ${gap.name}`;
+    case 'm/s':
+      return ` ${creep.name}`;
+    case 'rad':
+      return '°';
+    case 'rad/s':
+      return '°/s';
+    case 's':
+      return ' s';
+    case '':
+      return '';
+  }
+}

@@ -1,0 +1,45 @@
+/** The operator's units: how lengths [m], speeds [m/s] and masses [kg] are shown and keyed in. */
+
+import type { Welcome } from '../link/protocol';
+
+export type UnitName = Welcome['units'];
+
+export interface Unit {
+  readonly name: string;
+  /** Shown value of one metre, one metre per second, or one kilogram. */
+  readonly perSi: number;
+  readonly decimals: number;
+}
+
+export interface Units {
+  readonly name: UnitName;
+  readonly length: Unit;
+  readonly speed: Unit;
+  /** Of gaps and small errors, and of how fast they close. */
+  readonly gap: Unit;
+  readonly creep: Unit;
+  /** Shown value of one kilogram. */
+  readonly mass: Unit;
+}
+
+const FEET_INCHES: Units = {
+  name: 'ft-in',
+  length: { name: 'in', perSi: 1 / 0.0254, decimals: 1 },
+  speed: { name: 'ft/s', perSi: 1 / 0.3048, decimals: 2 },
+  gap: { name: 'in', perSi: 1 / 0.0254, decimals: 1 },
+  creep: { name: 'in/s', perSi: 1 / 0.0254, decimals: 1 },
+  mass: { name: 'lb', perSi: 1 / 0.45359237, decimals: 0 },
+};
+
+const SI: Units = {
+  name: 'SI',
+  length: { name: 'm', perSi: 1, decimals: 3 },
+  speed: { name: 'm/s', perSi: 1, decimals: 3 },
+  gap: { name: 'cm', perSi: 100, decimals: 1 },
+  creep: { name: 'cm/s', perSi: 100, decimals: 1 },
+  mass: { name: 'kg', perSi: 1, decimals: 0 },
+};
+
+export function unitsOf(name: UnitName): Units {
+  return name === 'SI' ? SI : FEET_INCHES;
+}

@@ -1,0 +1,33 @@
+/** A way out in words, with the key, button or end of an axis that flies it. */
+
+import type { Names } from '../input/active-device';
+import type { WayOut } from '../link/protocol';
+
+const AXES = { rotation: ['roll', 'pitch', 'yaw'], translation: ['X', 'Y', 'Z'] } as const;
+
+/** `THC −Z (Q)`, `ORB UNL, RHC +roll (O)`, `SINGLE elbow pitch −`; `joint` empty: the joint needs no name. */
+export function wayOutText({ stick, axis, sign, position }: WayOut, joint: string, names: Names): string {
+  switch (stick) {
+    case 'translation':
+    case 'rotation': {
+      const name = AXES[stick][axis] ?? '';
+      const handle = names.short(`${sign > 0 ? '+' : '-'}${name}`);
+      const place = position === '' ? '' : `${position}, `;
+      const controller = stick === 'rotation' ? 'RHC' : 'THC';
+      return `${place}${controller} ${direction(sign)}${name}${handle === '' ? '' : ` (${handle})`}`;
+    }
+    case 'joint':
+      return [position, joint, direction(sign)].filter((part) => part !== '').join(' ');
+    case 'telescope':
+      return `telescope ${sign > 0 ? 'longer' : 'shorter'}`;
+  }
+}
+
+/** A joint's name as it is spoken: `elbow pitch`. */
+export function spoken(joint: string): string {
+  return joint.replaceAll('_', ' ');
+}
+
+function direction(sign: number): string {
+  return sign > 0 ? '+' : '−';
+}
