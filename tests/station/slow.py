@@ -16,6 +16,7 @@ class Slow:
     """A preparation that goes on only when the test says so."""
 
     def __init__(self, error: Exception | None = None) -> None:
+        self.session = Session(scenario())  # made first: compiling its laws takes longer than a page waits
         self.go, self.error, self.failed = Event(), error, Event()
         self.coming = Preparation(self.make)
 
@@ -24,4 +25,4 @@ class Slow:
         assert self.go.wait(WAIT_S)
         if self.error is not None:
             raise self.error
-        return Session(scenario())
+        return self.session
