@@ -9,10 +9,10 @@ import mujoco
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import BODY, place
+from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, NORMAL, PAIR
-from aftdeck.bodies.watch import measure, verdict, verified
+from aftdeck.bodies.repeated_test import measure, verdict, verified
 from aftdeck.law import law
 from benchmarks.measure import Figure, microseconds
 

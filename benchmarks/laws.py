@@ -13,7 +13,7 @@ from aftdeck.frames import Pose
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.carried import carrying
+from aftdeck.simulation.parts.carried import carrying
 from aftdeck.steering.entry import limited_rates
 from aftdeck.steering.layout import COMMAND, DRIVE, GO, LAW, PLAN, RATE, REPORT, STATE, STICKS, TARGET
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES

@@ -37,6 +37,7 @@ ROOMS = (
     ("worksite",),
     ("scenario",),
     ("simulation",),
+    ("historical",),
     ("scene",),
     ("recording",),
     ("station",),
@@ -46,6 +47,33 @@ ROOMS = (
 """The rooms, each a folder or a module of ``src/aftdeck`` (or several that share a place), in their order."""
 
 PLACE = {name: place for place, names in enumerate(ROOMS) for name in names}
+
+WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
+    "worksite": (
+        ("model", "conditions", "log_line", "free_flight"),
+        ("file", "watch", "capture", "seats"),
+        ("sliding", "report"),
+        ("__init__",),
+    ),
+    "simulation": (
+        ("frame", "camera_drives"),
+        ("inputs", "plain", "constants", "parts"),
+        ("state",),
+        ("log", "frame_poses", "summary"),
+        ("payloads",),
+        ("motion", "resume"),
+        ("operator", "observe"),
+        ("begin", "work"),
+        ("fly",),
+        ("command_check",),
+        ("step",),
+        ("run", "warm"),
+        ("survey",),
+        ("__init__",),
+    ),
+    "station": (("messages", "built"), ("conversion",), ("playback",), ("session",), ("server",), ("__init__",)),
+}
+"""The same within the largest rooms; imports for types alone may go against the order there."""
 
 
 def imports(module: str, text: str) -> Iterator[tuple[int, str]]:
@@ -79,11 +107,37 @@ def wrong_imports(module: str, text: str) -> list[str]:
     return wrong
 
 
+def wrong_within(module: str, text: str) -> list[str]:
+    """Returns a sentence for each import in ``text`` that goes against the order of WITHIN."""
+    room, own = [*module.split("."), "__init__"][1:3]
+    place = {name: place for place, names in enumerate(WITHIN.get(room, ())) for name in names}
+    if not place:
+        return []
+    if own not in place:
+        return [f"{module} has no place: add {own!r} to WITHIN[{room!r}]"]
+    wrong = []
+    for line, name in imports(module, without_types(text)):
+        inside = name.split(".")[1:3]
+        if inside[0] == room and place.get(inside[1], -1) > place[own]:
+            wrong.append(f"{module}, line {line}: {own} may not import {name}")
+    return wrong
+
+
+def without_types(text: str) -> str:
+    """Returns the source without what stands under ``if TYPE_CHECKING``."""
+    tree = ast.parse(text)
+    tree.body = [
+        node for node in tree.body if not (isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING")
+    ]
+    return ast.unparse(tree)
+
+
 def test_rooms_import_only_themselves_and_the_rooms_before_them() -> None:
     wrong = []
     for path in sorted(SOURCE.rglob("*.py")):
         module = ".".join(("aftdeck", *path.relative_to(SOURCE).with_suffix("").parts))
-        wrong += wrong_imports(module, path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        wrong += [*wrong_imports(module, text), *wrong_within(module, text)]
     assert not wrong, "\n".join(wrong)
 
 
@@ -102,7 +156,7 @@ def test_no_room_but_that_of_the_arms_knows_a_family_of_arms() -> None:
 @pytest.mark.parametrize(
     ("module", "text"),
     [
-        pytest.param("aftdeck.kinematics.law", "import aftdeck.station.app", id="import of a later room"),
+        pytest.param("aftdeck.kinematics.law", "import aftdeck.station.server.app", id="import of a later room"),
         pytest.param("aftdeck.kinematics.law", "from aftdeck.steering import modes", id="from a later room"),
         pytest.param("aftdeck.kinematics.law", "from aftdeck import station", id="later room by name"),
         pytest.param("aftdeck.kinematics.law", "from ..plant import kinematic", id="relative"),
@@ -120,9 +174,21 @@ def test_an_import_against_the_order_is_found(module: str, text: str) -> None:
 @pytest.mark.parametrize(
     ("module", "text"),
     [
-        pytest.param("aftdeck.station.app", "from aftdeck.simulation.step import step", id="earlier room"),
-        pytest.param("aftdeck.station.app", "from .session import Session", id="own room"),
-        pytest.param("aftdeck.station.app", "from .. import errors", id="relative, earlier room"),
+        pytest.param("aftdeck.simulation.state", "from aftdeck.simulation.payloads import grasp", id="a later folder"),
+        pytest.param("aftdeck.simulation.payloads.grasp", "import aftdeck.simulation.step", id="a later module"),
+        pytest.param("aftdeck.station.cellar", "", id="a module without a place"),
+    ],
+)
+def test_an_import_against_the_order_within_a_room_is_found(module: str, text: str) -> None:
+    assert len(wrong_within(module, text)) == 1
+
+
+@pytest.mark.parametrize(
+    ("module", "text"),
+    [
+        pytest.param("aftdeck.station.server.app", "from aftdeck.simulation.step import step", id="earlier room"),
+        pytest.param("aftdeck.station.server.app", "from .session import Session", id="own room"),
+        pytest.param("aftdeck.station.server.app", "from .. import errors", id="relative, earlier room"),
         pytest.param("aftdeck.frames", "from aftdeck.units import parse", id="shared vocabulary"),
         pytest.param("aftdeck.units", "import pint\nfrom numpy import pi", id="other packages"),
         pytest.param("aftdeck.__init__", "from aftdeck.arms import load_arm", id="the package's own file"),

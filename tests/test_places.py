@@ -22,9 +22,9 @@ from aftdeck.recording.bundle import parse_change
 from aftdeck.scenario import light
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.schema import ScenarioFile
-from aftdeck.worksite import load as worksite_file
 from aftdeck.worksite import load_worksite
-from aftdeck.worksite.schema import WorksiteFile
+from aftdeck.worksite.file import load as worksite_file
+from aftdeck.worksite.file.schema import WorksiteFile
 
 FILES: tuple[type[msgspec.Struct], ...] = (
     ScenarioFile,

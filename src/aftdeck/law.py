@@ -146,11 +146,11 @@ def compiled_before() -> bool:
 @functools.cache
 def state_of_the_laws() -> str:
     """Return a 16-digit digest of this file and of the sources of every subpackage that contains a law."""
-    digest = hashlib.sha256()
-    sources = {path: path.read_bytes() for path in sorted(Path(__file__).parent.rglob("*.py"))}
-    rooms = {path.parent for path, text in sources.items() if b"@law" in text}
+    digest, home = hashlib.sha256(), Path(__file__).parent
+    sources = {path: path.read_bytes() for path in sorted(home.rglob("*.py"))}
+    packages = {path.relative_to(home).parts[0] for path, text in sources.items() if b"@law" in text}
     for path, text in sources.items():
-        if (path.parent in rooms and path.parent != Path(__file__).parent) or path == Path(__file__):
+        if path.relative_to(home).parts[0] in packages:
             digest.update(text)
     return digest.hexdigest()[:16]
 

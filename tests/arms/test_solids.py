@@ -13,8 +13,8 @@ from aftdeck.arms.model import HeadingArmFile
 from aftdeck.arms.shapes import shapes_of
 from aftdeck.arms.solids import solids_of
 from aftdeck.arrays import Array
-from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import FACES, pack
+from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.solid import Solid
 from aftdeck.errors import ScenarioError
 from aftdeck.kinematics.frames import frames_of, place_frames

@@ -9,8 +9,8 @@ import pytest
 
 from aftdeck import separation
 from aftdeck.arrays import Array
-from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.cover import Axis, prism, tube_wall
+from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.errors import InputError
 from tests.bodies.shapes import CUBE
 

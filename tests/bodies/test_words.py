@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.edges import piercing_edge
 from aftdeck.bodies.hexahedron import BESIDE, EDGES, ENDS, FACES, pack, place
-from aftdeck.bodies.words import heights, location_words
+from aftdeck.bodies.hexahedron_check import hexahedron
+from aftdeck.bodies.location_words import heights, location_words
 from tests.bodies.shapes import CUBE, rotations, skewed
 
 BIT = {"a": 1, "b": 2, "c": 4, "d": 8, "e": 16, "f": 32}

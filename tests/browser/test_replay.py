@@ -10,7 +10,7 @@ from playwright.sync_api import Browser
 
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.trial import Trial
-from aftdeck.station.one_file import write_html
+from aftdeck.station.playback.one_file import write_html
 from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.looks import assert_readable, assert_tidy

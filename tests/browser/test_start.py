@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from aftdeck.errors import ScenarioError
-from aftdeck.station.app import make_app
+from aftdeck.station.server.app import make_app
 from tests.browser.flight import WAIT_MS
 from tests.station.pages import serving
 from tests.station.slow import Slow

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.plant.kinematic import KinematicPlant
-from aftdeck.plant.slide import Slide, Travel
+from aftdeck.plant.linear_actuator import Slide, Travel
 
 FREE = np.array([[-np.inf, np.inf]] * 6)
 """Joints without stops."""

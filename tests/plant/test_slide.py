@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from aftdeck.arms.load import load_model
 from aftdeck.arms.model import HeadingArmFile
 from aftdeck.kinematics.linkage import L1
-from aftdeck.plant.slide import Slide, Travel, travel_of_prong, travel_of_stand
+from aftdeck.plant.linear_actuator import Slide, Travel, travel_of_prong, travel_of_stand
 
 FOOT = 0.3048
 

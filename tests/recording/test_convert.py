@@ -16,7 +16,7 @@ from aftdeck.recording.convert import DIGITS, frame_record, input_record, inputs
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.schema import schema
 from aftdeck.scenario.target import Target
-from aftdeck.simulation.cameras import CameraDrive
+from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.plain import plain_inputs

@@ -18,9 +18,9 @@ from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
 from aftdeck.simulation.frame import WayOut
 from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.motion.ways_out import by_joint, by_stick
 from aftdeck.simulation.run import Simulation
-from aftdeck.simulation.ways_out import by_joint, by_stick
-from aftdeck.worksite.alarm import level_of
+from aftdeck.worksite.watch.alarm import level_of
 from tests.recording.flown import rewritten
 
 FILES = [

@@ -18,9 +18,9 @@ from aftdeck.errors import ScenarioError
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import scene_in_l
-from aftdeck.simulation.survey import survey
-from aftdeck.simulation.survey_cameras import _seen_in_a_run
-from aftdeck.simulation.survey_poses import bodies, placed
+from aftdeck.simulation.survey.cameras import _seen_in_a_run
+from aftdeck.simulation.survey.pairs import survey
+from aftdeck.simulation.survey.poses import bodies, placed
 from aftdeck.worksite import load_worksite
 from tests.bodies.minkowski import depth
 

@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 import aftdeck
 from aftdeck.bodies.cameras import Camera, Drive, Setting, Travel, setting
 from aftdeck.errors import InputError
-from aftdeck.scenario.cameras import cameras_of
+from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.load import built_in, load_scenario
-from aftdeck.simulation.cameras import CameraDrive, Cameras, moved
+from aftdeck.simulation.camera_drives import CameraDrive, Cameras, moved
 from aftdeck.simulation.run import SavedSimulation
 from aftdeck.station.conversion.welcome_of import welcome_of
 

@@ -16,9 +16,9 @@ from aftdeck.arrays import Array
 from aftdeck.errors import AftdeckError
 from aftdeck.frames import Pose
 from aftdeck.scenario.target import target_at
-from aftdeck.simulation.check import STEPS
+from aftdeck.simulation.command_check.cmd_ck import STEPS
 from aftdeck.simulation.frame import Check, Six
-from aftdeck.simulation.sequence import begin
+from aftdeck.simulation.operator.sequence import begin
 from tests.steering.flying import BAY, checked, disturbed, finished, fly, joint_target, log_of, scenario, speed, target
 
 OPR = 'mode = "OPR CMD"\n'

@@ -14,7 +14,7 @@ from aftdeck import Inputs
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.worksite.restrain import ESCAPE
+from aftdeck.worksite.watch.contact_motion import ESCAPE
 from tests.simulation.concept import AT_PORT, FOOT, scenario
 from tests.simulation.flights import srms
 from tests.simulation.sat import Witness

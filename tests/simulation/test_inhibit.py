@@ -12,7 +12,7 @@ from aftdeck import Inputs
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.sequence import begin
+from aftdeck.simulation.operator.sequence import begin
 from tests.simulation.concept import AT_PORT, ON_BAR, held_for, log_of, scenario, vec3
 from tests.simulation.flights import anything, flown, harmful, in_turn, same_possession, srms
 

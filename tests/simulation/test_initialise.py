@@ -14,10 +14,10 @@ import pytest
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.errors import ScenarioError
-from aftdeck.scenario.cameras import cameras_of
+from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.cameras import CameraDrive
+from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.frame import Frame
 from aftdeck.worksite import load_worksite
 from tests.simulation.concept import held_for, joints, scenario

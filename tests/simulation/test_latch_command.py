@@ -17,8 +17,8 @@ from aftdeck.errors import ScenarioError
 from aftdeck.scenario.load import parse_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.latch_command import CONFIRM
-from aftdeck.worksite.load import load_worksite
+from aftdeck.simulation.payloads.latch_command import CONFIRM
+from aftdeck.worksite.file.load import load_worksite
 from tests.simulation.anew import ANGLE, CAE, CAE_APOTHEM, DISTANCE, FOOT, SIZES, docking, pose
 from tests.simulation.concept import scenario
 from tests.simulation.flights import log_of, srms

@@ -10,7 +10,7 @@ import pytest
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.errors import InputError
-from aftdeck.simulation.look_ahead import Axis
+from aftdeck.simulation.observe.look_ahead import Axis
 from tests.simulation.flights import anything
 from tests.steering.flying import BAY, checked, fly, scenario, target
 

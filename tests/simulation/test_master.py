@@ -9,7 +9,7 @@ import aftdeck
 from aftdeck import Inputs
 from aftdeck.arrays import Array
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.master import AXES, axes_of
+from aftdeck.simulation.operator.master import AXES, axes_of
 from tests.steering.flying import BAY, scenario
 
 START = {"srms": BAY, "concept-1972": (20.0, 60.0, -100.0, 5.0, -30.0, 10.0)}

@@ -20,7 +20,7 @@ from aftdeck.files import Where
 from aftdeck.recording.run import record
 from aftdeck.scenario.load import load_scenario, parse_scenario
 from aftdeck.scenario.target import target_at
-from aftdeck.simulation.cameras import CameraDrive
+from aftdeck.simulation.camera_drives import CameraDrive
 
 KINDS: list[Callable[[Any], Any]] = [
     np.float64,

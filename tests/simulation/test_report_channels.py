@@ -21,11 +21,11 @@ import pytest
 import aftdeck
 from aftdeck import Inputs
 from aftdeck.errors import InputError
+from aftdeck.historical.words_file import WordsWriter, operator_of, read_channels
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.cameras import CameraDrive
+from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.words_file import WordsWriter, operator_of, read_channels
 from tests.simulation import concept
 from tests.simulation.flights import anything
 

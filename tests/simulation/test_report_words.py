@@ -11,12 +11,12 @@ import pytest
 
 import aftdeck
 from aftdeck import Inputs
+from aftdeck.historical.frame_words import decode_control, encode_block, number
+from aftdeck.historical.rms_vs_output import block_of, places_of
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
-from aftdeck.simulation.report_words import block_of, places_of
 from aftdeck.units import FOOT
-from aftdeck.worksite.words import decode_control, encode_block, number
 from tests.simulation import concept
 from tests.simulation.flights import anything
 from tests.simulation.test_report_channels import mastered

@@ -13,10 +13,10 @@ import pytest
 
 import aftdeck
 from aftdeck.errors import InputError
-from aftdeck.simulation.checking import Rehearsed
-from aftdeck.simulation.grasp import steer
+from aftdeck.simulation.parts.checking import Rehearsed
+from aftdeck.simulation.parts.standing import Standing
+from aftdeck.simulation.payloads.grasp import steer
 from aftdeck.simulation.resume import look_again, resume
-from aftdeck.simulation.standing import Standing
 from aftdeck.simulation.state import State
 from aftdeck.state_part import Cache, StatePart, copied, digest, encoded
 from tests.simulation.flights import anything

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from aftdeck.historical.frame_words import decode_block
+from aftdeck.historical.input_channels import decode_inputs
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.worksite.channels import decode_inputs
-from aftdeck.worksite.words import decode_block
 from tests.commands import Run
 
 SCENARIO = """title = "short"

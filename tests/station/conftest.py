@@ -6,7 +6,8 @@ import math
 
 import pytest
 
-from aftdeck.station import page, session
+from aftdeck.station.server import page
+from aftdeck.station.session import session
 
 
 @pytest.fixture(autouse=True)

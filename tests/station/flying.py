@@ -14,7 +14,7 @@ import pytest
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.session import Session
+from aftdeck.station.session.session import Session
 from tests.station.pages import WAIT_S, scenario
 
 _frames = msgspec.json.Decoder(Frame)

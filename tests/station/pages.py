@@ -17,13 +17,13 @@ from websockets.typing import Origin
 
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.station.app import make_app
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
-from aftdeck.station.preparation import ready
-from aftdeck.station.serve import listen, make_server
-from aftdeck.station.session import Session
+from aftdeck.station.server.app import make_app
+from aftdeck.station.server.serve import listen, make_server
+from aftdeck.station.session.preparation import ready
+from aftdeck.station.session.session import Session
 
 WAIT_S = 60.0
 """The longest that anything is waited for [s]; nothing that works takes as long, on a busy machine either."""

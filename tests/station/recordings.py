@@ -15,9 +15,9 @@ from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station.reel import Reel
-from aftdeck.station.replay import replay_app
-from aftdeck.station.serve import listen, make_server
+from aftdeck.station.playback.reel import Reel
+from aftdeck.station.server.playback_server import replay_app
+from aftdeck.station.server.serve import listen, make_server
 from tests.simulation.flights import srms
 from tests.station.pages import WAIT_S, scenario, until
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from threading import Event
 
-from aftdeck.station.preparation import Preparation
-from aftdeck.station.session import Session
+from aftdeck.station.session.preparation import Preparation
+from aftdeck.station.session.session import Session
 from tests.station.pages import WAIT_S, scenario
 
 Say = Callable[[str], None]

@@ -10,7 +10,7 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page
-from aftdeck.station.session import LOOK_EVERY, LOOK_S
+from aftdeck.station.session.session import LOOK_EVERY, LOOK_S
 from tests.station.flying import comes, flying
 from tests.station.pages import STILL
 

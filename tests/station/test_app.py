@@ -14,13 +14,13 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from aftdeck.simulation.frame import Frame as Flown
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.station import app as station_app
-from aftdeck.station import page as station_page
-from aftdeck.station import session as station_session
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.page import MOST_PAGES, MOST_WRONG
-from aftdeck.station.session import MOST_WAITING, SILENCE, Phase, Session
+from aftdeck.station.server import app as station_app
+from aftdeck.station.server import page as station_page
+from aftdeck.station.server.page import MOST_PAGES, MOST_WRONG
+from aftdeck.station.session import session as station_session
+from aftdeck.station.session.session import MOST_WAITING, SILENCE, Phase, Session
 from tests.station.pages import STILL, WAIT_S, Page, Station, scenario, served, text_of, until
 
 

@@ -16,11 +16,11 @@ from aftdeck.errors import CommandError
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord, Shown
 from aftdeck.recording.replay import verify
-from aftdeck.station import session as station_session
 from aftdeck.station.messages import from_page, kinds
-from aftdeck.station.reel import Reel
-from aftdeck.station.session import SILENCE
-from aftdeck.station.verdict import CHECKING
+from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.verdict import CHECKING
+from aftdeck.station.session import session as station_session
+from aftdeck.station.session.session import SILENCE
 from tests.station.flying import Flown, comes, flying, goes_on, shown
 from tests.station.pages import text_of
 

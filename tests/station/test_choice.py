@@ -14,11 +14,11 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.load import HERE, about, built_in, load_scenario, parse_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.station.choice import Choice
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
-from aftdeck.station.session import Session
+from aftdeck.station.server.scenario_list import Choice
+from aftdeck.station.session.session import Session
 from tests.station.pages import WAIT_S, Page, Station, scenario, served
 from tests.station.test_recording import ended, files
 

@@ -14,7 +14,7 @@ from aftdeck.recording.records import LightRecord
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.light import Lighting, LockedExposure
 from aftdeck.station.messages import from_page
-from aftdeck.station.reel import Reel
+from aftdeck.station.playback.reel import Reel
 from tests.station.flying import comes, flying, goes_on, shown
 from tests.station.pages import scenario, text_of
 

@@ -12,11 +12,11 @@ import pytest
 
 from aftdeck.errors import RecordingError
 from aftdeck.station import built as station_built
-from aftdeck.station import one_file
 from aftdeck.station.messages.playback import Block, PlaybackIndex
-from aftdeck.station.one_file import write_html
-from aftdeck.station.reel import Reel
-from aftdeck.station.verdict import CHECKING
+from aftdeck.station.playback import one_file
+from aftdeck.station.playback.one_file import write_html
+from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.verdict import CHECKING
 from tests.station.recordings import recorded
 
 PAGE = """<html><head><title>Aftdeck</title>

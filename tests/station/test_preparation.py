@@ -12,11 +12,11 @@ from websockets.exceptions import ConnectionClosed
 
 from aftdeck.errors import ScenarioError
 from aftdeck.scenario.load import load_scenario
-from aftdeck.station.app import make_app
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
-from aftdeck.station.page import MOST_PAGES
+from aftdeck.station.server.app import make_app
+from aftdeck.station.server.page import MOST_PAGES
 from tests.station.pages import WAIT_S, Page, Server, serving, until
 from tests.station.slow import Slow
 

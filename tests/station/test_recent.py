@@ -6,12 +6,12 @@ import pytest
 
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station import recent
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Lamp
-from aftdeck.station.recent import RecentFlight
-from aftdeck.station.session import Session
-from aftdeck.station.strips import readings, sources
+from aftdeck.station.playback.strips import readings, sources
+from aftdeck.station.session import recent
+from aftdeck.station.session.recent import RecentFlight
+from aftdeck.station.session.session import Session
 from tests.station.pages import scenario, served
 
 LIT = Lamp("RATE LIM", "caution", "a test's")

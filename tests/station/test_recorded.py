@@ -8,11 +8,11 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from aftdeck.station import app as station_app
 from aftdeck.station import built as station_built
-from aftdeck.station import player as station_player
 from aftdeck.station.messages.playback import Block, PlaybackIndex, Recorded
-from aftdeck.station.session import Session
+from aftdeck.station.server import app as station_app
+from aftdeck.station.server import player as station_player
+from aftdeck.station.session.session import Session
 from tests.station.pages import Station, scenario, served, until
 from tests.station.recordings import recorded
 

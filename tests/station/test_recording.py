@@ -19,9 +19,9 @@ from aftdeck.recording.sink import Sink
 from aftdeck.recording.trial import Trial
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.reel import Reel
-from aftdeck.station.session import MOST_BEHIND, Session
-from aftdeck.station.verdict import CHECKING
+from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.verdict import CHECKING
+from aftdeck.station.session.session import MOST_BEHIND, Session
 from tests.station.flying import Flown, comes, flying, goes_on, shown
 from tests.station.pages import STILL, WAIT_S, scenario, until
 
@@ -230,7 +230,7 @@ def test_a_list_that_cannot_be_used_is_a_warning_and_the_flight_is_recorded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "list").mkdir()
-    monkeypatch.setattr("aftdeck.station.session.Index", lambda: Index(tmp_path / "list"))
+    monkeypatch.setattr("aftdeck.station.session.session.Index", lambda: Index(tmp_path / "list"))
     with flying(record=tmp_path / "flights") as session:
         until(lambda: any(event.kind == "recording" for event in session.log_since(0)), "the warning")
         assert goes_on(session).display.recording_s is not None

@@ -15,11 +15,11 @@ import pytest
 from aftdeck.errors import RecordingError
 from aftdeck.recording import writer
 from aftdeck.simulation.frame import Frame
-from aftdeck.station import reel as station_reel
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.messages.playback import BLOCK, PlaybackIndex
-from aftdeck.station.reel import Reel
-from aftdeck.station.verdict import CHECKING
+from aftdeck.station.playback import reel as station_reel
+from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.verdict import CHECKING
 from tests.station.pages import scenario
 from tests.station.recordings import NOTE, recorded
 

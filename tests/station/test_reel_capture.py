@@ -14,9 +14,9 @@ from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages.curves import Strip
 from aftdeck.station.messages.playback import Measure, PlaybackIndex
-from aftdeck.station.reel import Reel
-from aftdeck.station.verdict import CHECKING
-from aftdeck.worksite.alarm import CLEAR, level_of
+from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.verdict import CHECKING
+from aftdeck.worksite.watch.alarm import CLEAR, level_of
 from tests.station.pages import scenario
 from tests.station.recordings import grappled
 

@@ -15,9 +15,9 @@ import uvicorn
 
 from aftdeck.errors import RecordingError
 from aftdeck.station import built as station_built
-from aftdeck.station import player as station_player
 from aftdeck.station.messages.playback import BLOCK, Block, PlaybackIndex, Verdict
-from aftdeck.station.replay import serve_recording
+from aftdeck.station.server import player as station_player
+from aftdeck.station.server.playback_server import serve_recording
 from tests.station.pages import WAIT_S, until
 from tests.station.recordings import playing, recorded
 

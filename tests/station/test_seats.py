@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from aftdeck.errors import CommandError, InputError
-from aftdeck.station.seats import ANSWER_WITHIN, MOST_OF_A_NAME, Seats
+from aftdeck.station.server.control_roles import ANSWER_WITHIN, MOST_OF_A_NAME, Seats
 
 
 class Clock:

@@ -12,12 +12,12 @@ import pytest
 from websockets.sync.client import connect
 
 from aftdeck.station import built as station_built
-from aftdeck.station import serve as station_serve
-from aftdeck.station.app import make_app
 from aftdeck.station.built import StationError
-from aftdeck.station.preparation import ready
-from aftdeck.station.serve import listen, make_server, serve
-from aftdeck.station.session import Session
+from aftdeck.station.server import serve as station_serve
+from aftdeck.station.server.app import make_app
+from aftdeck.station.server.serve import listen, make_server, serve
+from aftdeck.station.session.preparation import ready
+from aftdeck.station.session.session import Session
 from tests.station.pages import WAIT_S, Page, scenario, served
 
 START_S = 300.0

@@ -10,10 +10,10 @@ from typing import Literal
 import pytest
 
 from aftdeck.errors import CommandError
-from aftdeck.station import session as station_session
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.session import MOST_BEHIND, MOST_WAITING, SILENCE, Phase, Session
+from aftdeck.station.session import session as station_session
+from aftdeck.station.session.session import MOST_BEHIND, MOST_WAITING, SILENCE, Phase, Session
 from tests.station.flying import Flown, comes, flying, goes_on, shown
 from tests.station.pages import STILL, WAIT_S, in_time, scenario, until
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from aftdeck.simulation.frame import Six
-from aftdeck.station.strips import BUCKETS, thin, worst_rate
+from aftdeck.station.playback.strips import BUCKETS, thin, worst_rate
 
 VALUES = st.one_of(st.floats(-1e6, 1e6), st.just(math.nan))
 

@@ -13,13 +13,13 @@ from aftdeck.frames import Pose
 from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station.commands import inputs_of
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.lamps import lamps
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page, kinds
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.session import HANDS_OFF
+from aftdeck.station.session.commands import inputs_of
+from aftdeck.station.session.session import HANDS_OFF
 from tests.station.pages import scenario
 from tests.steering.flying import BAY, PAYLOAD
 from tests.steering.flying import scenario as written

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import aftdeck
-from aftdeck.simulation.carried import carrying
+from aftdeck.simulation.parts.carried import carrying
 from aftdeck.steering.entry import limited_rates
 from aftdeck.steering.layout import RATE
 

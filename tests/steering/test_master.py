@@ -8,7 +8,7 @@ import pytest
 import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.carried import carrying
+from aftdeck.simulation.parts.carried import carrying
 from aftdeck.steering.layout import (
     ARRIVED,
     CAUSE,

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.check import hexahedron
+from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.frames import rotation_x, rotation_y, rotation_z
 from aftdeck.units import FOOT
-from aftdeck.worksite.acquisition import FOUND, Tolerances, acquire
+from aftdeck.worksite.capture.acquisition import FOUND, Tolerances, acquire
 
 TOLERANCES = Tolerances(
     spacing=0.8 * FOOT, window=FOOT / 16.0, front=0.5 * FOOT, rear=0.5 * FOOT, fingers_within=8.0 * FOOT

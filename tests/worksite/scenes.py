@@ -10,8 +10,8 @@ from scipy.linalg import expm
 from aftdeck import Separation, separation
 from aftdeck.arrays import Array
 from aftdeck.bodies.solid import Solid
-from aftdeck.worksite.layout import Layout, layout_of
-from aftdeck.worksite.pairs import part_pairs
+from aftdeck.worksite.watch.groups import Layout, layout_of
+from aftdeck.worksite.watch.pairs import part_pairs
 from tests.bodies.shapes import boxes, rotations, skewed
 
 FRAMES = ("orbiter", "arm.upper", "arm.lower", "arm.hand", "can")

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from aftdeck.arrays import Array
 from aftdeck.frames import rotation_x, rotation_y, rotation_z
 from aftdeck.units import FOOT
-from aftdeck.worksite.acquisition import (
+from aftdeck.worksite.capture.acquisition import (
     ALONG,
     AWAY,
     FIXED,

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 
-from aftdeck.worksite.alarm import HYSTERESIS, Level, level_of
+from aftdeck.worksite.watch.alarm import HYSTERESIS, Level, level_of
 
 CAUTION, WARNING = 0.6, 0.15
 

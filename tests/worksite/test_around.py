@@ -11,9 +11,9 @@ from aftdeck.bodies.pose import pose_of, row_of
 from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.kinematics.observe import OBSERVED, observe, observe_near
-from aftdeck.simulation.flight import FAST, WATCHED
-from aftdeck.simulation.lined_up import counted
-from aftdeck.worksite.around import nearest_place, place_everything
+from aftdeck.simulation.constants.flight import FAST, WATCHED
+from aftdeck.simulation.payloads.alignment import counted
+from aftdeck.worksite.watch.contact_update import nearest_place, place_everything
 from tests.simulation.flights import anything
 
 

@@ -14,7 +14,9 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
 from aftdeck.units import INCH
-from aftdeck.worksite.berthing import (
+from aftdeck.worksite.conditions import Condition, all_hold, failing, refusal
+from aftdeck.worksite.log_line import Said
+from aftdeck.worksite.seats.berthing import (
     Guide,
     SeatTolerances,
     in_guides,
@@ -24,9 +26,7 @@ from aftdeck.worksite.berthing import (
     retained,
     switches,
 )
-from aftdeck.worksite.conditions import Condition, all_hold, failing, refusal
-from aftdeck.worksite.latches import Latches, advance
-from aftdeck.worksite.said import Said
+from aftdeck.worksite.seats.latches import Latches, advance
 
 TOLERANCES = SeatTolerances(0.05, radians(1.0))
 HEIGHT, HALF_ANGLE, THROAT, PLAY = 24.0 * INCH, radians(17.0), 0.02, 0.05

@@ -10,7 +10,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from aftdeck.errors import InputError
-from aftdeck.worksite.channels import CAMERA, FULL_SCALE, START, STATION, OperatorInputs, decode_inputs, encode_inputs
+from aftdeck.historical.input_channels import (
+    CAMERA,
+    FULL_SCALE,
+    START,
+    STATION,
+    OperatorInputs,
+    decode_inputs,
+    encode_inputs,
+)
 
 AT_REST = OperatorInputs(False, "full problem", (0.0,) * 6, 0, "none", 0, "E", 0)
 inputs = st.builds(

@@ -13,13 +13,13 @@ from aftdeck import separation
 from aftdeck.arms.solids import solids_of
 from aftdeck.arrays import Array
 from aftdeck.bodies.cameras import setting
-from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import NX, D
+from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.solid import Solid
 from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import frames_of, place_frames
 from aftdeck.scenario.load import load_scenario
-from aftdeck.simulation.site import site_of
+from aftdeck.simulation.constants.site import site_of
 from aftdeck.worksite import Cargo, Worksite, load_worksite
 from aftdeck.worksite.model import BarAcquisition
 

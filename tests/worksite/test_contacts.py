@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 
 from aftdeck.bodies.solid import Solid
 from aftdeck.state_part import Cache, decoded, encoded
-from aftdeck.worksite.contacts import Contacts
-from aftdeck.worksite.found import CLEARANCE, FOUND
-from aftdeck.worksite.layout import layout_of
-from aftdeck.worksite.pairs import among
+from aftdeck.worksite.watch.contacts import Contacts
+from aftdeck.worksite.watch.found import CLEARANCE, FOUND
+from aftdeck.worksite.watch.groups import layout_of
+from aftdeck.worksite.watch.pairs import among
 from tests.bodies.shapes import CUBE
 
 HOME = {"palm": "arm.hand", "prong": "arm.prong", "bar": "can", "can": "can", "wall": "orbiter"}

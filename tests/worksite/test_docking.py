@@ -14,7 +14,7 @@ from aftdeck.errors import InputError
 from aftdeck.frames import rotation_x, rotation_y, rotation_z
 from aftdeck.units import FOOT
 from aftdeck.worksite.conditions import all_hold, failing
-from aftdeck.worksite.docking import (
+from aftdeck.worksite.seats.docking import (
     BEFORE,
     DISTANCE,
     FOUND,

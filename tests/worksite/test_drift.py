@@ -15,7 +15,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import endori, oriend
 from aftdeck.units import FOOT
-from aftdeck.worksite.drift import LimitCycle, coast, limit_cycle, translate
+from aftdeck.worksite.free_flight import LimitCycle, coast, limit_cycle, translate
 
 BAND, RATE = radians(1.0), radians(0.02)
 PERIOD = 4.0 * BAND / RATE

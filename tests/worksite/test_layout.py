@@ -8,8 +8,8 @@ import pytest
 from aftdeck.bodies.hexahedron import BODY, unpack
 from aftdeck.bodies.solid import Solid
 from aftdeck.errors import InputError
-from aftdeck.worksite.layout import CENTRE, RADIUS, Layout, layout_of
-from aftdeck.worksite.pairs import among, counting, part_pairs
+from aftdeck.worksite.watch.groups import CENTRE, RADIUS, Layout, layout_of
+from aftdeck.worksite.watch.pairs import among, counting, part_pairs
 from tests.bodies.shapes import CUBE
 from tests.worksite.scenes import scene
 

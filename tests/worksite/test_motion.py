@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from aftdeck.worksite.motion import motion, velocity
+from aftdeck.worksite.watch.motion import motion, velocity
 from tests.worksite.scenes import moved, poses
 
 

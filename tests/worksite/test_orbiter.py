@@ -23,7 +23,7 @@ from aftdeck.scene.placed import Leaf, placed
 from aftdeck.scene.solids import solid
 from aftdeck.shapes import Light, Ring
 from aftdeck.worksite import Worksite, load_worksite, worksites
-from aftdeck.worksite.check import distance
+from aftdeck.worksite.file.check import distance
 
 INCH = 0.0254
 ENVELOPE = 90.0 * INCH

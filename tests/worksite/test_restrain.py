@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.solid import Solid
-from aftdeck.worksite.found import CLEARANCE
-from aftdeck.worksite.layout import Layout, layout_of
-from aftdeck.worksite.restrain import BESIDES, DEEPER, LEAST_RELIEF, RELIEF, relieves, ways_out, worsened
-from aftdeck.worksite.watch import Watch
+from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.contact_motion import BESIDES, DEEPER, LEAST_RELIEF, RELIEF, relieves, ways_out, worsened
+from aftdeck.worksite.watch.found import CLEARANCE
+from aftdeck.worksite.watch.groups import Layout, layout_of
 from tests.bodies.shapes import boxes, skewed
 from tests.worksite.scenes import CHAIN, all_pairs, clearances, moved, poses, scene
 

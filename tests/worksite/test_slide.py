@@ -11,11 +11,11 @@ from scipy.optimize import nnls
 from aftdeck.arrays import Array
 from aftdeck.bodies.solid import Solid
 from aftdeck.kinematics.jacobian import Twist
-from aftdeck.worksite.found import CLEARANCE
-from aftdeck.worksite.layout import layout_of
-from aftdeck.worksite.slide import SLACK, slide
-from aftdeck.worksite.touches import touches
-from aftdeck.worksite.watch import Watch
+from aftdeck.worksite.sliding.projection import SLACK, slide
+from aftdeck.worksite.sliding.touches import touches
+from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.found import CLEARANCE
+from aftdeck.worksite.watch.groups import layout_of
 from tests.bodies.shapes import CUBE, rotations
 from tests.worksite.scenes import clearances, moved
 

@@ -12,14 +12,14 @@ from hypothesis import strategies as st
 
 from aftdeck import separation
 from aftdeck.arrays import Array
-from aftdeck.bodies.check import hexahedron
+from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.files import convert
 from aftdeck.scene.mesh import volume
 from aftdeck.scene.solids import solid
 from aftdeck.shapes import Hexahedron
-from aftdeck.worksite.check import distance
-from aftdeck.worksite.solid_file import SolidFile
-from aftdeck.worksite.solids import CORNERS, drawn, solids_of
+from aftdeck.worksite.file.check import distance
+from aftdeck.worksite.file.solid_file import SolidFile
+from aftdeck.worksite.file.solids import CORNERS, drawn, solids_of
 
 CORNERED = [[0.0, 0.0], [2.0, 0.0], [1.5, 1.0], [0.25, 1.0]]
 KINDS: list[tuple[dict[str, object], float]] = [

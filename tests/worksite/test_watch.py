@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT
-from aftdeck.worksite.found import CLEARANCE, DISTANCE, NORMAL, POINT_A, POINT_B, SPEED, WHICH
-from aftdeck.worksite.watch import Watch
+from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, NORMAL, POINT_A, POINT_B, SPEED, WHICH
 from tests.worksite.scenes import clearances, moved, placed, poses, scene
 
 PERIOD = 0.02

@@ -11,7 +11,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from aftdeck.errors import InputError
-from aftdeck.worksite.words import (
+from aftdeck.historical.frame_words import (
     STATIONS,
     ControlWord,
     FrameBlock,

@@ -6,8 +6,8 @@ import numpy as np
 
 from aftdeck.arms.model import BoxCover, Cover
 from aftdeck.arrays import Array
-from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.cover import prism
+from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.errors import InputError
 from aftdeck.frames import endori
 

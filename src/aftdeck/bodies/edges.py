@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.hexahedron import ENDS, SIDES
-from aftdeck.bodies.words import Words
+from aftdeck.bodies.location_words import Words
 from aftdeck.law import law
 
 

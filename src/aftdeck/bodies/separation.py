@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.check import hexahedron
 from aftdeck.bodies.hexahedron import EDGES, FACES
+from aftdeck.bodies.hexahedron_check import hexahedron
 from aftdeck.bodies.pair import CLEARANCE, CONTACT, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, PAIR, POINT_A, POINT_B
-from aftdeck.bodies.watch import measure
+from aftdeck.bodies.repeated_test import measure
 
 
 class Feature(NamedTuple):
@@ -78,7 +78,7 @@ def separation(a: ArrayLike, b: ArrayLike) -> Separation:
 
     Vertices are numbered v - 1 = 4 (on the +y side) + 2 (on the +x side) + 1 (on the +z side), in each body's own
     axes. Clearances are accurate to 1e-12 m for bodies some tens of metres from the origin. For two bodies watched
-    step by step inside compiled code, `aftdeck.bodies.watch` is cheaper.
+    step by step inside compiled code, `aftdeck.bodies.repeated_test` is cheaper.
 
     Args:
         a: (8, 3) vertices of the first body [m].

@@ -46,7 +46,7 @@ def fly(
     """Fly a scenario by hand in the browser."""
     from aftdeck.recording.trial import trial
     from aftdeck.scenario.load import find_scenario, parse_scenario
-    from aftdeck.station.serve import serve
+    from aftdeck.station.server.serve import serve
 
     for name, text in (("--participant", participant), ("--condition", condition)):
         if text is not None and record is None:
@@ -174,7 +174,7 @@ def check(scenario: ScenarioName, as_json: Json = False) -> None:
     cautions: tuple[str, ...] = ()
     try:
         loaded = load_scenario(scenario)
-        from aftdeck.simulation.survey import survey
+        from aftdeck.simulation.survey.pairs import survey
 
         cautions = _cautions(loaded, survey(loaded))
     except AftdeckError as error:

@@ -76,11 +76,11 @@ def replay(
     if changes:
         _rerun(file, tuple(changes), out, as_json)
     elif play:
-        from aftdeck.station.replay import serve_recording
+        from aftdeck.station.server.playback_server import serve_recording
 
         serve_recording(file, host=host, port=port, open_browser=not no_browser)
     elif html is not None:
-        from aftdeck.station.one_file import write_html
+        from aftdeck.station.playback.one_file import write_html
 
         write_html(file, html)
         print(f"{html}: {html.stat().st_size / 1e6:.2f} MB; open it in any browser")

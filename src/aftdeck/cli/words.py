@@ -9,10 +9,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from aftdeck.cli.printing import print_complaint
+from aftdeck.historical.words_file import WordsWriter, check_arm, new_words_file, operator_of, read_channels
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.simulation.words_file import WordsWriter, check_arm, new_words_file, operator_of, read_channels
 
 Stepped = Callable[[Simulation], None]
 Operator = Callable[[Simulation], Inputs | None]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array
 from aftdeck.law import law
-from aftdeck.plant.slide import Slide, Travel
+from aftdeck.plant.linear_actuator import Slide, Travel
 from aftdeck.state_part import StatePart
 
 

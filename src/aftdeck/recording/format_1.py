@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from aftdeck.recording.records import FrameRecord
 from aftdeck.simulation.frame import Check
-from aftdeck.worksite.alarm import CLEAR, Level, level_of
+from aftdeck.worksite.watch.alarm import CLEAR, Level, level_of
 
 Plain = dict[str, Any]
 

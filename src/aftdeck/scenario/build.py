@@ -9,7 +9,7 @@ from aftdeck.errors import ScenarioError
 from aftdeck.files import Problem, Where, beside
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.attached import Grasp
-from aftdeck.scenario.cargo import present_cargo
+from aftdeck.scenario.chosen_payloads import present_cargo
 from aftdeck.scenario.fit import misfits
 from aftdeck.scenario.light import lamps_of, lighting
 from aftdeck.scenario.limits import check_por, limited_arm, por_with
@@ -24,7 +24,7 @@ from aftdeck.scenario.sequences import stored_points
 from aftdeck.scenario.starts import parts, start
 from aftdeck.scenario.target import AtSeat
 from aftdeck.steering.mode import MODES
-from aftdeck.worksite.load import load_worksite
+from aftdeck.worksite.file.load import load_worksite
 from aftdeck.worksite.model import Cargo, Worksite
 
 LONGEST_PERIOD = 0.2

@@ -24,8 +24,8 @@ from aftdeck.frames import Pose
 from aftdeck.kinematics.linkage import L5
 from aftdeck.scenario.relative import at_cargo, composed, inverted, scene_in_l
 from aftdeck.scenario.target import AtCargo
-from aftdeck.worksite.cargo import part_of
 from aftdeck.worksite.conditions import Units, shown
+from aftdeck.worksite.file.cargo import part_of
 from aftdeck.worksite.model import BarAcquisition, Cargo, Worksite
 
 Parts = dict[str, list[Array]]

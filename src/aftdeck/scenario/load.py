@@ -13,7 +13,7 @@ from aftdeck.scenario.build import build
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
-from aftdeck.worksite.load import dimensions_of
+from aftdeck.worksite.file.load import dimensions_of
 
 HERE = Path(__file__).parent / "builtin"
 

@@ -9,7 +9,7 @@ import msgspec
 from aftdeck.arms.model import Cover, SixAccelerations, SixRanges, SixRates, Text
 from aftdeck.shapes import Shape
 from aftdeck.units import Acceleration, Angle, AngularAcceleration, AngularRate, Length, Mass, Speed, Time
-from aftdeck.worksite.cargo_file import StartFile
+from aftdeck.worksite.file.cargo_file import StartFile
 
 Stick = Annotated[float, msgspec.Meta(ge=-1.0, le=1.0)]
 Sticks = tuple[Stick, Stick, Stick]

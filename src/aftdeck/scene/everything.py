@@ -9,7 +9,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import draws_payload
 from aftdeck.scene.poses import ArmPoses
 from aftdeck.simulation.frame import Frame, Vec3
-from aftdeck.simulation.look_ahead import Ahead
+from aftdeck.simulation.observe.look_ahead import Ahead
 
 
 class ScenePoses:

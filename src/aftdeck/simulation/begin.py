@@ -8,22 +8,22 @@ from aftdeck.bodies.pose import HERE, POSE, compose
 from aftdeck.errors import ScenarioError
 from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.scenario.model import Part, Start
-from aftdeck.simulation.ahead import frames_at, frames_with
-from aftdeck.simulation.carried import carrying
-from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.floating import floating
-from aftdeck.simulation.grasp import put_effector, steer, take_hold
-from aftdeck.simulation.lined_up import count
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.frame_poses import frames_at, frames_with
 from aftdeck.simulation.log import log, refuse
-from aftdeck.simulation.objective import holding
-from aftdeck.simulation.panel import make_ready
-from aftdeck.simulation.relations import permitted
+from aftdeck.simulation.operator.panel import make_ready
+from aftdeck.simulation.parts.carried import carrying
+from aftdeck.simulation.parts.free_flight import floating
+from aftdeck.simulation.payloads.alignment import count
+from aftdeck.simulation.payloads.grasp import put_effector, steer, take_hold
+from aftdeck.simulation.payloads.objective import holding
+from aftdeck.simulation.payloads.relations import permitted
+from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State, new_state
-from aftdeck.simulation.tasks import change_task
 from aftdeck.steering.layout import KEPT, MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.conditions import reasons
-from aftdeck.worksite.latches import Latches
+from aftdeck.worksite.seats.latches import Latches
 
 
 def first_state(flight: Flight) -> State:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.holds import hold_position
+from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.panel import operate
-from aftdeck.simulation.restrain import restrain
+from aftdeck.simulation.motion.motion_inhibit import restrain
+from aftdeck.simulation.operator.holds import hold_position
+from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.state import State
 from aftdeck.simulation.work import work
 from aftdeck.steering.course import set_off

@@ -12,7 +12,7 @@ import msgspec
 from aftdeck.errors import InputError
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.target import Target
-from aftdeck.simulation.cameras import CameraDrive
+from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.steering.mode import LawChoice
 
 Vec3 = tuple[float, float, float]

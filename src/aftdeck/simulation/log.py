@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Event, Level
 from aftdeck.simulation.state import State
 

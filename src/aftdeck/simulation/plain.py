@@ -16,7 +16,7 @@ import msgspec
 
 from aftdeck.errors import InputError
 from aftdeck.scenario.target import Target
-from aftdeck.simulation.cameras import CameraDrive
+from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.simulation.inputs import POSITIONS, Inputs
 
 _STICKS = ("translation", "rotation", "orbiter")

@@ -6,15 +6,15 @@ from collections.abc import Callable
 
 import numpy as np
 
-from aftdeck.simulation.carried import Carried
-from aftdeck.simulation.checking import Rehearsed
-from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.grasp import steer
-from aftdeck.simulation.lined_up import count
-from aftdeck.simulation.standing import Standing
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.parts.carried import Carried
+from aftdeck.simulation.parts.checking import Rehearsed
+from aftdeck.simulation.parts.standing import Standing
+from aftdeck.simulation.payloads.alignment import count
+from aftdeck.simulation.payloads.grasp import steer
 from aftdeck.simulation.state import State, new_state
 from aftdeck.state_part import Cache, decoded
-from aftdeck.worksite.watch import Watch
+from aftdeck.worksite.watch.clearance_monitor import Watch
 
 
 def resume(flight: Flight, saved: bytes) -> State:

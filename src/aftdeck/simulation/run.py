@@ -14,12 +14,12 @@ from aftdeck.errors import InputError, SimulationError
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.begin import first_state
-from aftdeck.simulation.flight import prepare
+from aftdeck.simulation.constants.flight import prepare
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.look import look
-from aftdeck.simulation.look_ahead import Ahead, Axis, look_ahead
-from aftdeck.simulation.look_work import all_near
+from aftdeck.simulation.observe.look import look
+from aftdeck.simulation.observe.look_ahead import Ahead, Axis, look_ahead
+from aftdeck.simulation.observe.look_work import all_near
 from aftdeck.simulation.plain import plain_inputs, whole
 from aftdeck.simulation.resume import resume
 from aftdeck.simulation.step import step

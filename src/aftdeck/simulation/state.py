@@ -11,16 +11,16 @@ from aftdeck.arrays import Array
 from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.observe import OBSERVED
 from aftdeck.plant.kinematic import KinematicPlant
-from aftdeck.plant.slide import Slide
+from aftdeck.plant.linear_actuator import Slide
 from aftdeck.scenario.target import Target
-from aftdeck.simulation.cameras import Views
-from aftdeck.simulation.carried import Carried
-from aftdeck.simulation.checking import Checking, Premises
-from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.camera_drives import Views
+from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Check, Event, Level, Sequence, Six, WayOut
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.standing import Standing
-from aftdeck.simulation.things import Things, new_things
+from aftdeck.simulation.parts.carried import Carried
+from aftdeck.simulation.parts.checking import Checking, Premises
+from aftdeck.simulation.parts.standing import Standing
+from aftdeck.simulation.parts.worksite_state import Things, new_things
 from aftdeck.state_part import StatePart, copied
 from aftdeck.steering.layout import COMMAND, GO, REPORT, STATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice

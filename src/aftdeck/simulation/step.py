@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from aftdeck.simulation.begin import initialise
-from aftdeck.simulation.check import check
-from aftdeck.simulation.delay import delayed
-from aftdeck.simulation.flight import Flight
+from aftdeck.simulation.command_check.cmd_ck import check
+from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.fly import go
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.lined_up import count
-from aftdeck.simulation.notice import notice
-from aftdeck.simulation.panel import operate
-from aftdeck.simulation.script import conclude, hand_over, phase_name, play
+from aftdeck.simulation.observe.arm_events import notice
+from aftdeck.simulation.operator.command_delay import delayed
+from aftdeck.simulation.operator.panel import operate
+from aftdeck.simulation.operator.script import conclude, hand_over, phase_name, play
+from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.state import State
 
 

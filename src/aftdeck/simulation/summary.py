@@ -13,7 +13,7 @@ from aftdeck.simulation.frame import Event, Frame, Six, Vec3
 from aftdeck.simulation.state import State
 from aftdeck.steering.limiters import rate_ratio
 from aftdeck.version import __version__
-from aftdeck.worksite.found import CLEARANCE
+from aftdeck.worksite.watch.found import CLEARANCE
 
 Ended = Literal["completed", "time", "fault"]
 

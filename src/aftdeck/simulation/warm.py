@@ -8,18 +8,18 @@ from aftdeck.errors import AftdeckError
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.begin import first_state
-from aftdeck.simulation.contact_out import way_out_of_contact
-from aftdeck.simulation.flight import Flight, prepare
-from aftdeck.simulation.grasp import let_go, set_free, take_hold
+from aftdeck.simulation.constants.flight import Flight, prepare
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.look import look
-from aftdeck.simulation.look_ahead import MOST_S, look_ahead
-from aftdeck.simulation.seating import conditions_at
-from aftdeck.simulation.sliding import slide_along
+from aftdeck.simulation.motion.contact_out import way_out_of_contact
+from aftdeck.simulation.motion.ways_out import ways_out
+from aftdeck.simulation.observe.look import look
+from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
+from aftdeck.simulation.payloads.grasp import let_go, set_free, take_hold
+from aftdeck.simulation.payloads.seating import conditions_at
+from aftdeck.simulation.payloads.sliding import slide_along
+from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State
 from aftdeck.simulation.step import step
-from aftdeck.simulation.tasks import change_task
-from aftdeck.simulation.ways_out import ways_out
 from aftdeck.state_part import digest
 from aftdeck.steering.layout import TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS

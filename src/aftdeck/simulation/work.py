@@ -5,24 +5,24 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.simulation.ahead import frames_with
-from aftdeck.simulation.capture import capture
-from aftdeck.simulation.contact_out import way_out_of_contact
-from aftdeck.simulation.flight import Flight
-from aftdeck.simulation.free_contact import drifted
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.frame_poses import frames_with
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log, refuse
-from aftdeck.simulation.panel import make_ready
-from aftdeck.simulation.relations import permitted
-from aftdeck.simulation.restrain import slider
-from aftdeck.simulation.seating import seat
+from aftdeck.simulation.motion.contact_out import way_out_of_contact
+from aftdeck.simulation.motion.motion_inhibit import slider
+from aftdeck.simulation.operator.panel import make_ready
+from aftdeck.simulation.payloads.capture import capture
+from aftdeck.simulation.payloads.free_contact import drifted
+from aftdeck.simulation.payloads.relations import permitted
+from aftdeck.simulation.payloads.seating import seat
+from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State
-from aftdeck.simulation.tasks import change_task
-from aftdeck.worksite.acquisition import FOUND, PRONG, acquire
-from aftdeck.worksite.around import look_around
-from aftdeck.worksite.contacts import FRAMES, Inhibit
-from aftdeck.worksite.drift import translate
-from aftdeck.worksite.restrain import looked_at, relieves, worsened
+from aftdeck.worksite.capture.acquisition import FOUND, PRONG, acquire
+from aftdeck.worksite.free_flight import translate
+from aftdeck.worksite.watch.contact_motion import looked_at, relieves, worsened
+from aftdeck.worksite.watch.contact_update import look_around
+from aftdeck.worksite.watch.contacts import FRAMES, Inhibit
 
 _DRIVES = {"stop": 0.0, "close": 1.0, "open": -1.0}
 

@@ -10,8 +10,8 @@ from typing import Annotated, Literal
 import msgspec
 
 from aftdeck.told import told
-from aftdeck.worksite.alarm import Level
 from aftdeck.worksite.conditions import Condition
+from aftdeck.worksite.watch.alarm import Level
 
 Vec3 = tuple[float, float, float]
 Rows = tuple[Vec3, Vec3, Vec3]

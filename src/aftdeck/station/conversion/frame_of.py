@@ -13,7 +13,7 @@ from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation import frame as sim
-from aftdeck.simulation import look_ahead
+from aftdeck.simulation.observe import look_ahead
 from aftdeck.station.conversion.fixture import Fixtures
 from aftdeck.station.conversion.lamps import lamps
 from aftdeck.station.messages.frame import Ahead, Aim, ClosestPoints, Display, Frame, Resolution, with_display

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from aftdeck.arrays import Array
-from aftdeck.scenario.cameras import cameras_of
+from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.light import conditions
 from aftdeck.scenario.model import Scenario
 from aftdeck.scene.bodies import bodies_of
-from aftdeck.simulation.master import AXES, axes_of
+from aftdeck.simulation.operator.master import AXES, axes_of
 from aftdeck.station.conversion.payload_table import payload_table, stored_sequences
 from aftdeck.station.messages import kinds
 from aftdeck.station.messages.welcome import BodyInfo, JointInfo, ModeInfo, SeatInfo, StandInfo, Welcome, WorkInfo

@@ -6,7 +6,7 @@ from typing import Literal
 
 import msgspec
 
-from aftdeck.worksite.alarm import Level
+from aftdeck.worksite.watch.alarm import Level
 
 Quantity = Literal[
     "time",

@@ -1,0 +1,208 @@
+"""Repeated test of a watched pair of hexahedra: validity of the last plane, collision, and clearance.
+
+For use inside compiled code. The answer is written into the packed pair (`pair.py`). A plane is stored only after a
+test of all sixteen vertices, and a collision only with the features that prove it.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+
+from aftdeck.arrays import Array, Indices
+from aftdeck.bodies.closest import ENCLOSED, Nearest, Simplex, corner, nearest, spanned, weights
+from aftdeck.bodies.depth import greatest
+from aftdeck.bodies.edges import piercing_edge
+from aftdeck.bodies.hexahedron import CORNERS, ENDS, SIDES, VERTICES, X, Y, Z
+from aftdeck.bodies.location_words import deepest, heights, location_words
+from aftdeck.bodies.pair import (
+    CLEARANCE,
+    CONTACT,
+    DISTANCE,
+    FEATURE_A,
+    FEATURE_B,
+    NORMAL,
+    POINT_A,
+    POINT_B,
+    SIMPLEX,
+    SIZE,
+    WHOLE,
+)
+from aftdeck.bodies.planes import lowest, sides
+from aftdeck.law import law
+
+EDGE_BITS = (1 << ENDS).sum(axis=1)
+FACE_BITS = (1 << CORNERS).sum(axis=1)
+"""Features of the edges (12,) and of the faces (6,), as written in a packed pair."""
+ASIDE = 1e-9
+"""Distance left between bodies in contact, after a move apart, to find the points that touch last [m]. It is small, so
+that a point beside the nearest one is measurably farther."""
+
+
+@law
+def verified(a: Array, b: Array, pair: Array) -> bool:
+    """Return whether the pair's last normal still separates packed bodies a and b; if so, centre its plane."""
+    found = sides(a, b, pair[NORMAL], pair[NORMAL + 1], pair[NORMAL + 2])
+    if found.b - found.a <= CONTACT:
+        return False
+    pair[DISTANCE] = 0.5 * (found.a + found.b)
+    return True
+
+
+@law
+def verdict(a: Array, b: Array, pair: Array) -> bool:
+    """Return whether packed bodies a and b collide, with a witness but mostly without the closest points.
+
+    Fills NORMAL and DISTANCE or, if the bodies collide, the features. CLEARANCE and the closest points are NaN unless
+    the verdict needed them.
+    """
+    pair[CLEARANCE : POINT_B + 3] = np.nan
+    if verified(a, b, pair):
+        return False
+    near = nearest(a, b, 0.0, 0.0, 0.0, _start(a, b, pair), CONTACT)
+    _remember(pair, near.simplex)
+    if near.gap > CONTACT:
+        _put_plane(a, b, pair, near.simplex)
+        return False
+    if _penetrates(a, b, pair):
+        return True
+    return _touching(a, b, pair, near) <= CONTACT
+
+
+@law
+def measure(a: Array, b: Array, pair: Array) -> float:
+    """Return the clearance of packed bodies a and b [m], and fill the whole pair."""
+    near = nearest(a, b, 0.0, 0.0, 0.0, _start(a, b, pair), np.inf)
+    _remember(pair, near.simplex)
+    if near.gap <= CONTACT:
+        return _touching(a, b, pair, near)
+    _put_plane(a, b, pair, near.simplex)
+    _put_points(a, b, pair, near.simplex)
+    pair[CLEARANCE] = near.distance
+    return near.distance
+
+
+@law
+def measure_all(bodies: Array, watched: Indices, pairs: Array) -> None:
+    """Measure many pairs: packed bodies (n, 48), indices of the watched two (m, 2), packed pairs (m, 17)."""
+    for k in range(len(watched)):
+        measure(bodies[watched[k, 0]], bodies[watched[k, 1]], pairs[k])
+
+
+@law
+def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
+    """Return the clearance of bodies that overlap or are within rounding and CONTACT of overlap, and fill the pair.
+
+    The closest points of overlapping bodies are the points that touch last on the shortest move apart: the points that
+    are closest once a has made that move and gone a little further.
+    """
+    above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
+    heights(a, b, above_b)
+    heights(b, a, above_a)
+    best = greatest(a, b, above_b, above_a)
+    if best.apart > 0.0 and near.simplex.size < ENCLOSED:
+        s, clearance = near.simplex, near.distance
+    else:
+        way = best.apart - ASIDE
+        x, y, z = way * best.x, way * best.y, way * best.z
+        i, j = lowest(a, -best.x, -best.y, -best.z), lowest(b, best.x, best.y, best.z)
+        w = corner(a, b, i, j, x, y, z)
+        s, clearance = nearest(a, b, x, y, z, spanned(1, w, w, w), np.inf).simplex, best.apart
+    _put_points(a, b, pair, s)
+    pair[CLEARANCE] = clearance
+    if clearance > CONTACT:
+        pair[NORMAL], pair[NORMAL + 1], pair[NORMAL + 2] = best.x, best.y, best.z
+        verified(a, b, pair)
+    else:
+        _penetrates(a, b, pair)
+    return clearance
+
+
+@law
+def _penetrates(a: Array, b: Array, pair: Array) -> bool:
+    """Return whether a vertex lies inside the other body or an edge pierces a face; if so, store these features.
+
+    Clears the pair's plane (subroutine COLLIDE).
+    """
+    pair[NORMAL : NORMAL + 4] = 0.0
+    above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
+    heights(a, b, above_b)
+    heights(b, a, above_a)
+    of_a, of_b = deepest(above_b), deepest(above_a)
+    if of_a.height <= 0.0 and of_a.height <= of_b.height:
+        pair[FEATURE_A], pair[FEATURE_B] = 1 << of_a.vertex, WHOLE
+        return True
+    if of_b.height <= 0.0:
+        pair[FEATURE_A], pair[FEATURE_B] = WHOLE, 1 << of_b.vertex
+        return True
+    words = np.empty(VERTICES, np.int64)
+    location_words(above_b, words)
+    found = piercing_edge(above_b, words)
+    if found.edge >= 0:
+        pair[FEATURE_A], pair[FEATURE_B] = EDGE_BITS[found.edge], FACE_BITS[found.face]
+        return True
+    location_words(above_a, words)
+    found = piercing_edge(above_a, words)
+    if found.edge >= 0:
+        pair[FEATURE_A], pair[FEATURE_B] = FACE_BITS[found.face], EDGE_BITS[found.edge]
+        return True
+    return False
+
+
+@law
+def _start(a: Array, b: Array, pair: Array) -> Simplex:
+    """Return the last simplex at the bodies' present poses.
+
+    For a pair that was never measured, return the corner of the two vertices that face the other body's middle.
+    """
+    size = int(pair[SIZE])
+    if size == 0:
+        # Vertices 1 and 8 are opposite.
+        x, y, z = (
+            a[X] + a[X + 7] - b[X] - b[X + 7],
+            a[Y] + a[Y + 7] - b[Y] - b[Y + 7],
+            a[Z] + a[Z + 7] - b[Z] - b[Z + 7],
+        )
+        w = corner(a, b, lowest(a, x, y, z), lowest(b, -x, -y, -z), 0.0, 0.0, 0.0)
+        return spanned(1, w, w, w)
+    p, q, r = int(pair[SIMPLEX]), int(pair[SIMPLEX + 1]), int(pair[SIMPLEX + 2])
+    return spanned(
+        size,
+        corner(a, b, p >> 3, p & 7, 0.0, 0.0, 0.0),
+        corner(a, b, q >> 3, q & 7, 0.0, 0.0, 0.0),
+        corner(a, b, r >> 3, r & 7, 0.0, 0.0, 0.0),
+    )
+
+
+@law
+def _remember(pair: Array, s: Simplex) -> None:
+    """Store the simplex as the start of the next search; of a tetrahedron, store a face."""
+    pair[SIZE] = min(s.size, 3)
+    pair[SIMPLEX] = 8 * s.p.a + s.p.b
+    pair[SIMPLEX + 1] = 8 * s.q.a + s.q.b
+    pair[SIMPLEX + 2] = 8 * s.r.a + s.r.b
+
+
+@law
+def _put_plane(a: Array, b: Array, pair: Array, s: Simplex) -> None:
+    """Store the plane perpendicular to the shortest line from a to b, halfway along it (subroutine SPTSG)."""
+    per = -1.0 / sqrt(s.x * s.x + s.y * s.y + s.z * s.z)
+    pair[NORMAL], pair[NORMAL + 1], pair[NORMAL + 2] = s.x * per, s.y * per, s.z * per
+    verified(a, b, pair)
+
+
+@law
+def _put_points(a: Array, b: Array, pair: Array, s: Simplex) -> None:
+    """Store the points of a and b that make up the simplex's point, and the features on which they lie."""
+    p, q, r = weights(s)
+    i, j, k = s.p.a, s.q.a, s.r.a
+    pair[POINT_A] = p * a[X + i] + q * a[X + j] + r * a[X + k]
+    pair[POINT_A + 1] = p * a[Y + i] + q * a[Y + j] + r * a[Y + k]
+    pair[POINT_A + 2] = p * a[Z + i] + q * a[Z + j] + r * a[Z + k]
+    pair[FEATURE_A] = 1 << i | 1 << j | 1 << k
+    i, j, k = s.p.b, s.q.b, s.r.b
+    pair[POINT_B] = p * b[X + i] + q * b[X + j] + r * b[X + k]
+    pair[POINT_B + 1] = p * b[Y + i] + q * b[Y + j] + r * b[Y + k]
+    pair[POINT_B + 2] = p * b[Z + i] + q * b[Z + j] + r * b[Z + k]
+    pair[FEATURE_B] = 1 << i | 1 << j | 1 << k

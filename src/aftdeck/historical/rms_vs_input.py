@@ -1,0 +1,146 @@
+"""TABLE I of the Remote Manipulator Simulation: conversion of a step's inputs to its thirteen channels, and back.
+
+The channels hold what the program reads in one control step: the master arm's angles and eight switches. Some of our
+commands have no channel (rate setting, latches, the orbiter's translation); `Reading.unsaid` names every such command.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple, cast
+
+from aftdeck.errors import InputError
+from aftdeck.historical.frame_words import Way
+from aftdeck.historical.input_channels import FULL_SCALE, STATION, CameraMotion, OperatorInputs, Start, Station
+from aftdeck.scenario.model import Part
+from aftdeck.simulation.camera_drives import CameraDrive
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import MASTER
+
+MODE = "MASTER"
+"""Mode in which the arm follows the channels' angles."""
+NOT_CONNECTED: Station = "E"
+"""Station point written for a camera that has no level in TABLE I: 0 V."""
+
+_MOTIONS: dict[tuple[float, float], CameraMotion] = {
+    (1.0, 0.0): "+pan",
+    (-1.0, 0.0): "-pan",
+    (0.0, 0.0): "none",
+    (0.0, 1.0): "+tilt",
+    (0.0, -1.0): "-tilt",
+}
+"""Setting of channel 10 for each pair of pan and tilt switches."""
+_DRIVES = {motion: switches for switches, motion in _MOTIONS.items()}
+_PARTS: dict[Part, Start] = {"full problem": "full problem", "acquisition": "mode 1", "extraction": "mode 2 or 3"}
+"""Setting of channel 2. TABLE I has one level for modes 2 and 3: a run initialised to mode 2 proceeds to mode 3."""
+_STARTS = {start: part for part, start in _PARTS.items()}
+_PRONG: dict[Way, Literal["stop", "close", "open"]] = {0: "stop", 1: "close", -1: "open"}
+_WAYS = {switch: way for way, switch in _PRONG.items()}
+_MOMENTARY = (
+    "translation", "rotation", "drive", "target", "rate_hold", "position_hold", "proceed", "stop", "latch", "orbiter",
+)  # fmt: skip
+"""Inputs that have no channel and act only in their own step."""
+_NEUTRAL = Inputs()
+
+
+class Reading(NamedTuple):
+    """Operator's inputs that the program read in one step.
+
+    Attributes:
+        inputs: settings of the channels of TABLE I.
+        unsaid: names of commands that have no channel. If there are any, a flight repeated from the channels differs.
+    """
+
+    inputs: OperatorInputs
+    unsaid: tuple[str, ...]
+
+
+def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
+    """Return the channels that command the step just made with these inputs.
+
+    In MASTER the channels hold the master arm's angles after this step, whether a device or the sticks moved it. In
+    other modes they hold the angles of the arm itself.
+    """
+    unsaid = _without_channel(flight, state, flown)
+    mastered = state.panel.mode == MODE
+    angles = (state.command[MASTER : MASTER + 6] if mastered else state.plant.angles).tolist()
+    held = [min(max(angle, -FULL_SCALE), FULL_SCALE) for angle in angles]
+    camera = flown.camera or CameraDrive(state.panel.camera)
+    motion = _MOTIONS.get((camera.pan, camera.tilt), "none")
+    start = _PARTS.get(flown.initialise or "full problem", "mode 2 or 3")
+    said = OperatorInputs(
+        initialise=flown.initialise is not None,
+        start=start,
+        angles=cast("tuple[float, float, float, float, float, float]", tuple(held)),
+        telescope=_level(flown.telescope),
+        camera=motion,
+        zoom=_level(camera.zoom),
+        station=cast("Station", state.panel.camera) if state.panel.camera in STATION else NOT_CONNECTED,
+        prong=_WAYS[state.site.switch],
+    )
+    unsaid += ["master"] if held != angles or any(angle / FULL_SCALE * FULL_SCALE != angle for angle in held) else []
+    unsaid += ["telescope"] if flown.telescope != said.telescope else []
+    turned = (*_DRIVES[motion], float(said.zoom))
+    unsaid += ["camera"] if (camera.pan, camera.tilt, camera.zoom) != turned or (camera.slow and any(turned)) else []
+    unsaid += ["station"] if state.panel.camera not in ("", said.station) else []
+    unsaid += ["initialise"] if flown.initialise not in (None, _STARTS[start]) else []
+    return Reading(said, tuple(unsaid))
+
+
+def inputs_from(said: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> Inputs:
+    """Return the inputs of a step that the thirteen channels command.
+
+    Args:
+        said: settings of the channels.
+        switch: position of the prong's switch before the step.
+        cameras: names of the cameras that can be turned. A station point with another name commands nothing.
+
+    Raises:
+        InputError: the channels move a camera that cannot be turned.
+    """
+    pan, tilt = _DRIVES[said.camera]
+    drive = CameraDrive(said.station, pan, tilt, float(said.zoom))
+    there = said.station in cameras
+    if not there and (said.camera != "none" or said.zoom != 0):
+        raise InputError(
+            f"channels 10 to 12 turn camera {said.station}; cameras that can be turned here: "
+            f"{', '.join(cameras) or 'none'}"
+        )
+    prong = _PRONG[said.prong]
+    return Inputs(
+        mode=MODE,
+        master=said.angles,
+        telescope=float(said.telescope),
+        effector=prong if prong != switch or said.initialise else None,
+        initialise=_STARTS[said.start] if said.initialise else None,
+        camera=drive if there else None,
+    )
+
+
+def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
+    """Return the names of commands that act in this step, given now or earlier, and have no channel."""
+    panel, things, scenario = state.panel, state.site, flight.scenario
+    asked_else = flown.mode not in (None, MODE)
+    again = flown.effector not in (None, "stop") and state.script.attached > 0
+    standing = {
+        "script": state.by_script,
+        "mode": panel.mode != MODE or asked_else,
+        "joint": panel.joint != 0,
+        "rate": panel.rate != scenario.rate,
+        "law": panel.law != scenario.law,
+        "payload_axes": panel.payload_axes != scenario.payload_axes,
+        "position_hold": panel.position_hold != scenario.position_hold,
+        "brakes": panel.brakes,
+        "safing": panel.safing,
+        "effector": again,  # payload fixed in the grasp: each press is rejected, and a channel shows no presses
+        "effector_mode": things.effector_mode != "auto",
+        "rigid": things.rigid != "off",
+    }
+    given = [name for name in _MOMENTARY if getattr(flown, name) != getattr(_NEUTRAL, name)]
+    return list(dict.fromkeys([*(name for name, acts in standing.items() if acts), *given]))
+
+
+def _level(switch: float) -> Way:
+    """Return the position of a three-position switch (-1, 0 or 1): the sign of a deflection in [-1, 1]."""
+    return 1 if switch > 0.0 else -1 if switch < 0.0 else 0

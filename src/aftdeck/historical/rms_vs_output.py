@@ -1,0 +1,128 @@
+"""TABLE II of the Remote Manipulator Simulation: the 32 words that the program sent to the scene generator.
+
+The control word names the selected camera and what moved in the step. Angles, inhibits and mode are those of the state
+after the step. D1 to D3 are the planes between the effector's hexahedra and the bar. In mode 1 they are the planes of
+the collision test. While a payload is held they are face d of HEX 1, b of HEX 2 and e of HEX 3 (CALSP1 to CALSP3).
+"""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple, cast
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.cameras import Setting
+from aftdeck.bodies.hexahedron import NX, NY, NZ, D
+from aftdeck.historical.frame_words import STATIONS, ControlWord, FrameBlock, Way, WordPlane
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.hand import HEXES
+from aftdeck.simulation.observe.look_work import all_near
+from aftdeck.simulation.state import State
+from aftdeck.units import FOOT
+
+INNER = (3, 1, 4)
+"""Indices, from 0, of faces d, b and e: the sides of HEX 1 to 3 on which a held bar lies."""
+NO_CODE = "A"
+"""Station written for a camera that has no code: 0000, the code of a disabled function."""
+FARTHEST = 2.0**11 * FOOT
+"""Greatest distance that a word can hold at scale B11, the report's scale for distances [m]."""
+
+Planes = tuple[WordPlane | None, WordPlane | None, WordPlane | None]
+
+
+class Places(NamedTuple):
+    """Positions whose change in a step gives the motions in the control word.
+
+    Attributes:
+        stand: length of the telescope [m].
+        prong: position of the prong [m].
+        views: settings of the cameras' drives.
+    """
+
+    stand: float
+    prong: float
+    views: tuple[Setting, ...]
+
+
+class Block(NamedTuple):
+    """Data of one step for the scene generator.
+
+    Attributes:
+        block: the block of TABLE II.
+        unsaid: names of values that TABLE II cannot express.
+    """
+
+    block: FrameBlock
+    unsaid: tuple[str, ...]
+
+
+def places_of(state: State) -> Places:
+    """Return the positions in a state, to be compared with those of the next state."""
+    return Places(state.plant.stand.position, state.site.prong.position, state.views)
+
+
+def block_of(flight: Flight, state: State, before: Places) -> Block:
+    """Return the frame block after a step; `before` holds the positions before the step."""
+    things, now, unsaid = state.site, places_of(state), []
+    begun = any(event.kind == "initialise" for event in state.events)
+    if begun:  # an initialised position is not a motion
+        before = now
+    station = state.panel.camera or NO_CODE
+    pan, tilt, zoom = (_way(step) for step in _turned(flight, state, before))
+    if pan * tilt < 0:
+        unsaid.append("tilt")  # TABLE II has one sign bit for pan and tilt
+        tilt = 0
+    if station not in STATIONS:
+        unsaid.append("station")
+    control = ControlWord(
+        mode=cast("Literal[1, 2, 3, 4]", things.task),
+        station=station if station in STATIONS else NO_CODE,
+        initialise=begun,
+        telescope=_way(now.stand - before.stand),
+        pan=pan,
+        tilt=tilt,
+        zoom=zoom,
+        prong=_way(now.prong - before.prong),
+        finger_inhibited=things.contacts.inhibit.finger,
+        arm_inhibited=things.contacts.inhibit.arm,
+    )
+    planes = list(planes_of(flight, state))
+    for k, plane in enumerate(planes):
+        if plane is not None and abs(plane.distance) > FARTHEST:
+            unsaid.append(f"D{k + 1}")
+            planes[k] = None
+    ho, po, p1, h2, p2, r2 = state.plant.angles.tolist()
+    return Block(FrameBlock(control, (ho, po, p1, h2, p2, r2), cast("Planes", tuple(planes))), tuple(unsaid))
+
+
+def planes_of(flight: Flight, state: State) -> Planes:
+    """Return D1 to D3 in R; a plane is None if there is no bar, or if hexahedron and bar collide."""
+    bar, held = flight.site.bar, state.site.held
+    if bar is not None and held is not None and (which := bar.which[held]) is not None:
+        d1, d2, d3 = (_face(state.site.watch.placed[solid], face) for solid, face in zip(which, INNER, strict=False))
+        return d1, d2, d3
+    near = [pair for pair in all_near(flight, state) if pair.a in HEXES and pair.b.endswith("receptacle")]
+    nearest = next((pair.b for pair in near if pair.a == HEXES[0]), None)
+    pairs = {pair.a: pair for pair in near if pair.b == nearest and any(pair.normal)}
+    first, second, third = (
+        WordPlane(pairs[name].normal, pairs[name].distance) if name in pairs else None for name in HEXES
+    )
+    return first, second, third
+
+
+def _face(body: Array, face: int) -> WordPlane:
+    """Return the plane of a placed body's face; its normal points outwards."""
+    return WordPlane((float(body[NX + face]), float(body[NY + face]), float(body[NZ + face])), float(body[D + face]))
+
+
+def _turned(flight: Flight, state: State, before: Places) -> tuple[float, float, float]:
+    """Return the changes of pan, tilt and zoom of the selected camera, positive right, up and in [rad]."""
+    name = state.panel.camera
+    names = flight.cameras.names
+    if name not in names:
+        return 0.0, 0.0, 0.0
+    now, was = (views[names.index(name)] for views in (state.views, before.views))
+    return now.pan - was.pan, now.tilt - was.tilt, was.zoom - now.zoom
+
+
+def _way(change: float) -> Way:
+    return 1 if change > 0.0 else -1 if change < 0.0 else 0

@@ -1,0 +1,187 @@
+"""File of the report's channels and words, one line of JSON for each control step: an output of a run, or its input.
+
+A line has ``time_s``, ``volts`` (TABLE I, thirteen numbers in full precision) and ``words`` (TABLE II, 32 in octal). It
+also has ``unsaid`` if something commanded or displayed has no channel or code; ``unsaid`` lists these names. A file
+used as input needs only ``volts``; ``time_s`` and ``unsaid`` are read if present.
+"""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, NamedTuple, TextIO
+
+import msgspec
+
+from aftdeck.errors import InputError, ScenarioError
+from aftdeck.files import read
+from aftdeck.historical.frame_words import encode_block
+from aftdeck.historical.input_channels import CHANNELS, OperatorInputs, decode_inputs, encode_inputs
+from aftdeck.historical.rms_vs_input import inputs_from, reading_of
+from aftdeck.historical.rms_vs_output import Places, block_of, places_of
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.begin import first_state
+from aftdeck.simulation.constants.flight import Flight, prepare
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.state import State
+
+ON_TIME = 1e-6
+"""Greatest difference between the time in a line and the time of its step [s]."""
+
+
+class Line(NamedTuple):
+    """Control step as channels and words of the report.
+
+    Attributes:
+        volts: the thirteen channels [V].
+        words: the 32 words.
+        unsaid: names of commands and values that have no channel or no code.
+    """
+
+    volts: tuple[float, ...]
+    words: tuple[int, ...]
+    unsaid: tuple[str, ...]
+
+
+class WordsWriter:
+    """Writer of one line for each step of a flight, starting with the first step.
+
+    Attributes:
+        steps: number of steps written so far.
+        unsaid: for each name, the number of lines with the name in ``unsaid``.
+    """
+
+    def __init__(self, file: TextIO, scenario: Scenario) -> None:
+        self._file = file
+        self._before = places_of(first_state(prepare(scenario)))
+        self.steps, self.unsaid = 0, Counter[str]()
+
+    def step(self, sim: Simulation) -> None:
+        """Write the step just made."""
+        flight, state = sim._flight, sim._state
+        line = line_of(flight, state, sim._flown, self._before)
+        self._before = places_of(state)
+        self.steps += 1
+        self.unsaid.update(line.unsaid)
+        time = round(state.tick * flight.scenario.control_period, 9)
+        told = {"time_s": time, "volts": line.volts, "words": [f"{word:08o}" for word in line.words]}
+        if line.unsaid:
+            told["unsaid"] = line.unsaid
+        self._file.write(json.dumps(told) + "\n")
+
+
+def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line:
+    """Return the line of the step just made with these inputs; `before` holds the positions before the step."""
+    reading, block = reading_of(flight, state, flown), block_of(flight, state, before)
+    unsaid = dict.fromkeys((*reading.unsaid, *block.unsaid))
+    return Line(encode_inputs(reading.inputs), encode_block(block.block), tuple(unsaid))
+
+
+@contextmanager
+def new_words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
+    """Open a new file for the words of a scenario; delete the file if the flight raises an error.
+
+    Raises:
+        InputError: the scenario has another arm than the report's, or the file already exists or cannot be written.
+    """
+    check_arm(scenario)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("x", encoding="ascii") as file:
+            try:
+                yield file
+            except BaseException:
+                path.unlink()
+                raise
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written: {error.strerror or error}") from None
+
+
+def check_arm(scenario: Scenario) -> None:
+    """Raise an error if a scenario has another arm than the report's.
+
+    Raises:
+        InputError: the scenario's arm has no telescope or no prong.
+    """
+    has = scenario.arm.model.equipment
+    if has.telescope is None or has.prong is None:
+        raise InputError(
+            "the report's channels and words speak of its own arm, a heading-pitch-pitch-heading-pitch-roll one with "
+            f"a telescope; {scenario.name} flies {scenario.arm.name}"
+        )
+
+
+class _Sample(msgspec.Struct, frozen=True):
+    """Fields that are read from a line of a file of channels."""
+
+    volts: Annotated[tuple[float, ...], msgspec.Meta(min_length=CHANNELS, max_length=CHANNELS)]
+    time_s: float | None = None
+    unsaid: tuple[str, ...] = ()
+
+
+class Channels(NamedTuple):
+    """Contents of a file of channels.
+
+    Attributes:
+        samples: the operator's inputs, one for each control step.
+        unsaid: for each name, the number of lines with the name in ``unsaid``.
+    """
+
+    samples: tuple[OperatorInputs, ...]
+    unsaid: Counter[str]
+
+
+def read_channels(path: Path, period: float) -> Channels:
+    """Return the contents of a file of channels.
+
+    Args:
+        path: the file.
+        period: control period of the flight, and so the sampling period of the file [s].
+
+    Raises:
+        InputError: the file cannot be read or has no lines, or a line is not a sample, has another time than its step
+            or a voltage beyond the scale. The message names the line.
+    """
+    try:
+        text = read(path, most=None).text
+    except ScenarioError as error:
+        raise InputError(str(error)) from None
+    samples, unsaid = [], Counter[str]()
+    for number, line in enumerate(text.splitlines(), 1):
+        try:
+            sample = msgspec.json.decode(line, type=_Sample)
+            if sample.time_s is not None and not abs(sample.time_s - number * period) <= ON_TIME:
+                raise InputError(
+                    f"time_s is {sample.time_s:g}, its step's is {number * period:g} s; a file has one line for each "
+                    f"control step, every {period:g} s"
+                )
+            samples.append(decode_inputs(sample.volts))
+        except (msgspec.DecodeError, InputError) as error:
+            raise InputError(f"{path}:{number}: {error}") from None
+        unsaid.update(sample.unsaid)
+    if not samples:
+        raise InputError(f"{path}: has no lines; each control step needs one with its thirteen volts")
+    return Channels(tuple(samples), unsaid)
+
+
+def operator_of(samples: Sequence[OperatorInputs]) -> Callable[[Simulation], Inputs | None]:
+    """Return a function that gives the inputs of each sample in its step, and None after the last sample.
+
+    The function raises an InputError, which names the sample's line, for a sample that the scenario cannot carry out.
+    """
+    given = enumerate(samples, 1)
+
+    def inputs(sim: Simulation) -> Inputs | None:
+        number, said = next(given, (0, None))
+        if said is None:
+            return None
+        try:
+            return inputs_from(said, sim._state.site.switch, sim.cameras)
+        except InputError as error:
+            raise InputError(f"line {number} of the channels: {error}") from None
+
+    return inputs

@@ -1,0 +1,34 @@
+"""Cameras of a scenario's worksite and arm, in the order in which the station lists them."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from aftdeck.arms.load import ArmModel
+from aftdeck.arms.shapes import shapes_of
+from aftdeck.bodies.cameras import KINDS, Camera
+from aftdeck.scenario.model import Scenario
+from aftdeck.worksite.file.check import ARM
+
+
+def cameras_of(scenario: Scenario) -> tuple[Camera, ...]:
+    """Return a scenario's cameras: television cameras first, then windows, then views for engineers only.
+
+    A worksite's camera on a cargo is included if the scenario has that cargo. A camera on a frame of the arm is
+    included if the arm has that frame.
+    """
+    model = scenario.arm.model
+    absent = {cargo.name for cargo in scenario.worksite.cargoes} - {cargo.name for cargo in scenario.cargo}
+    cameras = scenario.worksite.cameras + _on_the_arm(model)
+    there = [
+        camera
+        for camera in cameras
+        if camera.body not in absent and (not camera.body.startswith(ARM) or camera.body in model.frames)
+    ]
+    return tuple(sorted(there, key=lambda camera: KINDS.index(camera.kind)))
+
+
+@lru_cache(maxsize=8)
+def _on_the_arm(model: ArmModel) -> tuple[Camera, ...]:
+    """Return the arm's cameras; cached, since every re-initialisation builds a state and reading shapes is slow."""
+    return shapes_of(model).cameras

@@ -1,0 +1,89 @@
+"""Camera drives in flight: a command moves one camera for one step, at its drive's rates and within its limits.
+
+A step without a command costs nothing: the settings are one tuple, replaced only when a camera moves.
+"""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+
+from aftdeck.bodies.cameras import Camera, Setting, Travel, setting
+from aftdeck.errors import InputError
+from aftdeck.scenario.all_cameras import cameras_of
+from aftdeck.scenario.model import Scenario
+
+
+class CameraDrive(msgspec.Struct, frozen=True, gc=False):
+    """Switches that drive one camera, in one step; the switches spring back."""
+
+    camera: str
+    """Name of the camera."""
+    pan: float = 0.0
+    """Pan switch in [-1, 1]; positive to the right in the picture."""
+    tilt: float = 0.0
+    """Tilt switch in [-1, 1]; positive upwards."""
+    zoom: float = 0.0
+    """Zoom switch in [-1, 1]; positive zooms in, to a narrower field of view."""
+    slow: bool = False
+    """Whether to use the low speed, if the drive has two."""
+
+
+Views = tuple[Setting, ...]
+"""Drive settings of the cameras that have a drive, in the order of `Cameras.names`; part of the state."""
+
+
+class Cameras:
+    """Cameras of a scenario that have a drive.
+
+    Attributes:
+        names: names of these cameras, in the order of `scenario.cameras.cameras_of`.
+        first: drive settings of these cameras at the start.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._driven = [camera for camera in cameras_of(scenario) if camera.drive is not None]
+        self.names = tuple(camera.name for camera in self._driven)
+        self.first: Views = tuple(setting(camera) for camera in self._driven)
+
+    def check(self, command: CameraDrive) -> None:
+        """Reject a command that no switch can give.
+
+        Raises:
+            InputError: the camera does not exist or has no drive, or a switch is outside [-1, 1] or not finite.
+        """
+        if command.camera not in self.names:
+            there = ", ".join(self.names) or "none"
+            raise InputError(f"no camera {command.camera!r} can be turned here: there are {there}")
+        switches = (command.pan, command.tilt, command.zoom)
+        if not all(math.isfinite(s) and -1.0 <= s <= 1.0 for s in switches):
+            raise InputError(f"a camera's pan, tilt and zoom lie in [-1, 1], got {switches}")
+
+    def driven(self, views: Views, command: CameraDrive, period: float) -> Views:
+        """Return the drive settings after one step of `period` [s]; `views` itself if the camera has no drive."""
+        if command.camera not in self.names:
+            return views
+        i = self.names.index(command.camera)
+        now = moved(self._driven[i], views[i], command, period)
+        return views if now == views[i] else (*views[:i], now, *views[i + 1 :])
+
+
+def moved(camera: Camera, at: Setting, command: CameraDrive, period: float) -> Setting:
+    """Return a camera's setting after one step of a command, `period` [s] long."""
+    drive = camera.drive
+    if drive is None:
+        return at
+    return Setting(
+        _along(drive.pan, at.pan, command.pan, command.slow, period),
+        _along(drive.tilt, at.tilt, command.tilt, command.slow, period),
+        _along(drive.zoom, at.zoom, -command.zoom, command.slow, period),
+    )
+
+
+def _along(travel: Travel | None, at: float, switch: float, slow: bool, period: float) -> float:
+    """Return a drive's angle [rad] one step later; the motion ends exactly at the drive's stop."""
+    if travel is None or switch == 0.0:
+        return at
+    rate = travel.slow if slow and travel.slow is not None else travel.rate
+    return min(max(at + switch * rate * period, travel.least), travel.greatest)

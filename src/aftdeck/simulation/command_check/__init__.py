@@ -1,0 +1,1 @@
+"""CMD CK: the rehearsal of a motion before it is flown."""

@@ -1,0 +1,119 @@
+"""Rehearsal of an automatic motion for CMD CK, on a copy of the state, with the same control steps as the flight.
+
+The copy includes the worksite. The rehearsal therefore finds the contacts and sliding payloads of the real motion.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.frames import Pose
+from aftdeck.kinematics.singular import NAMES, nearest_singularity
+from aftdeck.scenario.target import Target
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.fly import fly, go
+from aftdeck.simulation.frame import Cause
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.log import spoken
+from aftdeck.simulation.motion.standstill import fixed_in, held_fast
+from aftdeck.simulation.operator.sequence import begin
+from aftdeck.simulation.parts.checking import Tried, Way
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import CAUSE, CULPRIT
+from aftdeck.steering.limiters import BY_SINGULARITY, CAUSES
+from aftdeck.units import INCH
+from aftdeck.worksite.watch.found import POINT_A
+
+LONGEST = 3600.0
+"""Duration after which a rehearsal fails [s]."""
+_HANDS_OFF = Inputs()
+
+
+class Rehearsal:
+    """Rehearsal in progress, of one automatic motion.
+
+    Attributes:
+        steps: number of steps rehearsed so far.
+    """
+
+    def __init__(self, flight: Flight, start: State, target: Target, way: Way) -> None:
+        self._flight, self._way = flight, way
+        self._copy = start.fork()
+        panel = self._copy.panel
+        if panel.mode not in flight.scenario.sequences:
+            panel.mode = "OPR CMD"
+        panel.law, panel.held, panel.holding = way.law, None, None
+        panel.proceeding, panel.ending = False, ""
+        begin(flight, self._copy, target, way.joints)
+        self._copy.site.watch.counts[:] = 0  # a rehearsal does not use the nearest pair
+        self._touching = frozenset(self._copy.site.told)
+        self._nearest, self._which, self._point = 1.0, 0, panel.point
+        self._held: tuple[int, int, str] = (0, -1, "")
+        self.steps = 0
+
+    def fly_on(self, most: int) -> Tried | None:
+        """Rehearse at most `most` more steps; return the result, or None if the motion has not ended."""
+        flight, copy, period = self._flight, self._copy, self._flight.scenario.control_period
+        for _ in range(most):
+            self._held = int(copy.report[CAUSE]), int(copy.report[CULPRIT]), copy.site.halt
+            copy.tick += 1
+            copy.events.clear()
+            if self.steps == 0:  # `begin` has just started the motion: the panel must not act again
+                copy.measure()
+                go(flight, copy, _HANDS_OFF)
+            else:
+                fly(flight, copy, _HANDS_OFF)
+            if copy.panel.ending:
+                return self._ended(self.steps * period)
+            self.steps += 1
+            near, which = nearest_singularity(copy.arm.model.links, copy.plant.angles)
+            if near < self._nearest:
+                self._nearest, self._which = near, which
+            if copy.site.fast:  # a port or latches now hold the payload, which also ends the motion
+                return self._tried(True, "", self.steps * period, f"then {fixed_in(flight, copy)}", "")
+            if copy.site.contacts.inhibit.changed and (text := self._contact(self._touching)):
+                return self._tried(False, "contact", self.steps * period, text, "")
+            if self.steps * period >= LONGEST:
+                return self._tried(False, "time", self.steps * period, f"target not reached within {LONGEST:.0f} s", "")
+        return None
+
+    def _contact(self, besides: frozenset[int] = frozenset()) -> str:
+        """Return a text for a contact outside `besides` that inhibits the arm, with its location; "" if none does."""
+        copy, scenario = self._copy, self._flight.scenario
+        things = copy.site
+        for contact in things.contacts.standing(self._flight.site.layout, things.watch.found, scenario.arm.model.units):
+            if contact.inhibits and contact.group not in besides:
+                point = things.watch.found[contact.group, POINT_A : POINT_A + 3]
+                x, y, z = scenario.arm.model.mount.to("panel", Pose(point, np.eye(3))).position / INCH
+                return f"{contact.a} touches {contact.b} at X {x:.0f}, Y {y:.0f}, Z {z:.0f} in"
+        return ""
+
+    def _ended(self, seconds: float) -> Tried:
+        """Return the result of a motion that ended: target reached, target missed, or held at a standstill."""
+        flight, copy = self._flight, self._copy
+        near = ""
+        if self._nearest < copy.arm.model.singular:
+            near = f"passing the {NAMES[self._which]} singularity at {self._nearest:.2f}"
+        if copy.panel.ending == "given up":
+            cause, text = self._standstill()
+            return self._tried(False, cause, seconds, text, near)
+        good = copy.panel.ending == "reached" or flight.scenario.strict
+        text = f"ends {copy.panel.beside} the target" if copy.panel.beside else ""
+        return self._tried(good, "" if good else "miss", seconds, text, near)
+
+    def _tried(self, good: bool, cause: Cause, seconds: float, text: str, near: str) -> Tried:
+        panel, point = self._copy.panel, self._point
+        if not good and panel.point > point:
+            text = f"after point {panel.point} of {len(self._flight.scenario.sequences[panel.mode])}: {text}"
+        return Tried(self._way, good, cause, seconds, text, near)
+
+    def _standstill(self) -> tuple[Cause, str]:
+        """Return the cause that holds the arm at a standstill, and its text."""
+        flight, (cause, culprit, halt) = self._flight, self._held
+        if halt == "seat":
+            return "seat", held_fast(flight, self._copy)
+        if halt == "contact":
+            return "contact", self._contact() or "a contact holds the arm"
+        if cause == BY_SINGULARITY:
+            return "limit", f"the {NAMES[culprit]} singularity lies in the way"
+        return "limit", f"{spoken(flight.scenario.arm.joints[culprit])} meets its {CAUSES[cause]}"

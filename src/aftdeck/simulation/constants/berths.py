@@ -1,0 +1,99 @@
+"""Constants of a cargo's place in a seat, for the laws of docking and berthing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.pose import row_of
+from aftdeck.worksite.file.cargo import part_of
+from aftdeck.worksite.model import Cargo, Seat
+from aftdeck.worksite.seats.berthing import Guide, Guides, SeatTolerances, prepare
+from aftdeck.worksite.seats.docking import DockingTolerances
+
+KEEL = "keel"
+"""Name of the trunnion under the cargo."""
+
+
+@dataclass(frozen=True, eq=False)
+class Berth:
+    """One cargo's place in one seat.
+
+    Attributes:
+        seat: the seat.
+        row: row of the frame that the seat is fixed to.
+        place: (12,) pose of the seated cargo in the seat's frame.
+        port: (12,) pose of the port in the seat's frame; None for a place in the bay.
+        probe: (n, 3) vertices of the cargo's probe, in the cargo's axes [m].
+        tip: (3,) centre of the probe's forward face, in the cargo's axes [m].
+        docking: tolerances of docking at a port.
+        guides: V-guides of the bay's latches; None if the seat has none.
+        tolerances: tolerances of a place in the bay.
+    """
+
+    seat: Seat
+    row: int
+    place: Array
+    port: Array | None
+    probe: Array
+    tip: Array
+    docking: DockingTolerances
+    guides: Guides | None
+    tolerances: SeatTolerances
+
+    @property
+    def at_once(self) -> bool:
+        """Whether the seat fixes the cargo by itself as soon as the conditions hold: True for a docking port."""
+        return self.port is not None
+
+    @property
+    def lies(self) -> bool:
+        """Whether a cargo merely lies in the seat: it stays where it is released, and leaves when it is captured."""
+        return self.port is None and self.seat.latch == "auto"
+
+    @property
+    def verb(self) -> Literal["dock", "insert", "berth"]:
+        """Verb for bringing a cargo into the seat."""
+        return "dock" if self.at_once else "insert" if self.lies else "berth"
+
+
+def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
+    """Return a cargo's place in a seat that accepts the cargo; `axes` names the axes that docking compares."""
+    place = seat.seated(cargo.probe)
+    probe = [solid.vertices for solid in cargo.solids if solid.part == part_of(cargo.name, "probe")]
+    tip = np.zeros(3) if cargo.probe is None else cargo.probe.position
+    guides = None
+    if seat.guides is not None:
+        seats = place.position + cargo.trunnions @ place.rotation.T
+        guides = prepare([_guide(seat, name, point) for name, point in zip(cargo.trunnion_names, seats, strict=True)])
+    return Berth(
+        seat,
+        row,
+        row_of(place),
+        row_of(seat.pose) if seat.kind == "port" else None,
+        np.unique(np.concatenate(probe), axis=0) if probe else np.empty((0, 3)),
+        tip,
+        DockingTolerances(seat.distance, seat.angle, "y" if axes == "y" else "all"),
+        guides,
+        SeatTolerances(seat.distance, seat.angle),
+    )
+
+
+def _guide(seat: Seat, name: str, point: Array) -> Guide:
+    """Return the V-guide of a trunnion; the keel's V funnels across the bay, every other V along it."""
+    guides = seat.guides
+    assert guides is not None, "only seats with guides have them"
+    x, y, z = point.tolist()
+    return Guide(
+        name=name,
+        seat=(x, y, z),
+        up=(0.0, 0.0, 1.0),
+        along=(0.0, 1.0, 0.0) if name == KEEL else (1.0, 0.0, 0.0),
+        half_angle=guides.half_angle,
+        height=guides.height,
+        throat=guides.throat,
+        play=guides.play,
+    )

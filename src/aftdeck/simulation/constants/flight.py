@@ -1,0 +1,65 @@
+"""Constants of a flight: everything that a step needs and that never changes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from aftdeck.arrays import Array
+from aftdeck.plant.linear_actuator import Travel, travel_of_prong, travel_of_stand
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.camera_drives import Cameras
+from aftdeck.simulation.constants.site import Site, site_of
+
+Pair = tuple[float, float]
+
+WATCHED = 0.1
+"""Clearances below this [m], or below the distance covered at `FAST` in a step, are measured in every step."""
+FAST = 5.0
+"""Speed that no part exceeds [m/s]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Flight:
+    """Constants of a flight.
+
+    Attributes:
+        scenario: the scenario.
+        site: the worksite.
+        cameras: cameras that can be turned.
+        telescope: travel of the stand.
+        prong: travel of the prong.
+        within: clearances below this are measured in every step [m].
+        reach: reach limits of the joints as plain pairs [rad], for the zones.
+        soft: soft stops of the joints, likewise.
+        hard: hard stops of the joints, likewise.
+    """
+
+    scenario: Scenario
+    site: Site
+    cameras: Cameras
+    telescope: Travel
+    prong: Travel
+    within: float
+    reach: tuple[Pair, ...]
+    soft: tuple[Pair, ...]
+    hard: tuple[Pair, ...]
+
+
+def prepare(scenario: Scenario) -> Flight:
+    """Return the constants of a scenario's flight."""
+    model = scenario.arm.model
+
+    def pairs(limits: Array) -> tuple[Pair, ...]:
+        return tuple((float(low), float(high)) for low, high in limits)
+
+    return Flight(
+        scenario,
+        site_of(scenario),
+        Cameras(scenario),
+        travel_of_stand(model),
+        travel_of_prong(model.equipment.prong),
+        max(WATCHED, FAST * scenario.control_period),
+        pairs(model.limits.reach),
+        pairs(model.limits.soft),
+        pairs(model.limits.hard),
+    )

@@ -1,0 +1,97 @@
+"""Constants of capture by an arm's hand at a worksite, for the laws of `worksite`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from aftdeck.arms.load import ArmModel
+from aftdeck.arrays import Array, Indices
+from aftdeck.bodies.pose import row_of
+from aftdeck.worksite.capture.acquisition import Tolerances
+from aftdeck.worksite.capture.grapple import CaptureEnvelope
+from aftdeck.worksite.capture.snare import SnareTimes
+from aftdeck.worksite.file.cargo import part_of
+from aftdeck.worksite.model import BarAcquisition, Cargo, SnareCapture, Worksite
+
+HEXES = ("palm", "fixed finger", "prong")
+"""Parts of the hand that are HEX 1 to 3."""
+
+
+@dataclass(frozen=True, eq=False)
+class Bar:
+    """Constants of capture by a prong about a bar.
+
+    Attributes:
+        tolerances: tolerances of acquisition.
+        packed: (5,) the same tolerances for the law.
+        which: for each cargo, (4,) the layout's solids that are HEX 1 to 3 and the bar; None if the cargo has no bar.
+        fixed_finger: y2 of the fixed finger's inner face [m].
+    """
+
+    tolerances: Tolerances
+    packed: Array
+    which: tuple[Indices | None, ...]
+    fixed_finger: float
+
+
+@dataclass(frozen=True, eq=False)
+class Snares:
+    """Constants of capture by snares about a grapple fixture's pin.
+
+    Attributes:
+        envelope: capture envelope of the pin.
+        times: travel times of the end effector's parts.
+        fixtures: for each cargo, (12,) pose of its fixture in the cargo's axes; None if the cargo has no fixture.
+    """
+
+    envelope: CaptureEnvelope
+    times: SnareTimes
+    fixtures: tuple[Array | None, ...]
+
+    def fixture(self, k: int) -> Array:
+        """Return the fixture (12,) of a cargo that has one."""
+        fixture = self.fixtures[k]
+        assert fixture is not None, "only cargo with a fixture is captured"
+        return fixture
+
+
+def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts: Sequence[str]) -> Bar | None:
+    """Return the constants of capture by a prong; None if the arm has no prong or the worksite no rules for a prong.
+
+    Args:
+        model: the arm.
+        worksite: the worksite.
+        cargo: the payloads.
+        parts: part names of all solids.
+    """
+    rule, prong = worksite.acquisition, model.equipment.prong
+    if prong is None or not isinstance(rule, BarAcquisition):
+        return None
+    spacing = rule.prong_spacing + prong.fixed_finger
+    tolerances = Tolerances(spacing, rule.window, rule.front, rule.rear, rule.fingers_within)
+    return Bar(
+        tolerances,
+        tolerances.packed(),
+        tuple(
+            None
+            if one.receptacle is None
+            else np.array([parts.index(name) for name in (*HEXES, part_of(one.name, "receptacle"))], dtype=np.int64)
+            for one in cargo
+        ),
+        prong.fixed_finger,
+    )
+
+
+def snares_of(worksite: Worksite, cargo: tuple[Cargo, ...]) -> Snares | None:
+    """Return the constants of capture by snares; None if the worksite has no rules for snares."""
+    rule = worksite.acquisition
+    if not isinstance(rule, SnareCapture):
+        return None
+    return Snares(
+        CaptureEnvelope(rule.radial, rule.nearest, rule.farthest, rule.pitch, rule.yaw, rule.roll),
+        SnareTimes(rule.ring, rule.carriage, rule.tension),
+        tuple(None if one.grapple is None else row_of(one.grapple) for one in cargo),
+    )

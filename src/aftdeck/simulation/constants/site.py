@@ -1,0 +1,301 @@
+"""Constants of the worksite of a run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from aftdeck.arms.geometry import PRONG, STAND
+from aftdeck.arms.load import ArmModel
+from aftdeck.arms.solids import solids_of
+from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.bodies.pose import POSE, row_of
+from aftdeck.bodies.solid import Solid
+from aftdeck.frames import Pose, rotation_x
+from aftdeck.kinematics.frames import Frames, frames_of
+from aftdeck.kinematics.linkage import L5
+from aftdeck.scenario import relative
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.payload import PART
+from aftdeck.simulation.constants.berths import Berth, berth_of
+from aftdeck.simulation.constants.hand import Bar, Snares, bar_of, snares_of
+from aftdeck.worksite.file.cargo import part_of
+from aftdeck.worksite.model import Cargo, Relation, Seat, Worksite
+from aftdeck.worksite.watch.groups import CENTRE, Layout, PartPair, layout_of
+from aftdeck.worksite.watch.pairs import among, part_pairs
+
+ORBITER = 0
+"""Row of the scene's frame; the rows of the arm's frames, of ``space`` and of each cargo follow in this order."""
+SHORT = 1.0
+"""Length of a short link between two joints [m]: the parts on either side of it are longer (assumed)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Meeting:
+    """Watched group of two parts that the task brings into contact.
+
+    Attributes:
+        group: index of the group in the layout.
+        cargo: index of the cargo that one of the parts belongs to.
+        relation: relative position in which the two may touch.
+        depth: permitted depth of the contact, and permitted distance past the planes of the relation [m].
+        trunnions: index of the cargo's trunnion for each of its solids in the layout; empty for other fittings.
+    """
+
+    group: int
+    cargo: int
+    relation: Relation
+    depth: float
+    trunnions: dict[int, int]
+
+
+@dataclass(frozen=True, eq=False)
+class Site:
+    """Constants of the worksite: frames, groups of parts that can touch, and places of the cargo.
+
+    Attributes:
+        worksite: the worksite as its file describes it.
+        cargo: the payloads at the worksite.
+        arm: the arm's frames.
+        layout: solids and watched groups.
+        essential: (g,) 1 for groups that the task brings into contact.
+        meetings: relation and permitted depth of each of these groups.
+        by_arm: (g,) 1 for groups with a part of the arm.
+        by_prong: (g,) 1 for groups with the prong; all 0 for an arm without a prong.
+        of_cargo: for each cargo, (g,) 1 for groups with a part of the cargo.
+        held: for each cargo, (g,) 1 for groups of the cargo and the hand, not watched while the cargo is held.
+        seated: for each cargo and seat, (g,) 1 for groups that are not watched while the cargo is in the seat.
+        scene: (12,) pose of the scene's frame in L.
+        hand: (12,) pose of the tip in the frame of the last joint.
+        effector: (12,) pose of the end effector's own axes E at the tip, in the frame of the last joint.
+        prong: True if the end effector has a prong; otherwise it has snares.
+        bar: constants of capture with the prong; None if this arm has no prong or this worksite no rule for it.
+        snares: constants of capture with the snares; None if this worksite has no rule for it.
+        detrimental: (g,) 1 for groups that are not essential.
+        axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
+        berths: for each cargo, its places in the seats that take it.
+        berth_rows: for each cargo, (n,) rows of the frames in which these places are given.
+        berth_places: for each cargo, (n, 12) its poses in these frames.
+        starts: for each cargo, (12,) its pose in the scene at the start.
+        slides: for each cargo, (g,) 1 for groups of the cargo and an orbiter part, along which the held cargo slides.
+        bodies: for each cargo, indices of its solids in the layout.
+        bay: least and greatest coordinates (2, 3) of the inside of the bay, in the scene, without a lower limit in z
+            [m]; None if there is no bay.
+    """
+
+    worksite: Worksite
+    cargo: tuple[Cargo, ...]
+    arm: Frames
+    layout: Layout
+    essential: Mask
+    meetings: tuple[Meeting, ...]
+    by_arm: Mask
+    by_prong: Mask
+    of_cargo: tuple[Mask, ...]
+    held: tuple[Mask, ...]
+    seated: dict[tuple[int, str], Mask]
+    scene: Array
+    hand: Array
+    effector: Array
+    prong: bool
+    bar: Bar | None
+    snares: Snares | None
+    detrimental: Mask
+    axes: Array
+    berths: tuple[tuple[Berth, ...], ...]
+    berth_rows: tuple[Indices, ...]
+    berth_places: tuple[Array, ...]
+    starts: tuple[Array, ...]
+    slides: tuple[Mask, ...]
+    bodies: tuple[Indices, ...]
+    bay: Array | None
+
+    @property
+    def space_row(self) -> int:
+        """Row of the frame ``space``."""
+        return 1 + len(self.arm.names)
+
+    @property
+    def last_joint(self) -> int:
+        """Row of the frame that the last joint carries."""
+        return len(self.arm.names) if not self.prong else len(self.arm.names) - 2
+
+    def essential_while(self, sliding: int | None, permitted: Mask) -> Mask:
+        """Return which groups' contacts belong to the task, (g,).
+
+        Args:
+            sliding: index of the cargo that slides along walls; None if no cargo slides.
+            permitted: (g,) 1 for groups whose relation permits the contact.
+        """
+        return permitted if sliding is None else permitted | self.slides[sliding]
+
+    def cargo_row(self, index: int) -> int:
+        """Return the row of a cargo's frame."""
+        return self.space_row + 1 + index
+
+    def seat(self, name: str) -> Seat:
+        """Return the seat with this name."""
+        return next(seat for seat in self.worksite.seats if seat.name == name)
+
+    def berth(self, k: int, name: str) -> Berth | None:
+        """Return the place of cargo k in the seat with this name, or None if the seat does not take the cargo."""
+        return next((berth for berth in self.berths[k] if berth.seat.name == name), None)
+
+    def in_space(self, name: str) -> bool:
+        """Return whether a seat is fixed in the frame ``space``, which does not move with the orbiter."""
+        return self.seat(name).frame == "space"
+
+    def lies(self, name: str) -> bool:
+        """Return whether cargo merely lies in this seat: kept when released there, and taken along by the arm."""
+        return any(berth.lies for own in self.berths for berth in own if berth.seat.name == name)
+
+
+def site_of(scenario: Scenario) -> Site:
+    """Return the worksite constants of a scenario."""
+    model, worksite, cargo = scenario.arm.model, scenario.worksite, scenario.cargo
+    arm = frames_of(model)
+    frames = ("orbiter", *arm.names, "space", *(one.name for one in cargo))
+    own = solids_of(model)
+    held = _held_for_good(scenario)
+    solids = (*own, *held, *worksite.solids, *(solid for one in cargo for solid in one.solids))
+    foot, *joints = model.linkage.frames
+    chain = [name for name in (foot, STAND, *joints, PRONG) if name in arm.names]
+    still = _still(model, own)
+    mounted = {(a, b.part) for a in still for b in worksite.solids if b.frame == "orbiter"}
+    hand = {solid.part for solid in own if solid.frame in (PRONG, model.linkage.frames[-1], *_ball(model))}
+    gripped = {(part, solid.part) for part in hand for solid in held}
+    layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | gripped | _folded(model, own)))
+    mine = {solid.part for solid in own}
+    parts = [{solid.part for solid in one.solids} for one in cargo]
+    by_arm = np.zeros(len(layout.groups), np.uint8)
+    if mine:
+        by_arm = layout.carried(arm.names)
+    meetings = _meetings(worksite, layout, cargo)
+    essential = np.zeros(len(layout.groups), np.uint8)
+    essential[[meeting.group for meeting in meetings]] = 1
+    of_cargo = tuple(layout.carried([one.name]) for one in cargo)
+    walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
+    link = float(model.links[L5])
+    berths = tuple(
+        tuple(
+            berth_of(seat, ORBITER if seat.frame == "orbiter" else 1 + len(arm.names), one, scenario.docking_axes)
+            for seat in worksite.seats
+            if not seat.lacks(one.probe, one.trunnions)
+        )
+        for one in cargo
+    )
+    return Site(
+        worksite=worksite,
+        cargo=cargo,
+        arm=arm,
+        layout=layout,
+        essential=essential,
+        meetings=meetings,
+        by_arm=by_arm,
+        by_prong=layout.carried([PRONG]) if PRONG in arm.names else np.zeros_like(by_arm),
+        of_cargo=of_cargo,
+        held=tuple(layout.between(hand, own_parts) for own_parts in parts),
+        seated={
+            (k, seat.name): layout.between(own_parts, _parts_of(worksite, seat))
+            for k, own_parts in enumerate(parts)
+            for seat in worksite.seats
+        },
+        scene=scene_in_l(scenario),
+        hand=row_of(Pose(np.array([link, 0.0, 0.0]), np.eye(3))),
+        effector=row_of(Pose(np.array([link, 0.0, 0.0]), rotation_x(model.end_effector_roll))),
+        prong=model.equipment.prong is not None,
+        bar=bar_of(model, worksite, cargo, [solid.part for solid in solids]),
+        snares=snares_of(worksite, cargo),
+        detrimental=1 - essential,
+        axes=model.mount.rotation.T.copy(),
+        berths=berths,
+        berth_rows=tuple(np.array([berth.row for berth in own], dtype=np.int64) for own in berths),
+        berth_places=tuple(np.array([berth.place for berth in own]).reshape(-1, POSE) for own in berths),
+        starts=tuple(row_of(one.start.pose) for one in cargo),
+        slides=tuple(layout.between(own_parts, walls) for own_parts in parts),
+        bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)) for one in cargo),
+        bay=None if worksite.bay is None else np.array([(*worksite.bay.low[:2], -np.inf), worksite.bay.high]),
+    )
+
+
+def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> tuple[Meeting, ...]:
+    """Return the groups that the task brings into contact, for the parts that exist in the layout."""
+    found = []
+    for essential in worksite.essential:
+        if not set(essential.parts) <= set(layout.parts):
+            continue
+        frames = {layout.frames[layout.part_frame[layout.part(part)]] for part in essential.parts}
+        for k, one in enumerate(cargo):
+            if one.name in frames:
+                trunnions = _trunnions(layout, one) if essential.relation == "guides" else {}
+                for group in np.flatnonzero(among(layout, [essential.parts])).tolist():
+                    found.append(Meeting(group, k, essential.relation, essential.depth, trunnions))
+    return tuple(found)
+
+
+def _trunnions(layout: Layout, one: Cargo) -> dict[int, int]:
+    """Return, for each trunnion solid of a cargo, the index of the trunnion whose latched point is nearest."""
+    solids = np.flatnonzero(layout.frame == layout.frames.index(one.name))
+    part = part_of(one.name, "trunnions")
+    own = [solid for solid, made in zip(solids.tolist(), one.solids, strict=True) if made.part == part]
+    ways = np.linalg.norm(layout.solids[own, None, CENTRE : CENTRE + 3] - one.trunnions, axis=2)
+    return dict(zip(own, ways.argmin(axis=1).tolist(), strict=True))
+
+
+def _held_for_good(scenario: Scenario) -> tuple[Solid, ...]:
+    """Return the solids of a payload that the scenario fixes in the grasp; they move with the last joint."""
+    payload, model = scenario.payload, scenario.arm.model
+    if payload is None:
+        return ()
+    tip = np.array([model.links[L5], 0.0, 0.0])
+    return tuple(
+        Solid(PART, model.linkage.frames[-1], (vertices + payload.centre) @ payload.rotation.T + tip)
+        for vertices in payload.solids
+    )
+
+
+def _still(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
+    """Return the arm's parts that stay where they are mounted: they stand on the orbiter or only turn in place."""
+    foot, first, *_ = model.linkage.frames
+    places = np.cumsum(model.linkage.steps, axis=0)
+    near = {foot, first, STAND}
+    reach: dict[str, float] = {}
+    for solid in own:
+        if solid.frame in near:
+            reach.setdefault(solid.part, 0.0)
+        elif solid.frame in model.linkage.frames:
+            joint = places[max(model.linkage.frames.index(solid.frame) - 1, 0)]
+            farthest = float(np.linalg.norm(joint) + np.linalg.norm(solid.vertices, axis=1).max())
+            reach[solid.part] = max(reach.get(solid.part, 0.0), farthest)
+    return {part for part, farthest in reach.items() if farthest < SHORT}
+
+
+def _folded(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
+    """Return pairs of arm parts on either side of a short link or a ball wrist, which cannot fold onto each other."""
+    links, names, ball = np.linalg.norm(model.linkage.steps, axis=1), model.linkage.frames, _ball(model)
+    ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
+    if ball:
+        before = names[names.index(ball[0]) - 1]
+        ends |= {(inner, outer) for inner in (before, *ball) for outer in (names[-1], PRONG) if inner != outer}
+    return {(a.part, b.part) for inner, outer in ends for a in own if a.frame == inner for b in own if b.frame == outer}
+
+
+def _ball(model: ArmModel) -> tuple[str, ...]:
+    """Return the frames of a wrist whose three axes meet in one point, as in the concept arm; () for other wrists.
+
+    Parts carried by the wrist's inner frames only turn at that point. The hand is at a distance from the point, and
+    the joint limits keep the hand in front of the boom.
+    """
+    *_, second, third = np.linalg.norm(model.linkage.steps, axis=1)
+    return model.linkage.frames[-3:] if second == third == 0.0 else ()
+
+
+def scene_in_l(scenario: Scenario) -> Array:
+    """Return the pose (12,) of the scene's frame in L."""
+    return row_of(relative.scene_in_l(scenario.arm.model.mount, scenario.worksite.origin))
+
+
+def _parts_of(worksite: Worksite, seat: Seat) -> set[str]:
+    """Return the worksite's parts in the frame that a seat is fixed in."""
+    return {solid.part for solid in worksite.solids if solid.frame == seat.frame}

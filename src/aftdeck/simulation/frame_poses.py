@@ -1,0 +1,35 @@
+"""Poses of all frames as they are now, or with the arm elsewhere."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.state import State
+from aftdeck.worksite.watch.contact_update import place_everything
+
+
+def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: float) -> Array:
+    """Return the poses of all frames in L, (F, 12), with joints (6,) [rad], stand and prong [m] as given.
+
+    The orbiter, and what carries each payload, are as they are now.
+    """
+    frames = np.empty_like(state.site.frames)
+    place_everything(*state.site.places(flight.site), angles, stand, prong, frames)
+    return frames
+
+
+def frames_with(flight: Flight, state: State, prong: float) -> Array:
+    """Return the poses of all frames in L, (F, 12), as they are now, but with the prong at `prong` [m]."""
+    return frames_at(flight, state, state.plant.angles, state.plant.stand.position, prong)
+
+
+def frames_after(flight: Flight, state: State, rates: Array, telescope: float) -> Array:
+    """Return the poses of all frames in L, (F, 12), after one step of joint rates (6,) and the telescope's drive.
+
+    Frames that do not move with the arm stay where they are.
+    """
+    plant, period = state.plant, flight.scenario.control_period
+    angles, stand = plant.angles + rates * period, plant.stand.after(flight.telescope, telescope, period)
+    return frames_at(flight, state, angles, stand, state.site.prong.position)

@@ -1,0 +1,1 @@
+"""What keeps the arm from moving, and the commands that lead out of it."""

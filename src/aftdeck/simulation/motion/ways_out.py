@@ -1,0 +1,123 @@
+"""Ways out: stick or joint commands that lead away from near singularities and back from passed joint limits."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from aftdeck.kinematics.singular import NAMES
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.frame import WayOut
+from aftdeck.simulation.log import spoken
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import COMMAND, LAW
+from aftdeck.steering.mode import MODES
+from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
+
+LEAST = 1e-3
+"""Least rate [1/s] or [rad/s] at which a stick must lead away to be a way out."""
+NEARLY = 0.6
+"""Fraction of the fastest stick's rate above which the advice keeps the stick named before [1]."""
+JOINT_BY_JOINT = ("SINGLE", "DIRECT", "MASTER")
+"""Modes in which the operator moves single joints, not the point of resolution."""
+AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
+    ("rotation", "RHC {}roll"),
+    ("rotation", "RHC {}pitch"),
+    ("rotation", "RHC {}yaw"),
+    ("translation", "THC {}X"),
+    ("translation", "THC {}Y"),
+    ("translation", "THC {}Z"),
+)
+"""For each axis of the sticks, the stick, and the name of one of its directions with braces for the sign."""
+
+
+def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...]) -> tuple[WayOut, ...]:
+    """Return a way out for each near singularity and each joint past a limit, and update the panel's advice.
+
+    While a contact inhibits the arm, the result is the way out of that contact alone, if there is one (`contact_out`).
+    """
+    contact = state.site.contacts.inhibit.arm
+    if contact or (not singular and not any(zones)):
+        state.panel.advice.clear()
+        return (state.site.advice,) if contact and state.site.advice is not None else ()
+    found = [_from_singularity(flight, state, NAMES.index(name), zones) for name in singular]
+    found += [_from_limit(flight, state, joint) for joint, zone in enumerate(zones) if zone]
+    return tuple(found)
+
+
+def _tried(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
+    """Return how fast each stick direction leads away, in the present mode or, if it is not manual, in ORB UNL."""
+    rules, command, steering = steering_of(state)
+    tried = np.zeros(DIRECTIONS)
+    way_out(rules, command, steering, singularity, joint, inward, tried)
+    return tried
+
+
+def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return rules, command and state for testing the sticks in the present mode, or in ORB UNL if it is not manual."""
+    panel = state.panel
+    manual = MODES[panel.mode].kind == "manual"
+    command = np.zeros(COMMAND)
+    command[LAW] = panel.flown if manual else 4
+    steering = state.steering.copy()
+    steering[:6] = state.plant.angles
+    return state.rules if manual else state.carried.rules["ORB UNL", panel.rate, 4], command, steering
+
+
+def by_stick(state: State, cause: str, direction: int) -> WayOut:
+    """Return stick direction 0 to 11 as a way out (axis by axis, + before −), in ORB UNL if no stick mode is on."""
+    (stick, name), sign = AXES[direction // 2], 1 if direction % 2 == 0 else -1
+    text, enter = name.format("+" if sign > 0 else "−"), "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL"
+    return WayOut(cause, f"{enter}, {text}" if enter else text, stick, direction // 2 % 3, sign, enter)
+
+
+def by_joint(flight: Flight, position: str, cause: str, joint: int, sign: int) -> WayOut:
+    """Return the motion of one joint, in a panel position, as a way out."""
+    text = f"{position} {spoken(flight.scenario.arm.joints[joint])} {'+' if sign > 0 else '−'}"
+    return WayOut(cause, text, "joint", joint, sign, position)
+
+
+def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:
+    """Return the stick that leads away fastest, or the one named before while it is nearly as fast.
+
+    Returns:
+        The way out, also stored in the advice for its cause; None if no stick leads away fast enough.
+    """
+    advice = state.panel.advice
+    best = int(tried.argmax())
+    if tried[best] < LEAST:
+        return None
+    before = advice.get(cause, best)
+    if tried[before] >= NEARLY * tried[best]:
+        best = before
+    advice[cause] = best
+    return by_stick(state, cause, best)
+
+
+def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int, ...]) -> WayOut:
+    name = NAMES[which]
+    if state.panel.mode not in JOINT_BY_JOINT and (out := _best(state, name, _tried(flight, state, which, -1, 0.0))):
+        return out
+    arm = flight.scenario.arm
+    joint, sign = joint_out(arm.model.links, state.plant.angles, arm.limits.reach, which, arm.model.singular)
+    return by_joint(flight, _position(state), name, joint, _inward(flight, state, joint) if zones[joint] else sign)
+
+
+def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
+    name = flight.scenario.arm.joints[joint]
+    inward = _inward(flight, state, joint)
+    if state.panel.mode not in JOINT_BY_JOINT and (out := _best(state, name, _tried(flight, state, -1, joint, inward))):
+        return out
+    return by_joint(flight, _position(state), name, joint, inward)
+
+
+def _position(state: State) -> str:
+    """Return the panel position in which a joint is moved: the present one if joints are moved in it, else SINGLE."""
+    return state.panel.mode if state.panel.mode in JOINT_BY_JOINT else "SINGLE"
+
+
+def _inward(flight: Flight, state: State, joint: int) -> int:
+    """Return the direction, +1 or -1, in which a joint moves away from its nearer reach limit."""
+    low, high = flight.reach[joint]
+    return 1 if state.plant.angles[joint] < 0.5 * (low + high) else -1

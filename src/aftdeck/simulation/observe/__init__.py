@@ -1,0 +1,1 @@
+"""What a step reports: the frame, events and the look-ahead."""

@@ -1,0 +1,105 @@
+"""Log lines about the arm after a step: joints that pass a limit, near singularities, and small clearances."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from aftdeck.kinematics.observe import observe_near
+from aftdeck.kinematics.singular import NAMES
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
+from aftdeck.simulation.log import log, spoken
+from aftdeck.simulation.motion.ways_out import ways_out
+from aftdeck.simulation.state import State
+from aftdeck.worksite.conditions import shown
+from aftdeck.worksite.watch.alarm import level_of
+from aftdeck.worksite.watch.found import CLEARANCE
+
+Zones = tuple[int, int, int, int, int, int]
+
+_ALL_FREE: Zones = (FREE,) * 6
+TOUCHING = 1e-6
+"""Distance from a hard stop within which a joint counts as at the stop [rad]."""
+_BACK_TEXTS = {PAST_REACH: "back inside its soft stop", PAST_SOFT: "off its hard stop"}
+_ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", PAST_SOFT: "past its soft stop",
+               AT_HARD: "at its hard stop"}  # fmt: skip
+
+
+def notice(flight: Flight, state: State) -> None:
+    """Observe the arm, log what has changed, and update the ways out in the state."""
+    model, plant = flight.scenario.arm.model, state.plant
+    near = observe_near(
+        state.arm.model.links,
+        plant.angles,
+        plant.rates,
+        plant.stand.velocity,
+        model.limits.reach,
+        model.singular,
+        state.seen,
+    )
+    if near:
+        distances = state.seen[18:].tolist()
+        zones = _zones(flight, plant.angles.tolist())
+        singular = tuple(name for name, d in zip(NAMES, distances, strict=True) if abs(d) < model.singular)
+    else:
+        zones, singular = _ALL_FREE, ()
+    if zones != state.panel.zones:
+        _tell_zones(flight, state, zones)
+    if singular != state.panel.singular:
+        _tell_singular(flight, state, singular)
+    _tell_clearance(flight, state)
+    state.ways_out = ways_out(flight, state, zones, singular)
+
+
+def _zones(flight: Flight, angles: list[float]) -> Zones:
+    """Return the zone of each joint."""
+    found = tuple(
+        FREE
+        if reach[0] <= q <= reach[1]
+        else PAST_REACH
+        if soft[0] <= q <= soft[1]
+        else PAST_SOFT
+        if hard[0] + TOUCHING < q < hard[1] - TOUCHING
+        else AT_HARD
+        for q, reach, soft, hard in zip(angles, flight.reach, flight.soft, flight.hard, strict=True)
+    )
+    return cast("Zones", found)
+
+
+def _tell_zones(flight: Flight, state: State, zones: Zones) -> None:
+    for joint, old, new in zip(flight.scenario.arm.joints, state.panel.zones, zones, strict=True):
+        if new != old:
+            level: Level = "caution" if new > old else "info"
+            text = _ZONE_TEXTS[new] if new > old or new == FREE else _BACK_TEXTS[new]
+            log(flight, state, "limit", level, f"{spoken(joint)} {text}")
+    state.panel.zones = zones
+
+
+def _tell_singular(flight: Flight, state: State, singular: tuple[str, ...]) -> None:
+    before, distances = state.panel.singular, state.seen[18:].tolist()
+    for name, distance in zip(NAMES, distances, strict=True):
+        if name in singular and name not in before:
+            log(flight, state, "singular", "caution", f"{name} singularity near: {abs(distance):.2f} of 1")
+        elif name in before and name not in singular:
+            log(flight, state, "singular", "info", f"{name} singularity left behind")
+    state.panel.singular = singular
+
+
+def _tell_clearance(flight: Flight, state: State) -> None:
+    """Log when the minimum clearance falls below a threshold of the scenario, or rises above it again."""
+    scenario, things, before = flight.scenario, state.site, state.panel.clearance
+    now: Level = "info"
+    if things.nearest >= 0:
+        clearance = float(things.watch.found[things.nearest, CLEARANCE])
+        now = level_of(clearance, scenario.caution, scenario.warning, before)
+    if now == before:
+        return
+    state.panel.clearance = now
+    units = scenario.arm.model.units
+    thresholds = {"caution": shown(scenario.caution, "m", units), "warning": shown(scenario.warning, "m", units)}
+    if now == "warning" or before == "info":
+        a, b = flight.site.layout.named(things.nearest)
+        log(flight, state, "clearance", now, f"{a} within {thresholds[now]} of {b}")
+    else:
+        passed = thresholds["warning" if now == "caution" else "caution"]
+        log(flight, state, "clearance", "info", f"clearance over {passed} again")

@@ -1,0 +1,134 @@
+"""Frame of a step, built from the state after the step."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from aftdeck.frames import Rows, angle_between
+from aftdeck.kinematics.observe import CARRIED, observe_payload
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.frame import Frame, Goal, Placed, Six, Times, Vec3
+from aftdeck.simulation.motion.active_limits import acting_limits
+from aftdeck.simulation.observe.frame_numbers import frame_numbers
+from aftdeck.simulation.observe.look_work import look_work
+from aftdeck.simulation.payloads.grasp import packed_in_grasp
+from aftdeck.simulation.state import State
+from aftdeck.steering.mode import MODES
+
+
+def look(flight: Flight, state: State, seal: bytes) -> Frame:
+    """Return the frame of the last step, with its log lines and the state's digest; leave the state unchanged."""
+    scenario, panel, plant = flight.scenario, state.panel, state.plant
+    model = scenario.arm.model
+    observed, joints, steered, scalars = frame_numbers(
+        model.links,
+        model.mount.rotation,
+        plant.angles,
+        plant.rates,
+        plant.commanded,
+        state.seen,
+        state.rules,
+        state.command,
+        state.steering,
+        state.report,
+    )
+    position, orientation, tip_twist, singularity, wrist_pitch = observed
+    angles, rates, angles_commanded, rates_commanded, rate_limits = joints
+    twist_commanded, twist_demanded, por_limits, translation, rotation = steered
+    drive, ratio, remaining, turn_remaining, go = scalars
+    points = len(scenario.sequences.get(panel.mode, ()))
+    resolution, twist, payload = _carried(flight, state, position, tip_twist)
+    return Frame(
+        tick=state.tick,
+        time_s=round(state.tick * scenario.control_period, 9),
+        phase=state.phase,
+        by="script" if state.by_script else "hand",
+        mode=panel.mode,
+        law=panel.flown,
+        law_choice=panel.law,
+        payload_axes=panel.payload_axes,
+        rate_hold=panel.held is not None,
+        position_hold=panel.position_hold,
+        brakes=panel.brakes,
+        safing=panel.safing,
+        joint=panel.joint,
+        rate=panel.rate,
+        sequence=panel.sequence,
+        point=min(panel.point + 1, points) if points else 0,
+        points=points,
+        check=panel.check,
+        translation=translation,
+        rotation=rotation,
+        drive=drive,
+        angles=angles,
+        rates=rates,
+        angles_commanded=angles_commanded,
+        rates_commanded=rates_commanded,
+        rate_limits=rate_limits,
+        zones=panel.zones,
+        position=position,
+        orientation=orientation,
+        wrist_pitch=wrist_pitch,
+        resolution=resolution,
+        payload=payload,
+        attached=state.script.attached,
+        twist=twist,
+        twist_commanded=twist_commanded,
+        twist_demanded=twist_demanded,
+        por_limits=por_limits,
+        ratio=ratio,
+        limits=acting_limits(flight, state),
+        singularity=singularity,
+        singular=panel.singular,
+        ways_out=state.ways_out,
+        goal=_goal(state, position, orientation, remaining),
+        times=_times(flight, state, remaining, turn_remaining, under_way=go != 0.0),
+        work=look_work(flight, state),
+        events=tuple(state.events),
+        views=state.views,
+        sha256=seal.hex(),
+    )
+
+
+def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[Vec3, Six, Placed | None]:
+    """Return the point of resolution, its twist, and the payload in the grasp (None if the grasp is empty)."""
+    held = packed_in_grasp(flight, state)
+    if held is None:
+        return position, twist, None
+    carried_array = np.empty(CARRIED)
+    observe_payload(state.seen, held, carried_array)
+    x, y, z, a, b, c, d, e, f, g, h, i, px, py, pz, vx, vy, vz = carried_array.tolist()
+    payload = Placed((x, y, z), ((a, b, c), (d, e, f), (g, h, i)))
+    if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # the source moves the tip in every mode
+        return position, twist, payload
+    return (px, py, pz), (twist[0], twist[1], twist[2], vx, vy, vz), payload
+
+
+def _times(flight: Flight, state: State, remaining: float, turn_remaining: float, *, under_way: bool) -> Times:
+    """Return TP, ETA and ETAP; the laws report the time that remains at the beginning of a step."""
+    panel, period = state.panel, flight.scenario.control_period
+    steered = (state.tick - 1 - panel.began) * period
+    eta = etap = None
+    if panel.sequence == "in progress":
+        if under_way:
+            eta = steered + remaining
+            etap = None if panel.law == "position" else steered + turn_remaining
+    elif state.by_script and state.phase and not state.script.ended:
+        phase = flight.scenario.phases[state.script.phase]
+        eta = phase.duration if phase.timed else None
+    return Times(steered + period, eta, etap)
+
+
+def _goal(state: State, position: Vec3, orientation: Rows, remaining: float) -> Goal | None:
+    target = state.panel.target
+    if target is None:
+        return None
+    return Goal(
+        target.position,
+        target.rotation,
+        math.dist(target.position, position),
+        angle_between(target.rotation, orientation),
+        remaining if state.panel.sequence == "in progress" else 0.0,
+    )

@@ -1,0 +1,188 @@
+"""Look-ahead: pose of the arm in a few seconds if the sticks stay as they are, found by flying a copy of the arm.
+
+The steering's own laws fly the copy (`steering.rehearsal`), so that the prediction is what would come, except for
+contacts. The copy flies through contacts, and the first one is reported.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Literal, cast
+
+import msgspec
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.errors import InputError
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.frame import Six
+from aftdeck.simulation.frame_poses import frames_at
+from aftdeck.simulation.motion.standstill import standing
+from aftdeck.simulation.observe.look_work import near_of
+from aftdeck.simulation.payloads.alignment import counted
+from aftdeck.simulation.payloads.relations import permitted
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import ANGLES, DRIVE, GO, LAW, REPORT, RISE, STICKS, TWIST
+from aftdeck.steering.mode import MODES
+from aftdeck.steering.msteer import measured
+from aftdeck.steering.rehearsal import rehearse
+from aftdeck.worksite.report import Near, Rows, Vec3
+from aftdeck.worksite.watch.found import CLEARANCE
+
+LEAST_S, MOST_S = 2.0, 20.0
+"""Shortest and longest look-ahead [s]."""
+SAMPLES = 10
+"""Number of poses on the way at which clearances are measured."""
+CONTACT = 0.0
+"""Largest clearance that counts as a contact on the way [m]."""
+DRIVE_AXIS = 6
+"""Number of the drive switch among the axes."""
+_ORB_UNL = 4.0
+"""Law that brings the arm to rest when the sticks are released."""
+_STILL = 1e-6
+"""Largest twist that counts as rest [m/s], [rad/s], and largest joint motion that counts as none [rad]."""
+_LONGEST_STOP = 60.0
+"""Time for which the arm is followed at most until it comes to rest [s]."""
+
+Axis = tuple[int, Literal[-1, 1]]
+"""Axis number and sign. 0 to 2: rotation about axes 1 to 3; 3 to 5: translation along them; 6: the drive switch."""
+
+
+class Ahead(msgspec.Struct, frozen=True, gc=False):
+    """Prediction of the arm's motion with the sticks as they are."""
+
+    seconds: float
+    """Time looked ahead [s]."""
+    held: bool
+    """Whether the present stick command is flown.
+
+    False under BRAKES or SAFING, and if the sticks rest; one axis may then be shown at full deflection.
+    """
+    moves: bool
+    """Whether the arm's pose at that time differs from the present one."""
+    angles: Six
+    """Joint angles at that time [rad]."""
+    stand: float
+    """Height of the shoulder at that time [m]."""
+    cargo: tuple[tuple[Vec3, Rows], ...]
+    """Centre and axes (rows) of each payload of the worksite at that time, in L [m]."""
+    nearest: Near | None
+    """Watched pair with the least clearance at that time, of the pairs that count then (`lined_up`); None: no pair."""
+    contact_s: float | None
+    """Time of the first contact on the way, to a tenth of `seconds` [s]; None if no contact is found."""
+    stopping: float
+    """Distance that the tip goes on if the sticks are released now [m]."""
+    joint: int
+    """Joint nearest to a reach limit at that time, 0 to 5."""
+    room: float
+    """Distance of that joint from its reach limit at that time; negative past the limit [rad]."""
+
+
+def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None = None) -> Ahead:
+    """Fly a copy of the arm for some seconds with the sticks as they are, and return the prediction.
+
+    Args:
+        flight: constants of the flight.
+        state: the state after a step; not changed.
+        seconds: time to look ahead, `LEAST_S` to `MOST_S` [s].
+        last: the axis to deflect in full if the sticks rest; None for no axis.
+
+    Raises:
+        InputError: `seconds` or `last` is not allowed.
+    """
+    if not LEAST_S <= seconds <= MOST_S:
+        raise InputError(f"one looks {LEAST_S:g} to {MOST_S:g} s ahead, got {seconds:g}")
+    if last is not None and not (last[0] in range(DRIVE_AXIS + 1) and last[1] in (-1, 1)):
+        raise InputError(f"axes are numbered 0 to {DRIVE_AXIS}, their signs are -1 and 1, got {last}")
+    seconds, last = float(seconds), None if last is None else (int(last[0]), cast("Literal[-1, 1]", int(last[1])))
+    command, steering, held = _asked(state, last)
+    rules, report = state.rules, np.zeros(REPORT)
+    site, things, stand, travel = flight.site, state.site, state.plant.stand, flight.telescope
+    driven = stand.velocity / travel.rate if travel.rate else 0.0
+    outside = counted(
+        flight, things.held, things.watch, things.frames, things.lined_up, things.nearest, things.contacts,
+        things.permitted,
+    )[0]  # fmt: skip
+    watch, height, contact, period = things.watch.copied(), stand.position, None, seconds / SAMPLES
+    for sample in range(1, SAMPLES + 1):
+        rehearse(rules, command, steering, report, period)
+        height = stand.after(travel, driven, sample * period)
+        steering[RISE] += height - stand.after(travel, driven, (sample - 1) * period)
+        angles = steering[ANGLES : ANGLES + 6]
+        frames = frames_at(flight, state, angles, height, things.prong.position)
+        watch.look_near(frames, frames, period, site.detrimental, 0.0)
+        may = permitted(site, watch, frames)
+        # a pair that is lined up now is docked or latched before it penetrates deeply
+        touching = watch.nearest(site.detrimental | (outside & (1 - may)))
+        if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
+            contact = sample * period
+    counts = counted(flight, things.held, watch, frames, things.lined_up, things.nearest, things.contacts, may)[0]
+    watch.look_near(frames, frames, period, counts, 0.0)
+    group = watch.nearest(counts)
+    a, b, c, d, e, f = angles.tolist()
+    joint, room = _room(flight, (a, b, c, d, e, f))
+    return Ahead(
+        seconds=seconds,
+        held=held,
+        moves=bool(np.abs(angles - state.plant.angles).max() > _STILL or height != stand.position),
+        angles=(a, b, c, d, e, f),
+        stand=height,
+        cargo=tuple(_placed(row) for row in frames[len(frames) - len(site.cargo) :].tolist()),
+        nearest=None if group < 0 else near_of(flight, state, watch.found, group),
+        contact_s=contact,
+        stopping=_stopping(state),
+        joint=joint,
+        room=room,
+    )
+
+
+def _placed(row: list[float]) -> tuple[Vec3, Rows]:
+    x, y, z, a, b, c, d, e, f, g, h, i = row
+    return (x, y, z), ((a, b, c), (d, e, f), (g, h, i))
+
+
+def _copies(state: State) -> tuple[Array, Array]:
+    """Return copies of the command and of the steering's state as measured now, to fly on from."""
+    steering = state.steering.copy()
+    measured(state.plant.angles, state.plant.rates, state.rise, steering)
+    return state.command.copy(), steering
+
+
+def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
+    """Return the command and the steering's state to fly on from, and whether the sticks are flown as they are."""
+    command, steering = _copies(state)
+    held = bool(command[STICKS : STICKS + 6].any() or command[DRIVE])
+    if standing(state.panel):
+        command[STICKS : STICKS + 6] = command[DRIVE] = 0.0
+        command[LAW], command[GO] = _ORB_UNL, 0.0
+        return command, steering, False
+    if not held and last is not None and MODES[state.panel.mode].kind in ("manual", "single"):
+        axis, sign = last
+        command[DRIVE if axis == DRIVE_AXIS else STICKS + axis] = sign
+        command[LAW], command[GO] = state.panel.flown, 0.0  # a stick overrides POSITION HOLD
+    if MODES[state.panel.mode].kind == "automatic" and state.panel.sequence != "in progress":
+        command[LAW], command[GO] = _ORB_UNL, 0.0  # the arm rests until PROCEED
+    return command, steering, held
+
+
+def _stopping(state: State) -> float:
+    """Return the distance from the tip to where the tip comes to rest without a command [m]."""
+    (command, steering), report = _copies(state), np.zeros(REPORT)
+    command[STICKS : STICKS + 6] = 0.0
+    command[DRIVE] = command[GO] = 0.0
+    if MODES[state.panel.mode].kind != "single":
+        command[LAW] = _ORB_UNL
+    rules, gone = state.rules, 0.0
+    while np.abs(steering[TWIST : TWIST + 6]).max() > _STILL and gone < _LONGEST_STOP:
+        rehearse(rules, command, steering, report, 0.5)
+        command[GO] = 0.0
+        gone += 0.5
+    here, there = (state.arm.forward(angles).position for angles in (state.plant.angles, steering[ANGLES : ANGLES + 6]))
+    return math.dist(here, there)
+
+
+def _room(flight: Flight, angles: Six) -> tuple[int, float]:
+    """Return the joint nearest to a reach limit, and its distance from that limit; negative past the limit [rad]."""
+    rooms = [min(q - low, high - q) for q, (low, high) in zip(angles, flight.reach, strict=True)]
+    joint = min(range(len(rooms)), key=rooms.__getitem__)
+    return joint, rooms[joint]

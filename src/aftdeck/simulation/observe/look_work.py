@@ -1,0 +1,126 @@
+"""Worksite's part of a step's frame: contacts, captures, and the poses of all payloads."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.bodies.separation import named
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.site import Site
+from aftdeck.simulation.observe.frame_numbers import moving
+from aftdeck.simulation.payloads.objective import present_objective
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import MASTER
+from aftdeck.steering.mode import MODES
+from aftdeck.worksite.capture.snare import Snare, flags
+from aftdeck.worksite.report import Cargo, Hand, Near, Six, Vec3, Work
+from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE_B, NORMAL, POINT_A, POINT_B, SPEED
+
+_ZERO = (0.0, 0.0, 0.0)
+
+
+def look_work(flight: Flight, state: State) -> Work:
+    """Return the record of the worksite as it is now."""
+    site, things = flight.site, state.site
+    group = things.nearest
+    inhibit = things.contacts.inhibit
+    contacts: tuple[Near, ...] = ()
+    reasons: tuple[str, ...] = ()
+    if things.told:
+        standing = things.contacts.standing(site.layout, things.watch.found, flight.scenario.arm.model.units)
+        contacts = tuple(near_of(flight, state, things.watch.found, contact.group) for contact in standing)
+        reasons = tuple(contact.text for contact in standing if contact.inhibits)
+    objective, conditions = present_objective(flight, state)
+    return Work(
+        task=things.task,
+        nearest=None if group < 0 else near_of(flight, state, things.watch.found, group),
+        clearance_level=state.panel.clearance,
+        contacts=contacts,
+        arm_inhibit=inhibit.arm,
+        finger_inhibit=inhibit.finger,
+        inhibits=reasons,
+        objective=objective,
+        conditions=conditions,
+        hand=_hand(flight, state),
+        stand=state.plant.stand.position if site.prong else None,
+        orbiter=_in_l(site, things.orbiter),
+        orbiter_velocity=_in_l(site, things.orbiter_velocity),
+        cargo=tuple(_cargo(flight, state, k) for k in range(len(site.cargo))),
+        master=_six(state.command[MASTER : MASTER + 6]) if MODES[state.panel.mode].kind == "master" else None,
+    )
+
+
+def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
+    """Return every pair that is watched now, nearest first."""
+    things = state.site
+    watch = things.watch.copied()
+    watch.look(things.before, things.frames, flight.scenario.control_period)
+    found = watch.found[:, CLEARANCE]
+    groups = np.flatnonzero(np.isfinite(found))
+    return tuple(near_of(flight, state, watch.found, int(g)) for g in groups[np.argsort(found[groups], kind="stable")])
+
+
+def _in_l(site: Site, along: Array) -> Vec3:
+    """Return in L a vector given along the orbiter's axes."""
+    x, y, z = along.tolist()
+    if x == y == z == 0.0:
+        return _ZERO
+    x, y, z = (site.axes @ along).tolist()
+    return x, y, z
+
+
+def _six(values: Array) -> Six:
+    a, b, c, d, e, f = values.tolist()
+    return a, b, c, d, e, f
+
+
+def near_of(flight: Flight, state: State, found: Array, group: int) -> Near:
+    """Return what was found (g, 15) of a group, with the names of its two parts."""
+    row = found[group].tolist()
+    a, b = flight.site.layout.named(group)
+    touching = row[CLEARANCE] <= CONTACT
+    return Near(
+        a,
+        b,
+        row[CLEARANCE],
+        row[SPEED],
+        (row[POINT_A], row[POINT_A + 1], row[POINT_A + 2]),
+        (row[POINT_B], row[POINT_B + 1], row[POINT_B + 2]),
+        _ZERO if touching else (row[NORMAL], row[NORMAL + 1], row[NORMAL + 2]),
+        0.0 if touching else row[DISTANCE],
+        bool(state.site.contacts.essential[group]),
+        named(int(row[FEATURE_A])) if touching else "",
+        named(int(row[FEATURE_B])) if touching else "",
+    )
+
+
+def _hand(flight: Flight, state: State) -> Hand:
+    things, has = state.site, flight.scenario.arm.model.equipment.prong
+    if has is not None:
+        prong, travel = things.prong.position, flight.prong
+        opening = (travel.high - prong) / (travel.high - travel.low)
+        spacing = has.fixed_finger - prong
+        shows = (("CAPTURE", state.carried.payload is not None), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
+        return Hand(things.switch, opening, spacing, None, tuple(name for name, on in shows if on))
+    snare = things.snare
+    lit = _lit(snare)
+    return Hand(things.switch, 1.0 - snare.ring, None, snare.carriage, lit, things.effector_mode, things.rigid)
+
+
+@lru_cache(maxsize=16)
+def _lit(snare: Snare) -> tuple[str, ...]:
+    """Return the names of the panel's flags that are lit."""
+    return tuple(name for name, on in flags(snare)._asdict().items() if on)
+
+
+def _cargo(flight: Flight, state: State, k: int) -> Cargo:
+    site, things = flight.site, state.site
+    position, orientation, velocity = moving(
+        things.frames, things.before, site.cargo_row(k), flight.scenario.control_period
+    )
+    thing = things.cargo[k]
+    return Cargo(site.cargo[k].name, position, orientation, velocity, thing.held, thing.seat)

@@ -1,0 +1,1 @@
+"""The operator in a step: switches, sticks, targets, sequences and the script."""

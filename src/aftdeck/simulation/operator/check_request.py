@@ -1,0 +1,32 @@
+"""Request of CMD CK, and the values on which its verdict depends."""
+
+from __future__ import annotations
+
+from hashlib import sha256
+
+from aftdeck.scenario.target import Target
+from aftdeck.simulation.parts.checking import Checking, Premises
+from aftdeck.simulation.state import State
+
+
+def begin_check(state: State, target: Target) -> None:
+    """Start CMD CK of a target; `command_check.cmd_ck` carries it out, step by step."""
+    state.panel.check, state.panel.sequence = None, "checking"
+    state.checking = Checking(target)
+
+
+def premises(state: State, target: Target) -> Premises:
+    """Return the values on which a verdict on this target would depend now."""
+    panel, things, script = state.panel, state.site, state.script
+    return Premises(
+        target,
+        panel.law,
+        panel.rate,
+        things.held,
+        script.limits,
+        script.attached,
+        panel.brakes or panel.safing,
+        tuple(state.plant.angles.tolist()),
+        tuple(things.orbiter_velocity.tolist()),
+        sha256(things.frames.data).digest(),
+    )

@@ -1,0 +1,58 @@
+"""RATE HOLD and POSITION HOLD, which keep the rates or the pose after the sticks are released."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.scenario.target import target_at
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import GO, LAW, STICKS, TARGET, TWIST
+from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
+
+AT_REST = 1e-3
+"""Tip speed [m/s] and angular rate [rad/s] below which POSITION HOLD stores the present pose as the one to keep."""
+
+
+def held_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[float, ...]:
+    """Update RATE HOLD, and return the stick command to fly (rotation, then translation)."""
+    panel = state.panel
+    given = (*inputs.rotation, *inputs.translation)
+    if inputs.rate_hold:
+        if MODES[panel.mode].kind != "manual":
+            refuse(
+                flight,
+                state,
+                f"RATE HOLD refused: it works in the manual modes, not in {panel.mode}",
+            )
+        elif panel.held is not None:
+            panel.held = None
+            log(flight, state, "rate hold", "info", "RATE HOLD off")
+        elif any(given):
+            panel.held = given
+            log(flight, state, "rate hold", "info", "RATE HOLD: the present rates are kept; press again to let go")
+        else:
+            refuse(
+                flight,
+                state,
+                "RATE HOLD refused: the sticks are at rest, there is no rate to keep",
+            )
+    return given if panel.held is None else panel.held
+
+
+def hold_position(flight: Flight, state: State) -> None:
+    """Keep the pose in which the arm came to rest, by mode 2, while the sticks rest in a manual mode (POHS)."""
+    panel = state.panel
+    off = not panel.position_hold or MODES[panel.mode].kind != "manual"
+    if off or state.command[STICKS : STICKS + 6].any():
+        panel.holding = None
+        return
+    if panel.holding is None and np.abs(state.steering[TWIST : TWIST + 6]).max() < AT_REST:
+        tip = state.arm.forward(state.plant.angles)
+        panel.holding = target_at(tip)
+        state.command[TARGET : TARGET + 3] = tip.position
+        state.command[TARGET + 3 : TARGET + 12] = tip.rotation.ravel()
+    if panel.holding is not None:
+        state.command[LAW], state.command[GO] = AUTOMATIC_LAWS["closed loop"], 1.0

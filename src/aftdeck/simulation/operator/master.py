@@ -1,0 +1,32 @@
+"""Master arm moved by the sticks, for use without a device that measures six angles: each axis turns one joint."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arms.equipment import Axis
+from aftdeck.arms.load import ArmModel
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import HIGH, LOW, MASTER, RATE, STICKS
+
+AXES: tuple[Axis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", "THC Z")
+"""Stick axes, in the order of `steering.layout.STICKS`."""
+
+
+def axes_of(model: ArmModel) -> tuple[int, ...]:
+    """Return, for each joint of the master arm, the index in `AXES` of the axis that turns the joint."""
+    return tuple(AXES.index(axis) for axis in model.equipment.master)
+
+
+def turn_master(flight: Flight, state: State) -> None:
+    """Turn the master arm by the sticks in `state.command`; full deflection gives the joint's rate limit.
+
+    The master arm stays within the stops in force. If a device has moved a joint beyond a stop, that joint can only
+    move back.
+    """
+    command, rules = state.command, state.rules
+    axes, master = axes_of(flight.scenario.arm.model), command[MASTER : MASTER + 6]
+    sticks = command[[STICKS + axis for axis in axes]]
+    low, high = np.minimum(rules[LOW : LOW + 6], master), np.maximum(rules[HIGH : HIGH + 6], master)
+    master[:] = np.clip(master + sticks * rules[RATE : RATE + 6] * flight.scenario.control_period, low, high)

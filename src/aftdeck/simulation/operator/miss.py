@@ -1,0 +1,39 @@
+"""Final error of an automatic motion: one rule for the flight and for CMD CK."""
+
+from __future__ import annotations
+
+import math
+
+from aftdeck.arrays import Array
+from aftdeck.frames import angle_between
+from aftdeck.kinematics.arm import Arm
+from aftdeck.scenario.target import Target
+from aftdeck.simulation.constants.flight import Flight
+
+REACHED, REACHED_TURN = 1e-3, math.radians(0.02)
+"""Greatest final error with which a motion has reached its target [m], [rad]; a larger end sphere replaces it.
+
+Assumed: ten times the final error of mode 3 on random straight moves in steps of 0.02 s
+(`tests/steering/test_straight_moves.py`).
+"""
+_FINE = 0.01
+"""Distances below this value are given to a tenth of a millimetre [m]."""
+
+
+def miss(flight: Flight, arm: Arm, angles: Array, target: Target) -> str:
+    """Return the final error of the tip as text for people, or "" if the tip has reached the target.
+
+    Args:
+        flight: constants of the run; the scenario's end sphere decides what counts as reached.
+        arm: the arm, with its telescope at the present length.
+        angles: (6,) joint angles [rad].
+        target: pose that the tip should have.
+    """
+    tip = arm.forward(angles)
+    distance = math.dist(tip.position, target.position)
+    angle = angle_between(tip.rotation.tolist(), target.rotation)
+    if distance <= max(REACHED, flight.scenario.near) and angle <= max(REACHED_TURN, flight.scenario.near_turn):
+        return ""
+    way = f"{distance:.2f} m" if distance >= 1.0 else f"{distance * 1e3:.{0 if distance >= _FINE else 1}f} mm"
+    turn = math.degrees(angle)
+    return f"{way}, {turn:.1f}° beside" if turn >= 1.0 else f"{way}, {turn:.2f}° beside"

@@ -1,0 +1,230 @@
+"""Scenario's script as an operator: sticks and switches of its phases, step by step.
+
+JSC-12628's phase initialisation of simulated operator inputs. A phase ends at its input time in the manual
+modes, on arrival (ETA) in the automatic ones, and at its angle or time in SINGLE.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from aftdeck.scenario.model import PhasePlan
+from aftdeck.scenario.target import Place, Target
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.inputs import Inputs, Vec3
+from aftdeck.simulation.log import log
+from aftdeck.simulation.operator.places import found
+from aftdeck.simulation.payloads.grasp import put_effector, steer
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import ARRIVED, DT, RATE, RATE_UP, RATES, SPEED, TURN
+from aftdeck.steering.limiters import braked
+from aftdeck.steering.mode import MODES
+
+AT_LENGTH = 1e-9
+"""Distance of the stand from `stand_at` within which its phase ends [m]."""
+AT_ANGLE = 1e-9
+"""Distance of a joint from `joint_at` within which its phase ends [rad]."""
+
+
+def play(flight: Flight, state: State) -> Inputs:
+    """Return the script's inputs for the coming step; go to the next phase if the present one has ended."""
+    script, phases = state.script, flight.scenario.phases
+    while script.phase < len(phases) and not script.ended:
+        phase = phases[script.phase]
+        if script.began < 0:
+            script.began, state.panel.began = state.tick, state.tick - 1
+            log(flight, state, "phase", "info", f"phase {phase.name!r} begins")
+            target = found(flight, state, phase.target) if isinstance(phase.target, Place) else phase.target
+            if isinstance(target, str):
+                _fail(flight, state, f"phase {phase.name!r} failed: {target}")
+                continue
+            _prepare(flight, state, phase)
+            return _opening(flight, state, phase, target)
+        if _over(flight, state, phase, state.tick):
+            script.phase, script.began = script.phase + 1, -1
+            continue
+        return _continuing(flight, state, phase)
+    if not script.ended and phases:
+        script.ended = "completed"
+    return Inputs(stop=True)
+
+
+def hand_over(flight: Flight, state: State) -> None:
+    """Cancel the rate limits of the script's phase, because an operator now supplies the inputs."""
+    if state.script.limits >= 0:
+        state.script.limits = -1
+        steer(flight, state)
+
+
+def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
+    """Apply JSC-12628's phase initialisation: set the phase's rate limits, and attach or detach its payload."""
+    script = state.script
+    limits = script.phase if phase.limits is not None else -1
+    if limits == script.limits and phase.attaches is None:
+        return
+    script.limits = limits
+    if phase.attaches is not None:
+        script.attached = phase.attaches
+        put_effector(flight, state, holding=phase.attaches > 0)
+    steer(flight, state)
+
+
+def conclude(flight: Flight, state: State) -> None:
+    """End a script whose time runs out with this step; it is completed if its last phase ends at the same time."""
+    script, scenario = state.script, flight.scenario
+    if script.ended or state.tick < scenario.ticks:
+        return
+    if not scenario.phases:
+        script.ended = "time"
+    elif script.phase == len(scenario.phases) - 1 and _over(flight, state, scenario.phases[-1], state.tick + 1):
+        script.phase, script.ended = script.phase + 1, "completed"
+    elif not script.ended:
+        name = phase_name(flight, state)
+        _fail(flight, state, f"the scenario's {scenario.duration:g} s ran out in phase {name!r}")
+
+
+def phase_name(flight: Flight, state: State) -> str:
+    """Return the name of the present phase, or of the last phase once all have ended.
+
+    Returns:
+        The name; "" if the scenario has no phases.
+    """
+    phases = flight.scenario.phases
+    return phases[min(state.script.phase, len(phases) - 1)].name if phases else ""
+
+
+def _opening(flight: Flight, state: State, phase: PhasePlan, target: Target | None) -> Inputs:
+    """Return the inputs of a phase's first step: its switches, and its sticks, which stay deflected from then on."""
+    sticks = _sticks(flight, state, phase)
+    return Inputs(
+        mode=phase.mode,
+        joint=phase.joint,
+        rate=phase.rate,
+        law=phase.law,
+        payload_axes=phase.payload_axes,
+        target=target,
+        proceed=MODES[phase.mode].kind == "automatic",
+        translation=sticks.translation,
+        rotation=sticks.rotation,
+        drive=sticks.drive,
+        master=phase.master,
+        effector=phase.effector,
+        latch=phase.latch,
+        telescope=sticks.telescope,
+        orbiter=phase.orbiter,
+    )
+
+
+def _continuing(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
+    if state.panel.sequence == "ready" and _waiting(flight, state):
+        return Inputs(proceed=True)
+    if phase.joint_at is None:
+        return _sticks(flight, state, phase)
+    rules = state.carried.rules[phase.mode, phase.rate, MODES[phase.mode].laws[0]]
+    gap = phase.joint_at - float(state.plant.angles[phase.joint])
+    rate = braked(abs(gap), float(rules[RATE_UP + phase.joint]), float(rules[DT]))
+    drive = min(1.0, rate / float(rules[RATE + phase.joint]))
+    telescope = _telescope(flight, state, phase)
+    return Inputs(drive=drive if gap > 0.0 else -drive, telescope=telescope, orbiter=phase.orbiter)
+
+
+def _sticks(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
+    """Return the stick inputs of a phase in a manual mode."""
+    rules = state.carried.rules[phase.mode, phase.rate, MODES[phase.mode].laws[0]]
+    most = float(rules[SPEED]), float(rules[TURN]), float(rules[RATE + phase.joint])
+    return _deflected(phase, _telescope(flight, state, phase), most)
+
+
+@lru_cache(maxsize=64)
+def _deflected(phase: PhasePlan, telescope: float, most: tuple[float, float, float]) -> Inputs:
+    """Return the stick inputs for the speeds `most` at full deflection [m/s], [rad/s], [rad/s of the joint].
+
+    The result is cached, because it stays the same for all steps of a phase.
+    """
+    speed, turn, rate = most
+    drive = phase.drive if phase.joint_rate is None else phase.joint_rate / max(rate, abs(phase.joint_rate))
+    return Inputs(
+        translation=phase.translation if phase.velocity is None else _deflection(phase.velocity, speed),
+        rotation=phase.rotation if phase.angular_velocity is None else _deflection(phase.angular_velocity, turn),
+        drive=drive,
+        telescope=telescope,
+        orbiter=phase.orbiter,
+    )
+
+
+def _deflection(rate: Vec3, most: float) -> Vec3:
+    """Return the stick deflection for a velocity; a velocity beyond the limit is scaled and keeps its direction."""
+    whole = max(most, *map(abs, rate))
+    return rate[0] / whole, rate[1] / whole, rate[2] / whole
+
+
+def _telescope(flight: Flight, state: State, phase: PhasePlan) -> float:
+    """Return the telescope's drive, in [-1, 1], that moves the stand to the length that the phase demands."""
+    if phase.stand_at is None:
+        return 0.0
+    left, rate = phase.stand_at - state.plant.stand.position, flight.telescope.rate
+    return max(-1.0, min(1.0, left / (rate * flight.scenario.control_period)))
+
+
+def _waiting(flight: Flight, state: State) -> bool:
+    """Return whether AUTO 1-4 has passed at least one of its points and has points left to reach."""
+    panel = state.panel
+    return 0 < panel.point < len(flight.scenario.sequences.get(panel.mode, ()))
+
+
+def _at_last_point(flight: Flight, state: State) -> bool:
+    """Return whether the present point of the sequence is its last."""
+    return state.panel.point + 1 >= len(flight.scenario.sequences.get(state.panel.mode, ()))
+
+
+def _over(flight: Flight, state: State, phase: PhasePlan, tick: int) -> bool:
+    """Return whether a phase is over before step `tick`; a phase that fails ends the script as a fault."""
+    elapsed = (tick - state.script.began) * flight.scenario.control_period
+    late = phase.duration is not None and elapsed >= phase.duration - 1e-9
+    if phase.until is not None or phase.stand_at is not None:
+        if _come_about(state, phase):
+            return True
+        if late:
+            _fail(flight, state, f"phase {phase.name!r} failed: not {_awaited(phase)} within its {phase.duration:g} s")
+        return False
+    if phase.timed:
+        return late
+    if _arrived(flight, state, phase):
+        return True
+    if late:
+        _fail(flight, state, f"phase {phase.name!r} failed: not done within its {phase.duration:g} s")
+    return False
+
+
+def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
+    """Return whether a phase has reached its target; a rejected or abandoned motion ends the script as a fault."""
+    panel = state.panel
+    if MODES[phase.mode].kind == "master":
+        return bool(state.report[ARRIVED])
+    if phase.joint_at is not None:
+        there = abs(phase.joint_at - state.plant.angles[phase.joint]) < AT_ANGLE
+        return bool(there and abs(state.steering[RATES + phase.joint]) < AT_ANGLE / flight.scenario.control_period)
+    if panel.sequence == "idle" and (panel.check is None or panel.check.good):
+        return True
+    if panel.sequence == "in progress" and state.report[ARRIVED] and _at_last_point(flight, state):
+        return True
+    if panel.sequence == "idle" or (panel.sequence == "ready" and not _waiting(flight, state)):
+        _fail(flight, state, f"phase {phase.name!r} failed: its motion was refused or given up")
+    return False
+
+
+def _come_about(state: State, phase: PhasePlan) -> bool:
+    """Return whether the event and the stand length that a phase waits for have been reached."""
+    stands = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < AT_LENGTH
+    return stands and (phase.until is None or state.site.is_so(phase.until))
+
+
+def _awaited(phase: PhasePlan) -> str:
+    """Return a text that says what a phase waits for."""
+    stand = f"the stand at {phase.stand_at:g} m" if phase.stand_at is not None else ""
+    return " and ".join(part for part in (phase.until or "", stand) if part)
+
+
+def _fail(flight: Flight, state: State, text: str) -> None:
+    state.script.ended = "fault"
+    log(flight, state, "fault", "warning", text)

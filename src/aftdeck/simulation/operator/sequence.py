@@ -1,0 +1,134 @@
+"""Automatic motions in progress: their end, the points of AUTO 1-4 with pause and fly-by, and abandoned motions.
+
+The arm stops at a pause point until PROCEED. It need not reach a fly-by point: inside the point's sphere it continues
+to the next point without slowing to rest (mode 2). In modes 1 and 3 it reaches a fly-by point and continues at once.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.errors import AftdeckError
+from aftdeck.scenario.target import Target
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.frame import Six
+from aftdeck.simulation.log import log
+from aftdeck.simulation.motion.standstill import held_fast, standing
+from aftdeck.simulation.operator.check_request import begin_check
+from aftdeck.simulation.operator.miss import miss
+from aftdeck.simulation.operator.ways import final_angles
+from aftdeck.simulation.state import Ending, Panel, State
+from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, GO, LAW, MASTER, PLAN, RATIO, TARGET
+from aftdeck.steering.mode import AUTOMATIC_LAWS
+from aftdeck.steering.rehearsal import GIVEN_UP, STANDSTILL
+
+_STANDSTILLS = {
+    "": "a limit holds the arm at a standstill",
+    "contact": "a contact holds the arm at a standstill",
+}
+
+
+def next_target(flight: Flight, panel: Panel) -> Target | None:
+    """Return the automatic mode's next target: the sequence's point, or the keyed-in pose; None if there is none."""
+    points = flight.scenario.sequences.get(panel.mode)
+    if points is None:
+        return panel.keyed
+    return points[panel.point].target if panel.point < len(points) else None
+
+
+def begin(flight: Flight, state: State, target: Target, joints: Six | None = None) -> None:
+    """Start an automatic motion; it sets off in this step, or once the arm is at rest (`steering.course`).
+
+    Args:
+        flight: constants of the run.
+        state: state whose command receives OPERIN's values.
+        target: final pose of the tip.
+        joints: mode 1's final angles [rad]; None selects the result of `ways.final_angles`.
+
+    Raises:
+        UnreachableError, SingularityError: no joint angles put the tip at the target.
+    """
+    command, panel = state.command, state.panel
+    final = final_angles(state, target) if joints is None else joints
+    command[LAW], command[GO] = AUTOMATIC_LAWS[panel.law], 0.0
+    command[TARGET : TARGET + 3] = target.position
+    command[TARGET + 3 : TARGET + 12] = np.ravel(target.rotation)
+    command[PLAN:MASTER] = 0.0
+    command[PLAN : PLAN + 6] = final
+    panel.target, panel.sequence, panel.blocked = target, "in progress", 0
+
+
+def finish(flight: Flight, state: State) -> None:
+    """End an automatic motion that reached its target in the last step, or that has been at a standstill too long."""
+    panel = state.panel
+    panel.ending, panel.beside = "", ""
+    if panel.sequence != "in progress":
+        return
+    points = flight.scenario.sequences.get(panel.mode, ())
+    point = points[panel.point] if points else None
+    passing = (
+        point is not None
+        and not point.pause
+        and panel.law == "closed loop"
+        and panel.point + 1 < len(points)
+        and state.report[DISTANCE] <= flight.scenario.fly_by
+        and state.report[ANGLE] <= flight.scenario.fly_by_turn
+    )
+    still = state.report[RATIO] < STANDSTILL
+    if state.report[ARRIVED] or passing or (still and not _beside(flight, state)):
+        _arrive(flight, state, passing)
+        return
+    panel.blocked = panel.blocked + 1 if still else 0
+    if panel.blocked * flight.scenario.control_period >= GIVEN_UP:
+        panel.sequence, panel.blocked, panel.ending = "ready", 0, "given up"
+        halt = state.site.halt
+        why = held_fast(flight, state) if halt == "seat" else standing(state.panel) or _STANDSTILLS[halt]
+        log(flight, state, "blocked", "caution", f"automatic motion given up: {why}")
+
+
+def _beside(flight: Flight, state: State) -> str:
+    """Return the final error at the present target as text; "" if the arm has reached it or there is no target."""
+    target = state.panel.target
+    return "" if target is None else miss(flight, state.arm, state.plant.angles, target)
+
+
+def _arrive(flight: Flight, state: State, passing: bool) -> None:
+    """Start the motion to a sequence's next point, wait for PROCEED at a pause point, or end the motion."""
+    panel = state.panel
+    points = flight.scenario.sequences.get(panel.mode, ())
+    beside = "" if passing else _beside(flight, state)
+    name = f"{panel.mode}, point {panel.point + 1} of {len(points)}" if points else "target"
+    _tell_arrival(flight, state, name, passing, beside)
+    goes_on = bool(points) and panel.point + 1 < len(points) and not points[panel.point].pause
+    panel.point += 1 if points else 0
+    if goes_on:
+        try:
+            begin(flight, state, points[panel.point].target)
+            if passing:  # mode 2 has no plan that starts from rest, so the motion starts at once
+                state.command[GO], panel.began = 1.0, state.tick - 1
+        except AftdeckError as error:
+            _end(panel, "given up", beside)
+            log(flight, state, "check", "caution", f"{panel.mode} stops: {error}")
+        return
+    _end(panel, "missed" if beside else "reached", beside)
+    if not points:
+        return
+    if panel.point == len(points):
+        panel.target, panel.check = None, None
+        log(flight, state, "sequence", "info", f"{panel.mode} complete")
+        return
+    panel.target = points[panel.point].target
+    log(flight, state, "sequence", "info", "pause point: PROCEED goes on")
+    begin_check(state, panel.target)
+
+
+def _end(panel: Panel, ending: Ending, beside: str) -> None:
+    panel.sequence, panel.ending, panel.beside = "idle", ending, beside
+
+
+def _tell_arrival(flight: Flight, state: State, name: str, passing: bool, beside: str) -> None:
+    """Log that a target was passed, reached or missed, with the final error."""
+    if beside:
+        log(flight, state, "arrived", "caution", f"{name} missed: the motion ended {beside} it")
+    else:
+        log(flight, state, "arrived", "info", f"{name} {'passed' if passing else 'reached'}")

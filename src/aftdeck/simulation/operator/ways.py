@@ -1,0 +1,99 @@
+"""Ways to a target: a straight line, or a joint motion to each set of angles that reaches it (RMANGS's branches)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.errors import UnreachableError
+from aftdeck.kinematics.singular import NAMES
+from aftdeck.scenario.target import Target
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.inputs import AGREED
+from aftdeck.simulation.log import spoken
+from aftdeck.simulation.parts.checking import Way
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import RATE
+from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
+
+HAIR = 1e-9
+"""Distance past a soft stop that is attributed to rounding of a solution [rad]."""
+
+
+def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[Way, ...]:
+    """Return the ways to a target that a law can fly, the quickest first.
+
+    Raises:
+        UnreachableError, SingularityError: no joint angles put the tip at the target; with the position law, none
+            inside the soft stops.
+    """
+    if law != "position":
+        final_angles(state, target)
+        return (Way(law, None, 0.0, ""),)
+    given = _given(state, target)
+    found = [given] if given is not None else _branches(flight, state, target)
+    rules = state.carried.rules["OPR CMD", state.panel.rate, AUTOMATIC_LAWS["position"]]
+    result = []
+    for angles in found:
+        a, b, c, d, e, f = angles.tolist()
+        least = float((np.abs(angles - state.plant.angles) / rules[RATE : RATE + 6]).max())
+        result.append(Way("position", (a, b, c, d, e, f), least, _name(state, angles)))
+    return tuple(sorted(result, key=lambda way: way.least))
+
+
+def final_angles(state: State, target: Target) -> Array:
+    """Return the joint angles at the target: as given, or the solution nearest to the present angles.
+
+    Angles given for another length of the telescope do not reach the target. The result is then the solution nearest
+    to the given angles.
+
+    Raises:
+        UnreachableError, SingularityError: no joint angles put the tip at the target.
+    """
+    given = _given(state, target)
+    if given is not None:
+        return given
+    near = state.plant.angles if target.joints is None else np.array(target.joints)
+    nearest: Array = state.arm.inverse(target.pose, near=near)[0]
+    return nearest
+
+
+def _given(state: State, target: Target) -> Array | None:
+    """Return the target's own joint angles if they put the tip at the target; otherwise None."""
+    if target.joints is None:
+        return None
+    angles = np.array(target.joints)
+    return angles if math.dist(state.arm.forward(angles).position, target.position) <= AGREED else None
+
+
+def _branches(flight: Flight, state: State, target: Target) -> list[Array]:
+    """Return every solution for the joint angles inside the soft stops; under `strict` only RMANGS's own solution.
+
+    If no solution is inside the soft stops, return all solutions under `as_flown`; otherwise raise UnreachableError.
+    """
+    near = state.plant.angles if target.joints is None else np.array(target.joints)
+    if flight.scenario.strict:
+        return [state.arm.rmangs(target.pose)]
+    solutions = state.arm.inverse(target.pose, near=near)
+    low, high = flight.scenario.arm.limits.soft.T
+    beyond = np.maximum(low - solutions, solutions - high)
+    inside = [angles for angles, most in zip(solutions, beyond.max(axis=1), strict=True) if most <= HAIR]
+    if not inside and not flight.scenario.as_flown:
+        row = int(beyond.max(axis=1).argmin())
+        joint = int(beyond[row].argmax())
+        raise UnreachableError(
+            f"every solution lies outside the soft stops; the nearest needs {spoken(state.arm.joints[joint])} at "
+            f"{math.degrees(solutions[row, joint]):.2f} deg, {math.degrees(beyond[row, joint]):.2f} deg outside",
+            float(beyond[row, joint]),
+            state.arm.joints[joint],
+        )
+    return inside or list(solutions)
+
+
+def _name(state: State, angles: Array) -> str:
+    """Return a text that names the parts of the arm whose bend is reversed relative to the present pose."""
+    now, then = (state.arm.singularities(q) for q in (state.plant.angles, angles))
+    turned = [name for name, a, b in zip(NAMES, now, then, strict=True) if float(a) * float(b) < 0.0]
+    return f"{' and '.join(turned)} turned over" if turned else "as the arm is bent now"

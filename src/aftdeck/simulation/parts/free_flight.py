@@ -1,0 +1,67 @@
+"""Free flight of a payload that nothing holds: its pose in space, which does not move with the orbiter."""
+
+from __future__ import annotations
+
+from math import copysign
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.state_part import StatePart, copied
+from aftdeck.worksite import model
+from aftdeck.worksite.free_flight import LimitCycle, coast, limit_cycle
+
+
+class Floating(StatePart):
+    """State of a free flight.
+
+    Attributes:
+        pose: (12,) present pose, in L as L was at the start.
+        motion: (6,) angular velocity in the body's axes [rad/s], then velocity of the centre in L's axes [m/s].
+        reference: (3, 3) rotation about which the attitude cycles.
+        cycle: (9,) attitude control, as `worksite.drift.limit_cycle` takes it; None if the body turns freely.
+        time: time since the cycle began [s].
+        met: whether a contact stopped or reflected the body in the last step.
+    """
+
+    pose: Array
+    motion: Array
+    reference: Array
+    cycle: Array | None = None
+    time: float = 0.0
+    met: bool = False
+
+    def move(self, period: float) -> None:
+        """Move the body on by one control period [s]."""
+        coast(self.pose, self.motion, period)
+        if self.cycle is not None:
+            self.time += period
+            limit_cycle(self.cycle, self.reference, self.time, self.pose, self.motion)
+
+    def moved(self, period: float) -> Floating:
+        """Return the flight a time `period` [s] later; this object stays unchanged."""
+        later = copied(self)
+        later.move(period)
+        return later
+
+
+def floating(
+    pose: Array, velocity: Array, rates: Array, control: model.LimitCycle | None, angles: Array | None = None
+) -> Floating:
+    """Return the free flight from an instant on; attitude control keeps the attitude of that instant.
+
+    Args:
+        pose: (12,) pose at that instant, in L as L was at the start.
+        velocity: (3,) velocity of the centre, in L's axes [m/s].
+        rates: (3,) angular velocity in the body's axes [rad/s]; a cycle takes only the signs, as its first directions.
+        control: the body's attitude control; None if the body has none.
+        angles: (3,) angles within the deadband at that instant [rad]; None for the middle.
+    """
+    reference = pose[3:].reshape(3, 3).copy()
+    if control is None:
+        return Floating(pose.copy(), np.concatenate((rates, velocity)), reference)
+    x, y, z = (copysign(float(rate), float(turn)) for rate, turn in zip(control.rate, rates, strict=True))
+    a, b, c = (float(band) for band in control.deadband)
+    u, v, w = (0.0, 0.0, 0.0) if angles is None else (float(angle) for angle in angles)
+    cycle = LimitCycle((a, b, c), (x, y, z), (u, v, w))
+    return Floating(pose.copy(), np.array([x, y, z, *velocity]), reference, cycle.packed())

@@ -1,0 +1,1 @@
+"""Payloads in a step: capture, berths, docking, sliding, free flight."""

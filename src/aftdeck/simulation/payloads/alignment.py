@@ -1,0 +1,188 @@
+"""Groups that count for the nearest clearance: all but those that are, or come, together as the task needs it.
+
+Otherwise every capture, docking and berthing would raise an alarm. Only the conditions of capture judge a payload that
+the hand is lined up with. A probe or trunnions are lined up if a straight motion over the remaining way would make
+them touch inside their relation (`simulation.relations`). Their contacts are monitored all the same, and a contact that
+inhibits the arm counts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import hypot, inf
+
+import numpy as np
+
+from aftdeck.arrays import Array, Mask
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.bodies.pose import pose_of
+from aftdeck.frames import oriend
+from aftdeck.simulation.constants.berths import Berth
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.hand import Bar, Snares
+from aftdeck.simulation.constants.site import Meeting, Site
+from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand
+from aftdeck.simulation.payloads.seating import approached
+from aftdeck.simulation.state import State
+from aftdeck.worksite.capture.acquisition import AWAY, FIXED, FOUND, PALM, PRONG, acquire
+from aftdeck.worksite.model import Relation
+from aftdeck.worksite.seats.berthing import over
+from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, INSIDE
+from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.contacts import FRAMES, Contacts
+from aftdeck.worksite.watch.found import CLEARANCE
+
+WIDER, WIDEST = 2.0, 2.4
+"""Factors on the envelope's radius and angles [1]: lined up from inside the first until outside the second; assumed."""
+
+
+def count(flight: Flight, state: State) -> None:
+    """Update the groups among which the next step finds the nearest, after this step has moved everything."""
+    things = state.site
+    things.watch.counts[:], things.lined_up = counted(
+        flight, things.held, things.watch, things.frames, things.lined_up, things.nearest, things.contacts,
+        things.permitted, flight.within,
+    )  # fmt: skip
+
+
+def counted(
+    flight: Flight,
+    held: int | None,
+    watch: Watch,
+    frames: Array,
+    before: int | None,
+    nearest: int,
+    contacts: Contacts,
+    permitted: Mask,
+    travel: float = inf,
+) -> tuple[Mask, int | None]:
+    """Return the groups that count for the nearest clearance, and the cargo that the hand is lined up with.
+
+    Args:
+        flight: constants of the flight.
+        held: the cargo in the hand, which then captures no other; None if the hand is empty.
+        watch: the watch after its look at `frames`.
+        frames: (F, 12) poses of all frames in L.
+        before: the cargo that the hand was lined up with until now; None if there was none.
+        nearest: the nearest group until now; -1 if there was none.
+        contacts: contacts of the step before; if hand and cargo inhibit the arm, their groups count after all.
+        permitted: (g,) groups of the task, except those that touch where their relation does not permit a contact.
+        travel: distance that two parts can close, at most, until the nearest is looked for [m].
+
+    Returns:
+        (g,) 1 for groups that should not touch, except those of the hand and the cargo that the hand is lined up with.
+        Then that cargo; None if there is none.
+    """
+    site = flight.site
+    counts = site.detrimental.copy()
+    for group in _outside(site, watch, frames, nearest, permitted, travel):
+        counts[group] = 1
+    k = None
+    if held is None and site.bar is not None:
+        k = _about_the_bar(site.bar, watch.placed)
+    elif held is None and site.snares is not None:
+        k = _before_the_snares(site, site.snares, frames, before)
+    if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
+        return counts, k
+    return counts & (1 - site.held[k]), k
+
+
+def _inhibited(contacts: Contacts, among: Mask) -> bool:
+    """Return whether a contact of one of these groups inhibits the arm."""
+    return bool(np.any((contacts.count == FRAMES) & (contacts.essential == 0) & (contacts.arm != 0) & (among != 0)))
+
+
+def _outside(site: Site, watch: Watch, frames: Array, nearest: int, permitted: Mask, travel: float) -> Iterator[int]:
+    """Yield the groups of the task that touch, or would touch, where their relation does not permit a contact.
+
+    Groups that are too far apart to be the nearest are yielded as well. Arguments as for `counted`.
+    """
+    known: dict[tuple[int, Relation], bool] = {}
+    farthest = NEAR  # nothing farther apart is lined up
+    if nearest >= 0 and site.detrimental[nearest]:  # a group farther apart cannot become the nearest
+        farthest = min(farthest, watch.found[nearest, CLEARANCE] + travel)
+    for meeting in site.meetings:
+        g, of = meeting.group, (meeting.cargo, meeting.relation)
+        if not watch.active[g]:
+            continue
+        if watch.found[g, CLEARANCE] <= CONTACT:
+            if not permitted[g]:
+                yield g
+        elif watch.bound[g] >= farthest:  # lower bound of the clearance
+            yield g
+        else:
+            if of not in known:
+                told = any(other.group == nearest for other in site.meetings if (other.cargo, other.relation) == of)
+                known[of] = _lined_up(site, frames, meeting, told=told)
+            if not known[of]:
+                yield g
+
+
+def _lined_up(site: Site, frames: Array, meeting: Meeting, *, told: bool) -> bool:
+    """Return whether the two parts would touch inside their relation if they went on straight towards each other.
+
+    If the nearest group until now is of this cargo and relation (`told`), the parts have to touch inside by the
+    relation's depth, so that no lamp flickers. A hand is lined up with all of a payload at once; the caller finds that.
+    """
+    k, depth = meeting.cargo, meeting.depth
+    inside = depth if told else 0.0
+    match meeting.relation:
+        case "docking":
+            ports = (berth for berth in site.berths[k] if berth.port is not None)
+            return any(_before_the_port(site, frames, k, berth, depth, inside) for berth in ports)
+        case "guides":
+            guided = (berth for berth in site.berths[k] if berth.guides is not None)
+            return any(_over_the_guides(site, frames, k, berth, depth, inside) for berth in guided)
+        case "acquisition" | "capture":
+            return False
+
+
+def _before_the_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
+    """Return whether the probe is before the port's face, and docking allows its place after a straight approach."""
+    row = site.cargo_row(k)
+    found = approached(berth, frames, row)
+    if found[BEFORE] < -depth or found[DISTANCE] > NEAR:
+        return False
+    assert berth.port is not None
+    inward = frames[berth.row, 3:].reshape(3, 3) @ berth.port[3:].reshape(3, 3) @ berth.seat.envelope[0, :3]
+    there = frames.copy()
+    there[row, :3] += found[BEFORE] * inward
+    found = approached(berth, there, row)
+    return bool(found[INSIDE] >= inside and found[DISTANCE] <= berth.docking.distance - inside)
+
+
+def _over_the_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
+    """Return whether every trunnion is over the mouth of its own V-guide, or in that mouth."""
+    assert berth.guides is not None
+    guides = berth.guides
+    places = guides.seats, guides.axes, guides.opening, guides.throat, guides.height, guides.play
+    least, most, room = over(frames[berth.row], frames[site.cargo_row(k)], site.cargo[k].trunnions, *places)
+    return least >= -depth and most <= NEAR and room >= inside
+
+
+def _about_the_bar(bar: Bar, placed: Array) -> int | None:
+    """Return the cargo whose bar lies before the palm and between the fingers; None if there is none."""
+    found = np.empty(FOUND)
+    for k, which in enumerate(bar.which):
+        if which is None:
+            continue
+        acquire(placed, which, bar.packed, found)
+        if found[AWAY] < NEAR and min(found[PALM], found[FIXED], found[PRONG]) >= 0.0:
+            return k
+    return None
+
+
+def _before_the_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:
+    """Return the cargo whose pin is near the end effector's axis, in about the right attitude; None without one."""
+    envelope = snares.envelope
+    for k in range(len(snares.fixtures)):
+        if (fixture := fixture_in_hand(site, frames, k)) is None:
+            continue
+        wide = WIDEST if k == before else WIDER
+        out, y, z = fixture[:3].tolist()
+        if hypot(y, z) > wide * envelope.radial or abs(out) > NEAR:
+            continue
+        roll, pitch, yaw = (abs(angle) for angle in oriend(pose_of(fixture).rotation))
+        if roll <= wide * envelope.roll and pitch <= wide * envelope.pitch and yaw <= wide * envelope.yaw:
+            return k
+    return None

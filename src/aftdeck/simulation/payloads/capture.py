@@ -1,0 +1,144 @@
+"""Capture and release of a payload: the prong about a bar (the report's mode 1), the snares about a pin."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+import numpy as np
+
+from aftdeck.bodies.pose import POSE, compose, inverse, pose_of
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.hand import Bar, Snares
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.payloads.grasp import let_go, nearest_fixture, steer, take_hold
+from aftdeck.simulation.payloads.mechanism import waits
+from aftdeck.simulation.payloads.seating import stay_or_leave
+from aftdeck.simulation.state import State
+from aftdeck.worksite.capture.acquisition import FOUND, acquire
+from aftdeck.worksite.capture.grapple import in_envelope
+from aftdeck.worksite.capture.snare import Snare, SnareCommand, advance
+from aftdeck.worksite.conditions import Condition
+from aftdeck.worksite.seats.draw_in import remaining
+
+_TRIGGERS: dict[str, Literal["", "capture", "release"]] = {"close": "capture", "open": "release", "stop": ""}
+_CONTR: dict[str, Literal["RIGID", "OFF", "DERIGID"]] = {"rigid": "RIGID", "off": "OFF", "derigid": "DERIGID"}
+
+
+def capture(flight: Flight, state: State, inputs: Inputs) -> None:
+    """Capture or release a payload, as the end effector's conditions allow.
+
+    Args:
+        flight: constants of the flight.
+        state: at the end of the step, with all frames updated.
+        inputs: inputs of this step; the snares are triggered if `inputs.effector` is not None.
+    """
+    if state.script.attached:
+        _keep(flight, state, inputs)
+    elif flight.site.bar is not None:
+        _prong(flight, state, flight.site.bar)
+    elif flight.site.snares is not None:
+        _snares(flight, state, flight.site.snares, pressed=inputs.effector is not None)
+
+
+def _keep(flight: Flight, state: State, inputs: Inputs) -> None:
+    """Reject every motion of an end effector whose payload the scenario fixes in the grasp."""
+    for switch in (inputs.effector, inputs.rigid):
+        if switch in ("close", "open", "rigid", "derigid"):
+            refuse(
+                flight,
+                state,
+                f"{switch.upper()} refused: the scenario fixes its payload in the grasp; a payload of [[cargo]] can be "
+                "released and captured",
+            )
+
+
+def _prong(flight: Flight, state: State, bar: Bar) -> None:
+    """Acquire a payload if the six conditions hold; release it once the fingers are farther apart than allowed."""
+    things = state.site
+    if things.held is not None:
+        if bar.fixed_finger - things.prong.position > bar.tolerances.spacing:
+            _release(flight, state, things.held)
+        return
+    found = np.empty(FOUND)
+    for k, which in enumerate(bar.which):
+        if which is not None and acquire(things.watch.placed, which, bar.packed, found):
+            _acquired(flight, state, k)
+            return
+
+
+def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None:
+    """Move the snares and the carriage by one step of CAPTURE, RELEASE or MAN CONTR."""
+    things, scenario = state.site, flight.scenario
+    held = k = things.held
+    if not pressed and not things.snare.motion and things.rigid == "off":
+        return
+    conditions: tuple[Condition, ...] = ()
+    if held is None and (near := nearest_fixture(flight, state, math.inf)) is not None:
+        k, fixture = near
+        conditions = in_envelope(pose_of(fixture), snares.envelope, scenario.arm.model.units)
+    command = SnareCommand(
+        "AUTO" if things.effector_mode == "auto" else "MAN",
+        _TRIGGERS[things.switch] if pressed else "",
+        _CONTR[things.rigid],
+    )
+    snare, said = advance(things.snare, snares.times, command, scenario.control_period, conditions)
+    halted = held is not None and snare.drawn != things.snare.drawn and not _draw_in(flight, state, snares, held, snare)
+    for line in said:
+        if line.kind == "refused" or not halted:
+            log(flight, state, line.kind, line.level, line.text)
+    if halted:
+        return
+    things.snare = snare
+    if held is None and k is not None and snare.captured:
+        _acquired(flight, state, k)
+    elif held is not None and not snare.captured:
+        _release(flight, state, held)
+
+
+def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare) -> bool:
+    """Draw the pin towards its seat, from the next step on; return False if that would make or deepen a contact.
+
+    A payload that is fixed stays, and the arm gives way (assumed). The carriage's travel during that time is not made
+    up later, so that the payload does not jump when it is unlatched.
+    """
+    site, things = flight.site, state.site
+    thing = things.cargo[k]
+    if thing.seat or thing.first is None:
+        return True
+    left, pin, grasp, drawn = np.empty(POSE), np.empty(POSE), np.empty(POSE), np.empty(POSE)
+    remaining(np.array(thing.first), 1.0 - (snare.drawn - thing.since), left)
+    compose(site.effector, left, pin)
+    compose(pin, inverse(snares.fixture(k)), grasp)
+    compose(things.frames[site.last_joint], grasp, drawn)
+    if waits(flight, state, k, drawn, "carriage"):
+        return False
+    thing.grasp = grasp.tolist()
+    things.ride(site, k)
+    if snare.drawn == 1.0:
+        thing.steered = thing.grasp
+        steer(flight, state)
+    return True
+
+
+def _acquired(flight: Flight, state: State, k: int) -> None:
+    """Attach a captured payload to the arm, which ends MODE 1.
+
+    A payload that merely lies in the concept's bay leaves its seat.
+    """
+    site, thing = flight.site, state.site.cargo[k]
+    if thing.seat and site.lies(thing.seat):
+        thing.seat = ""
+    take_hold(flight, state, k)
+    fixed = f", fixed in the {site.seat(thing.seat).title}" if thing.seat else ""
+    log(flight, state, "acquired", "info", f"{site.cargo[k].title} acquired{fixed}")
+
+
+def _release(flight: Flight, state: State, k: int) -> None:
+    """Release a payload, which then stays in its seat, or floats free and keeps its velocity."""
+    site, thing = flight.site, state.site.cargo[k]
+    let_go(flight, state, k)
+    stay_or_leave(flight, state, k)
+    where = f"it stays in the {site.seat(thing.seat).title}" if thing.seat else "it is free"
+    log(flight, state, "released", "info", f"{site.cargo[k].title} released: {where}")

@@ -1,0 +1,139 @@
+"""Contacts of a floating payload with the arm, the walls and other payloads; the payload passes through none of them.
+
+The plant does not model forces. The impulse of such a contact is therefore unknown, and the contact does not move what
+the body meets. The contact stops the body, or reflects the body if the scenario says so (`free_contact`). A body with
+attitude control holds its attitude until the way is free, and then continues in its deadband. The body stops before its
+own motion makes a contact, so that motion never inhibits the arm.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arrays import Array, Mask
+from aftdeck.law import law
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.frame_poses import frames_with
+from aftdeck.simulation.log import log
+from aftdeck.simulation.parts.free_flight import Floating
+from aftdeck.simulation.state import State
+from aftdeck.worksite.conditions import shown
+from aftdeck.worksite.file.check import ARM
+from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.contact_motion import looked_at, worsened
+from aftdeck.worksite.watch.found import CLEARANCE, NORMAL, POINT_A, POINT_B
+from aftdeck.worksite.watch.motion import motion
+
+HALVINGS = 8
+"""Bisections of the step in which a body meets something: the body stops within 1/256 of its way in the step."""
+
+
+def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floating:
+    """Return the free flight of a cargo one control period later, stopped or reflected by what the cargo meets.
+
+    If nothing is near, the result is `floating` itself, moved on.
+
+    Args:
+        flight: constants of the flight.
+        state: state in which all else has been moved in this step.
+        k: the cargo.
+        floating: the cargo's free flight until now.
+    """
+    period, things = flight.scenario.control_period, state.site
+    if not measured(things.watch.found, flight.site.of_cargo[k]):  # nothing is near enough to be met in this step
+        floating.move(period)
+        floating.met = False
+        return floating
+    after = floating.moved(period)
+    here = looked_at(things.watch, _frames(flight, state, k, floating))
+    group = _met(flight, state, k, here, after)
+    if group < 0:
+        after.met = False
+        return after
+    return _stopped(flight, state, k, floating, here, group)
+
+
+@law
+def measured(found: Array, groups: Mask) -> bool:
+    """Return whether the clearance of any of these groups, (g,) 1 for each, was small enough to be measured."""
+    near = False
+    for g in range(len(groups)):
+        near = near or (groups[g] != 0 and found[g, CLEARANCE] < np.inf)
+    return near
+
+
+def _frames(flight: Flight, state: State, k: int, floating: Floating) -> Array:
+    """Set cargo k to the pose of a free flight, and return the poses of all frames in L, (F, 12)."""
+    state.site.rides[k] = floating.pose
+    return frames_with(flight, state, state.site.prong.position)
+
+
+def _met(flight: Flight, state: State, k: int, here: Watch, after: Floating) -> int:
+    """Return the group in which a motion of cargo k makes or deepens a contact; -1 if there is none."""
+    return worsened(here, flight.site.of_cargo[k], _frames(flight, state, k, after))
+
+
+def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Watch, group: int) -> Floating:
+    """Return the free flight of a body that stops against what it met, or is reflected; log a new contact."""
+    period, site = flight.scenario.control_period, flight.site
+    free, share = 0.0, 0.5
+    for _ in range(0 if floating.met else HALVINGS):
+        clear = _met(flight, state, k, here, floating.moved((free + share) * period)) < 0
+        free, share = free + share if clear else free, 0.5 * share
+    stopped = floating.moved(free * period)
+    first = site.layout.frames[site.layout.between_frames[group, 0]] == site.cargo[k].name
+    row = here.found[group]
+    into = row[NORMAL : NORMAL + 3] if first else -row[NORMAL : NORMAL + 3]
+    point = row[POINT_A : POINT_A + 3] if first else row[POINT_B : POINT_B + 3]
+    frames = _frames(flight, state, k, floating)
+    arm = point - frames[site.cargo_row(k), :3]
+    other = int(site.layout.between_frames[group, 1 if first else 0])
+    against = _velocity(flight, state, site.layout.frames[other])
+    surface = against + _of_arm(flight, state, frames, other, point)
+    straight, turning = _closing(floating, surface, arm, into)
+    reflects = flight.scenario.free_contact == "reflect" and not floating.met
+    if reflects:
+        stopped.motion[3:] -= 2.0 * max(straight, 0.0) * into
+    else:
+        stopped.motion[3:] = against
+    if floating.cycle is None:
+        stopped.motion[:3] *= 0.0 if not reflects else -1.0 if turning > 0.0 else 1.0
+    if not floating.met:
+        what, whom = site.layout.named(group) if first else reversed(site.layout.named(group))
+        speed = shown(straight + turning, "m", flight.scenario.arm.model.units) + "/s"
+        done = "is reflected" if reflects else "stops"
+        log(flight, state, "bump", "caution", f"{what} meets {whom} at {speed} and {done}; impulse unknown")
+    stopped.met = True
+    return stopped
+
+
+def _velocity(flight: Flight, state: State, frame: str) -> Array:
+    """Return the velocity in space (3,) of the frame that a body met, in L's axes [m/s].
+
+    Parts of the arm count as moving with the orbiter: the arm does not carry along a body that stops against it.
+    """
+    site, things = flight.site, state.site
+    for k, one in enumerate(site.cargo):
+        if one.name != frame:
+            continue
+        if (floating := things.floating[k]) is not None:
+            return floating.motion[3:].copy()
+        if things.cargo[k].seat and site.in_space(things.cargo[k].seat):
+            return np.zeros(3)
+    return np.zeros(3) if frame == "space" else site.axes @ things.orbiter_velocity
+
+
+def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Array) -> Array:
+    """Return the velocity in L (3,) of a point of a frame that the arm moves [m/s]; zeros for any other frame."""
+    name, held = flight.site.layout.frames[frame], state.site.held
+    if not name.startswith(ARM) and (held is None or name != flight.site.cargo[held].name):
+        return np.zeros(3)
+    now = motion(state.site.frames[frame], frames[frame], flight.scenario.control_period)
+    turn = np.array([now.wx, now.wy, now.wz])
+    return np.array([now.vx, now.vy, now.vz]) + np.cross(turn, point - frames[frame, :3])
+
+
+def _closing(floating: Floating, against: Array, arm: Array, into: Array) -> tuple[float, float]:
+    """Return the speeds at which a touching point closes, from the body's velocity and from its rotation [m/s]."""
+    turn = floating.pose[3:].reshape(3, 3) @ floating.motion[:3]
+    return float((floating.motion[3:] - against) @ into), float(np.cross(turn, arm) @ into)

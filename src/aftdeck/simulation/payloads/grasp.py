@@ -1,0 +1,160 @@
+"""Grasp of a worksite payload: its pose while held and after release, and the arm's steering with the payload."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.pose import POSE, relative
+from aftdeck.kinematics.payload import PACKED, Payload
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.site import Site
+from aftdeck.simulation.log import log
+from aftdeck.simulation.parts.carried import carrying
+from aftdeck.simulation.parts.free_flight import floating
+from aftdeck.simulation.payloads.hand_poses import fixture_in_effector, payload_in_hand
+from aftdeck.simulation.state import State
+from aftdeck.steering.mode import MODES
+from aftdeck.worksite.capture.snare import Snare
+from aftdeck.worksite.watch.motion import motion
+
+NEAR = 3.0
+"""Distance from the hand beyond which no capture of a bar or a fixture is under way [m]."""
+
+
+def take_hold(flight: Flight, state: State, k: int) -> None:
+    """Attach a cargo to the frame of the last joint, in the cargo's present pose (MO2SET)."""
+    things = state.site
+    things.cargo[k].held, things.floating[k] = True, None
+    regrasp(flight, state, k)
+    things.settle(flight.site)
+
+
+def regrasp(flight: Flight, state: State, k: int) -> None:
+    """Set the grasp of a held cargo, and the steering with the cargo, to the present pose.
+
+    From now on the carriage draws in what remains of the misalignment.
+    """
+    thing = state.site.cargo[k]
+    thing.grasp = thing.steered = in_hand(flight, state, k).tolist()
+    if (fixture := fixture_in_hand(flight.site, state.site.frames, k)) is not None:
+        thing.first, thing.since = fixture.tolist(), state.site.snare.drawn
+    steer(flight, state)
+
+
+def steer(flight: Flight, state: State) -> None:
+    """Set the steering to the payload in the grasp and to the limits of the script's phase.
+
+    The steering takes a worksite payload's mass, its axes and, as point of resolution, its centre.
+    """
+    scenario, script, payload = flight.scenario, state.script, None
+    for k, thing in enumerate(state.site.cargo):
+        if thing.held:
+            payload = _payload(flight, k, np.array(thing.steered))
+    if script.attached:
+        payload = scenario.own_payloads[script.attached - 1]
+    limits = scenario.phases[script.limits].limits if script.limits >= 0 else None
+    state.carried = carrying(scenario, payload, limits)
+
+
+def put_effector(flight: Flight, state: State, *, holding: bool) -> None:
+    """Set the end effector as with a payload in its grasp (prong closed or snares rigid), or as with none."""
+    things = state.site
+    if flight.site.prong:
+        things.prong.position = flight.prong.high if holding else flight.prong.low
+    else:
+        held = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
+        things.snare = held if holding else Snare()
+
+
+def packed_in_grasp(flight: Flight, state: State) -> Array | None:
+    """Return the payload in the grasp as `Payload.packed`, in its present pose; None if the grasp is empty.
+
+    Carriage and latches change the pose of a worksite payload in the hand.
+    """
+    site, k = flight.site, state.site.held
+    if k is None:
+        own = state.carried.payload
+        return None if own is None else own.packed
+    inside, packed = np.empty(POSE), np.zeros(PACKED)
+    payload_in_hand(state.site.frames, site.last_joint, site.cargo_row(k), site.hand, inside)
+    packed[:9] = inside[3:]
+    packed[9:12] = inside[3:].reshape(3, 3).T @ inside[:3]
+    return packed
+
+
+def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
+    """Return cargo k as the arm's laws take it, held with the pose `grasp` (12,) in the frame of the last joint."""
+    inside = np.empty(POSE)
+    relative(flight.site.hand, grasp, inside)
+    rotation = inside[3:].reshape(3, 3).copy()
+    return Payload(flight.site.cargo[k].mass, rotation, rotation.T @ inside[:3], np.zeros(3))
+
+
+def in_hand(flight: Flight, state: State, k: int) -> Array:
+    """Return a cargo's pose (12,) in the frame of the last joint."""
+    site, frames, grasp = flight.site, state.site.frames, np.empty(POSE)
+    relative(frames[site.last_joint], frames[site.cargo_row(k)], grasp)
+    return grasp
+
+
+def fixture_in_hand(site: Site, frames: Array, k: int) -> Array | None:
+    """Return the pose (12,) of a cargo's grapple fixture in the end effector's axes E.
+
+    Args:
+        site: constants of the worksite.
+        frames: (F, 12) poses of all frames in L.
+        k: the cargo.
+
+    Returns:
+        The pose; None if the hand has no snares or the cargo no fixture.
+    """
+    fixture = site.snares.fixtures[k] if site.snares is not None else None
+    if fixture is None:
+        return None
+    found = np.empty(POSE)
+    fixture_in_effector(frames, site.last_joint, site.effector, site.cargo_row(k), fixture, found)
+    return found
+
+
+def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple[int, Array] | None:
+    """Return the cargo whose fixture is nearest, and the fixture's pose (12,) in E; None beyond `within` [m]."""
+    best, least = None, within
+    for k in range(len(flight.site.cargo)):
+        fixture = fixture_in_hand(flight.site, state.site.frames, k)
+        if fixture is not None and (away := math.hypot(*fixture[:3].tolist())) < least:
+            best, least = (k, fixture), away
+    return best
+
+
+def let_go(flight: Flight, state: State, k: int) -> None:
+    """Empty the grasp; enter ORB UNL if the present mode moves a payload."""
+    things, panel = state.site, state.panel
+    thing = things.cargo[k]
+    thing.held, thing.grasp, thing.first, thing.steered, thing.since = False, None, None, None, 0.0
+    steer(flight, state)
+    if MODES[panel.mode].loaded:
+        panel.mode, panel.held, panel.holding, panel.sequence = "ORB UNL", None, None, "idle"
+        log(flight, state, "mode", "info", "ORB UNL entered: nothing is in the grasp any more")
+    things.settle(flight.site)
+
+
+def set_free(flight: Flight, state: State, k: int, from_space: bool) -> None:
+    """Let a cargo that nothing holds any more float on with its present motion and its attitude control.
+
+    A cargo that was fixed in space rests there. A cargo that was held moves as the hand did, with the orbiter's
+    velocity.
+    """
+    site, things = flight.site, state.site
+    row = site.cargo_row(k)
+    now = motion(things.before[row], things.frames[row], flight.scenario.control_period)
+    pose = things.frames[row].copy()
+    pose[:3] += site.scene[:3] - things.frames[site.space_row, :3]
+    turn = pose[3:].reshape(3, 3).T @ np.array([now.wx, now.wy, now.wz])
+    velocity = np.array([now.vx, now.vy, now.vz]) + site.axes @ things.orbiter_velocity
+    if from_space:
+        velocity[:] = 0.0
+    things.floating[k] = floating(pose, velocity, turn, site.cargo[k].limit_cycle)
+    things.settle(site)

@@ -1,0 +1,33 @@
+"""Contact check of the mechanisms that move a held payload: carriage and latches stop before a contact."""
+
+from __future__ import annotations
+
+from aftdeck.arrays import Array
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.log import log
+from aftdeck.simulation.state import State
+from aftdeck.worksite.watch.contact_motion import worsened
+
+
+def waits(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
+    """Return whether a mechanism must stop because drawing in cargo k would make or deepen a contact.
+
+    The stop is logged once. Walls along which the cargo slides count as well: a mechanism does not slide the cargo.
+    Essential contacts that their relation permits do not count.
+
+    Args:
+        flight: constants of the run.
+        state: state whose contacts are up to date.
+        k: index of the cargo, which is held.
+        pose: (12,) pose to which the mechanism would draw the cargo, in L.
+        what: name of the mechanism, for the log.
+    """
+    site, things = flight.site, state.site
+    after = things.frames.copy()
+    after[site.cargo_row(k)] = pose
+    group = worsened(things.watch, things.contacts.arm & (1 - things.permitted), after)
+    if group >= 0 and not things.waiting:
+        a, b = site.layout.named(group)
+        log(flight, state, "waits", "caution", f"the {what} waits: it would bring {a} deeper into {b}")
+    things.waiting = group >= 0
+    return things.waiting

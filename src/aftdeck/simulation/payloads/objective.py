@@ -1,0 +1,64 @@
+"""Present objective of the hand (capture, docking or berthing) and its conditions, as the panel displays them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.bodies.pose import pose_of
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.constants.hand import Bar
+from aftdeck.simulation.payloads.grasp import NEAR, fixture_in_hand, nearest_fixture
+from aftdeck.simulation.payloads.latch_command import nearest_berth
+from aftdeck.simulation.payloads.seating import conditions_at
+from aftdeck.simulation.state import State
+from aftdeck.worksite.capture.acquisition import AWAY, FOUND, acquire, acquisition
+from aftdeck.worksite.capture.grapple import in_envelope
+from aftdeck.worksite.conditions import Condition
+from aftdeck.worksite.report import Objective
+
+Pursued = tuple[Objective | None, tuple[Condition, ...]]
+
+
+def present_objective(flight: Flight, state: State) -> Pursued:
+    """Return the present objective and its conditions; None and () if nothing is near enough."""
+    site, things, units = flight.site, state.site, flight.scenario.arm.model.units
+    if (k := things.held) is not None:
+        berth = None if things.fast else nearest_berth(flight, state, k)
+        if berth is None:
+            return None, ()
+        text = f"{berth.verb} in the {berth.seat.title}"
+        return Objective(berth.verb, text), conditions_at(flight, state, k, berth)
+    if site.bar is not None:
+        return _acquisition(flight, state, site.bar)
+    if site.snares is not None and (near := nearest_fixture(flight, state)) is not None:
+        k, fixture = near
+        text = f"capture {site.cargo[k].title}"
+        return Objective("capture", text), in_envelope(pose_of(fixture), site.snares.envelope, units)
+    return None, ()
+
+
+def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
+    """Return the conditions of capture at the present grasp of cargo k; () if the worksite has no rule for it."""
+    site, units = flight.site, flight.scenario.arm.model.units
+    if site.bar is not None and (which := site.bar.which[k]) is not None:
+        found = np.empty(FOUND)
+        acquire(state.site.watch.placed, which, site.bar.packed, found)
+        return acquisition(found, site.bar.tolerances, units)
+    if site.snares is not None and (fixture := fixture_in_hand(site, state.site.frames, k)) is not None:
+        return in_envelope(pose_of(fixture), site.snares.envelope, units)
+    return ()
+
+
+def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursued:
+    """Return the objective to acquire the bar nearest to the palm, and its conditions; None and () if none is near."""
+    best: Pursued = (None, ())
+    least, found = NEAR, np.empty(FOUND)
+    for cargo, which in zip(flight.site.cargo, bar.which, strict=True):
+        if which is None:
+            continue
+        acquire(state.site.watch.placed, which, bar.packed, found)
+        if found[AWAY] < least:
+            least = float(found[AWAY])
+            conditions = acquisition(found, bar.tolerances, flight.scenario.arm.model.units)
+            best = Objective("acquire", f"acquire {cargo.title}"), conditions
+    return best

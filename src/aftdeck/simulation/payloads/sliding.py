@@ -1,0 +1,62 @@
+"""Sliding along walls: the commanded rates are replaced by rates that keep a payload out of its walls.
+
+Remote Manipulator Simulation, final report, section VII.4.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.frame_poses import frames_after
+from aftdeck.simulation.state import State
+from aftdeck.steering.layout import RATES
+from aftdeck.worksite.sliding.projection import LEAST, OUTWARD
+from aftdeck.worksite.sliding.touches import touches
+from aftdeck.worksite.sliding.walls import met, slid
+from aftdeck.worksite.watch.contact_motion import deeper
+
+OUT = 0.01
+"""Speed at which a cargo that overlaps a wall is moved out of it [m/s] (assumed)."""
+INTO = 1e-7
+"""Greatest increase of a cargo's depth in a wall in one step [m]; more means a contact missing from the touches."""
+
+
+def slide_along(flight: Flight, state: State, telescope: float, held: int) -> float | None:
+    """Change the commanded rates so that the held cargo does not move into the walls that it may slide along.
+
+    Args:
+        flight: constants of the run.
+        state: state with the step's commanded rates, which are changed.
+        telescope: commanded drive of the stand, in [-1, 1].
+        held: index of the cargo in the grasp.
+
+    Returns:
+        Allowed drive of the stand, in [-1, 1]: the stand stops at a wall. None if the arm must stop to keep the cargo
+        out of a wall.
+    """
+    site, things, period = flight.site, state.site, flight.scenario.control_period
+    counts, travel = site.slides[held], flight.telescope
+    near = met(things.watch.found, counts, state.steering, abs(telescope) * travel.rate, period)
+    if near == 0.0:
+        return telescope
+    found = touches(things.watch, counts, site.cargo[held].name, near, period, OUT)
+    telescope *= _room(found, -telescope * travel.rate)
+    height = state.plant.stand.after(travel, telescope, period)
+    rules = state.rules
+    commanded, last = state.steering.copy(), things.frames[site.last_joint]
+    for turning in (1.0, 0.0):
+        state.steering[:] = commanded
+        slid(rules, site.arm.joints, last, height, turning, found, state.steering)
+        after = frames_after(flight, state, state.steering[RATES : RATES + 6], telescope)
+        if deeper(things.watch, counts, after) <= INTO:
+            return telescope
+    return None
+
+
+def _room(found: Array, speed: float) -> float:
+    """Return the fraction, 0 to 1, of the stand's speed along axis 3 [m/s] that takes no touch (k, 7) into its wall."""
+    into, gap = -speed * found[:, OUTWARD + 2], np.maximum(-found[:, LEAST], 0.0)
+    held_up = into > gap
+    return float((gap[held_up] / into[held_up]).min(initial=1.0))

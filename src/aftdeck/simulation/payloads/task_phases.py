@@ -1,0 +1,44 @@
+"""Task phases, the report's modes 1 to 4: acquisition, extraction, manoeuvring, docked; they change automatically."""
+
+from __future__ import annotations
+
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.log import log
+from aftdeck.simulation.state import State
+from aftdeck.worksite.watch.bay import any_inside
+
+ACQUISITION, EXTRACTION, MANOEUVRING, DOCKED = 1, 2, 3, 4
+TASKS = {ACQUISITION: "acquisition", EXTRACTION: "extraction", MANOEUVRING: "manoeuvring", DOCKED: "docked"}
+
+
+def change_task(flight: Flight, state: State) -> None:
+    """Set the report's mode from the present state, and log a change."""
+    things = state.site
+    now = _task(flight, state)
+    if now != things.task:
+        things.task = now
+        log(flight, state, "task", "info", f"MODE {now}: {TASKS[now]}")
+
+
+def _task(flight: Flight, state: State) -> int:
+    """Return the report's mode of the present state.
+
+    ACQUISITION: no payload of the worksite is held. DOCKED: held and fixed at a port. EXTRACTION: held with a vertex
+    inside the bay. MANOEUVRING: held elsewhere.
+    """
+    site, things = flight.site, state.site
+    held = things.held
+    if held is None:
+        return ACQUISITION
+    seat = things.cargo[held].seat
+    if seat and site.seat(seat).kind == "port":
+        return DOCKED
+    return EXTRACTION if in_bay(flight, state, held) else MANOEUVRING
+
+
+def in_bay(flight: Flight, state: State, k: int) -> bool:
+    """Return whether a vertex of a cargo is below the bay's top and between its walls; False if there is no bay."""
+    site = flight.site
+    if site.bay is None:
+        return False
+    return any_inside(state.site.watch.placed, site.bodies[k], site.scene, site.bay[0], site.bay[1])

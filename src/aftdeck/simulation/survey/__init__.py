@@ -1,0 +1,1 @@
+"""Survey of an arm at a worksite over sampled poses, for `aftdeck check`."""

@@ -1,0 +1,164 @@
+"""Search for cameras inside a part of the arm or inside parts around a payload, for `simulation.survey`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from aftdeck.arms.solids import solids_of
+from aftdeck.arrays import Array
+from aftdeck.bodies.cameras import Camera
+from aftdeck.bodies.hexahedron import NX, D, pack
+from aftdeck.bodies.overlap import deepest
+from aftdeck.bodies.pose import POSE
+from aftdeck.files import Problem
+from aftdeck.kinematics.frames import frames_of, place_frames
+from aftdeck.scenario.all_cameras import cameras_of
+from aftdeck.scenario.fit import TOLERANCE, Parts, hands, parts_at
+from aftdeck.scenario.model import Scenario
+from aftdeck.scenario.relative import composed, inverted, scene_in_l
+from aftdeck.simulation.constants.site import site_of
+from aftdeck.simulation.survey.poses import bodies, inside_soft_stops, placed, stops, told
+from aftdeck.worksite.conditions import shown
+from aftdeck.worksite.file.check import depth_in
+
+Tried = tuple[Array, float, float]
+"""Joint angles [rad], length of the telescope and position of the prong [m]."""
+_LITTLE = 0.1
+"""Rotation of the first joint that shows in which direction the joint swings the elbow [rad]."""
+
+
+def cameras(scenario: Scenario) -> Iterator[Problem]:
+    """Yield a problem for each camera inside a part, once for each part, with the pose."""
+    television = [camera for camera in cameras_of(scenario) if camera.kind == "camera"]
+    yield from _on_the_arm(scenario, television)
+    yield from _round_the_arm(scenario, television)
+    yield from _on_payloads(scenario, television)
+
+
+def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
+    """Yield the arm's cameras that are inside a part of the arm, at combinations of its hard stops."""
+    on_arm = [camera for camera in cameras if camera.body in scenario.arm.model.frames]
+    found: set[tuple[str, str]] = set()
+    for how, angles, stand, prong in stops(scenario):
+        frames = placed(scenario, angles, stand, prong)
+        own = bodies(scenario, frames)
+        for camera in on_arm:
+            pose = frames[camera.body]
+            for part, depth in _inside(pose.rotation @ np.array(camera.position) + pose.position, own):
+                if (camera.name, part) not in found:
+                    found.add((camera.name, part))
+                    yield _problem(scenario, camera, part, depth, how)
+
+
+def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
+    """Yield cameras around the arm that are inside a part of the arm, in poses for which a run logs no contact.
+
+    In such a pose the arm overlaps nothing that a run watches, the camera's own housing included. The body that
+    carries the camera is at its start pose.
+    """
+    model = scenario.arm.model
+    stands = {body.name: body.pose for body in scenario.worksite.bodies}
+    fixed = [camera for camera in cameras if camera.body in stands]
+    scene = scene_in_l(model.mount, scenario.worksite.origin)
+    poses = [composed(scene, stands[camera.body]) for camera in fixed]
+    points = [pose.rotation @ camera.position + pose.position for camera, pose in zip(fixed, poses, strict=True)]
+    tried = _turned_to(scenario, list(inside_soft_stops(scenario)), points)
+    found: set[tuple[int, str]] = set()
+    for k, camera, part, depth in _met(scenario, tried, np.array(points).reshape(-1, 3)):
+        if (camera, part) not in found and not _seen_in_a_run(scenario, bodies(scenario, placed(scenario, *tried[k]))):
+            found.add((camera, part))
+            yield _problem(scenario, fixed[camera], part, depth, told(tried[k][0]))
+
+
+def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> list[Tried]:
+    """Return the poses with the first joint turned so that a point (3,) in L is in the plane of the arm's booms.
+
+    The poses use the points in turn. Poses whose first joint would leave its soft stops are omitted. In a random pose
+    a boom contains a given point once in ten thousand, in these poses once in fifty.
+    """
+    if not points:
+        return []
+    model = scenario.arm.model
+    low, high = model.limits.soft[0]
+    middle = 0.5 * model.limits.soft.sum(axis=1)
+    turned = middle.copy()
+    turned[0] += _LITTLE
+    elbow = model.linkage.frames[3]
+    ahead, after = (_azimuth(placed(scenario, at, 0.0, 0.0)[elbow].position) for at in (middle, turned))
+    sign, start = np.sign(np.sin(after - ahead)), middle[0]
+    found = []
+    for k, (angles, stand, prong) in enumerate(tried):
+        # every second round turns by pi: an arm leaning back over its shoulder has the point behind it
+        turn = sign * (_azimuth(points[k % len(points)]) - ahead) + (k // len(points) % 2) * np.pi
+        heading = (start + turn + np.pi) % (2.0 * np.pi) - np.pi
+        if low <= heading <= high:
+            found.append((np.array([heading, *angles[1:]]), stand, prong))
+    return found
+
+
+def _azimuth(point: Array) -> float:
+    return float(np.arctan2(point[1], point[0]))
+
+
+def _met(scenario: Scenario, tried: Sequence[Tried], points: Array) -> Iterator[tuple[int, int, str, float]]:
+    """Yield (pose, point, part, depth [m]) for each point of (n, 3) in L that is inside a part of the arm."""
+    arm = frames_of(scenario.arm.model)
+    frames = np.empty((len(tried), len(arm.names), POSE))
+    for row, (angles, stand, prong) in zip(frames, tried, strict=True):
+        place_frames(arm.joints, angles, stand, prong, row)
+    local = {
+        name: np.einsum("kij,kni->knj", own[:, 3:].reshape(-1, 3, 3), points - own[:, None, :3])
+        for name, own in zip(arm.names, frames.transpose(1, 0, 2), strict=True)
+    }
+    for solid in solids_of(scenario.arm.model):
+        body = pack(solid.vertices)
+        depths = (body[D:] - local[solid.frame] @ body[NX:D].reshape(3, 6)).min(axis=2)
+        for k, point in np.argwhere(depths >= 0.0).tolist():
+            yield k, point, solid.part, float(depths[k, point])
+
+
+def _seen_in_a_run(scenario: Scenario, own: Parts) -> bool:
+    """Return whether the arm, given by its parts in L, overlaps a part that a run watches against it."""
+    layout = site_of(scenario).layout
+    scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
+    around = parts_at(scenario.worksite.solids, scene)
+    watched = (layout.named(group) for group in range(len(layout.groups)))
+    return any(deepest(own[a], around[b]) > TOLERANCE for a, b in watched if a in own and b in around)
+
+
+def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
+    """Yield payload cameras that are inside the hand that holds the payload, or inside parts around it in a seat."""
+    for one in scenario.cargo:
+        own = [camera for camera in cameras if camera.body == one.name]
+        for how, hand in hands(scenario.arm.model, scenario.worksite, one).items():
+            yield from _held(scenario, own, hand, f"with the hand, {how}, at its bar")
+        for seat in scenario.worksite.seats:
+            if seat.lacks(one.probe, one.trunnions):
+                continue
+            around = parts_at(scenario.worksite.solids, inverted(seat.seated(one.probe)))
+            yield from _held(scenario, own, around, f"with {one.name} in the seat {seat.name!r}")
+
+
+def _held(scenario: Scenario, cameras: list[Camera], around: Parts, how: str) -> Iterator[Problem]:
+    for camera in cameras:
+        for part, depth in _inside(np.array(camera.position), around):
+            yield _problem(scenario, camera, part, depth, how)
+
+
+def _problem(scenario: Scenario, camera: Camera, part: str, depth: float, how: str) -> Problem:
+    deep = shown(depth, "m", scenario.arm.model.units)
+    return Problem(("worksite",), f"camera {camera.name} is {deep} inside {part} {how}")
+
+
+def _inside(point: Array, parts: Parts) -> Iterator[tuple[str, float]]:
+    """Yield the parts that contain a point, and the depth of the point in each [m]."""
+    for part, solids in parts.items():
+        depth = max((depth_in(point, body) for body in solids if _in_box(point, body)), default=-1.0)
+        if depth >= 0.0:
+            yield part, depth
+
+
+def _in_box(point: Array, body: Array) -> bool:
+    return bool((body.min(axis=0) <= point).all() and (point <= body.max(axis=0)).all())

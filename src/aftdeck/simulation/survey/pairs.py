@@ -1,0 +1,72 @@
+"""Search for collisions of a scenario's arm, starts and cameras over sampled poses, for ``aftdeck check`` and tests.
+
+The search takes about a second. `scenario.fit` makes the cheap checks at load, for errors that make a run senseless.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from aftdeck.arms.solids import solids_of
+from aftdeck.bodies.overlap import deepest
+from aftdeck.files import Problem, Where
+from aftdeck.scenario.fit import TOLERANCE
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.constants.site import site_of
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.simulation.run import Simulation
+from aftdeck.simulation.survey.cameras import cameras
+from aftdeck.simulation.survey.poses import bodies, placed, stops
+from aftdeck.simulation.survey.reach import reach
+from aftdeck.worksite.conditions import shown
+
+
+def survey(scenario: Scenario) -> list[Problem]:
+    """Return all problems found: two names, the depth of the overlap and the location in the scenario's file.
+
+    The survey covers the starts of the scenario; pairs of the arm's parts that no run watches, at combinations of the
+    hard stops; cameras (`simulation.survey_cameras`); and reach (`simulation.survey_reach`).
+
+    Raises:
+        ScenarioError: at a start the arm holds a payload in a way in which its hand could not have captured it.
+    """
+    return [*_starts(scenario), *reach(scenario), *_folded(scenario), *cameras(scenario)]
+
+
+def _starts(scenario: Scenario) -> Iterator[Problem]:
+    """Yield the detrimental contacts at the start of the full problem and of each of its parts."""
+    sim = Simulation(scenario)
+    units = scenario.arm.model.units
+    starts: list[tuple[Where, Inputs]] = [(("initial",), Inputs())]
+    starts += [(("initialise", part), Inputs(initialise=part)) for part in scenario.parts if part != "full problem"]
+    for where, inputs in starts:
+        for contact in sim.step(inputs).work.contacts:
+            if not contact.essential and contact.clearance < -TOLERANCE:
+                depth = shown(-contact.clearance, "m", units)
+                yield Problem(where, f"{contact.a} is {depth} inside {contact.b}")
+
+
+def _folded(scenario: Scenario) -> Iterator[Problem]:
+    """Yield pairs of arm parts that no run watches and that overlap more at hard stops than at mid-range.
+
+    Skip an arm whose solids cover round parts from outside: such solids overlap by design at a joint.
+    """
+    model = scenario.arm.model
+    if model.equipment.covered:
+        return
+    home = {solid.part: solid.frame for solid in solids_of(model)}
+    layout = site_of(scenario).layout
+    watched = {frozenset(layout.named(group)) for group in range(len(layout.groups))}
+    pairs = [(a, b) for a in home for b in home if a < b and home[a] != home[b] and frozenset((a, b)) not in watched]
+    usual: dict[tuple[str, str], float] = {}
+    worst: dict[tuple[str, str], tuple[float, str]] = {}
+    for k, (how, angles, stand, prong) in enumerate(stops(scenario)):
+        there = bodies(scenario, placed(scenario, angles, stand, prong))
+        for pair in pairs:
+            depth = deepest(there[pair[0]], there[pair[1]])
+            if k == 0:
+                usual[pair] = depth
+            elif depth > max(usual[pair] + TOLERANCE, worst.get(pair, (0.0, ""))[0]):
+                worst[pair] = depth, how
+    for (a, b), (depth, how) in worst.items():
+        yield Problem(("arm",), f"{a} is {shown(depth, 'm', model.units)} inside {b} {how}")

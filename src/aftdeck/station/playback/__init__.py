@@ -1,0 +1,1 @@
+"""Recordings as the page plays them."""

@@ -1,0 +1,91 @@
+"""Lanes of a playback or a live run: intervals of phase, mode, monitors, alarms and limits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from aftdeck.simulation.frame import Frame
+from aftdeck.simulation.payloads.task_phases import TASKS
+from aftdeck.station.messages.curves import Lane, Stretch
+from aftdeck.station.messages.frame import Lamp
+from aftdeck.station.messages.kinds import Level
+
+MONITORS = ("MON 1", "MON 2")
+
+
+class Lanes:
+    """Phase, mode, monitors, alarms and limits of a run, collected frame by frame.
+
+    Attributes:
+        begun: number of stretches that have begun.
+    """
+
+    def __init__(self, period_s: float) -> None:
+        self._period_s = period_s
+        self._lanes: dict[str, list[tuple[int, str, Level]]] = {
+            "Phase": [],
+            "Mode": [],
+            **{name: [] for name in MONITORS},
+            "Alarms": [],
+            "Limits": [],
+        }
+        self._ticks = self.begun = 0
+        self._shown: tuple[tuple[str, ...], ...] = ((), ())
+
+    def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
+        """Set the cameras that the monitors show from the next frame on."""
+        self._shown = monitors
+
+    def add(self, frame: Frame, lamps: Iterable[Lamp]) -> None:
+        """Add the next frame and the lamps lit in it."""
+        alarms = {lamp.name: lamp.level for lamp in lamps if lamp.level != "info"}
+        worst: Level = "warning" if "warning" in alarms.values() else "caution" if alarms else "info"
+        self._put("Phase", phase_of(frame), "info")
+        self._put("Mode", frame.mode, "info")
+        for name, cameras in zip(MONITORS, self._shown, strict=True):
+            self._put(name, " | ".join(cameras), "info")
+        self._put("Alarms", " · ".join(alarms), worst)
+        self._put("Limits", " · ".join(sorted({limit.kind for limit in frame.limits})), "info")
+        self._ticks = frame.tick
+
+    def _put(self, lane: str, label: str, level: Level) -> None:
+        stretches = self._lanes[lane]
+        if not stretches or stretches[-1][1:] != (label, level):
+            stretches.append((self._ticks, label, level))
+            self.begun += 1
+
+    def forget(self, before: int) -> None:
+        """Delete the stretches that ended before a tick."""
+        for stretches in self._lanes.values():
+            while len(stretches) > 1 and stretches[1][0] < before:
+                del stretches[0]
+
+    def lanes(self) -> tuple[Lane, ...]:
+        """Return the lanes, each with consecutive stretches up to the last frame.
+
+        The stretches begin at zero, or later after `forget`. A phase or monitor lane without any label is left out.
+        """
+        return tuple(
+            Lane(name, self._stretches(stretches))
+            for name, stretches in self._lanes.items()
+            if name not in ("Phase", *MONITORS) or any(label for _, label, _ in stretches)
+        )
+
+    def _stretches(self, stretches: list[tuple[int, str, Level]]) -> tuple[Stretch, ...]:
+        ends = [*(start for start, _, _ in stretches[1:]), self._ticks]
+        return tuple(
+            Stretch(self._seconds(start), self._seconds(end), label, level)
+            for (start, label, level), end in zip(stretches, ends, strict=True)
+        )
+
+    def _seconds(self, ticks: int) -> float:
+        return round(ticks * self._period_s, 9)
+
+
+def phase_of(frame: Frame) -> str:
+    """Return the script's phase, or, in manual flight with payloads, the report's mode (``extraction``).
+
+    Returns:
+        Name of the phase or mode; "" if there is neither.
+    """
+    return frame.phase or (TASKS[frame.work.task] if frame.work.cargo else "")

@@ -1,0 +1,134 @@
+"""Recording as one HTML file that any browser plays without a server, with page, index and frames inside.
+
+The page is the one that the station serves, with its script, style and fonts included. The index and the blocks are
+compressed and written in base64. Numbers keep the decimals that a picture and a read-out need. Of a long run, only
+every second, third ... frame is kept, so that the file stays below `LIMIT`.
+"""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import html
+import itertools
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import cast
+
+import msgspec
+
+from aftdeck.errors import RecordingError
+from aftdeck.station.built import STATIC, built_page
+from aftdeck.station.messages.playback import BLOCK
+from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.verdict import verdict
+
+LIMIT = 4_950_000
+"""Longest file [bytes]; most mail servers accept five megabytes."""
+DECIMALS = 4
+"""Decimals of all numbers in index and blocks: a tenth of a millimetre, six thousandths of a degree."""
+ROUND, ROUND_A_BLOCK = 1000, 60
+"""Allowance for the HTML elements around all the data, and around each block [bytes]."""
+
+_SCRIPT = re.compile(r'<script type="module"[^>]* src="\./([^"]+)"></script>')
+_STYLE = re.compile(r'<link rel="stylesheet"[^>]* href="\./([^"]+)">')
+_FONT = re.compile(r"url\(\./([^)]+\.woff2)\)")
+_OLD_FONT = re.compile(r',\s*url\(\./[^)]+\.woff\)\s*format\("woff"\)')
+
+
+def write_html(path: Path, out: Path) -> None:
+    """Write a recording as a page that plays it.
+
+    Args:
+        path: the recording.
+        out: the file to write.
+
+    Raises:
+        RecordingError: the recording cannot be read or is too long, or the file exists already or cannot be written.
+        StationError: the page was not built.
+    """
+    page = _whole_page(built_page())
+    if out.exists():
+        raise RecordingError(f"{out}: exists already, and is not written over; give another name")
+    with Reel(path) as reel:
+        text = _fitting(page, reel, path)
+    try:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        with out.open("x", encoding="utf-8") as file:
+            file.write(text)
+    except OSError as error:
+        raise RecordingError(f"{out}: cannot be written: {error.strerror or error}") from None
+
+
+def _fitting(page: str, reel: Reel, path: Path) -> str:
+    """Return the file's text, with as many frames as fit into `LIMIT`."""
+    found = verdict(path)
+    index = _packed(msgspec.to_builtins(reel.index(found)))
+    room = LIMIT - len(page.encode()) - len(index) - ROUND
+    middle = _packed(msgspec.to_builtins(reel.block(reel.blocks // 2)))
+    stride = max(1, len(middle) * reel.blocks // max(room, 1))  # a first guess
+    while stride <= reel.ticks:
+        blocks: list[str] = []
+        used = 0
+        for block in _blocks(reel, stride):
+            blocks.append(block)
+            used += len(block) + ROUND_A_BLOCK
+            if used > room:
+                break
+        else:
+            return _filled(page, path, _packed(msgspec.to_builtins(reel.index(found, stride))), blocks)
+        done = min(len(blocks) * BLOCK * stride / reel.ticks, 1.0)
+        stride = max(stride + 1, math.ceil(stride * used / done / max(room, 1)))
+    raise RecordingError(f"{path}: does not fit into {LIMIT} bytes")
+
+
+def _blocks(reel: Reel, stride: int) -> Iterator[str]:
+    moments = reel.moments(stride)
+    while block := tuple(itertools.islice(moments, BLOCK)):
+        yield _packed(msgspec.to_builtins(block))
+
+
+def _packed(value: object) -> str:
+    encoded = msgspec.json.encode(_rounded(value))
+    return base64.b64encode(gzip.compress(encoded, 9, mtime=0)).decode()
+
+
+def _rounded(value: object) -> object:
+    """Return the value with its numbers rounded to `DECIMALS`, and without negative zeros."""
+    if type(value) is float:
+        return round(value, DECIMALS) + 0.0
+    if type(value) is dict:
+        return {name: _rounded(item) for name, item in value.items()}
+    if type(value) in (list, tuple):
+        return [_rounded(item) for item in cast("list[object]", value)]
+    return value
+
+
+def _filled(page: str, path: Path, index: str, blocks: list[str]) -> str:
+    data = [f'<script type="text/plain" id="recording-index">{index}</script>']
+    data += [f'<script type="text/plain" id="recording-{i}">{block}</script>' for i, block in enumerate(blocks)]
+    titled = page.replace("<title>Aftdeck</title>", f"<title>{html.escape(path.name)} · Aftdeck</title>", 1)
+    head, body = titled.split("</body>", 1)
+    return "\n".join([head, *data, f"</body>{body}"])
+
+
+def _whole_page(page: str) -> str:
+    """Return the built page with its script, style and fonts inside, so that it fetches no file."""
+    page = _STYLE.sub(lambda found: f"<style>{_style(found[1])}</style>", page)
+    return _SCRIPT.sub(lambda found: f'<script type="module">{_script(found[1])}</script>', page)
+
+
+def _script(name: str) -> str:
+    text = (STATIC / name).read_text(encoding="utf-8")
+    return text.replace("</script", r"<\/script").replace("<!--", r"<\!--")
+
+
+def _style(name: str) -> str:
+    folder = (STATIC / name).parent
+
+    def inside(found: re.Match[str]) -> str:
+        return f"url(data:font/woff2;base64,{base64.b64encode((folder / found[1]).read_bytes()).decode()})"
+
+    return _FONT.sub(inside, _OLD_FONT.sub("", (STATIC / name).read_text(encoding="utf-8")))

@@ -1,0 +1,195 @@
+"""Recording prepared for playback: read once from beginning to end, its frames stored in blocks.
+
+A recording can only be read forwards and may be hours long. Its frames are therefore stored in a temporary file,
+compressed block by block, until the page asks for them. The data of the whole run is collected during the reading.
+"""
+
+from __future__ import annotations
+
+import zlib
+from bisect import bisect
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+from tempfile import TemporaryFile, gettempdir
+from threading import Lock
+from types import TracebackType
+
+import msgspec
+from msgspec.structs import replace
+
+from aftdeck.errors import RecordingError
+from aftdeck.recording.bundle import scenario_of
+from aftdeck.recording.convert import lighting_of
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import ControllersRecord, FrameRecord, LightRecord, Note, Shown
+from aftdeck.scenario.light import Lighting
+from aftdeck.simulation.frame import Event
+from aftdeck.station.conversion.frame_of import Displays
+from aftdeck.station.conversion.lamps import lamps
+from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.messages.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
+from aftdeck.station.playback.lanes import Lanes
+from aftdeck.station.playback.measures import Measures
+from aftdeck.station.playback.strips import Strips, readings, worst_joint
+from aftdeck.station.playback.verdict import CHECKING
+
+_QUICK = 1
+"""Compression level of the temporary file."""
+
+_encoder = msgspec.msgpack.Encoder()
+_records = msgspec.msgpack.Decoder(tuple[FrameRecord, ...])
+
+
+class Reel:
+    """Recording ready for playback; close it after use."""
+
+    def __init__(self, path: Path) -> None:
+        """Read a recording to its end, or to the point where it was cut short.
+
+        Raises:
+            RecordingError: the file is not a recording, is damaged, has no step, or its frames cannot be stored.
+        """
+        recording = Recording(path)
+        scenario = scenario_of(recording.opening)
+        self._scenario = scenario
+        self._displays = Displays(scenario)
+        self._readings = readings(scenario)
+        self._lights: list[tuple[int, Lighting]] = [(0, scenario.lighting)]
+        self._ends, self._lock = [0], Lock()
+        with ExitStack() as opened:
+            self._file = opened.enter_context(TemporaryFile(prefix="aftdeck-"))
+            self._index = self._read(recording)
+            self._opened = opened.pop_all()
+
+    def __enter__(self) -> Reel:
+        """Return the reel itself."""
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Close the reel."""
+        self.close()
+
+    def close(self) -> None:
+        """Close the temporary file, which deletes it."""
+        self._opened.close()
+
+    @property
+    def ticks(self) -> int:
+        """Number of steps in the recording."""
+        return self._index.ticks
+
+    @property
+    def blocks(self) -> int:
+        """Number of blocks; each but the last has `BLOCK` frames."""
+        return len(self._ends) - 1
+
+    def index(self, verdict: Verdict, stride: int = 1) -> PlaybackIndex:
+        """Return the data of the whole run.
+
+        Args:
+            verdict: result of the re-simulation.
+            stride: steps from one delivered frame to the next.
+        """
+        return replace(self._index, verdict=verdict, stride=stride)
+
+    def block(self, number: int) -> Block:
+        """Return the moments of a block, one for each step; may be called from any thread.
+
+        Raises:
+            IndexError: the block does not exist.
+        """
+        return tuple([self._moment(record) for record in self._unpack(number)])
+
+    def moments(self, stride: int) -> Iterator[Moment]:
+        """Yield every `stride`-th moment of the run, beginning with the first."""
+        for number in range(self.blocks):
+            for record in self._unpack(number):
+                if (record.tick - 1) % stride == 0:
+                    yield self._moment(record)
+
+    def _read(self, recording: Recording) -> PlaybackIndex:
+        opening = recording.opening
+        period = opening.control_period_s
+        lanes, strips, measures = Lanes(period), Strips(self._scenario, period), Measures(period)
+        events: list[Event] = []
+        pictures: list[Pictured] = []
+        waiting: list[FrameRecord] = []
+        ticks = 0
+        for message in recording.messages():
+            if isinstance(message, Note):
+                events.append(Event(message.time_s, message.kind, message.level, message.text))
+            elif isinstance(message, ControllersRecord):
+                measures.use(message.controllers)
+            elif isinstance(message, Shown):
+                monitors = message.mon_1, message.mon_2
+                pictures.append(Pictured(message.time_s, monitors))
+                lanes.shown(monitors)
+                measures.shown(monitors)
+            elif isinstance(message, LightRecord):
+                self._lights.append((ticks + 1, lighting_of(message)))
+            elif isinstance(message, FrameRecord):
+                lit = lamps(self._scenario, message)
+                lanes.add(message, lit)
+                strips.add(self._readings(message, message.latency_ms))
+                measures.add(message, lit)
+                events += message.events
+                ticks = message.tick
+                waiting.append(message)
+                if len(waiting) == BLOCK:
+                    self._pack(waiting)
+                    waiting = []
+        if not ticks:
+            raise RecordingError(f"{recording.path}: ends before its first step; there is nothing in it to play")
+        if waiting:
+            self._pack(waiting)
+        return PlaybackIndex(
+            welcome=welcome_of(self._scenario, demo=True),
+            file=recording.path.name,
+            began=opening.began,
+            version=opening.version,
+            seed=opening.seed,
+            changes=opening.changes,
+            participant=opening.participant,
+            condition=opening.condition,
+            period_s=period,
+            ticks=ticks,
+            stride=1,
+            block=BLOCK,
+            ended=recording.ended,
+            verdict=CHECKING,
+            events=tuple(sorted(events, key=lambda event: event.time_s)),
+            lanes=lanes.lanes(),
+            pictures=tuple(pictures),
+            strips=strips.strips(),
+            measures=measures.measures(recording.ended),
+        )
+
+    def _pack(self, records: list[FrameRecord]) -> None:
+        try:
+            self._file.write(zlib.compress(_encoder.encode(records), _QUICK))
+        except OSError as error:
+            why = error.strerror or str(error)
+            raise RecordingError(f"the recording's frames cannot be kept in {gettempdir()}: {why}") from None
+        self._ends.append(self._file.tell())
+
+    def _unpack(self, number: int) -> tuple[FrameRecord, ...]:
+        if not 0 <= number < self.blocks:
+            raise IndexError(f"blocks are numbered 0 to {self.blocks - 1}, got {number}")
+        with self._lock:
+            self._file.seek(self._ends[number])
+            packed = self._file.read(self._ends[number + 1] - self._ends[number])
+        return _records.decode(zlib.decompress(packed))
+
+    def _moment(self, record: FrameRecord) -> Moment:
+        return Moment(
+            self._displays.frame(record, -1, lighting=self._lighting(record.tick)),
+            self._readings(record, record.latency_ms),
+            worst_joint(record, self._scenario),
+        )
+
+    def _lighting(self, tick: int) -> Lighting:
+        """Return the lighting in a step."""
+        return self._lights[bisect(self._lights, tick, key=lambda light: light[0]) - 1][1]

@@ -1,0 +1,69 @@
+"""Web server of the station: the page's files, and one WebSocket for each page."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import AsyncIterator, Callable
+from pathlib import Path
+
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse, Response
+from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
+from starlette.staticfiles import StaticFiles
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from aftdeck.station.built import STATIC
+from aftdeck.station.server.own import keep_to_own
+from aftdeck.station.server.page import Page, greeted
+from aftdeck.station.server.recorded import Recordings
+from aftdeck.station.server.waiting import Waiting
+from aftdeck.station.session.preparation import Preparation
+
+
+def make_app(
+    coming: Preparation,
+    host: str = "127.0.0.1",
+    record: Path | None = None,
+    failed: Callable[[], None] = lambda: None,
+) -> Starlette:
+    """Return the station's web app.
+
+    At startup it starts the preparation, and the session as soon as that is made. At shutdown it closes the current
+    session.
+
+    Args:
+        coming: preparation of the first session.
+        host: address that the server listens on.
+        record: folder into which the runs are recorded; None: they are not recorded.
+        failed: called in the server's loop if the preparation fails, after the pages that wait were told.
+    """
+    waiting = Waiting(coming, failed)
+    recordings = Recordings(record, lambda: waiting.pages.session.file if waiting.pages else None) if record else None
+
+    @contextlib.asynccontextmanager
+    async def lifespan(_: Starlette) -> AsyncIterator[None]:
+        waiting.start()
+        try:
+            yield
+        finally:
+            if waiting.pages:
+                await waiting.pages.close()
+            if recordings:
+                recordings.close()
+
+    async def talk(socket: WebSocket) -> None:
+        await socket.accept()
+        with contextlib.suppress(WebSocketDisconnect):
+            if (hello := await greeted(socket)) and (pages := await waiting.until_ready(socket)):
+                await Page(pages, socket, hello).serve()
+
+    async def health(_: Request) -> Response:
+        return PlainTextResponse(f"{waiting.phase}\n")
+
+    routes: list[BaseRoute] = [WebSocketRoute("/ws", talk), Route("/health", health)]
+    if recordings:
+        routes += recordings.routes()
+    if (STATIC / "index.html").is_file():
+        routes.append(Mount("/", StaticFiles(directory=STATIC, html=True)))
+    return keep_to_own(Starlette(routes=routes, lifespan=lifespan), host)

@@ -1,0 +1,48 @@
+"""Playback of a recording in the page, by a server of its own."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import AsyncIterator
+from pathlib import Path
+
+from starlette.applications import Starlette
+
+from aftdeck.station.built import built_page
+from aftdeck.station.playback.reel import Reel
+from aftdeck.station.server.own import keep_to_own
+from aftdeck.station.server.player import Player
+from aftdeck.station.server.serve import address_of, listen, make_server, run_server
+
+LARGE = 10_000_000
+"""Size above which a recording takes more than a few seconds to read [bytes]."""
+
+
+def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> None:
+    """Serve a recording to the page until interrupted; print the page's address when it can be played.
+
+    Raises:
+        RecordingError: the recording cannot be read.
+        StationError: the page was not built, or the server cannot listen on the address.
+    """
+    built_page()
+    if path.is_file() and path.stat().st_size > LARGE:
+        print(f"Reading {path.name}.", flush=True)
+    with listen(host, port) as listener, Reel(path) as reel:
+        address = address_of(listener, host)
+        print(f"Aftdeck replay: {address}", flush=True)
+        print(f"Playing {path.name}. End with Ctrl+C.", flush=True)
+        server = make_server(replay_app(reel, path, host))
+        run_server(server, listener, address if open_browser else None)
+
+
+def replay_app(reel: Reel, path: Path, host: str = "127.0.0.1") -> Starlette:
+    """Return the web app that serves a recording."""
+    player = Player(reel, path)
+
+    @contextlib.asynccontextmanager
+    async def lifespan(_: Starlette) -> AsyncIterator[None]:
+        player.check()
+        yield
+
+    return keep_to_own(Starlette(routes=player.routes(), lifespan=lifespan), host)

@@ -1,0 +1,97 @@
+"""Recordings of a station that records, listed for its page and played in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
+from threading import Lock
+
+import msgspec
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import PlainTextResponse, Response
+from starlette.routing import BaseRoute, Mount, Route, Router
+from starlette.types import ASGIApp, Receive, Scope, Send
+
+from aftdeck.errors import RecordingError
+from aftdeck.station.messages.playback import Recorded
+from aftdeck.station.playback.reel import Reel
+from aftdeck.station.server.player import FLYING, WHERE, Player
+
+MOST_LISTED = 50
+"""Maximum number of recordings listed; the newest are listed."""
+MOST_OPEN = 3
+"""Maximum number of recordings kept open; to open another one, the one opened first is closed."""
+
+
+class Recordings:
+    """Recordings in the folder that a station records into."""
+
+    def __init__(self, folder: Path, present: Callable[[], Path | None]) -> None:
+        """Serve `folder`; `present` returns the file of the present run, or None if that is not recorded."""
+        self._folder, self._present = folder, present
+        self._open: dict[tuple[str, int], tuple[Player, Router]] = {}
+        self._lock = Lock()
+
+    def routes(self) -> list[BaseRoute]:
+        """Return the routes of the list and of the playback pages."""
+        return [Route("/recordings.json", self._listed), Mount("/replay/{file}", app=self._play)]
+
+    def listed(self) -> tuple[Recorded, ...]:
+        """Return the newest recordings, newest first."""
+        now = self._present()
+        files = []
+        for path in self._folder.glob("*.mcap"):
+            try:
+                files.append((path.stat().st_mtime, path))
+            except OSError:
+                continue  # deleted meanwhile
+        files.sort(reverse=True)
+        return tuple(
+            Recorded(path.name, datetime.fromtimestamp(changed, UTC).isoformat(), path == now)
+            for changed, path in files[:MOST_LISTED]
+        )
+
+    def close(self) -> None:
+        """Close all recordings."""
+        with self._lock:
+            for player, _ in self._open.values():
+                player.close()
+            self._open.clear()
+
+    def _listed(self, _: Request) -> Response:
+        body = msgspec.json.encode(self.listed())
+        return Response(body, media_type="application/json", headers={"Cache-Control": "no-store"})
+
+    async def _play(self, scope: Scope, receive: Receive, send: Send) -> None:
+        file = str(scope["path_params"]["file"])
+        played: ASGIApp
+        try:
+            played = await run_in_threadpool(self._router, file, fresh=scope["path"].endswith("/recording/index.json"))
+        except (OSError, RecordingError) as error:
+            played = PlainTextResponse(f"{file} cannot be played: {error}\n", 404)
+        await played(scope, receive, send)
+
+    def _router(self, file: str, *, fresh: bool) -> Router:
+        """Return the router that plays a recording; if `fresh` (its page opens), read a file of changed size again.
+
+        Raises:
+            RecordingError: the recording cannot be played.
+            OSError: there is no file of this name.
+        """
+        path = self._folder / file
+        if path.name != file or path.suffix != ".mcap":
+            raise RecordingError("it is no recording of this station's folder")
+        with self._lock:
+            size = path.stat().st_size
+            known = [key for key in self._open if key[0] == file]
+            if known and (not fresh or known[-1][1] == size):
+                return self._open[known[-1]][1]
+            player = Player(Reel(path), path, f"{WHERE}\n{FLYING}")
+            for key in [*known, *list(self._open)[: max(0, len(self._open) + 1 - MOST_OPEN)]]:
+                if key in self._open:
+                    self._open.pop(key)[0].close()
+            self._open[file, size] = player, Router(routes=player.routes())
+            player.check()
+            return self._open[file, size][1]

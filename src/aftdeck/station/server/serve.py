@@ -1,0 +1,147 @@
+"""Start of the station: its socket, the address for the user, the browser, and the web server."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import errno
+import socket
+import webbrowser
+from collections.abc import Callable
+from pathlib import Path
+
+import uvicorn
+from starlette.applications import Starlette
+
+from aftdeck.law import compiled_before
+from aftdeck.recording.live import Live
+from aftdeck.recording.trial import NO_TRIAL, Trial
+from aftdeck.scenario.model import Scenario
+from aftdeck.station.built import StationError, built_page
+from aftdeck.station.messages.kinds import MAX_MESSAGE_BYTES
+from aftdeck.station.server.app import make_app
+from aftdeck.station.session.preparation import Preparation
+from aftdeck.station.session.session import Session
+
+LAST_PORT = 65535
+COMPILING = "Compiling the steering laws, this once: half a minute or so."
+
+
+FAREWELL = 3.0
+"""Time for which a station that cannot start still answers the page that it has opened, to report why [s]."""
+
+
+def serve(
+    load: Callable[[], Scenario],
+    seed: int | None,
+    *,
+    host: str,
+    port: int,
+    open_browser: bool,
+    demo: bool,
+    record: Path | None = None,
+    trial: Trial = NO_TRIAL,
+    viewers: int | None = None,
+) -> None:
+    """Serve a scenario until interrupted; print the page's address first.
+
+    The page is served at once. A thread loads the scenario and the laws meanwhile; the page shows its progress.
+
+    Args:
+        load: returns the scenario to run.
+        seed: random seed in place of the scenario's; None: the scenario's own.
+        host: address to listen on.
+        port: port to listen on; 0 selects any free port.
+        open_browser: whether to open the page in a browser.
+        demo: whether the script flies until the operator moves a stick or sends a command.
+        record: folder to record each run into; None: runs are not recorded.
+        trial: participant and condition, stored in each recording and nowhere else.
+        viewers: port to which Foxglove can attach; None: there is no such port.
+
+    Raises:
+        StationError: the page was not built, or the server cannot listen on the address.
+        RecordingError: the viewers' port cannot be opened.
+        AftdeckError: what `load` or the session raises; a page that waits has been told.
+    """
+    built_page()
+    listener = listen(host, port)
+    address = address_of(listener, host)
+    print(f"Aftdeck station: {address}", flush=True)
+    live = None if viewers is None else Live(viewers)
+    if live is not None:
+        print(f"Foxglove attaches at {live.address}", flush=True)
+
+    def make(say: Callable[[str], None]) -> Session:
+        if compiled_before():
+            say("Loading the scenario and the steering laws.")
+        else:
+            print(COMPILING, flush=True)
+            say(COMPILING)
+        scenario = load()
+        say(f"Making {scenario.title!r} ready.")
+        session = Session(scenario, seed, demo=demo, record=record, trial=trial, live=live)
+        print(f"Flying {scenario.title!r}. End with Ctrl+C.", flush=True)
+        return session
+
+    def failed() -> None:
+        def stop() -> None:
+            server.should_exit = True
+
+        asyncio.get_running_loop().call_later(FAREWELL if open_browser else 0.0, stop)
+
+    coming = Preparation(make)
+    server = make_server(make_app(coming, host, record, failed))
+    run_server(server, listener, address if open_browser else None)
+    if live is not None:
+        live.close()
+    if coming.error is not None:
+        raise coming.error
+
+
+def address_of(listener: socket.socket, host: str) -> str:
+    """Return the page's address for the user."""
+    shown = f"[{host}]" if ":" in host else host
+    return f"http://{shown}:{listener.getsockname()[1]}/"
+
+
+def run_server(server: uvicorn.Server, listener: socket.socket, opened: str | None) -> None:
+    """Run a server until interrupted; open a browser at the address `opened` first, unless it is None."""
+    if opened is not None:
+        webbrowser.open(opened)
+    with contextlib.suppress(KeyboardInterrupt):  # uvicorn raises Ctrl+C again after an orderly shutdown
+        server.run(sockets=[listener])
+
+
+def make_server(app: Starlette) -> uvicorn.Server:
+    """Return the web server of an app, with a limit on the length of a page's messages."""
+    return uvicorn.Server(
+        uvicorn.Config(
+            app,
+            log_level="warning",
+            ws="websockets-sansio",
+            ws_max_size=MAX_MESSAGE_BYTES,
+            ws_per_message_deflate=False,
+            timeout_graceful_shutdown=2,
+        )
+    )
+
+
+def listen(host: str, port: int) -> socket.socket:
+    """Return a listening socket; port 0 selects a free port."""
+    if not 0 <= port <= LAST_PORT:
+        raise StationError(f"ports are numbered 0 to {LAST_PORT}, got {port}")
+    try:
+        family, kind, protocol, _, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+    except (OSError, UnicodeError) as error:
+        raise StationError(f"the host {host!r} is not known: {error}") from None
+    listener = socket.socket(family, kind, protocol)  # asyncio sends without delay only if TCP is named
+    try:
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind(place)
+        listener.listen(64)
+    except OSError as error:
+        listener.close()
+        if error.errno == errno.EADDRINUSE:
+            raise StationError(f"port {port} on {host} is in use: give another with --port, or 0 for any") from None
+        raise StationError(f"cannot listen on {host}, port {port}: {error.strerror}") from None
+    return listener

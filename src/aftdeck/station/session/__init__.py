@@ -1,0 +1,1 @@
+"""The session: one run that pages share."""

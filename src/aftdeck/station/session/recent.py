@@ -1,0 +1,92 @@
+"""Last minutes of a run, for windows that draw them as strips."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Sequence
+from itertools import islice
+from threading import Lock
+from typing import NamedTuple
+
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import Frame
+from aftdeck.station.messages import to_page
+from aftdeck.station.messages.frame import Lamp
+from aftdeck.station.playback.lanes import Lanes
+from aftdeck.station.playback.strips import blank, readings, worst_joint
+
+KEPT_S = 300.0
+"""Length of the part of the run that is kept [s]."""
+SPACING_S = 0.1
+"""Time from one sample to the next [s]; a page's figures change at the same rate."""
+DECIMALS = 5
+"""Decimals of a sample's values: a hundredth of a millimetre."""
+
+
+class Mark(NamedTuple):
+    """Amount of a run's data that a page has received.
+
+    Attributes:
+        flight: the run.
+        samples: number of samples that the run had.
+        begun: number of stretches of the lanes that had begun.
+    """
+
+    flight: RecentFlight
+    samples: int
+    begun: int
+
+
+class RecentFlight:
+    """Values of all strips, and the lanes, of the last `KEPT_S` seconds; one thread adds to them, another reads."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        period = scenario.control_period
+        self._scenario = scenario
+        self._every = max(1, round(SPACING_S / period))
+        self._ticks_kept = round(KEPT_S / period)
+        self._strips, self._readings = blank(scenario), readings(scenario)
+        self._lanes = Lanes(period)
+        self._samples: deque[to_page.Sample] = deque(maxlen=self._ticks_kept // self._every)
+        self._count = 0
+        self._lock = Lock()
+
+    def add(
+        self,
+        frame: Frame,
+        lamps: Iterable[Lamp],
+        latency_ms: float | None,
+        monitors: Sequence[tuple[str, ...]],
+    ) -> None:
+        """Add the next frame, with its lit lamps, the latency that the page measured, and the monitors' cameras."""
+        with self._lock:
+            self._lanes.shown((*monitors, (), ())[:2])
+            self._lanes.add(frame, lamps)
+            if (frame.tick - 1) % self._every:
+                return
+            self._lanes.forget(frame.tick - self._ticks_kept)
+            values = self._readings(frame, latency_ms)
+            rounded = tuple([None if value is None else round(value, DECIMALS) for value in values])
+            self._samples.append(to_page.Sample(frame.time_s, rounded, worst_joint(frame, self._scenario)))
+            self._count += 1
+
+    def news(self, told: Mark | None) -> tuple[to_page.Recent, Mark] | None:
+        """Return what a page has not received yet, and the mark for the next call.
+
+        Args:
+            told: mark that the last call returned; None: the page has received nothing.
+
+        Returns:
+            Message and new mark; None if there is no new sample.
+        """
+        with self._lock:
+            begins = told is None or told.flight is not self
+            known = 0 if begins or told is None else told.samples
+            if known == self._count:
+                return None
+            new = min(self._count - known, len(self._samples))
+            samples = tuple(islice(self._samples, len(self._samples) - new, None))
+            changed = told is None or begins or told.begun != self._lanes.begun
+            lanes = self._lanes.lanes() if changed else ()
+            mark = Mark(self, self._count, self._lanes.begun)
+            return to_page.Recent(self._strips if begins else (), samples, lanes), mark

@@ -1,0 +1,1 @@
+"""Capture: the concept arm's acquisition, and the Shuttle arm's snares."""

@@ -1,0 +1,239 @@
+"""The Shuttle arm's snare end effector: three wires hold the grapple pin, a carriage draws it in, tension rigidizes it.
+
+CAPTURE: the snare ring closes. If the pin is then in the capture envelope, the snares hold the pin, the carriage
+retracts and draws the pin to its seat, and the tension builds up (rigidize). RELEASE: the same in reverse order; the
+pin is free once the ring is open. END EFFECTOR MODE AUTO runs the whole sequence; MAN moves the snares only, and
+MAN CONTR moves carriage and tension. Sources: SCOM p. 693 (principle, order of release), SSV (times, functions of the
+switches).
+
+A state is an immutable value, so it can be saved as it is. Motions are exact in time: when one motion of a sequence
+ends within a step, the next motion uses the remaining time. Not modelled: slack wires that already pull, motor
+currents, failures.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+import msgspec
+
+from aftdeck.worksite.conditions import Condition, all_hold, reasons
+from aftdeck.worksite.log_line import Said, refused
+
+Mode = Literal["AUTO", "OFF", "MAN"]
+Part = Literal["ring", "carriage", "tension"]
+
+_THERE = 1e-9
+"""Remaining travel of a part that counts as none [1]: it is due to rounding."""
+
+
+class SnareTimes(msgspec.Struct, frozen=True):
+    """Time of each part's travel from end to end."""
+
+    ring: float
+    """Time to close or open the snares [s]; SSV has 2.5 s [S]."""
+    carriage: float
+    """Time to retract or extend the carriage [s]; SSV has 7 s [S]."""
+    tension: float
+    """Time to rigidize or derigidize [s]; SSV has 4 s [S]."""
+
+
+class SnareCommand(msgspec.Struct, frozen=True):
+    """Positions of the panel's switches, and the trigger in the step in which it is pressed."""
+
+    mode: Mode
+    """Position of END EFFECTOR MODE."""
+    trigger: Literal["", "capture", "release"] = ""
+    contr: Literal["RIGID", "OFF", "DERIGID"] = "OFF"
+    """Position of MAN CONTR; it acts in MAN for as long as it is held."""
+
+
+class Snare(msgspec.Struct, frozen=True):
+    """The end effector's state."""
+
+    ring: float = 0.0
+    """Position of the snare ring: 0 open, 1 closed."""
+    carriage: float = 0.0
+    """Position of the carriage: 0 extended, 1 retracted."""
+    tension: float = 0.0
+    """Tension: 0 derigidized, 1 rigid."""
+    captured: bool = False
+    """True if the snares hold the pin."""
+    drawn: float = 0.0
+    """Greatest value of `carriage` since the pin was captured: the pin has been drawn in so far."""
+    met: bool = False
+    """True if the pin was in the envelope at some time since the snares began to close."""
+    motion: Literal["", "capture", "release"] = ""
+    """Sequence that the trigger has started; empty if none is in progress."""
+
+    @property
+    def misaligned(self) -> float:
+        """Remaining fraction of the misalignment at which the pin was captured."""
+        return 1.0 - self.drawn
+
+
+class Flags(NamedTuple):
+    """The end effector's talkbacks, as on the panel."""
+
+    CAPTURE: bool
+    EXTEND: bool
+    CLOSE: bool
+    OPEN: bool
+    RIGID: bool
+    DERIGID: bool
+
+
+class Moved(NamedTuple):
+    """Result of a step."""
+
+    snare: Snare
+    said: tuple[Said, ...]
+
+
+def flags(snare: Snare) -> Flags:
+    """Return what the talkbacks show; while a part is between its ends, both of its talkbacks are off."""
+    return Flags(
+        CAPTURE=snare.captured,
+        EXTEND=snare.carriage == 0.0,
+        CLOSE=snare.ring == 1.0,
+        OPEN=snare.ring == 0.0,
+        RIGID=snare.tension == 1.0,
+        DERIGID=snare.tension == 0.0,
+    )
+
+
+def advance(
+    snare: Snare, times: SnareTimes, command: SnareCommand, dt: float, conditions: Sequence[Condition]
+) -> Moved:
+    """Return the state of the end effector after a step, with the log lines.
+
+    Args:
+        snare: the state before the step.
+        times: times of the parts.
+        command: switches and trigger.
+        dt: the step's length [s].
+        conditions: conditions of capture at the step's end, from `grapple.in_envelope`; empty if no fixture is near.
+            They matter only while the ring is closing.
+    """
+    said: list[Said] = []
+    if command.trigger and (why := _refuses(snare, command)):
+        said.append(refused(f"{command.trigger.upper()} refused: {why}"))
+    elif command.trigger:
+        snare = msgspec.structs.replace(snare, motion=command.trigger, met=snare.met and snare.ring > 0.0)
+    left = dt
+    snare = _still_going(snare, command.mode)
+    while stage := _stage(snare, command):
+        part, target = stage
+        speed = 1.0 / float(getattr(times, part))
+        before = float(getattr(snare, part))
+        if part == "ring" and target == 1.0:
+            snare = msgspec.structs.replace(snare, met=snare.met or _inside(conditions))
+        if abs(target - before) > left * speed + _THERE:
+            snare = _put(snare, part, before + (left * speed if target > before else -left * speed))
+            break
+        snare = _put(snare, part, target)
+        left = max(0.0, left - abs(target - before) / speed)
+        snare, more = _reached(snare, part, target, conditions)
+        snare = _still_going(snare, command.mode)
+        said += more
+    else:
+        snare = msgspec.structs.replace(snare, motion="")
+    return Moved(snare, tuple(said))
+
+
+def _refuses(snare: Snare, command: SnareCommand) -> str:
+    """Return why the trigger is rejected; empty if it is accepted."""
+    if command.mode == "OFF":
+        return "END EFFECTOR MODE is OFF; AUTO and MAN take the trigger"
+    extended = _extended(snare)
+    if command.trigger == "capture":
+        if snare.ring == 1.0 and not snare.captured:
+            return "the snares are closed on nothing; RELEASE opens them"
+        if not extended and not snare.captured:
+            return "the carriage is not extended; MAN CONTR DERIGID, or RELEASE in AUTO, extends it"
+        if snare.captured and snare.ring == 1.0 and (command.mode == "MAN" or snare.tension == 1.0):
+            return "the pin is captured already"
+        return ""
+    if snare.ring == 0.0 and snare.motion != "capture" and (extended or command.mode == "MAN"):
+        return "the snares are open already"
+    if not extended and command.mode == "MAN":
+        return "the carriage is not extended; MAN CONTR DERIGID extends it"
+    return ""
+
+
+def _stage(snare: Snare, command: SnareCommand) -> tuple[Part, float] | None:
+    """Return the part that moves next, and its target; None if nothing moves."""
+    if command.mode == "OFF":
+        return None
+    auto = command.mode == "AUTO"
+    if snare.motion == "capture" and snare.ring < 1.0:
+        return "ring", 1.0
+    if snare.motion == "release" and not auto:
+        return "ring", 0.0
+    if snare.motion == "capture" if auto else command.contr == "RIGID":
+        return _next(snare, ("carriage", "tension"), 1.0)
+    if snare.motion == "release" if auto else command.contr == "DERIGID":
+        return _next(snare, ("tension", "carriage", "ring") if auto else ("tension", "carriage"), 0.0)
+    return None
+
+
+def _still_going(snare: Snare, mode: Mode) -> Snare:
+    """Return the state, without its motion if the mode does not allow it or no longer allows it."""
+    ends = mode == "OFF" or (
+        mode == "MAN"
+        and (snare.ring == 1.0 if snare.motion == "capture" else not _extended(snare) or snare.ring == 0.0)
+    )
+    return msgspec.structs.replace(snare, motion="") if ends and snare.motion else snare
+
+
+def _extended(snare: Snare) -> bool:
+    """Return whether the carriage is extended and derigidized, so that the snares may open and close."""
+    return snare.carriage == 0.0 and snare.tension == 0.0
+
+
+def _next(snare: Snare, parts: tuple[Part, ...], target: float) -> tuple[Part, float] | None:
+    """Return the first of the parts that has not reached the target, with the target; None if all have."""
+    return next(((part, target) for part in parts if getattr(snare, part) != target), None)
+
+
+def _put(snare: Snare, part: Part, value: float) -> Snare:
+    snare = msgspec.structs.replace(snare, **{part: value})
+    if part == "carriage" and snare.captured and value > snare.drawn:
+        snare = msgspec.structs.replace(snare, drawn=value)
+    return snare
+
+
+def _inside(conditions: Sequence[Condition]) -> bool:
+    """Return whether a fixture is near and in the envelope."""
+    return bool(conditions) and all_hold(conditions)
+
+
+def _reached(
+    snare: Snare, part: Part, target: float, conditions: Sequence[Condition]
+) -> tuple[Snare, tuple[Said, ...]]:
+    """Return the state and the log lines after a part has reached its end position."""
+    change = msgspec.structs.replace
+    match part, target:
+        case "ring", 1.0 if snare.captured:
+            return snare, ()
+        case "ring", 1.0 if _inside(conditions):
+            return change(snare, captured=True, drawn=0.0), (Said("captured", "info", "CAPTURE: pin in the snares"),)
+        case "ring", 1.0:
+            return change(snare, motion=""), (
+                Said("missed", "caution", f"snares closed empty: {_why(snare, conditions)}"),
+            )
+        case "ring", 0.0 if snare.captured:
+            freed = change(snare, captured=False, drawn=0.0)
+            return freed, (Said("released", "info", "RELEASE: snares open, pin free"),)
+        case "tension", 1.0:
+            return snare, (Said("rigid", "info", "end effector rigid"),)
+    return snare, ()
+
+
+def _why(snare: Snare, conditions: Sequence[Condition]) -> str:
+    """Return why the snares closed without capturing the pin."""
+    if not conditions:
+        return "no grapple fixture was near"
+    why = reasons(conditions)
+    return f"the pin left the envelope while they closed: {why}" if snare.met else why

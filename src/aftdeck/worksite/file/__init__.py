@@ -1,0 +1,1 @@
+"""Worksite files: their types, their checks, and what is built from them."""

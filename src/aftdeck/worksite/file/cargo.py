@@ -1,0 +1,249 @@
+"""Construction of a cargo from the dimensions in its file: shapes and solids are made from the same numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import cos, pi, sin
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arms.geometry import frozen
+from aftdeck.arrays import Array
+from aftdeck.bodies.cover import prism
+from aftdeck.errors import InputError
+from aftdeck.frames import Pose, endori
+from aftdeck.shapes import Box, Cylinder, Group, Material, Ring, Shape, Sphere, Vec3
+from aftdeck.worksite.file.cargo_file import CargoFile, GrappleFile, PrismBody, ReceptacleFile, StartFile, TrunnionsFile
+from aftdeck.worksite.file.solids import CORNERS, as_solids, checked, drawn, moved
+from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start
+
+FITTINGS = ("probe", "receptacle", "grapple fixture", "trunnions")
+"""Fittings that a cargo may have besides its body; such a part is named after the cargo and the fitting."""
+_UPWARDS = pi / 2
+"""Angle of the middle of a prism's first side, from y to z [rad]: one side is on top, one below."""
+_ROUNDING = 1e-9
+"""Allowance for rounding in the check that a bar does not extend beyond its payload's top [m]."""
+_REPORT = np.diag([1.0, -1.0, -1.0])
+"""The report's axes (x aft, y port, z down) as columns, in a cargo's axes."""
+
+
+class _Piece(NamedTuple):
+    """A part of a cargo: its hexahedra (n, 8, 3) in the cargo's axes [m], and its shapes."""
+
+    fitting: str
+    bodies: Array
+    shapes: tuple[Shape, ...]
+
+
+def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
+    """Return the cargo that a file describes, at its start.
+
+    Raises:
+        InputError: no convex bodies can be made of the given sizes.
+        ValueError: the seat to start in is not listed or holds a fitting that the cargo lacks, or the bar extends
+            beyond the payload's top.
+    """
+    pieces = tuple(_pieces(file))
+    bar = next((frozen(piece.bodies[0]) for piece in pieces if piece.fitting == "receptacle"), None)
+    probe, trunnions = _probe_tip(file), _latched(file.trunnions)
+    return Cargo(
+        name=file.name,
+        title=file.title,
+        mass=float(file.mass),
+        shapes=tuple(shape for piece in pieces for shape in piece.shapes) + file.shapes,
+        solids=tuple(
+            solid
+            for fitting, bodies, _ in pieces
+            for solid in as_solids(part_of(file.name, fitting), file.name, checked(bodies, fitting or "body"))
+        ),
+        probe=probe,
+        receptacle=bar,
+        grapple=None if file.grapple is None else _pose(file.grapple),
+        trunnions=trunnions,
+        trunnion_names=() if file.trunnions is None else _names(len(file.trunnions.x)),
+        start=start_of(file.start, seats, probe, trunnions),
+        limit_cycle=None
+        if file.limit_cycle is None
+        else LimitCycle(*map(frozen, (file.limit_cycle.deadband, file.limit_cycle.rate, file.limit_cycle.start))),
+    )
+
+
+def part_of(cargo: str, fitting: str) -> str:
+    """Return the name of a part of a cargo; the body has the name of the cargo."""
+    return f"{cargo} {fitting}" if fitting else cargo
+
+
+def _pieces(file: CargoFile) -> Iterator[_Piece]:
+    half, top = file.body.length / 2.0, _apothem(file)
+    if isinstance(file.body, PrismBody):
+        bodies = prism(top, file.body.length, sides=file.body.sides, turn=_UPWARDS)
+        yield _Piece("", bodies, drawn(bodies, file.body.material))
+    else:
+        round_body = Cylinder(material=file.body.material, length=float(file.body.length), radius=float(top))
+        yield _Piece("", prism(top, file.body.length, turn=_UPWARDS), (round_body,))
+    if probe := file.probe:
+        bodies = prism(_across_flats(probe.across, probe.sides), probe.length, sides=probe.sides, turn=_UPWARDS)
+        bodies += [-half - probe.length / 2.0, 0.0, 0.0]
+        yield _Piece("probe", bodies, drawn(bodies, probe.material))
+    if bar := file.receptacle:
+        _check_on_top(file, bar)
+        bodies = _bar(bar, top)
+        yield _Piece("receptacle", bodies, drawn(bodies, bar.material))
+    if file.grapple:
+        yield _fixture(file.grapple)
+    if file.trunnions:
+        yield _pins(file.trunnions)
+
+
+def _across_flats(across: float, sides: int) -> float:
+    """Return half the distance between opposite sides of a regular polygon, given that between opposite corners."""
+    return across / 2.0 * cos(pi / sides)
+
+
+def _apothem(file: CargoFile) -> float:
+    """Return the height of the body's top above its axis [m]."""
+    body = file.body
+    return _across_flats(body.across, body.sides) if isinstance(body, PrismBody) else float(body.radius)
+
+
+def _bar(bar: ReceptacleFile, top: float) -> Array:
+    """Return the report's RECPT (1, 8, 3), numbered in the report's axes, so that face c is its top."""
+    own = (CORNERS - 0.5) * np.array([bar.length, bar.width, bar.height])
+    return moved(own[None], Pose(np.array([*bar.at, top + bar.height / 2.0], dtype=np.float64), _REPORT))
+
+
+def _check_on_top(file: CargoFile, bar: ReceptacleFile) -> None:
+    """Reject a bar that extends beyond the top of its payload (ValueError); a cylinder's top has its full diameter."""
+    wide = file.body.across * sin(pi / file.body.sides) if isinstance(file.body, PrismBody) else 2.0 * file.body.radius
+    for axis, middle, size, room in (("x", bar.at[0], bar.length, file.body.length), ("y", bar.at[1], bar.width, wide)):
+        beyond = abs(middle) + 0.5 * size - 0.5 * room
+        if beyond > _ROUNDING:
+            raise ValueError(
+                f"the bar ends {beyond:.3g} m beyond the top, which is {room:.4g} m along {axis}; its middle is at "
+                f"{middle:.4g} m and its size is {size:.4g} m"
+            )
+
+
+def _fixture(grapple: GrappleFile) -> _Piece:
+    """Return a grapple fixture's base and target.
+
+    The pin and the ramps around it enter the end effector and are therefore not solid.
+    """
+    base = prism(grapple.radius, grapple.depth) + np.array([grapple.depth / 2.0, 0.0, 0.0])
+    place, turn = _plain(grapple.position), _plain(grapple.rotation)
+    look = (Group(position=place, rotation=turn, shapes=grapple.shapes),) if grapple.shapes else ()
+    bodies = np.concatenate([base, *_target(grapple.shapes)])
+    return _Piece("grapple fixture", moved(bodies, _pose(grapple)), look)
+
+
+def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
+    """Yield the boxes (1, 8, 3) of the target beside the fixture's axis.
+
+    One box encloses the flat shapes (plate and ring), another one the rod. A single box around both would obstruct the
+    end effector as far out as the end of the rod.
+    """
+    halves = [(shape.position, half) for shape in shapes if any(shape.position[1:]) and (half := _half(shape))]
+    boxes = np.array(halves, dtype=np.float64).reshape(-1, 2, 3)
+    flat = boxes[:, 1, 0] < boxes[:, 1, 1]
+    for middle, half in (boxes[some].transpose(1, 0, 2) for some in (flat, ~flat) if some.any()):
+        low, high = (middle - half).min(axis=0), (middle + half).max(axis=0)
+        yield (low + CORNERS * (high - low))[None]
+
+
+def _half(shape: Shape) -> Vec3 | None:
+    """Return half the size of the box around a shape along x; None for a group, whose marks lie on the other shapes.
+
+    Raises:
+        InputError: the shape is of another kind, or has another orientation.
+    """
+    match shape:
+        case Group():
+            return None
+        case Box(rotation=(0.0, 0.0, 0.0), size=(x, y, z)):
+            return x / 2.0, y / 2.0, z / 2.0
+        case Cylinder(rotation=(0.0, 0.0, 0.0), axis="x", length=length, radius=radius, radius_end=None):
+            return length / 2.0, radius, radius
+        case Ring(rotation=(0.0, 0.0, 0.0), axis="x", radius=radius, bar=bar):
+            return bar, radius + bar, radius + bar
+        case Sphere(radius=radius):
+            return radius, radius, radius
+        case _:
+            kind = type(shape).__name__.lower()
+            raise InputError(
+                f"grapple: a {kind} like this is no part of a target; beside the fixture's axis may stand groups, "
+                "spheres, and unturned boxes, cylinders and rings, along x"
+            )
+
+
+def _pins(trunnions: TrunnionsFile) -> _Piece:
+    """Return the trunnions: round pins, each covered by a square prism, which needs the fewest hexahedra."""
+    (inner, outer), (low, high) = trunnions.span, trunnions.keel_span
+    radius, material = float(trunnions.radius), trunnions.material
+    across = prism(radius, outer - inner, axis="y", sides=4)
+    upright = prism(radius, high - low, axis="z", sides=4)
+    bodies, shapes = [], []
+    for x in trunnions.x:
+        for side in (-1.0, 1.0):
+            middle = (float(x), side * (inner + outer) / 2.0, float(trunnions.z))
+            bodies.append(across + middle)
+            shapes.append(_pin(middle, radius, outer - inner, material, "y"))
+    keel = (float(trunnions.keel[0]), 0.0, (low + high) / 2.0)
+    return _Piece(
+        "trunnions",
+        np.concatenate([*bodies, upright + keel]),
+        (*shapes, _pin(keel, radius, high - low, material, "z")),
+    )
+
+
+def _pin(middle: Vec3, radius: float, length: float, material: Material, axis: str) -> Cylinder:
+    return Cylinder(
+        material=material, position=middle, axis="y" if axis == "y" else "z", length=float(length), radius=radius
+    )
+
+
+def _latched(trunnions: TrunnionsFile | None) -> Array:
+    """Return the points (n, 3) that latches hold: port and starboard of each pair, then the keel pin's."""
+    if trunnions is None:
+        return frozen(np.empty((0, 3)))
+    pairs = [(x, side * trunnions.y, trunnions.z) for x in sorted(trunnions.x) for side in (-1.0, 1.0)]
+    return frozen([*pairs, (trunnions.keel[0], 0.0, trunnions.keel[1])])
+
+
+def _names(pairs: int) -> tuple[str, ...]:
+    """Return the names of the points of `_latched`, pair by pair."""
+    numbers = tuple(str(k + 1) for k in range(pairs))
+    where = ("forward", "aft") if numbers == ("1", "2") else numbers
+    return (*(f"{place} {side}" for place in where for side in ("port", "starboard")), "keel")
+
+
+def _probe_tip(file: CargoFile) -> Pose | None:
+    """Return the pose of the middle of the probe's forward face in the cargo's axes; None without a probe."""
+    if file.probe is None:
+        return None
+    return Pose(frozen([-file.body.length / 2.0 - file.probe.length, 0.0, 0.0]), frozen(np.eye(3)))
+
+
+def start_of(file: StartFile, seats: Mapping[str, Seat], probe: Pose | None, trunnions: Array) -> Start:
+    """Return the start of a cargo with this probe and these trunnions.
+
+    Raises:
+        ValueError: the seat does not exist, or holds a fitting that the cargo does not have.
+    """
+    if file.seat is None:
+        return Start("", _pose(file), frozen(file.velocity), frozen(file.rates))
+    seat = seats.get(file.seat)
+    if seat is None:
+        raise ValueError(f"start.seat: {file.seat!r} is no seat; there are: {', '.join(seats) or 'none'}")
+    if lacking := seat.lacks(probe, trunnions):
+        raise ValueError(f"start.seat: {file.seat!r} holds on to a {lacking}, and the cargo has no {lacking}")
+    return Start(seat.name, seat.seated(probe), frozen(np.zeros(3)), frozen(np.zeros(3)))
+
+
+def _pose(placed: GrappleFile | StartFile) -> Pose:
+    return Pose(frozen(placed.position), frozen(endori(*placed.rotation)))
+
+
+def _plain(values: tuple[float, float, float]) -> Vec3:
+    x, y, z = map(float, values)
+    return x, y, z

@@ -1,0 +1,166 @@
+"""A cargo in a worksite's file: the dimensions from which its solids and its shapes are made."""
+
+from __future__ import annotations
+
+from aftdeck.shapes import Material, Shape
+from aftdeck.units import Angle, AngularRate, Length, Mass, Speed
+from aftdeck.worksite.file.tables import Placed, Range, Table, Text, Turn, ordered, positive
+
+
+class PrismBody(Table, frozen=True, kw_only=True, tag_field="kind", tag="prism"):
+    """A regular prism along x with one side on top and one below; its solids cover it exactly."""
+
+    sides: int = 6
+    across: Length
+    """Distance between opposite corners."""
+    length: Length
+    material: Material
+
+    def __post_init__(self) -> None:
+        """Reject sizes that are not above zero (ValueError)."""
+        positive(across=self.across, length=self.length)
+
+
+class CylinderBody(Table, frozen=True, kw_only=True, tag_field="kind", tag="cylinder"):
+    """A cylinder along x; a prism of twelve sides encloses it for collision."""
+
+    radius: Length
+    length: Length
+    material: Material
+
+    def __post_init__(self) -> None:
+        """Reject sizes that are not above zero (ValueError)."""
+        positive(radius=self.radius, length=self.length)
+
+
+class ProbeFile(Table, frozen=True, kw_only=True):
+    """A docking probe, a regular prism on the middle of the forward end (-x)."""
+
+    sides: int = 6
+    across: Length
+    """Distance between opposite corners."""
+    length: Length
+    material: Material
+
+    def __post_init__(self) -> None:
+        """Reject sizes that are not above zero (ValueError)."""
+        positive(across=self.across, length=self.length)
+
+
+class ReceptacleFile(Table, frozen=True, kw_only=True):
+    """The bar on the cargo's top that the concept's hand grips."""
+
+    length: Length
+    """Size along x."""
+    width: Length
+    """Size along y."""
+    height: Length
+    """Size along z."""
+    at: tuple[Length, Length] = (Length(0.0), Length(0.0))
+    """x and y of the bar's middle, from the middle of the top."""
+    material: Material
+
+    def __post_init__(self) -> None:
+        """Reject sizes that are not above zero (ValueError)."""
+        positive(length=self.length, width=self.width, height=self.height)
+
+
+class GrappleFile(Placed, frozen=True, kw_only=True):
+    """A grapple fixture: its pose is that of the end effector's own axes E (x out of the hand) at a perfect grasp."""
+
+    radius: Length
+    """Radius of the fixture's base, which begins where the end effector's rim ends."""
+    depth: Length
+    """Depth of the fixture's base."""
+    shapes: tuple[Shape, ...] = ()
+    """Shapes that draw the fixture, in its axes. Boxes, cylinders, rings and spheres beside its axis form the target
+    and collide; groups of marks on them do not collide."""
+
+    def __post_init__(self) -> None:
+        """Reject sizes that are not above zero (ValueError)."""
+        positive(radius=self.radius, depth=self.depth)
+
+
+class TrunnionsFile(Table, frozen=True, kw_only=True):
+    """Pins on both sides, and one down to the keel, that the bay's latches hold."""
+
+    x: tuple[Length, ...]
+    """Position of each pair of pins along the cargo."""
+    y: Length
+    """Distance to either side of the points on the pins that the latches hold."""
+    z: Length
+    keel: tuple[Length, Length]
+    """x and z of the point on the keel pin that its latch holds."""
+    radius: Length
+    span: Range
+    """Range of |y| over which the pins extend."""
+    keel_span: Range
+    """Range of z over which the keel pin extends, upwards."""
+    material: Material
+
+    def __post_init__(self) -> None:
+        """Reject an empty list of pins, sizes that are not above zero, and spans that do not ascend (ValueError)."""
+        if not self.x:
+            raise ValueError("x lists no pair of trunnions; it needs at least 1")
+        positive(radius=self.radius, y=self.y)
+        ordered(span=self.span, keel_span=self.keel_span)
+
+
+class StartFile(Placed, frozen=True, kw_only=True):
+    """Start of a cargo: in a seat, or free at a pose in the scene."""
+
+    seat: Text | None = None
+    velocity: tuple[Speed, Speed, Speed] = (Speed(0.0), Speed(0.0), Speed(0.0))
+    """Velocity relative to the orbiter, in the scene's axes."""
+    rates: tuple[AngularRate, AngularRate, AngularRate] = (AngularRate(0.0), AngularRate(0.0), AngularRate(0.0))
+    """Angular rates about the cargo's own axes."""
+
+    def __post_init__(self) -> None:
+        """Reject a pose or a motion if a seat is given (ValueError)."""
+        if self.seat is not None and any(map(any, (self.position, self.rotation, self.velocity, self.rates))):
+            raise ValueError(f"it stands in the seat {self.seat!r}; a position, rotation or motion is for a free cargo")
+
+
+class LimitCycleFile(Table, frozen=True, kw_only=True):
+    """Limit cycle of a free cargo's attitude control, about each of the cargo's own axes."""
+
+    deadband: Turn
+    """Greatest angle to either side."""
+    rate: tuple[AngularRate, AngularRate, AngularRate]
+    """Rate of each angle; the sign is the initial direction."""
+    start: Turn = (Angle(0.0), Angle(0.0), Angle(0.0))
+    """Angles at the start."""
+
+    def __post_init__(self) -> None:
+        """Reject a deadband that is not above zero, and a start outside the deadband (ValueError)."""
+        for axis, deadband, start in zip("xyz", self.deadband, self.start, strict=True):
+            positive(**{f"deadband about {axis}": deadband})
+            if not abs(start) <= deadband:
+                raise ValueError(
+                    f"start about {axis} is {start:g} rad; it has to lie within the deadband, {deadband:g}"
+                )
+
+
+class CargoFile(Table, frozen=True, kw_only=True):
+    """An object that the arm can hold; its own frame is at its body's centre, x along it. A scenario names it."""
+
+    name: Text
+    title: Text
+    source: Text
+    mass: Mass
+    body: PrismBody | CylinderBody
+    shapes: tuple[Shape, ...] = ()
+    """Additional shapes that draw the cargo."""
+    probe: ProbeFile | None = None
+    receptacle: ReceptacleFile | None = None
+    grapple: GrappleFile | None = None
+    trunnions: TrunnionsFile | None = None
+    start: StartFile
+    limit_cycle: LimitCycleFile | None = None
+
+    def __post_init__(self) -> None:
+        """Reject a mass that is not above zero, and neither or both of receptacle and grapple (ValueError)."""
+        positive(mass=self.mass)
+        if (self.receptacle is None) == (self.grapple is None):
+            given = "neither" if self.receptacle is None else "both"
+            raise ValueError(f"a cargo is held by a receptacle or by a grapple fixture; {given} is given")

@@ -1,0 +1,200 @@
+"""Checks of a worksite as a whole: names, parts and their frames, cameras inside solids, and the bay's walls."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.cameras import Camera
+from aftdeck.bodies.hexahedron import CORNERS, NX, D, pack
+from aftdeck.bodies.solid import Solid
+from aftdeck.files import Problem, Where
+from aftdeck.frames import Pose
+from aftdeck.worksite.file.schema import WorksiteFile
+from aftdeck.worksite.model import Bay, Body, Cargo
+
+ARM = "arm."
+"""Prefix of the names of an arm's frames. Only a scenario can check whether the arm has the frame of a camera."""
+FRAMES = ("orbiter", "space")
+_WALL = 0.05
+"""Greatest distance of a wall from the end of the bay's inside [m]: hexahedra cover a tube's wall from outside."""
+_HAIR = 1e-6
+"""Allowance for rounding between a solid's distance and that of its bounding box [m]."""
+
+
+def misnamed(file: WorksiteFile) -> Iterator[Problem]:
+    """Yield problems with names and with the first body.
+
+    These are: no body, a first body that is not the scene, names used twice or reserved for the arm's frames, and names
+    of items that do not exist.
+    """
+    if not file.body:
+        yield Problem(("body",), "none is listed; the first one gives the scene frame")
+    elif file.body[0].fixed_to != "orbiter" or any(file.body[0].position) or any(file.body[0].rotation):
+        yield Problem(
+            ("body", 0), "the first body gives the scene frame: it is fixed to the orbiter, in no other place"
+        )
+    bodies = [body.name for body in file.body]
+    cargoes = [cargo.name for cargo in file.cargo]
+    for kind, items in (("body", file.body), ("seat", file.seat), ("camera", file.camera), ("drive", file.drive)):
+        yield from _repeated(kind, [item.name for item in items], ())
+    yield from _repeated("cargo", cargoes, (*bodies, *FRAMES))
+    for i, name in enumerate(cargoes):
+        if name.startswith(ARM):
+            yield Problem(("cargo", i), f"{name!r}: names that begin with {ARM!r} are those of the arm's frames")
+    for i, seat in enumerate(file.seat):
+        if seat.body not in bodies:
+            yield Problem(("seat", i, "body"), f"{seat.body!r} is no body; there are: {', '.join(bodies)}")
+    for i, camera in enumerate(file.camera):
+        if camera.body not in (*bodies, *cargoes) and not camera.body.startswith(ARM):
+            there = ", ".join((*bodies, *cargoes))
+            yield Problem(("camera", i, "body"), f"{camera.body!r} is no body; there are: {there}")
+    yield from _homeless(file, bodies)
+
+
+def _homeless(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Problem]:
+    """Yield problems with housings.
+
+    These are: drives that are not listed or have two housings, and cameras with a housing that no body carries.
+    """
+    drives, housed = [drive.name for drive in file.drive], [housing.drive for housing in file.housing]
+    for i, drive in enumerate(housed):
+        if drive not in drives:
+            there = ", ".join(drives) or "none"
+            yield Problem(("housing", i, "drive"), f"{drive!r} is no drive; there are: {there}")
+        if drive in housed[:i]:
+            yield Problem(("housing", i, "drive"), f"the drive {drive!r} has a housing already")
+    for i, camera in enumerate(file.camera):
+        if camera.drive in housed and camera.body not in bodies:
+            what = f"its drive {camera.drive!r} has a housing, which stands on a body; {camera.body!r} is none"
+            yield Problem(("camera", i, "drive"), what)
+
+
+def _repeated(kind: str, names: Sequence[str], taken: Sequence[str]) -> Iterator[Problem]:
+    """Yield a problem for each name that occurs earlier in the list or is taken."""
+    for i, name in enumerate(names):
+        if name in (*names[:i], *taken):
+            yield Problem((kind, i), f"the name {name!r} is taken; names have to differ")
+
+
+def parts_in_two_frames(listed: Sequence[tuple[Where, Sequence[Solid]]]) -> Iterator[Problem]:
+    """Yield a problem for each part with solids in two frames, at its location in the file: a part moves as one."""
+    homes: dict[str, str] = {}
+    for where, solids in listed:
+        for part, frame in dict.fromkeys((solid.part, solid.frame) for solid in solids):
+            if homes.setdefault(part, frame) != frame:
+                yield Problem(where, f"the part {part!r} stands in {homes[part]} and in {frame}; a part has one frame")
+
+
+def blind_cameras(
+    cameras: Mapping[int, Camera],
+    bodies: Sequence[Body],
+    solids: Sequence[Solid],
+    cargoes: Sequence[Cargo],
+    clearance: float,
+) -> Iterator[Problem]:
+    """Yield a problem for each camera in a solid, or nearer to one than a clearance [m].
+
+    `cameras` is keyed by the index in the file. A camera on a body is checked against the solids of all bodies, at
+    their poses at the start. A camera on a cargo is checked against the cargo's own solids. The camera's own housing is
+    named after the camera (``camera A``) and is left out. Not checked are cameras on the arm, eyes behind windows, and
+    solids that come near a camera during a run.
+    """
+    still = {body.name: body.pose for body in bodies}
+    own = {cargo.name: cargo.solids for cargo in cargoes}
+    for i, camera in cameras.items():
+        if camera.kind == "window":
+            continue
+        pose = still.get(camera.body)
+        near = solids if pose else own.get(camera.body, ())
+        place = _in_scene(pose, camera.position) if pose else np.array(camera.position)
+        for solid in _within(clearance, place, near):
+            room = distance(place, solid.vertices)
+            if solid.part != f"camera {camera.name}" and not room > clearance:
+                where = f"{room:.3g} m from" if room > 0.0 else "in"
+                what = (
+                    f"camera {camera.name} stands {where} {solid.part}; it has to be more than {clearance:.3g} m away"
+                )
+                yield Problem(("camera", i, "position"), what)
+
+
+def _within(reach: float, point: Array, solids: Sequence[Solid]) -> list[Solid]:
+    """Return the solids whose bounding boxes, along the axes, are nearer to a point than `reach` [m] and a hair."""
+    if not solids:
+        return []
+    vertices = np.array([solid.vertices for solid in solids])
+    beyond = np.maximum(np.maximum(vertices.min(axis=1) - point, point - vertices.max(axis=1)), 0.0)
+    close = np.linalg.norm(beyond, axis=1) <= reach + _HAIR
+    return [solid for solid, is_close in zip(solids, close, strict=True) if is_close]
+
+
+def bay_without_walls(bay: Bay, solids: Sequence[Solid]) -> Iterator[Problem]:
+    """Yield a problem for each side of the bay's inside, except the top, that has no wall of the orbiter at its end."""
+    bodies = [pack(solid.vertices) for solid in solids if solid.frame == "orbiter"]
+    low, high = np.array(bay.low), np.array(bay.high)
+    across = np.linspace(low + (high - low) / 10.0, high - (high - low) / 10.0, 5)
+    for axis, name in enumerate("xyz"):
+        for end, out in ((low, -_WALL), (high, _WALL)):
+            if name == "z" and out > 0.0:
+                continue
+            places = [across[:, k] for k in range(3)]
+            places[axis] = end[axis : axis + 1]
+            points = np.stack(np.meshgrid(*places), axis=-1).reshape(-1, 3)
+            aside = out * np.eye(3)[axis]
+            beyond, within = _in_any(points + aside, bodies), _in_any(points - aside, bodies)
+            if (beyond & ~within).any():
+                continue
+            what = f"the inside ends at {end[axis]:.4g} m, where no wall of the orbiter's begins"
+            yield Problem(("bay", name), what)
+
+
+def _in_any(points: Array, bodies: Sequence[Array]) -> NDArray[np.bool_]:
+    """Return whether each of the points (n, 3) is in one of the bodies, (n,)."""
+    found = np.zeros(len(points), bool)
+    for body in bodies:
+        found |= (points @ body[NX:D].reshape(3, 6) <= body[D:]).all(axis=1)
+    return found
+
+
+def _in_scene(pose: Pose, position: Sequence[float]) -> Array:
+    return np.asarray(pose.rotation @ np.array(position) + pose.position)
+
+
+def distance(point: Array, vertices: Array) -> float:
+    """Return the distance of a point (3,) from a hexahedron (8, 3) [m]; 0 inside."""
+    body = pack(vertices)
+    normals, distances = body[NX:D].reshape(3, 6).T, body[D:]
+    heights = normals @ point - distances
+    if (heights <= 0.0).all():
+        return 0.0
+    return min(
+        _from_face(point - height * normal, height, vertices[face[[0, 1, 3, 2]]])
+        for face, normal, height in zip(CORNERS, normals, heights, strict=True)
+        if height > 0.0
+    )
+
+
+def depth_in(point: Array, vertices: Array) -> float:
+    """Return the depth of a point (3,) below the nearest face plane of a hexahedron (8, 3) [m]; negative outside."""
+    body = pack(vertices)
+    return -float((body[NX:D].reshape(3, 6).T @ point - body[D:]).max())
+
+
+def _from_face(foot: Array, height: float, rim: Array) -> float:
+    """Return the distance of a point from a face [m].
+
+    Args:
+        foot: (3,) foot of the point's perpendicular on the face's plane [m].
+        height: height of the point above the plane [m].
+        rim: (4, 3) the face's vertices, in order around it [m].
+    """
+    ways = np.roll(rim, -1, axis=0) - rim
+    sides = np.cross(ways, foot - rim)
+    if (sides @ sides.sum(axis=0) >= 0.0).all():
+        return height
+    share = np.clip(((foot - rim) * ways).sum(axis=1) / (ways**2).sum(axis=1), 0.0, 1.0)
+    beside = np.linalg.norm(rim + share[:, None] * ways - foot, axis=1).min()
+    return float(np.hypot(beside, height))

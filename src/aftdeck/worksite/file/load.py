@@ -1,0 +1,246 @@
+"""Loading of worksite files: a built-in one by name, or any other by path."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Collection, Mapping, Sequence
+from pathlib import Path
+
+import msgspec
+
+from aftdeck.arms.geometry import frozen
+from aftdeck.bodies.cameras import Camera, Vec3
+from aftdeck.bodies.solid import Solid
+from aftdeck.dimensions import KEY, derive
+from aftdeck.errors import InputError, ScenarioError
+from aftdeck.files import Problem, Text, examine, line_of, read, sentences
+from aftdeck.shapes import Shape
+from aftdeck.worksite.file.cargo import FITTINGS, cargo_of
+from aftdeck.worksite.file.check import bay_without_walls, blind_cameras, misnamed, parts_in_two_frames
+from aftdeck.worksite.file.housing import Housed, housed
+from aftdeck.worksite.file.schema import BarFile, BayFile, BodyFile, PortFile, SnareFile, WorksiteFile
+from aftdeck.worksite.file.seats import disc, seat_of
+from aftdeck.worksite.file.solids import as_solids, drawn, moved, solids_of
+from aftdeck.worksite.model import (
+    BarAcquisition,
+    Bay,
+    Body,
+    Cargo,
+    Essential,
+    Seat,
+    SnareCapture,
+    Translation,
+    Worksite,
+)
+
+_BUILT_IN = Path(__file__).parents[1]
+
+
+def worksites() -> tuple[str, ...]:
+    """Return the names of the built-in worksites."""
+    return tuple(sorted(path.stem for path in _BUILT_IN.glob("*.toml")))
+
+
+def load_worksite(name_or_path: str | Path, dimensions: Mapping[str, float | str] | None = None) -> Worksite:
+    """Return the worksite of a built-in name (``orbiter``) or of the TOML file at a path.
+
+    Args:
+        name_or_path: name of a built-in worksite, or path of a file.
+        dimensions: values that replace those in the file's ``[dimensions]``.
+
+    Raises:
+        ScenarioError: the name or file does not exist, or the file is invalid: for example, an item cannot be made, or
+            a camera is inside a solid. The message says what is wrong and where.
+    """
+    return _of_text(_file(name_or_path), tuple((dimensions or {}).items()))
+
+
+def dimensions_of(name_or_path: str | Path, over: Mapping[str, float | str]) -> dict[str, str | float]:
+    """Return a worksite's derived dimensions, with the values in `over` replacing its own.
+
+    Invalid dimensions are left out.
+
+    Raises:
+        ScenarioError: the name or file does not exist, or the file is not valid TOML.
+    """
+    file, _ = examine(_Dimensions, _file(name_or_path), {(KEY, key): value for key, value in over.items()}, derive)
+    return {} if file is None else file.dimensions
+
+
+class _Dimensions(msgspec.Struct, frozen=True):
+    """The part of a worksite's file that names quantities."""
+
+    dimensions: dict[str, str | float] = msgspec.field(default_factory=dict)
+
+
+def _file(name_or_path: str | Path) -> Text:
+    """Return the name and the unparsed text of the file with a built-in name or a path."""
+    built_in = str(name_or_path) in worksites()
+    path = _BUILT_IN / f"{name_or_path}.toml" if built_in else Path(name_or_path)
+    if not path.is_file():
+        raise ScenarioError(
+            [
+                f"no worksite {str(name_or_path)!r}; give the path of a worksite's file or one of: "
+                + ", ".join(worksites())
+            ]
+        )
+    return read(path)
+
+
+@functools.lru_cache(maxsize=8)
+def _of_text(source: Text, dimensions: tuple[tuple[str, float | str], ...]) -> Worksite:
+    """Return the worksite of a file's text. It is immutable, so it is made and checked only once and cached."""
+    name, text = source
+    file, problems = examine(WorksiteFile, source, {(KEY, key): value for key, value in dimensions}, derive)
+    if file is None or problems:
+        raise ScenarioError(sentences(problems, name, text))
+    if unknown := [key for key, _ in dimensions if line_of((KEY, key), text) in (None, line_of((KEY,), text))]:
+        there = ", ".join(key for key in file.dimensions if key not in unknown) or "none"
+        raise ScenarioError([f"{name} has no dimension {', '.join(map(repr, unknown))}; there are: {there}"])
+    problems = list(misnamed(file))
+    worksite = None if problems else _made(file, text, problems)
+    if worksite is None or problems:
+        raise ScenarioError(sentences(problems, name, text))
+    return worksite
+
+
+def _made(file: WorksiteFile, text: str, problems: list[Problem]) -> Worksite:
+    """Return the worksite without its invalid items, and add a problem for each of them to `problems`."""
+    cameras = _cameras(file, problems)
+    made = [
+        _body(body, i, _discs(file, body.name), housed(tuple(cameras.values()), file, body.name), problems)
+        for i, body in enumerate(file.body)
+    ]
+    bodies = tuple(body for body, _ in made)
+    solids = tuple(solid for _, own in made for solid in own)
+    seats = _seats(file, made, problems)
+    listed = _cargoes(file, seats, problems)
+    cargoes = tuple(listed.values())
+    problems += parts_in_two_frames(
+        [
+            *((("body", i), own) for i, (_, own) in enumerate(made)),
+            *((("cargo", i), cargo.solids) for i, cargo in listed.items()),
+        ]
+    )
+    parts = dict.fromkeys(solid.part for own in (solids, *(cargo.solids for cargo in cargoes)) for solid in own)
+    bay = None if file.bay is None else _bay(file.bay)
+    if bay is not None and not problems:
+        problems += bay_without_walls(bay, solids)
+    problems += blind_cameras(cameras, bodies, solids, cargoes, file.camera_clearance)
+    return Worksite(
+        name=file.name,
+        title=file.title,
+        bodies=bodies,
+        cameras=tuple(cameras.values()),
+        text=text,
+        dimensions=file.dimensions,
+        origin=_plain(file.origin),
+        solids=solids,
+        seats=seats,
+        cargoes=cargoes,
+        essential=tuple(
+            Essential((a, b), pair.relation, float(pair.depth))
+            for pair in file.essential
+            for a in _named(pair.parts[0], parts)
+            for b in _named(pair.parts[1], parts)
+        ),
+        acquisition=_acquisition(file.acquisition),
+        bay=bay,
+        translation=None
+        if file.translation is None
+        else Translation(float(file.translation.speed), float(file.translation.reached_in)),
+    )
+
+
+def _discs(file: WorksiteFile, body: str) -> list[Shape]:
+    """Return the shapes that mark a body's ports."""
+    return [disc(seat) for seat in file.seat if isinstance(seat, PortFile) and seat.body == body]
+
+
+def _body(
+    file: BodyFile, i: int, ports: list[Shape], cameras: Housed, problems: list[Problem]
+) -> tuple[Body, tuple[Solid, ...]]:
+    """Return a body, and its solids in its frame of motion."""
+    shapes = [*file.shapes, *ports, *cameras.shapes]
+    body = Body(file.name, (), file.fixed_to, _plain(file.position), _plain(file.rotation))
+    solids: list[Solid] = []
+    for part, own in cameras.solids.items():
+        solids += as_solids(part, file.fixed_to, frozen(moved(own, body.pose)))
+    for k, solid in enumerate(file.solids):
+        try:
+            parts = solids_of(solid)
+        except InputError as error:
+            problems.append(Problem(("body", i, "solids", k), f"body {file.name}: {error}"))
+            continue
+        for part, own in parts.items():
+            solids += as_solids(part, file.fixed_to, frozen(moved(own, body.pose)))
+            if solid.material is not None:
+                shapes += drawn(own, solid.material)
+    return Body(body.name, tuple(shapes), body.fixed_to, body.position, body.rotation), tuple(solids)
+
+
+def _seats(
+    file: WorksiteFile, made: Sequence[tuple[Body, tuple[Solid, ...]]], problems: list[Problem]
+) -> tuple[Seat, ...]:
+    homes = {body.name: (body, solids) for body, solids in made}
+    seats = []
+    for i, seat in enumerate(file.seat):
+        try:
+            seats.append(seat_of(seat, *homes[seat.body]))
+        except ValueError as error:
+            problems.append(Problem(("seat", i, "position"), f"seat {seat.name}: {error}"))
+    return tuple(seats)
+
+
+def _cargoes(file: WorksiteFile, seats: Sequence[Seat], problems: list[Problem]) -> dict[int, Cargo]:
+    """Return the valid cargoes by their index in the file, and add a problem for each other one."""
+    by_name = {seat.name: seat for seat in seats}
+    cargoes = {}
+    for i, cargo in enumerate(file.cargo):
+        try:
+            cargoes[i] = cargo_of(cargo, by_name)
+        except ValueError as error:
+            problems.append(Problem(("cargo", i), f"cargo {cargo.name}: {error}"))
+    return cargoes
+
+
+def _cameras(file: WorksiteFile, problems: list[Problem]) -> dict[int, Camera]:
+    """Return the valid cameras by their index in the file, and add a problem for each other one."""
+    cameras = {}
+    for i, camera in enumerate(file.camera):
+        try:
+            cameras[i] = camera.camera(file.drive)
+        except ValueError as error:
+            problems.append(Problem(("camera", i), str(error)))
+    return cameras
+
+
+def _named(name: str, parts: Collection[str]) -> tuple[str, ...]:
+    """Return the parts that a name refers to: that fitting of every cargo, a part and its mirror image, or one part."""
+    if name in FITTINGS:
+        return tuple(part for part in parts if part.endswith(f" {name}"))
+    sides = tuple(part for part in (f"{name} port", f"{name} starboard") if part in parts)
+    return (name,) if name in parts else sides or (name,)
+
+
+def _acquisition(file: BarFile | SnareFile | None) -> BarAcquisition | SnareCapture | None:
+    match file:
+        case BarFile():
+            return BarAcquisition(
+                *map(float, (file.prong_spacing, file.window, file.front, file.rear, file.fingers_within))
+            )
+        case SnareFile():
+            envelope = (file.radial, file.nearest, file.farthest, file.pitch, file.yaw, file.roll)
+            return SnareCapture(*map(float, (*envelope, file.ring, file.carriage, file.tension)))
+        case None:
+            return None
+
+
+def _bay(file: BayFile) -> Bay:
+    (a, b), (c, d), (e, f) = file.x, file.y, file.z
+    return Bay(_plain((a, c, e)), _plain((b, d, f)))
+
+
+def _plain(values: tuple[float, float, float]) -> Vec3:
+    x, y, z = map(float, values)
+    return x, y, z

@@ -1,0 +1,1 @@
+"""Seats of payloads: docking, berthing and latches."""

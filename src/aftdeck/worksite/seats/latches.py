@@ -1,0 +1,95 @@
+"""Payload retention latches: they close on trunnions that are ready, draw the payload into its seat, and release it.
+
+All latches of a seat move together. Sources: SCOM p. 704 and SSV (times).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+import msgspec
+
+from aftdeck.worksite.conditions import Condition, all_hold, refusal
+from aftdeck.worksite.log_line import Said, refused
+
+_THERE = 1e-9
+"""Remaining travel that counts as none [1]: it is due to rounding."""
+
+
+class Latches(msgspec.Struct, frozen=True):
+    """State of a seat's latches; an immutable value, so it can be saved as it is."""
+
+    closed: float = 0.0
+    """Position of the latches: 0 released, 1 latched."""
+    drawn: float = 0.0
+    """Greatest value of `closed` since the latches began to close: the payload has been drawn in so far."""
+    motion: Literal["", "latch", "unlatch"] = ""
+
+    @property
+    def hold(self) -> bool:
+        """Whether the latches hold the payload: from when they begin to close until they are released."""
+        return self.closed > 0.0
+
+    @property
+    def misaligned(self) -> float:
+        """Remaining fraction of the misalignment at which the latches began to close."""
+        return 1.0 - self.drawn
+
+
+class Moved(NamedTuple):
+    """Result of a step."""
+
+    latches: Latches
+    said: tuple[Said, ...]
+
+
+def advance(
+    latches: Latches,
+    time: float,
+    command: Literal["", "latch", "unlatch"],
+    dt: float,
+    conditions: Sequence[Condition],
+) -> Moved:
+    """Return the state of the latches after a step, with the log lines.
+
+    Args:
+        latches: the state before the step.
+        time: time from released to latched [s]; 30 s with two motors, 60 s with one [F].
+        command: command given in this step, or "". A motion continues to its end without further commands, unless the
+            opposite command is given.
+        dt: the step's length [s].
+        conditions: conditions of latching, from `berthing.ready_to_latch`; empty if no payload is near. They matter
+            only for LATCH on released latches.
+    """
+    said: list[Said] = []
+    if command and (why := _refusal(latches, command, conditions)):
+        said.append(refused(why))
+    elif command:
+        latches = msgspec.structs.replace(latches, motion=command)
+    if not latches.motion:
+        return Moved(latches, tuple(said))
+    target = 1.0 if latches.motion == "latch" else 0.0
+    way = target - latches.closed
+    travel = dt / time
+    if abs(way) > travel + _THERE:
+        closed = latches.closed + (travel if way > 0.0 else -travel)
+        return Moved(_put(latches, closed), tuple(said))
+    if way:
+        said.append(Said("latched", "info", "latched") if target else Said("unlatched", "info", "latches released"))
+    return Moved(msgspec.structs.replace(_put(latches, target), motion=""), tuple(said))
+
+
+def _put(latches: Latches, closed: float) -> Latches:
+    return msgspec.structs.replace(latches, closed=closed, drawn=max(latches.drawn, closed) if closed else 0.0)
+
+
+def _refusal(latches: Latches, command: Literal["", "latch", "unlatch"], conditions: Sequence[Condition]) -> str:
+    """Return why a command is rejected; empty if it is accepted."""
+    if command == "unlatch":
+        return "" if latches.hold else "UNLATCH refused: the latches are released already"
+    if latches.closed == 1.0:
+        return "LATCH refused: latched already"
+    if latches.hold or (conditions and all_hold(conditions)):
+        return ""
+    return refusal("LATCH", conditions) or "LATCH refused: no payload is at the latches"

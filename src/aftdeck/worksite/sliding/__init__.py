@@ -1,0 +1,1 @@
+"""Sliding of a held payload along walls."""

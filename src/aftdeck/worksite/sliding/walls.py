@@ -1,0 +1,141 @@
+"""Sliding along walls: the held payload keeps its velocity along the walls and loses the velocity into them.
+
+Remote Manipulator Simulation, final report, section VII.4: the payload slides up or down while it touches a side wall.
+The law of `worksite.slide` assumes that a step is straight. This module corrects for the curvature of the step almost
+to rounding, so that a payload pressed against a wall stays in contact with it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arrays import Array, Mask
+from aftdeck.bodies.pose import POSE
+from aftdeck.kinematics.frames import place_frames
+from aftdeck.kinematics.jacobian import Rates, Twist, erates, jacobi
+from aftdeck.kinematics.linkage import place, sines
+from aftdeck.kinematics.rates import rmsrat
+from aftdeck.law import law
+from aftdeck.steering.layout import ANGLES, DT, RATES, RISE, TWIST
+from aftdeck.steering.limiters import ratlmt
+from aftdeck.steering.msteer import NEAR_FLOOR, cut, feed_back, scaled
+from aftdeck.worksite.sliding.projection import LEAST, OUTWARD, POINT, slide
+from aftdeck.worksite.watch.clearance_monitor import nearest_group
+from aftdeck.worksite.watch.found import CLEARANCE
+
+REACH_S = 2.0
+"""Number of steps within which a wall has to be reachable at the present speed to be considered [1]."""
+LEAST_REACH = 1e-6
+"""Least distance within which walls are considered [m]."""
+SIZE = 30.0
+"""Size of a payload [m]: no point of a payload is farther from the point of resolution."""
+PASSES = 5
+"""Greatest number of passes; each reduces the error due to a step's curvature to a thousandth."""
+EXACT = 2e-9
+"""Speed into a wall that is accepted [m/s]: 4e-11 m in a step of 0.02 s, which still counts as contact."""
+
+
+@law
+def met(found: Array, counts: Mask, steering: Array, stand: float, period: float) -> float:
+    """Return the distance within which walls are considered [m]; 0 if no wall is that near.
+
+    Args:
+        found: (g, 15) the last measurements.
+        counts: (g,) 1 for groups of a sliding part and a wall.
+        steering: state of the steering, with the step's commanded twist.
+        stand: speed of the telescope [m/s].
+        period: duration of a step [s].
+    """
+    turn, speed = 0.0, stand
+    for k in range(3):
+        turn += abs(steering[TWIST + k])
+        speed += abs(steering[TWIST + 3 + k])
+    near: float = max(REACH_S * (speed + SIZE * turn) * period, LEAST_REACH)
+    wall = nearest_group(found, counts)
+    return near if wall >= 0 and found[wall, CLEARANCE] <= near else 0.0
+
+
+@law
+def slid(
+    rules: Array, joints: Array, last: Array, height: float, turning: float, found: Array, steering: Array
+) -> None:
+    """Replace the commanded rates by rates that slide along the walls, within the joints' limits.
+
+    Args:
+        rules: parameters of the steering.
+        joints: (6, 4) joints of the arm, as `kinematics.frames.Frames.joints`.
+        last: (12,) pose of the last joint's frame, in L.
+        height: height of the stand after the step [m].
+        turning: share of the commanded rotation that is kept [1].
+        found: (k, 7) touches of the held payload.
+        steering: state of the steering; rates and twist are changed if they go into a wall.
+    """
+    q = ANGLES
+    a = sines(rules, steering[q], steering[q + 1], steering[q + 2], steering[q + 3], steering[q + 4], steering[q + 5])
+    x, y, z = place(rules, a)
+    z -= steering[RISE]
+    q = RATES
+    rates = Rates(steering[q], steering[q + 1], steering[q + 2], steering[q + 3], steering[q + 4], steering[q + 5])
+    twist = erates(a, jacobi(rules, a), rates)
+    wanted = Twist(turning * twist.wx, turning * twist.wy, turning * twist.wz, twist.vx, twist.vy, twist.vz)
+    asked = found.copy()
+    for k in range(PASSES):
+        if turning == 1.0 or k > 0:
+            lacking, changed = _asked(rules, joints, last, height, found, steering, twist, x, y, z, asked)
+            if lacking <= EXACT and (changed <= EXACT or k == 0):
+                return
+        twist = slide(asked, x, y, z, wanted)
+        rates = rmsrat(rules, a, twist, NEAR_FLOOR)
+        ratio = ratlmt(rules, steering, a, rates).ratio
+        twist = scaled(twist, ratio)
+        feed_back(steering, cut(rules, rates, ratio), twist, 0.0)
+
+
+@law
+def _asked(
+    rules: Array,
+    joints: Array,
+    last: Array,
+    height: float,
+    found: Array,
+    steering: Array,
+    twist: Twist,
+    x: float,
+    y: float,
+    z: float,
+    asked: Array,
+) -> tuple[float, float]:
+    """Correct the least speeds in `asked` (k, 7), touches as `found`, for the curvature of the step.
+
+    The displacement of a point in the step is that of the last joint's frame, from its pose now to its pose after the
+    step at these rates.
+
+    Returns:
+        The greatest amount by which a point falls short of its least speed, and the greatest change of a speed in
+        `asked` [m/s].
+    """
+    rows, after = np.empty((9, POSE)), np.empty(6)
+    for i in range(6):
+        after[i] = steering[ANGLES + i] + steering[RATES + i] * rules[DT]
+    place_frames(joints, after, height, 0.0, rows)
+    now, lacking, changed = rows[6], -np.inf, 0.0
+    for k in range(len(found)):
+        row = found[k]
+        rx, ry, rz = row[POINT] - x, row[POINT + 1] - y, row[POINT + 2] - z
+        vx = twist.vx + twist.wy * rz - twist.wz * ry
+        vy = twist.vy + twist.wz * rx - twist.wx * rz
+        vz = twist.vz + twist.wx * ry - twist.wy * rx
+        straight = row[OUTWARD] * vx + row[OUTWARD + 1] * vy + row[OUTWARD + 2] * vz
+        dx, dy, dz = row[POINT] - last[0], row[POINT + 1] - last[1], row[POINT + 2] - last[2]
+        px = last[3] * dx + last[6] * dy + last[9] * dz
+        py = last[4] * dx + last[7] * dy + last[10] * dz
+        pz = last[5] * dx + last[8] * dy + last[11] * dz
+        true = 0.0
+        for i in range(3):
+            to = now[i] + now[3 + 3 * i] * px + now[4 + 3 * i] * py + now[5 + 3 * i] * pz
+            true += row[OUTWARD + i] * (to - row[POINT + i])
+        true /= rules[DT]
+        least = row[LEAST] + straight - true
+        lacking, changed = max(lacking, row[LEAST] - true), max(changed, abs(least - asked[k, LEAST]))
+        asked[k, LEAST] = least
+    return lacking, changed

@@ -1,0 +1,363 @@
+"""The dynamic collision program: clearance of every group (monitored pair of parts), measured in every step.
+
+Remote Manipulator Simulation, final report, chapter IV. The report's program examined three hexahedra and one body in
+each frame; here all parts that can meet are examined. For each group, the last measurement and the motion of its two
+frames since then give a lower bound of its clearance. A group is measured again only when its bound is small enough to
+matter.
+
+Data remembered about a pair only serve to rule the pair out. The least clearance is always measured without such data,
+and the first of equal pairs is taken. The result therefore equals that of a watch without memory, to the last digit.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Self
+
+import numpy as np
+
+from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.bodies import pair as packed
+from aftdeck.bodies.depth import greatest
+from aftdeck.bodies.hexahedron import SIDES, VERTICES, place
+from aftdeck.bodies.location_words import heights
+from aftdeck.bodies.pair import CONTACT, PAIR
+from aftdeck.bodies.planes import sides
+from aftdeck.bodies.repeated_test import measure
+from aftdeck.law import law
+from aftdeck.state_part import Cache
+from aftdeck.worksite.watch.found import (
+    CLEARANCE,
+    DISTANCE,
+    FEATURE_A,
+    FEATURE_B,
+    FOUND,
+    NORMAL,
+    POINT_A,
+    POINT_B,
+    SPEED,
+    WHICH,
+)
+from aftdeck.worksite.watch.groups import CENTRE, POSE, RADIUS, SOLID, Layout
+from aftdeck.worksite.watch.motion import motion, velocity
+
+_SLACK = 1e-9
+"""Margin by which a group's bound is lowered [m]: more than the rounding errors."""
+
+
+@law
+def place_moved(solids: Array, frame: Indices, frames: Array, at: Array, placed: Array) -> None:
+    """Place the solids whose frame has moved.
+
+    Args:
+        solids: (n, 52) solids in their own frames.
+        frame: (n,) index of each solid's frame.
+        frames: (F, 12) present poses of the frames, in L.
+        at: (F, 12) poses of the frames at which the solids were placed; updated.
+        placed: (n, 52) the solids in L; updated.
+    """
+    moved = np.zeros(len(frames), np.bool_)
+    for f in range(len(frames)):
+        for k in range(POSE):
+            if frames[f, k] != at[f, k]:
+                moved[f] = True
+                at[f, k] = frames[f, k]
+    for i in range(len(solids)):
+        f = frame[i]
+        if not moved[f]:
+            continue
+        r = frames[f, 3:].reshape(3, 3)
+        place(solids[i], frames[f], r, placed[i])
+        x, y, z = solids[i, CENTRE], solids[i, CENTRE + 1], solids[i, CENTRE + 2]
+        placed[i, CENTRE] = r[0, 0] * x + r[0, 1] * y + r[0, 2] * z + frames[f, 0]
+        placed[i, CENTRE + 1] = r[1, 0] * x + r[1, 1] * y + r[1, 2] * z + frames[f, 1]
+        placed[i, CENTRE + 2] = r[2, 0] * x + r[2, 1] * y + r[2, 2] * z + frames[f, 2]
+        placed[i, RADIUS] = solids[i, RADIUS]
+
+
+@law
+def travelled(frames: Array, at: Array, reach: Array, ways: Array) -> None:
+    """Compute for each frame how far any point of its solids can have moved since the frame was placed.
+
+    Args:
+        frames: (F, 12) present poses of the frames, in L.
+        at: (F, 12) poses of the frames when they were placed, in L; NaN if never placed.
+        reach: (F,) greatest distance of a frame's solids from its origin [m].
+        ways: (F,) output: upper bounds of the distances [m]; NaN for a frame that was never placed.
+    """
+    for f in range(len(frames)):
+        origin, turn = 0.0, 0.0
+        for k in range(3):
+            origin += (frames[f, k] - at[f, k]) ** 2
+        for k in range(3, POSE):
+            turn += (frames[f, k] - at[f, k]) ** 2
+        # the spectral norm of a difference of two rotations is its Frobenius norm divided by the square root of 2
+        ways[f] = sqrt(origin) + sqrt(0.5 * turn) * reach[f]
+
+
+@law
+def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
+    """Return whether spheres or the pair's last normal prove that two solids are not nearer than `best` [m]."""
+    x, y, z = b[CENTRE] - a[CENTRE], b[CENTRE + 1] - a[CENTRE + 1], b[CENTRE + 2] - a[CENTRE + 2]
+    reach = best + a[RADIUS] + b[RADIUS]
+    if reach < 0.0 or x * x + y * y + z * z > reach * reach:
+        return True
+    along = sides(a, b, pair[packed.NORMAL], pair[packed.NORMAL + 1], pair[packed.NORMAL + 2])
+    apart = along.b - along.a
+    # a pair without a normal has a zero vector, for which `apart` is 0
+    return apart > 0.0 and apart > best
+
+
+@law
+def nearest_pair(
+    placed: Array, pairs: Indices, memory: Array, begin: int, end: int, first: int, limit: float, told: Array
+) -> int:
+    """Return the pair of solids of a group that has the least clearance; of equal pairs, the first.
+
+    Args:
+        placed: (n, 52) the solids in L.
+        pairs: (m, 2) pairs of the layout.
+        memory: (m, 17) remembered data of each pair, updated; its content does not affect the result.
+        begin: index of the group's first pair.
+        end: index after the group's last pair.
+        first: the pair that probably has the least clearance.
+        limit: pairs that are not nearer than this are ignored [m].
+        told: (17,) output: packed measurements of the pair.
+
+    Returns:
+        Index of the pair; -1 if no pair is below the limit.
+    """
+    best, least, own = -1, limit, np.empty(packed.PAIR)
+    for turn in range(begin - 1, end):
+        k = first if turn < begin else turn
+        if turn == first:
+            continue
+        a, b = placed[pairs[k, 0]], placed[pairs[k, 1]]
+        # remembered data only show that a pair is not the nearest
+        beyond = least + _SLACK
+        if turn >= begin and (not_nearer(a, b, memory[k], beyond) or measure(a, b, memory[k]) > beyond):
+            continue
+        own[:] = 0.0
+        clearance = measure(a, b, own)
+        if turn < begin:
+            memory[k] = own
+        if clearance < least or (clearance == least and k < best):
+            best, least = k, clearance
+            told[:] = own
+    return best
+
+
+@law
+def watch(
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    between: Indices,
+    reach: Array,
+    active: Mask,
+    counts: Mask,
+    before: Array,
+    now: Array,
+    period: float,
+    within: float,
+    at: Array,
+    placed: Array,
+    bound: Array,
+    likely: Indices,
+    memory: Array,
+    found: Array,
+) -> None:
+    """Measure the active groups that are nearer than `within`, and in any case the nearest of those that count.
+
+    Args:
+        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,), between (g, 2), reach (F,): of the layout.
+        frame: see solids.
+        pairs: see solids.
+        begins: see solids.
+        between: see solids.
+        reach: see solids.
+        active: (g,) 1 for groups that are measured.
+        counts: (g,) 1 for groups among which the nearest is wanted.
+        before: (F, 12) the frames a step ago, in L.
+        now: (F, 12) the present frames, in L.
+        period: time between the two [s].
+        within: clearance up to which groups are measured [m]; inf for all groups.
+        at: (F, 12) poses of the frames when placed; updated.
+        placed: (n, 52) the solids in L; updated.
+        bound: (g,) lower bounds of the groups' clearances [m]; updated.
+        likely: (g,) nearest pair of each group at its last measurement; updated.
+        memory: (m, 17) remembered data of each pair; updated.
+        found: (g, 15) output, rows as in `worksite.found`.
+    """
+    ways, motions = np.empty(len(now)), np.empty((len(now), 6))
+    travelled(now, at, reach, ways)
+    place_moved(solids, frame, now, at, placed)
+    for f in range(len(now)):
+        m = motion(before[f], now[f], period)
+        for k in range(6):
+            motions[f, k] = m[k]
+    told = np.empty(packed.PAIR)
+    least, nearest, lowest = np.inf, -1, np.inf
+    for g in range(len(active)):
+        bound[g] -= ways[between[g, 0]] + ways[between[g, 1]]
+        near = active[g] != 0 and not bound[g] >= within
+        if near:
+            near = _measured(placed, pairs, begins, g, bound, likely, memory, told) < within
+        if near:
+            _tell(placed, frame, pairs, now, motions, likely[g], told, found[g])
+        elif found[g, CLEARANCE] < np.inf:
+            found[g, CLEARANCE], found[g, SPEED:] = np.inf, 0.0
+        if active[g] != 0 and counts[g] != 0:
+            least = min(least, found[g, CLEARANCE])
+            if bound[g] < lowest:
+                nearest, lowest = g, bound[g]
+    if least < np.inf or nearest < 0:
+        return
+    # take the first of equal groups, wherever the search begins
+    best = nearest
+    least = _measured(placed, pairs, begins, best, bound, likely, memory, told)
+    other = np.empty(packed.PAIR)
+    for g in range(len(active)):
+        if active[g] != 0 and counts[g] != 0 and bound[g] < least and g != nearest:
+            clearance = _measured(placed, pairs, begins, g, bound, likely, memory, other)
+            if clearance < least or (clearance == least and g < best):
+                best, least = g, clearance
+                told[:] = other
+    _tell(placed, frame, pairs, now, motions, likely[best], told, found[best])
+
+
+@law
+def _measured(
+    placed: Array, pairs: Indices, begins: Indices, g: int, bound: Array, likely: Indices, memory: Array, told: Array
+) -> float:
+    """Return the clearance of group g [m], write its nearest pair into `told` (17,), and update `bound` and `likely`.
+
+    The bound is slightly lower than the clearance, so that rounding cannot make the group nearer than its bound.
+    """
+    likely[g] = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], np.inf, told)
+    clearance: float = told[packed.CLEARANCE]
+    bound[g] = clearance - _SLACK
+    return clearance
+
+
+@law
+def _tell(
+    placed: Array, frame: Indices, pairs: Indices, now: Array, motions: Array, k: int, told: Array, row: Array
+) -> None:
+    """Write the latest measurements of pair k, told (17,), into its group's row (15,)."""
+    i, j = pairs[k, 0], pairs[k, 1]
+    copy_pair(told, row)
+    row[WHICH] = k
+    if row[CLEARANCE] <= CONTACT:
+        way_apart(placed[i], placed[j], row)
+    va = velocity(now, motions, frame[i], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
+    vb = velocity(now, motions, frame[j], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
+    row[SPEED] = row[NORMAL] * (va[0] - vb[0]) + row[NORMAL + 1] * (va[1] - vb[1]) + row[NORMAL + 2] * (va[2] - vb[2])
+
+
+@law
+def copy_pair(pair: Array, row: Array) -> None:
+    """Copy the measurements of a pair, packed (17,), into its group's row (15,)."""
+    row[CLEARANCE] = pair[packed.CLEARANCE]
+    for c in range(3):
+        row[POINT_A + c] = pair[packed.POINT_A + c]
+        row[POINT_B + c] = pair[packed.POINT_B + c]
+        row[NORMAL + c] = pair[packed.NORMAL + c]
+    row[DISTANCE] = pair[packed.DISTANCE]
+    row[FEATURE_A], row[FEATURE_B] = pair[packed.FEATURE_A], pair[packed.FEATURE_B]
+
+
+@law
+def way_apart(a: Array, b: Array, row: Array) -> None:
+    """Write the plane of two solids in contact, normal to their shortest way apart, into their group's row."""
+    above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
+    heights(a, b, above_b)
+    heights(b, a, above_a)
+    out = greatest(a, b, above_b, above_a)
+    row[NORMAL], row[NORMAL + 1], row[NORMAL + 2] = out.x, out.y, out.z
+    row[DISTANCE] = 0.5 * (
+        out.x * (row[POINT_A] + row[POINT_B])
+        + out.y * (row[POINT_A + 1] + row[POINT_B + 1])
+        + out.z * (row[POINT_A + 2] + row[POINT_B + 2])
+    )
+
+
+@law
+def nearest_group(found: Array, counts: Mask) -> int:
+    """Return the group of least clearance among those with a 1 in `counts` (g,); -1 if none of them was measured."""
+    best, least = -1, np.inf
+    for g in range(len(found)):
+        if counts[g] != 0 and found[g, CLEARANCE] < least:
+            best, least = g, found[g, CLEARANCE]
+    return best
+
+
+class Watch(Cache):
+    """Clearance monitor: measures the groups of a layout, and keeps data that make the next measurement faster.
+
+    The measurements depend only on the positions of the frames, not on the kept data.
+
+    Attributes:
+        layout: the solids and the groups.
+        active: (g,) 1 for groups that are measured; the caller sets it.
+        counts: (g,) 1 for groups of which the next measurement finds the nearest; the caller sets it.
+        found: (g, 15) the last measurements, rows as in `worksite.found`.
+        likely: (g,) nearest pair of each group at its last measurement.
+        memory: (m, 17) remembered data of each pair of solids.
+        at: (F, 12) the frames at the last measurement, in L.
+        placed: (n, 52) the solids at these frames, in L.
+        bound: (g,) lower bound of each group's clearance at these frames [m].
+        packed: the last six arguments of `watch`, from `at` to `found`.
+    """
+
+    def __init__(self, layout: Layout) -> None:
+        self.layout = layout
+        self.active = np.ones(len(layout.groups), np.uint8)
+        self.counts = self.active.copy()
+        self.found = np.zeros((len(layout.groups), FOUND))
+        self.found[:, CLEARANCE] = np.inf
+        self.likely = np.empty(len(layout.groups), np.int64)
+        self.memory = np.empty((len(layout.pairs), PAIR))
+        self.bound = np.empty(len(layout.groups))
+        self.at = np.empty((len(layout.frames), POSE))
+        self.placed = np.zeros((len(layout.solids), SOLID))
+        self.packed = self.at, self.placed, self.bound, self.likely, self.memory, self.found
+        self.forget()
+
+    def forget(self) -> None:
+        """Discard the remembered data; the result of the next measurement is the same as without this call."""
+        self.likely[:] = self.layout.begins[:-1]
+        self.memory[:] = 0.0
+        self.bound[:] = -np.inf
+        self.at[:] = np.nan
+
+    def look(self, before: Array, now: Array, period: float) -> None:
+        """Measure all active groups and write the results into `found`; the clearances of the others become inf.
+
+        Args:
+            before: (F, 12) the frames a step ago, in L; equal to `now` if there was no step before.
+            now: (F, 12) the present frames, in L.
+            period: time between the two [s].
+        """
+        self.look_near(before, now, period, self.active, np.inf)
+
+    def look_near(self, before: Array, now: Array, period: float, counts: Mask, within: float) -> None:
+        """Measure the active groups that are nearer than `within`; the clearances of the others become inf in `found`.
+
+        The nearest group with a 1 in `counts` (g,) is measured even if it is not that near. Other arguments as of
+        `look`.
+        """
+        watch(*self.layout.packed, self.active, counts, before, now, period, within, *self.packed)
+
+    def nearest(self, counts: Mask) -> int:
+        """Return the group of least clearance among those with a 1 in `counts` (g,); -1 if none was measured."""
+        return nearest_group(self.found, counts)
+
+    def copied(self) -> Self:
+        """Return a copy of the watch with the same measurements and remembered data."""
+        copy = type(self)(self.layout)
+        copy.active[:], copy.counts[:] = self.active, self.counts
+        for own, array in zip(copy.packed, self.packed, strict=True):
+            own[:] = array
+        return copy

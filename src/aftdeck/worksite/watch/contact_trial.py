@@ -1,0 +1,225 @@
+"""Effect of a motion on the contacts, found by trying it: the clearance that it gains, and how far parts slide.
+
+Every pair of touching solids counts separately. For a body made of several solids, the deepest pair alone would not
+show which direction leads out of all of them.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.bodies import pair as packed
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.bodies.repeated_test import measure
+from aftdeck.law import law
+from aftdeck.worksite.watch.clearance_monitor import (
+    Watch,
+    copy_pair,
+    nearest_pair,
+    not_nearer,
+    place_moved,
+    travelled,
+    way_apart,
+)
+from aftdeck.worksite.watch.found import CLEARANCE, FOUND, NORMAL, POINT_A, POINT_B
+
+STEP = 1.0
+"""Distance beyond which two solids cannot come into contact within a step [m]."""
+WORST, GROUP, GAINED, SLID, DEEPEST, LESSENED, MADE = range(7)
+"""Indices of the fields of `Trial` in a row."""
+
+
+class Trial(NamedTuple):
+    """Effect of a motion on the contacts.
+
+    Attributes:
+        worst: least change of the clearance of a contact, present or new: negative for a fall, 0 or more if none falls,
+            inf without a contact [m].
+        which: the group of that contact; -1 if there is none.
+        gained: sum of the changes in clearance of all solids in harmful contacts; inf without such a contact [m].
+        slid: greatest distance that a touching point of such a contact moves along the other body [m].
+        deeper: greatest increase of the penetration depth of two parts; negative or 0 if no depth increases [m].
+        lessened: decrease of the sum of the depths of all contacts [m].
+        made: True if the motion makes a new contact.
+    """
+
+    worst: float
+    which: int
+    gained: float
+    slid: float
+    deeper: float
+    lessened: float
+    made: bool
+
+
+@law
+def tried(
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    between: Indices,
+    reach: Array,
+    counts: Mask,
+    harmful: Mask,
+    after: Array,
+    at: Array,
+    placed: Array,
+    bound: Array,
+    likely: Indices,
+    memory: Array,
+    found: Array,
+) -> Trial:
+    """Return the effect of a motion on the contacts of the groups that count.
+
+    Args:
+        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,), between (g, 2), reach (F,): of the layout.
+        frame: see solids.
+        pairs: see solids.
+        begins: see solids.
+        between: see solids.
+        reach: see solids.
+        counts: (g,) 1 for groups whose contacts count; they have to be active.
+        harmful: (g,) 1 for the groups among them whose relief counts.
+        after: (F, 12) the frames after the motion, in L.
+        at: (F, 12) and placed (n, 52): copies of the watch's arrays; overwritten.
+        placed: see at.
+        bound: (g,) the watch's array.
+        likely: (g,) the watch's array.
+        memory: (m, 17) the watch's array, updated; its content does not affect the result.
+        found: (g, 15) the watch's measurements before the motion.
+    """
+    ways, was, told = np.empty(len(after)), np.full(len(memory), np.inf), np.empty(packed.PAIR)
+    slid, touching = 0.0, False
+    for g in range(len(counts)):
+        if counts[g] != 0 and harmful[g] != 0 and found[g, CLEARANCE] <= CONTACT:
+            touching = True
+            for k in range(begins[g], begins[g + 1]):
+                slid = max(slid, _slid(placed, frame, at, after, pairs[k], memory, k, was))
+    travelled(after, at, reach, ways)
+    place_moved(solids, frame, after, at, placed)
+    worst, which, gained, deeper, lessened, made = np.inf, -1, 0.0, -np.inf, 0.0, False
+    for g in range(len(counts)):
+        if counts[g] == 0:
+            continue
+        before, limit = found[g, CLEARANCE], np.inf
+        if before > CONTACT:
+            limit = 2.0 * CONTACT
+            if bound[g] - ways[between[g, 0]] - ways[between[g, 1]] >= limit:
+                continue
+        elif harmful[g] != 0:
+            won = _won(placed, pairs, begins[g], begins[g + 1], was)
+            gained, lessened = gained + won[0], lessened + won[1]
+        if nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], limit, told) < 0:
+            continue
+        clearance = told[packed.CLEARANCE]
+        if clearance - before < worst and (before <= CONTACT or clearance <= CONTACT):
+            worst, which = clearance - before, g
+        made = made or (before > CONTACT and clearance <= CONTACT)
+        deeper = max(deeper, min(before, 0.0) - clearance)
+        if before > CONTACT or harmful[g] == 0:
+            lessened += min(clearance, 0.0) - min(before, 0.0)
+    return Trial(worst, which, gained if touching else np.inf, slid, deeper, lessened, made)
+
+
+@law
+def _won(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tuple[float, float]:
+    """Return the sums of the changes in clearance, and of the decreases in depth, of a group's touching solids [m]."""
+    gained, lessened, own = 0.0, 0.0, np.empty(packed.PAIR)
+    for k in range(begin, end):
+        if was[k] == np.inf:
+            continue
+        own[:] = 0.0
+        now = measure(placed[pairs[k, 0]], placed[pairs[k, 1]], own)
+        gained += now - was[k] if was[k] <= CONTACT else min(now, 0.0)
+        lessened += min(now, 0.0) - min(was[k], 0.0)
+    return gained, lessened
+
+
+@law
+def _slid(
+    placed: Array, frame: Indices, at: Array, after: Array, pair: Indices, memory: Array, k: int, was: Array
+) -> float:
+    """Return how far the touching points of two solids move along each other, perpendicular to their way apart [m].
+
+    Also write the present clearance of the pair into was[k]; was[k] stays inf if the solids are farther apart than
+    `STEP`.
+    """
+    i, j = pair[0], pair[1]
+    a, b = placed[i], placed[j]
+    if not_nearer(a, b, memory[k], STEP):
+        return 0.0
+    own = np.zeros(packed.PAIR)
+    was[k] = measure(a, b, own)
+    if was[k] > CONTACT:
+        return 0.0
+    row = np.empty(FOUND)
+    copy_pair(own, row)
+    way_apart(a, b, row)
+    p = _carried(at[frame[i]], after[frame[i]], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
+    q = _carried(at[frame[j]], after[frame[j]], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
+    x, y, z = p[0] - q[0], p[1] - q[1], p[2] - q[2]
+    out = x * row[NORMAL] + y * row[NORMAL + 1] + z * row[NORMAL + 2]
+    return sqrt(max(x * x + y * y + z * z - out * out, 0.0))
+
+
+@law
+def _carried(at: Array, after: Array, x: float, y: float, z: float) -> tuple[float, float, float]:
+    """Return the displacement of a point carried by a frame that moves from one pose (12,) to another [m]."""
+    x, y, z = x - at[0], y - at[1], z - at[2]
+    px = at[3] * x + at[6] * y + at[9] * z
+    py = at[4] * x + at[7] * y + at[10] * z
+    pz = at[5] * x + at[8] * y + at[11] * z
+    return (
+        after[0] - at[0] + after[3] * px + after[4] * py + after[5] * pz - x,
+        after[1] - at[1] + after[6] * px + after[7] * py + after[8] * pz - y,
+        after[2] - at[2] + after[9] * px + after[10] * py + after[11] * pz - z,
+    )
+
+
+@law
+def tried_many(
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    between: Indices,
+    reach: Array,
+    counts: Mask,
+    harmful: Mask,
+    afters: Array,
+    at: Array,
+    placed: Array,
+    bound: Array,
+    likely: Indices,
+    memory: Array,
+    found: Array,
+    trials: Array,
+) -> None:
+    """Write `tried` of each of several motions, afters (k, F, 12), into trials (k, 7); `at` and `placed` are copied."""
+    for k in range(len(afters)):
+        t = tried(
+            solids, frame, pairs, begins, between, reach, counts, harmful, afters[k],
+            at.copy(), placed.copy(), bound, likely, memory, found,
+        )  # fmt: skip
+        trials[k, WORST], trials[k, GROUP], trials[k, GAINED] = t.worst, t.which, t.gained
+        trials[k, SLID], trials[k, DEEPEST] = t.slid, t.deeper
+        trials[k, LESSENED], trials[k, MADE] = t.lessened, 1.0 if t.made else 0.0
+
+
+def trials_of(watch: Watch, counts: Mask, harmful: Mask, afters: Array) -> Array:
+    """Return the effects (k, 7) of several motions, afters (k, F, 12), rows as `Trial`; arguments as of `tried`."""
+    own, trials = watch.layout, np.empty((len(afters), len(Trial._fields)))
+    tried_many(
+        *own.packed,
+        counts & watch.active,
+        harmful,
+        afters,
+        *watch.packed,
+        trials,
+    )
+    return trials

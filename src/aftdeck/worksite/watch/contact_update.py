@@ -1,0 +1,140 @@
+"""One step of the worksite in one compiled call: poses of all frames, clearances of groups, and contacts."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.bodies.pose import compose
+from aftdeck.kinematics.frames import place_frames
+from aftdeck.law import law
+from aftdeck.worksite.watch.clearance_monitor import nearest_group, watch
+from aftdeck.worksite.watch.contacts import count_frames
+from aftdeck.worksite.watch.groups import POSE
+
+
+@law
+def place_everything(
+    joints: Array,
+    scene: Array,
+    axes: Array,
+    orbiter: Array,
+    carrier: Indices,
+    rides: Array,
+    angles: Array,
+    stand: float,
+    prong: float,
+    frames: Array,
+) -> None:
+    """Compute the poses of all coordinate frames: the orbiter's, the arm's, ``space``, and one for each cargo.
+
+    Args:
+        joints: (6, 4) as `kinematics.frames.Frames.joints`.
+        scene: (12,) the orbiter's frame in L.
+        axes: (3, 3) the orbiter's axes (forward, starboard, down) in L, as columns.
+        orbiter: (3,) how far the orbiter has moved along its axes [m].
+        carrier: (c,) for each cargo, the row of the frame that carries it; negative if the cargo floats.
+        rides: (c, 12) pose of each cargo in the carrying frame. The pose of a floating cargo is in the frame fixed in
+            space that coincided with L at the start.
+        angles: (6,) joint angles [rad].
+        stand: height of the shoulder above L's origin [m].
+        prong: y2 of the prong's inner face [m].
+        frames: (F, 12) output: poses in L.
+    """
+    space = len(frames) - len(carrier) - 1
+    place_frames(joints, angles, stand, prong, frames[1:space])
+    for k in range(POSE):
+        frames[0, k] = frames[space, k] = scene[k]
+    for i in range(3):
+        frames[space, i] -= axes[i, 0] * orbiter[0] + axes[i, 1] * orbiter[1] + axes[i, 2] * orbiter[2]
+    for c in range(len(carrier)):
+        row = frames[space + 1 + c]
+        if carrier[c] >= 0:
+            compose(frames[carrier[c]], rides[c], row)
+            continue
+        for k in range(POSE):
+            row[k] = rides[c, k]
+        for i in range(3):
+            row[i] += frames[space, i] - scene[i]
+
+
+class Around(NamedTuple):
+    """Result of `look_around`.
+
+    Attributes:
+        touching: at least one group is in contact.
+        changed: a contact began, ended or reached its second step.
+        nearest: the group of least clearance among those that count; -1 if there is none.
+    """
+
+    touching: bool
+    changed: bool
+    nearest: int
+
+
+@law
+def look_around(
+    joints: Array,
+    scene: Array,
+    axes: Array,
+    orbiter: Array,
+    carrier: Indices,
+    rides: Array,
+    angles: Array,
+    stand: float,
+    prong: float,
+    solids: Array,
+    frame: Indices,
+    pairs: Indices,
+    begins: Indices,
+    between: Indices,
+    reach: Array,
+    active: Mask,
+    counts: Mask,
+    before: Array,
+    now: Array,
+    period: float,
+    within: float,
+    at: Array,
+    placed: Array,
+    bound: Array,
+    likely: Indices,
+    memory: Array,
+    found: Array,
+    count: Mask,
+) -> Around:
+    """Run `place_everything`, `watch` and `count_frames`; the arguments are those of these three laws.
+
+    On entry `now` holds the frames of the last step. They are copied to `before`, and `now` receives the new frames.
+    """
+    before[:] = now
+    place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, now)
+    watch(
+        solids, frame, pairs, begins, between, reach, active, counts, before, now, period, within,
+        at, placed, bound, likely, memory, found,
+    )  # fmt: skip
+    counted = count_frames(found, count)
+    return Around(counted.touching, counted.changed, nearest_group(found, counts))
+
+
+@law
+def nearest_place(frames: Array, row: int, rows: Indices, places: Array, within: float) -> int:
+    """Return the index of the place nearest to a frame's origin, or -1 if none is nearer than `within` [m].
+
+    Args:
+        frames: (F, 12) poses of the frames, in L.
+        row: row of the frame.
+        rows: (n,) rows of the frames in which the places are given.
+        places: (n, 12) poses of the places in these frames.
+        within: search radius [m].
+    """
+    best, least = -1, within * within
+    for p in range(len(rows)):
+        square = 0.0
+        for i in range(3):
+            b = frames[rows[p]]
+            along = b[3 + 3 * i] * places[p, 0] + b[4 + 3 * i] * places[p, 1] + b[5 + 3 * i] * places[p, 2]
+            square += (frames[row, i] - b[i] - along) ** 2
+        if square < least:
+            best, least = p, square
+    return best

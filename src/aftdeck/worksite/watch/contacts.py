@@ -1,0 +1,180 @@
+"""Contacts, detrimental and essential, and the two-frame rule: which motions a collision inhibits.
+
+Source: *Remote Manipulator Simulation*, final report, chapter IV.B, subroutine COLLIDE. A detrimental collision raises
+its flag in the first frame. If it is found in the second successive frame as well, it inhibits motion until it is
+relieved. In mode 1 any collision of the effector, the prong (HEX 3) included, inhibits the arm; a collision of the
+prong inhibits the finger as well. In the later modes every collision inhibits both. Frames are control steps here.
+
+Essential contacts inhibit nothing. A contact of two parts is essential only where their relation permits it
+(`simulation.relations`), or where the payload that the arm holds slides along a wall (`worksite.sliding`).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import msgspec
+import numpy as np
+
+from aftdeck.arrays import Array, Mask
+from aftdeck.bodies.pair import CONTACT
+from aftdeck.law import law
+from aftdeck.state_part import StatePart
+from aftdeck.worksite.conditions import Units, shown
+from aftdeck.worksite.watch.found import CLEARANCE
+from aftdeck.worksite.watch.groups import Layout
+
+ACQUISITION = 1
+"""The report's mode in which the prong moves by itself."""
+FRAMES = 2
+"""Number of successive frames in which a collision is found before it inhibits motion."""
+_TOLD = 5e-4
+"""Depth below which the text of a contact gives no number [m]."""
+
+
+class Inhibit(NamedTuple):
+    """Inhibit flags that the contacts of a step set.
+
+    Attributes:
+        arm: the arm's motion is inhibited.
+        finger: the prong's motion is inhibited.
+        changed: a contact, of either kind, began, ended or began to inhibit in this step.
+    """
+
+    arm: bool
+    finger: bool
+    changed: bool
+
+
+class Counted(NamedTuple):
+    """Result of `count_frames`.
+
+    Attributes:
+        touching: at least one group is in contact.
+        changed: a count changed.
+    """
+
+    touching: bool
+    changed: bool
+
+
+@law
+def count_frames(found: Array, count: Mask) -> Counted:
+    """Update the number of successive steps in which each group was in contact.
+
+    Args:
+        found: (g, 15) measurements of this step, as in `worksite.found`.
+        count: (g,) updated; at most 2.
+    """
+    touching, changed = False, False
+    for g in range(len(count)):
+        now = min(int(count[g]) + 1, FRAMES) if found[g, CLEARANCE] <= CONTACT else 0
+        changed = changed or now != count[g]
+        touching = touching or now > 0
+        count[g] = now
+    return Counted(touching, changed)
+
+
+@law
+def two_frames(count: Mask, essential: Mask, arm: Mask, prong: Mask, mode: int) -> tuple[bool, bool]:
+    """Return whether the arm and the finger are inhibited.
+
+    Args:
+        count: (g,) number of successive steps in which each group was in contact.
+        essential: (g,) 1 for groups whose contact belongs to the task: they never inhibit.
+        arm: (g,) 1 for groups with a part that moves with the arm; the arm cannot relieve other contacts.
+        prong: (g,) 1 for groups of the prong.
+        mode: the report's mode, 1 to 4.
+    """
+    by_arm, by_prong = False, False
+    for g in range(len(count)):
+        if count[g] == FRAMES and essential[g] == 0 and arm[g] != 0:
+            by_arm = True
+            by_prong = by_prong or prong[g] != 0
+    return by_arm, by_prong if mode == ACQUISITION else by_arm
+
+
+class Contact(msgspec.Struct, frozen=True):
+    """Two parts in contact.
+
+    Attributes:
+        group: index of the group in the layout.
+        a: the first part.
+        b: the second part.
+        depth: penetration depth, 0 if the parts merely touch [m].
+        essential: the contact belongs to the task and never inhibits.
+        inhibits: the contact is detrimental, of the arm, and found in two successive frames.
+        text: sentence for the operator.
+    """
+
+    group: int
+    a: str
+    b: str
+    depth: float
+    essential: bool
+    inhibits: bool
+    text: str
+
+
+class Contacts(StatePart):
+    """Contact state of all groups, updated in every frame.
+
+    Attributes:
+        essential: (g,) 1 for groups whose contact belongs to the task; the caller sets it.
+        arm: (g,) 1 for groups with a part that moves with the arm, a held payload included; the caller sets it.
+        count: (g,) number of successive frames in which each group has been in contact, at most 2.
+        inhibit: flags set by the contacts of the last frame.
+    """
+
+    essential: Mask
+    arm: Mask
+    count: Mask
+    inhibit: Inhibit = Inhibit(arm=False, finger=False, changed=False)
+
+    def look(self, found: Array, prong: Mask, mode: int) -> Inhibit:
+        """Count the contacts of one more step, from the result of `Watch.look` (g, 15), and return `judge` of them."""
+        counted = count_frames(found, self.count)
+        return self.judge(counted.touching, counted.changed, prong, mode)
+
+    def judge(self, touching: bool, changed: bool, prong: Mask, mode: int) -> Inhibit:
+        """Set and return the flags, from the present counts and the result of `count_frames`.
+
+        Args:
+            touching: at least one group is in contact.
+            changed: a count changed.
+            prong: (g,) 1 for groups of the prong; all 0 for an arm without a prong.
+            mode: the report's mode, 1 to 4.
+        """
+        arm, finger = False, False
+        if touching:
+            arm, finger = two_frames(self.count, self.essential, self.arm, prong, mode)
+        self.inhibit = Inhibit(bool(arm), bool(finger), bool(changed))
+        return self.inhibit
+
+    def standing(self, layout: Layout, found: Array, units: Units) -> tuple[Contact, ...]:
+        """Return all contacts of the last frame, deepest first, with texts in the operator's units."""
+        groups = np.flatnonzero(self.count)
+        return tuple(
+            self._contact(int(g), layout, found, units)
+            for g in groups[np.argsort(found[groups, CLEARANCE], kind="stable")]
+        )
+
+    def _contact(self, group: int, layout: Layout, found: Array, units: Units) -> Contact:
+        a, b = layout.named(group)
+        depth = max(0.0, -float(found[group, CLEARANCE]))
+        essential = bool(self.essential[group])
+        inhibits = not essential and bool(self.arm[group]) and bool(self.count[group] == FRAMES)
+        return Contact(group, a, b, depth, essential, inhibits, told(a, b, depth, essential, units))
+
+
+def told(a: str, b: str, depth: float, essential: bool, units: Units) -> str:
+    """Return a contact as a sentence.
+
+    Examples:
+        >>> told("lower boom", "bay wall port", 0.0213, False, "ft-in")
+        'lower boom touches bay wall port: 0.839 in deep'
+        >>> told("prong", "receptacle", 0.0, True, "SI")
+        'prong touches receptacle, as it is made to'
+    """
+    deep = f": {shown(depth, 'm', units)} deep" if depth >= _TOLD else ""
+    return f"{a} touches {b}{', as it is made to' if essential else ''}{deep}"

@@ -1,0 +1,170 @@
+"""All solids of a run and the monitored pairs of parts, packed for the laws.
+
+The operator reads the names of *parts* ("lower boom", "bay wall port"); the laws measure *solids*, of which a part has
+one or several. A *group* is a monitored pair of parts. The clearance of a group is the least over its pairs of solids.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from itertools import product
+
+import msgspec
+import numpy as np
+
+from aftdeck.arrays import Array, Indices, Mask
+from aftdeck.bodies.hexahedron import BODY, unpack
+from aftdeck.bodies.hexahedron_check import hexahedron
+from aftdeck.bodies.solid import Solid
+from aftdeck.errors import InputError
+
+PartPair = tuple[str, str]
+
+POSE = 12
+"""Length of a frame's pose: its origin [m], then its rotation row by row."""
+CENTRE, RADIUS = BODY, BODY + 3
+"""Indices of a packed solid's bounding sphere, behind its body; both in [m]."""
+SOLID = BODY + 4
+"""Length of a packed solid."""
+_ROOM = 1e-9
+"""Margin added to the radius of a bounding sphere [m]: more than rounding loses a kilometre from the origin."""
+
+
+class Layout(msgspec.Struct, frozen=True, eq=False):
+    """The solids of a run in packed arrays, all read-only. Every index counts from zero."""
+
+    frames: tuple[str, ...]
+    """Names of the rows of every `frames` array, (F, 12)."""
+    parts: tuple[str, ...]
+    part_frame: Indices
+    """(p,) the frame of each part."""
+    solids: Array
+    """(n, 52) packed bodies with their bounding spheres, each in its own frame."""
+    frame: Indices
+    """(n,) the frame of each solid."""
+    groups: Indices
+    """(g, 2) the two parts of each group."""
+    pairs: Indices
+    """(m, 2) the two solids of each pair; the pairs of a group are together, in the order of the groups."""
+    begins: Indices
+    """(g + 1,) index of each group's first pair; the last entry is m."""
+    between_frames: Indices
+    """(g, 2) the frames of the two parts of each group."""
+    reach: Array
+    """(F,) greatest distance of a frame's solids from its origin [m]."""
+
+    @property
+    def packed(self) -> tuple[Array, Indices, Indices, Indices, Indices, Array]:
+        """Arrays for `watch.watch`: `solids`, `frame`, `pairs`, `begins`, `between_frames`, `reach`."""
+        return self.solids, self.frame, self.pairs, self.begins, self.between_frames, self.reach
+
+    def named(self, group: int) -> PartPair:
+        """Return the names of the two parts of a group."""
+        a, b = self.groups[group].tolist()
+        return self.parts[a], self.parts[b]
+
+    def part(self, name: str) -> int:
+        """Return the index of a part.
+
+        Raises:
+            InputError: no part has that name.
+        """
+        if name not in self.parts:
+            raise InputError(f"no part is called {name!r}; there are {', '.join(self.parts)}")
+        return self.parts.index(name)
+
+    def between(self, some: Collection[str], others: Collection[str]) -> Mask:
+        """Return a mask (g,): 1 for each group of one part in `some` and one part in `others`."""
+        a, b = (np.isin(self.groups, [self.part(name) for name in names]) for names in (some, others))
+        return ((a[:, 0] & b[:, 1]) | (a[:, 1] & b[:, 0])).astype(np.uint8)
+
+    def carried(self, frames: Collection[str]) -> Mask:
+        """Return a mask (g,): 1 for each group with a part in one of these frames."""
+        unknown = set(frames) - set(self.frames)
+        if unknown:
+            raise InputError(f"no frame is called {min(unknown)!r}; there are {', '.join(self.frames)}")
+        inside = np.isin(self.part_frame, [self.frames.index(name) for name in frames])
+        return np.asarray(inside[self.groups[:, 0]] | inside[self.groups[:, 1]], np.uint8)
+
+    def parts_in(self, frame: str) -> tuple[str, ...]:
+        """Return the names of the parts in a frame."""
+        return tuple(part for part, k in zip(self.parts, self.part_frame, strict=True) if self.frames[k] == frame)
+
+
+def layout_of(frames: tuple[str, ...], solids: Sequence[Solid], part_pairs: Iterable[PartPair]) -> Layout:
+    """Check and pack the solids of a run.
+
+    Args:
+        frames: names of the rows of the `frames` arrays.
+        solids: all solids, including those whose part is in no pair.
+        part_pairs: the monitored pairs of parts, each pair once.
+
+    Raises:
+        InputError: a solid is not a convex hexahedron or has an unknown frame, a part has solids in two frames, or a
+            pair has unknown parts, parts fixed to one frame, or is listed twice.
+    """
+    home: dict[str, str] = {}
+    for solid in solids:
+        if solid.frame not in frames:
+            raise InputError(f"{solid.part}: no frame is called {solid.frame!r}; there are {', '.join(frames)}")
+        if home.setdefault(solid.part, solid.frame) != solid.frame:
+            raise InputError(
+                f"{solid.part} has solids in {home[solid.part]} and in {solid.frame}; a part has one frame"
+            )
+    parts = tuple(home)
+    of_part: dict[str, list[int]] = {part: [] for part in parts}
+    for k, solid in enumerate(solids):
+        of_part[solid.part].append(k)
+    groups: list[PartPair] = []
+    for a, b in part_pairs:
+        _watchable(a, b, home)
+        if (a, b) in groups or (b, a) in groups:
+            raise InputError(f"{a} and {b} are named as a watched pair twice")
+        groups.append((a, b))
+    pairs = [list(product(of_part[a], of_part[b])) for a, b in groups]
+    part_frame = _fixed([frames.index(frame) for frame in home.values()])
+    indices = _fixed([(parts.index(a), parts.index(b)) for a, b in groups]).reshape(-1, 2)
+    packed, frame_of = _packed(solids), _fixed([frames.index(solid.frame) for solid in solids])
+    reach = np.zeros(len(frames))
+    np.maximum.at(reach, frame_of, np.linalg.norm(packed[:, CENTRE : CENTRE + 3], axis=1) + packed[:, RADIUS])
+    reach.flags.writeable = False
+    return Layout(
+        frames,
+        parts,
+        part_frame,
+        packed,
+        frame_of,
+        indices,
+        _fixed([pair for group in pairs for pair in group]).reshape(-1, 2),
+        _fixed(np.cumsum([0, *map(len, pairs)])),
+        _fixed(part_frame[indices]),
+        reach,
+    )
+
+
+def _watchable(a: str, b: str, home: dict[str, str]) -> None:
+    """Reject a pair of parts that cannot be monitored (InputError)."""
+    for part in (a, b):
+        if part not in home:
+            raise InputError(f"{a} – {b}: no solid belongs to {part!r}; there are {', '.join(home)}")
+    if home[a] == home[b]:
+        raise InputError(f"{a} – {b}: both are fixed to {home[a]}, so that they never move against each other")
+
+
+def _packed(solids: Sequence[Solid]) -> Array:
+    """Return packed solids (n, 52): bodies with their bounding spheres, centred on the middle of their extent."""
+    packed = np.empty((len(solids), SOLID))
+    for row, solid in zip(packed, solids, strict=True):
+        row[:BODY] = hexahedron(solid.vertices, solid.part)
+        points = unpack(row[:BODY])
+        middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        row[CENTRE:RADIUS] = middle
+        row[RADIUS] = np.linalg.norm(points - middle, axis=1).max() + _ROOM
+    packed.flags.writeable = False
+    return packed
+
+
+def _fixed(numbers: object) -> Indices:
+    found = np.array(numbers, dtype=np.int64)
+    found.flags.writeable = False
+    return found

@@ -1,0 +1,89 @@
+"""Monitored pairs of parts, and the selection of those that count at present."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import combinations
+
+import numpy as np
+
+from aftdeck.arrays import Mask
+from aftdeck.bodies.solid import Solid
+from aftdeck.errors import InputError
+from aftdeck.worksite.watch.groups import Layout, PartPair
+
+STILL = ("space", "orbiter")
+"""Frames of the bodies around the arm; in a pair, the part in one of these frames comes last, ``orbiter`` after all."""
+
+
+def part_pairs(solids: Sequence[Solid], chain: Sequence[str], apart: Iterable[PartPair] = ()) -> tuple[PartPair, ...]:
+    """Return all pairs of parts that can meet: the arm with everything else, and cargoes and bodies with each other.
+
+    Two parts in one frame are not a pair. Two parts of the arm in successive frames of the chain are not a pair either,
+    because a joint holds them together; frames without solids do not count in the chain. The caller has to leave out
+    the pairs of a part of the arm and its mount.
+
+    Args:
+        solids: all solids of the run.
+        chain: the arm's frames from its base to its tip; a frame that moves on the tip comes last.
+        apart: further pairs to leave out, in either order: parts that are joined, or never meet.
+
+    Returns:
+        The pairs; in each pair, a part of the arm comes first, then a cargo's, then a body's.
+
+    Raises:
+        InputError: `apart` names a part that has no solid.
+    """
+    home = {solid.part: solid.frame for solid in solids}
+    left_out = {frozenset(pair) for pair in apart}
+    for name in sorted({name for pair in left_out for name in pair} - set(home)):
+        raise InputError(f"a pair to leave out names {name!r}; there are {', '.join(home)}")
+    used = set(home.values())
+    link = {frame: k for k, frame in enumerate(frame for frame in chain if frame in used)}
+
+    def place(part: str) -> int:
+        frame = home[part]
+        return 0 if frame in link else 2 + STILL.index(frame) if frame in STILL else 1
+
+    found = []
+    for a, b in combinations(sorted(home, key=place), 2):
+        one, other = home[a], home[b]
+        joined = one in link and other in link and abs(link[one] - link[other]) == 1
+        if one != other and not joined and frozenset((a, b)) not in left_out:
+            found.append((a, b))
+    return tuple(found)
+
+
+def counting(
+    layout: Layout,
+    holder: Collection[str] = (),
+    held: Collection[str] = (),
+    seated: Mapping[str, Collection[str]] | None = None,
+) -> Mask:
+    """Return a mask (g,): 1 for each group that is measured, 0 for a cargo with its holder or with its seat's body.
+
+    Args:
+        layout: the layout with the groups.
+        holder: the parts of the arm that hold a cargo.
+        held: the parts of the held cargo.
+        seated: for each part of a cargo that is in its seat and not held, the parts of that seat's body.
+    """
+    active = np.ones(len(layout.groups), np.uint8)
+    active &= 1 - layout.between(holder, held)
+    for part, seat in (seated or {}).items():
+        active &= 1 - layout.between((part,), seat)
+    return active
+
+
+def among(layout: Layout, pairs: Iterable[PartPair]) -> Mask:
+    """Return a mask (g,): 1 for each group that is one of these pairs of parts, in either order.
+
+    Pairs that are not monitored are ignored.
+
+    Raises:
+        InputError: a name is not that of a part.
+    """
+    found = np.zeros(len(layout.groups), np.uint8)
+    for a, b in pairs:
+        found |= layout.between((a,), (b,))
+    return found
