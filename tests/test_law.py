@@ -100,7 +100,7 @@ assert "numba" not in sys.modules
 
 
 def test_station_and_command_line_import_no_numba() -> None:
-    runs("import sys, aftdeck.cli, aftdeck.station.serve; assert 'numba' not in sys.modules")
+    runs("import sys, aftdeck.cli, aftdeck.station.server.serve; assert 'numba' not in sys.modules")
 
 
 def test_first_call_of_a_law_puts_the_compiled_laws_in_place_of_all() -> None:
