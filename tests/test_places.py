@@ -104,7 +104,7 @@ def test_an_unknown_field_is_told_with_its_own_index_and_line(
         assert found == expected
 
 
-WORKSITE = tomllib.loads((Path(worksite_file.__file__).parent / "concept-1972.toml").read_text())
+WORKSITE = tomllib.loads((Path(worksite_file.__file__).parents[1] / "concept-1972.toml").read_text())
 INSIDE = [float(x) for x in load_worksite("concept-1972").solids[0].vertices.mean(axis=0)]
 """A place in a solid of the orbiter's, in the scene."""
 STILL = [

@@ -12,12 +12,13 @@ from websockets.exceptions import ConnectionClosed
 
 from aftdeck.errors import ScenarioError
 from aftdeck.scenario.load import load_scenario
+from aftdeck.simulation.warm import warm_up
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
 from aftdeck.station.server.app import make_app
 from aftdeck.station.server.page import MOST_PAGES
-from tests.station.pages import WAIT_S, Page, Server, serving, until
+from tests.station.pages import WAIT_S, Page, Server, scenario, serving, until
 from tests.station.slow import Slow
 
 HELLO = from_page.Hello(kinds.PROTOCOL)
@@ -25,6 +26,7 @@ HELLO = from_page.Hello(kinds.PROTOCOL)
 
 @pytest.fixture
 def slow() -> Iterator[Slow]:
+    warm_up(scenario())  # compiling the laws may take longer than a page waits in a test
     slow = Slow()
     yield slow
     slow.go.set()

@@ -118,7 +118,8 @@ def check(
     assert np.isfinite([*frame.angles, *frame.rates, *frame.twist, *frame.twist_commanded, frame.ratio]).all(), where
     assert np.isfinite([*frame.twist_demanded, *frame.resolution, *frame.singularity]).all(), where
     held_by = [*frame.singular, *(name for name, zone in zip(ARM.joints, frame.zones, strict=True) if zone)]
-    assert [way.cause for way in frame.ways_out] == ([] if frame.work.arm_inhibit else held_by), where
+    causes = [way.cause for way in frame.ways_out]
+    assert causes in ([], ["contact"]) if frame.work.arm_inhibit else causes == held_by, where
     assert all(abs(r) <= m for r, m in zip(frame.rates_commanded, frame.rate_limits, strict=True)), where
     assert (outside(now, HARD) <= outside(was, HARD) + GRAIN).all(), where
     if frame.mode not in JOINT_MODES and mended:
