@@ -35,8 +35,9 @@ NOTE = """
 
 AGES = """() => {
     const [hours, minutes, seconds] = document.querySelector('.picture .code').textContent.split(':').map(Number);
-    const [now, late] = [performance.now() / 1000, window.arrived.slice(-250)];
-    const soonest = Math.min(...late.map(({ came, time_s }) => came / 1000 - time_s));
+    const restarted = window.arrived.findLastIndex(({ tick }, i, all) => i > 0 && tick < all[i - 1].tick);
+    const [now, run] = [performance.now() / 1000, window.arrived.slice(Math.max(0, restarted)).slice(-250)];
+    const soonest = Math.min(...run.map(({ came, time_s }) => came / 1000 - time_s));
     const age = (time_s) => now - soonest - time_s;
     return {
         figures: age(window.__aftdeck.lastFrame.time_s),
