@@ -111,7 +111,7 @@ def test_the_thc_flies_the_orbiter_and_the_assembly_element_stays_behind(flight:
     flight.until("frame.display.orbiter[0] > 0.05")
     flight.release("w")
     flight.until("Math.hypot(...frame.display.orbiter_velocity) === 0")
-    moved = flight.frame().work.orbiter[0]
+    moved = flight.frame().display.orbiter[0]
     assert _place(flight, "cae")[0] - before[0] == pytest.approx(moved, abs=1e-6), "it drifts aft as the orbiter goes"
     assert flight.frame().display.actual.velocity == (0.0, 0.0, 0.0)
 
