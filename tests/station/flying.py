@@ -1,12 +1,10 @@
-"""A session in flight without a server, of which no frame is lost."""
+"""A session without a server: stepped by its test, or by its driver."""
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from queue import Empty, SimpleQueue
 
 import msgspec
 import pytest
@@ -14,24 +12,29 @@ import pytest
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.station.messages.frame import Frame
+from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.session import Session
-from tests.station.pages import WAIT_S, scenario
+from tests.station.pages import scenario, until
+
+MOST_STEPS = 5000
+"""Largest number of steps in which something comes about: a hundred seconds of a run."""
 
 _frames = msgspec.json.Decoder(Frame)
 
 
 class Flown(Session):
-    """A session that keeps every frame until `comes` has looked at it, so that a slow test passes none over."""
+    """A session whose time stands still until the test moves it on: `now` is what its clock shows [s]."""
 
-    def start(self, told: Callable[[], None]) -> None:
-        """Begin to fly."""
-        self.frames: SimpleQueue[bytes] = SimpleQueue()
-
-        def keep() -> None:
-            self.frames.put(self.newest)
-            told()
-
-        super().start(keep)
+    def __init__(
+        self,
+        scenario: Scenario,
+        *,
+        demo: bool = False,
+        record: Path | None = None,
+        trial: Trial = NO_TRIAL,
+    ) -> None:
+        self.now = 100.0
+        super().__init__(scenario, demo=demo, record=record, trial=trial, clock=lambda: self.now)
 
 
 @contextmanager
@@ -43,11 +46,11 @@ def flying(
     record: Path | None = None,
     trial: Trial = NO_TRIAL,
 ) -> Iterator[Flown]:
-    """A session in flight that has shown its first frame."""
+    """A session that has shown its first frame."""
     session = Flown(made or scenario(name), demo=demo, record=record, trial=trial)
-    session.start(lambda: None)
+    session.begin()
     try:
-        comes(session, lambda frame: frame.tick == 1, "the first frame")
+        assert steps(session, 1).tick == 1
         yield session
     finally:
         session.close()
@@ -58,19 +61,28 @@ def shown(session: Session) -> Frame:
     return _frames.decode(session.newest)
 
 
-def comes(session: Flown, met: Callable[[Frame], bool], what: str) -> Frame:
-    """The first frame that is as wanted after the one that this returned last."""
-    end = time.monotonic() + WAIT_S
+def comes(session: Session, met: Callable[[Frame], bool], what: str) -> Frame:
+    """The frame of the first step from now on that is as wanted."""
+    for _ in range(MOST_STEPS):
+        if met(frame := steps(session, 1)):
+            return frame
+    pytest.fail(f"{MOST_STEPS} steps in vain: {what}")
+
+
+def steps(session: Session, number: int = 10) -> Frame:
+    """The frame after so many steps."""
+    for _ in range(number):
+        session.step()
+    return shown(session)
+
+
+@contextmanager
+def driven(*, record: Path | None = None) -> Iterator[Driver]:
+    """A session that its driver steps in real time, and that has shown its first frame."""
+    driver = Driver(Session(scenario(), record=record))
+    driver.start(lambda: None)
     try:
-        while True:
-            frame = _frames.decode(session.frames.get(timeout=max(end - time.monotonic(), 0.0)))
-            if met(frame):
-                return frame
-    except Empty:
-        pytest.fail(f"waited {WAIT_S:g} s in vain: {what}")
-
-
-def goes_on(session: Flown, steps: int = 10) -> Frame:
-    """The frame so many steps after the newest one."""
-    tick = shown(session).tick
-    return comes(session, lambda frame: frame.tick >= tick + steps, f"{steps} steps more")
+        until(lambda: driver.session.newest != b"", "the first frame")
+        yield driver
+    finally:
+        driver.close()

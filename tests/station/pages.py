@@ -11,7 +11,9 @@ from threading import Thread
 from typing import TypeVar
 
 import msgspec
+import pytest
 from starlette.applications import Starlette
+from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
@@ -115,6 +117,17 @@ class Page:
     def greet(self) -> Welcome:
         self.say(from_page.Hello(kinds.PROTOCOL))
         return self.wait_for(Welcome)
+
+
+def closing(page: Page) -> ConnectionClosed:
+    """How the server ends a connection."""
+    end = time.monotonic() + WAIT_S
+    while time.monotonic() < end:
+        try:
+            page.hear()
+        except ConnectionClosed as closed:
+            return closed
+    pytest.fail("the server does not close the connection")
 
 
 class Server:

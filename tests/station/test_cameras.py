@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import itertools
 import math
-import time
 from collections.abc import Iterator
 from pathlib import Path
-from types import SimpleNamespace
 
 import msgspec
 import pytest
@@ -19,9 +17,9 @@ from aftdeck.recording.replay import verify
 from aftdeck.station.messages import from_page, kinds
 from aftdeck.station.playback.reel import Reel
 from aftdeck.station.playback.verdict import CHECKING
-from aftdeck.station.session import session as station_session
-from aftdeck.station.session.session import SILENCE
-from tests.station.flying import Flown, comes, flying, goes_on, shown
+from aftdeck.station.session import page_inputs
+from aftdeck.station.session.page_inputs import SILENCE
+from tests.station.flying import Flown, comes, flying, shown, steps
 from tests.station.pages import text_of
 
 _from_page: msgspec.json.Decoder[from_page.FromPage] = msgspec.json.Decoder(from_page.FromPage)
@@ -42,41 +40,38 @@ def test_a_camera_turns_while_it_is_told_to_and_stops_when_it_is_let_go(session:
     session.turn(turn(0, pan=1.0))
     comes(session, lambda frame: frame.views[1][0] > before[1][0] + 0.01, "B pans to the right")
     session.turn(turn(1))
-    goes_on(session, 2)
+    steps(session, 2)
     still = shown(session).views
-    assert goes_on(session, 5).views == still
+    assert steps(session, 5).views == still
     assert [view for i, view in enumerate(still) if i != 1] == [view for i, view in enumerate(before) if i != 1]
 
 
 def test_a_page_that_falls_silent_turns_no_camera_any_longer_and_no_sooner(monkeypatch: pytest.MonkeyPatch) -> None:
-    clock = [100.0]
-    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
-    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
-    monkeypatch.setattr(station_session, "time", fake)
+    monkeypatch.setattr(page_inputs, "SILENCE", SILENCE)
     with flying() as session:
         session.turn(turn(0, tilt=1.0))
-        clock[0] += 0.99 * SILENCE
-        before = goes_on(session, 5).views[1][1]
-        assert goes_on(session, 5).views[1][1] > before
-        clock[0] += 0.02 * SILENCE
-        still = goes_on(session, 2).views
-        assert goes_on(session, 5).views == still
+        session.now += 0.99 * SILENCE
+        before = steps(session, 5).views[1][1]
+        assert steps(session, 5).views[1][1] > before
+        session.now += 0.02 * SILENCE
+        still = steps(session, 2).views
+        assert steps(session, 5).views == still
 
 
 def test_a_page_that_leaves_lets_its_camera_go(session: Flown) -> None:
     session.turn(turn(0, zoom=1.0))
-    goes_on(session, 2)
+    steps(session, 2)
     session.let_go()
-    frame = goes_on(session, 2)
-    assert goes_on(session, 5).views == frame.views
+    frame = steps(session, 2)
+    assert steps(session, 5).views == frame.views
 
 
 def test_stop_lets_the_camera_go_too(session: Flown) -> None:
     session.turn(turn(0, zoom=1.0))
-    goes_on(session, 2)
+    steps(session, 2)
     session.command(from_page.Stop(1))
-    frame = goes_on(session, 2)
-    assert goes_on(session, 5).views == frame.views
+    frame = steps(session, 2)
+    assert steps(session, 5).views == frame.views
 
 
 @pytest.mark.parametrize(
@@ -131,9 +126,9 @@ def test_a_recording_keeps_cameras_and_monitors_as_they_change_and_flies_again_a
         for seq, monitors in enumerate([(("B",), ("WR",)), (("B",), ("WR",)), (("A", "C"), ("WR",))]):
             session.shown(from_page.Shown(seq, 40.0, monitors))
             session.turn(turn(seq, pan=0.5, zoom=0.25))
-            goes_on(session, 10)
+            steps(session, 10)
         session.let_go()
-        goes_on(session, 5)
+        steps(session, 5)
     (path,) = tmp_path.glob("*.mcap")
     messages = list(Recording(path).messages())
     changes = [(m.mon_1, m.mon_2) for m in messages if isinstance(m, Shown)]

@@ -124,7 +124,7 @@ def test_each_scenario_has_a_recording_of_its_own_and_the_first_is_kept(tmp_path
     assert verify(first).equal and verify(second).equal
 
 
-def test_what_cannot_be_flown_is_refused_and_the_flight_goes_on(
+def test_what_cannot_be_flown_is_refused_and_the_flight_steps(
     station: Station, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with station.page() as page, station.page() as watcher:

@@ -15,7 +15,7 @@ from aftdeck.recording.replay import verify
 from aftdeck.scenario.light import Lighting, LockedExposure
 from aftdeck.station.messages import from_page
 from aftdeck.station.playback.reel import Reel
-from tests.station.flying import comes, flying, goes_on, shown
+from tests.station.flying import comes, flying, shown, steps
 from tests.station.pages import scenario, text_of
 
 NIGHT = Lighting("night", ("end effector",), (LockedExposure("B", 1.25),))
@@ -29,7 +29,7 @@ def test_light_is_the_scenarios_until_it_is_set_and_again_after_a_restart() -> N
         assert shown(session).display.lighting == own
         session.light(from_page.SetLight(0, NIGHT))
         comes(session, lambda frame: frame.display.lighting == NIGHT, "night")
-        assert [event.text for event in session.log_since(0) if event.kind == "light"] == [
+        assert [event.text for event in session.log.since(0) if event.kind == "light"] == [
             "light: night; lamps lit: end effector"
         ]
         session.command(from_page.Restart(1))
@@ -54,7 +54,7 @@ def test_what_there_is_not_is_refused_and_changes_nothing(wrong: Lighting, said:
     with flying() as session:
         with pytest.raises(CommandError, match=said):
             session.light(from_page.SetLight(0, wrong))
-        assert goes_on(session, 5).display.lighting == scenario().lighting
+        assert steps(session, 5).display.lighting == scenario().lighting
 
 
 @pytest.mark.parametrize("stops", ["1e9", "-21", "NaN", '"much"'])
@@ -67,14 +67,14 @@ def test_an_exposure_beyond_all_cameras_is_not_understood(stops: str) -> None:
 def test_a_recording_keeps_the_light_as_it_changes_and_a_replay_has_it_again(tmp_path: Path) -> None:
     own = scenario().lighting
     with flying(record=tmp_path) as session:
-        goes_on(session, 20)
+        steps(session, 20)
         session.light(from_page.SetLight(0, NIGHT))
         first = comes(session, lambda frame: frame.display.lighting == NIGHT, "night").tick
         session.light(from_page.SetLight(1, NIGHT))
-        goes_on(session, 300)  # into the recording's next block
+        steps(session, 300)  # into the recording's next block
         session.light(from_page.SetLight(2, own))
         last = comes(session, lambda frame: frame.display.lighting == own, "day").tick
-        goes_on(session, 5)
+        steps(session, 5)
     (path,) = tmp_path.glob("*.mcap")
     records = [message for message in Recording(path).messages() if isinstance(message, LightRecord)]
     assert [(record.condition, record.lamps) for record in records] == [

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import resource
 import threading
-import time
 from pathlib import Path
 
 import msgspec
@@ -21,8 +20,7 @@ from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.playback.reel import Reel
 from aftdeck.station.playback.verdict import CHECKING
-from aftdeck.station.session.session import MOST_BEHIND, Session
-from tests.station.flying import Flown, comes, flying, goes_on, shown
+from tests.station.flying import Flown, comes, flying, shown, steps
 from tests.station.pages import STILL, WAIT_S, scenario, until
 
 ROOM = 90_000
@@ -38,6 +36,12 @@ def files(folder: Path) -> list[Path]:
     return sorted(folder.glob("*.mcap"), key=lambda path: Recording(path).opening.began)
 
 
+def is_warned(session: Flown) -> bool:
+    """Whether the next step has logged a warning of the recording, which is written in a thread of its own."""
+    session.step()
+    return any(event.kind == "recording" for event in session.log.since(0))
+
+
 def ended(path: Path) -> str:
     recording = Recording(path)
     list(recording.messages())
@@ -48,16 +52,16 @@ def test_every_flight_has_its_file_and_repeats_itself(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         session.steer(from_page.Sticks(0, (1.0, 0.0, 0.0), STILL, 0.0))
         session.command(from_page.SelectRate(1, "vernier"))
-        goes_on(session, 30)
+        steps(session, 30)
         session.command(from_page.Restart(2))
         begins_anew(session)
         session.command(from_page.EnterMode(3, "SINGLE"))
         session.command(from_page.SelectJoint(4, 2))
         session.command(from_page.Stop(5))
-        goes_on(session, 10)
+        steps(session, 10)
         session.command(from_page.Restart(6))
         begins_anew(session)
-        goes_on(session, 5)
+        steps(session, 5)
     first, second, third = files(tmp_path)
     assert [ended(path) for path in (first, second, third)] == ["restarted", "restarted", "stopped"]
     assert all(verify(path).equal for path in (first, second, third))
@@ -73,11 +77,11 @@ def test_every_flight_says_who_took_part_and_no_page_is_told(tmp_path: Path) -> 
     with flying(record=tmp_path, trial=trial) as session:
         session.command(from_page.Restart(0))
         begins_anew(session)
-        goes_on(session)
-        told = (session.welcome, shown(session), session.log_since(0))
+        steps(session)
+        told = (session.welcome, shown(session), session.log.since(0))
         other = session.another(scenario("tutorial"))
-    other.start(lambda: None)
-    until(lambda: bool(other.newest), "the first frame of the other scenario")
+    other.begin()
+    other.step()
     other.close()
     assert [Trial(o.participant, o.condition) for o in (Recording(path).opening for path in files(tmp_path))] == (
         [trial] * 3
@@ -88,7 +92,7 @@ def test_every_flight_says_who_took_part_and_no_page_is_told(tmp_path: Path) -> 
 
 def test_the_flights_are_listed(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
-        goes_on(session)
+        steps(session)
     (path,) = files(tmp_path)
     (entry,) = [entry for entry in Index().entries() if entry.path == str(path)]
     assert (entry.ended, entry.scenario, entry.state) == ("stopped", "first-flight", "here")
@@ -96,7 +100,7 @@ def test_the_flights_are_listed(tmp_path: Path) -> None:
 
 def test_a_demonstration_and_the_hand_that_takes_it_over_are_recorded(tmp_path: Path) -> None:
     with flying(record=tmp_path, demo=True) as session:
-        goes_on(session)
+        steps(session)
         session.steer(from_page.Sticks(0, (0.0, 0.5, 0.0), STILL, 0.0))
         comes(session, lambda frame: frame.by == "hand", "the hand")
     (path,) = files(tmp_path)
@@ -107,31 +111,26 @@ def test_a_demonstration_and_the_hand_that_takes_it_over_are_recorded(tmp_path: 
 
 def test_the_page_is_told_how_long_the_recording_is(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
-        frame = goes_on(session)
+        frame = steps(session)
         assert frame.display.recording_s == pytest.approx(frame.tick * 0.02)
         session.command(from_page.Restart(0))
         begins_anew(session)
-        frame = goes_on(session, 1)
+        frame = steps(session, 1)
         assert frame.display.recording_s == pytest.approx(frame.tick * 0.02)
 
 
 def test_a_session_that_records_nothing_says_so() -> None:
-    session = Session(scenario())
-    session.start(lambda: None)
-    try:
-        until(lambda: session.newest != b"", "the first frame")
+    with flying() as session:
         assert shown(session).display.recording_s is None
-    finally:
-        session.close()
 
 
 def test_the_latency_that_the_page_shows_is_recorded_until_it_leaves(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
-        goes_on(session, 3)
+        steps(session, 3)
         session.shown(from_page.Shown(0, 41.5))
-        goes_on(session, 5)
+        steps(session, 5)
         session.let_go()
-        goes_on(session, 5)
+        steps(session, 5)
     (path,) = files(tmp_path)
     told = [m.latency_ms for m in Recording(path).messages() if isinstance(m, FrameRecord)]
     assert told[0] is None and told[-1] is None and set(told) == {None, 41.5}
@@ -146,14 +145,14 @@ PAD = from_page.ControllerInUse("pad", "Test pad", 0.08, 0.3, ("a1 -X", "b9+b12 
 def test_controllers_are_recorded_at_the_beginning_and_when_they_change(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         session.controllers_in_use(from_page.Controllers(0, (KEYS,)))
-        goes_on(session, 5)
+        steps(session, 5)
         session.controllers_in_use(from_page.Controllers(1, (KEYS, PAD)))
-        goes_on(session, 5)
+        steps(session, 5)
         session.command(from_page.Restart(2))
         begins_anew(session)
-        goes_on(session, 5)
+        steps(session, 5)
         session.let_go()
-        goes_on(session, 5)
+        steps(session, 5)
     first, second = (list(Recording(path).controllers()) for path in files(tmp_path))
     assert [[used.name for used in record.controllers] for record in first] == [["Keyboard"], ["Keyboard", "Test pad"]]
     assert first[0].time_s < first[1].time_s
@@ -165,7 +164,7 @@ def test_controllers_are_recorded_at_the_beginning_and_when_they_change(tmp_path
 
 def test_a_flight_by_script_tells_of_no_controllers(tmp_path: Path) -> None:
     with flying(record=tmp_path, demo=True) as session:
-        goes_on(session, 5)
+        steps(session, 5)
     (path,) = files(tmp_path)
     assert list(Recording(path).controllers()) == []
 
@@ -173,7 +172,7 @@ def test_a_flight_by_script_tells_of_no_controllers(tmp_path: Path) -> None:
 def test_the_replay_names_the_controllers_and_how_they_were_set(tmp_path: Path) -> None:
     with flying(record=tmp_path) as session:
         session.controllers_in_use(from_page.Controllers(0, (KEYS, PAD)))
-        goes_on(session, 5)
+        steps(session, 5)
     (path,) = files(tmp_path)
     with Reel(path) as reel:
         (measure,) = [m for m in reel.index(CHECKING).measures if m.name == "Controllers"]
@@ -181,31 +180,18 @@ def test_the_replay_names_the_controllers_and_how_they_were_set(tmp_path: Path) 
     assert "Test pad, deadband 8 %, expo 0.3" in measure.about
 
 
-def test_wall_time_is_the_clocks_and_simulated_time_never_runs_away_from_it(tmp_path: Path) -> None:
-    begun = time.perf_counter()
-    with flying(record=tmp_path) as session:
-        goes_on(session, 40)
-    took = time.perf_counter() - begun
-    (path,) = files(tmp_path)
-    frames = [m for m in Recording(path).messages() if isinstance(m, FrameRecord)]
-    walls = [frame.wall_s for frame in frames]
-    assert walls == sorted(walls)
-    wall, simulated = walls[-1] - walls[0], frames[-1].time_s - frames[0].time_s
-    assert simulated - MOST_BEHIND - 0.05 < wall < took
-
-
-def test_a_place_that_cannot_be_written_is_a_warning_and_the_flight_goes_on(
+def test_a_place_that_cannot_be_written_is_a_warning_and_the_flight_steps(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "file").touch()
     with flying(record=tmp_path / "file") as session:
-        assert goes_on(session).display.recording_s is None
-        (line,) = [event for event in session.log_since(0) if event.kind == "recording"]
+        assert steps(session).display.recording_s is None
+        (line,) = [event for event in session.log.since(0) if event.kind == "recording"]
     assert line.level == "warning" and "nothing is recorded: " in line.text and "cannot be written" in line.text
     assert capsys.readouterr().err == f"aftdeck: {line.text}\n"
 
 
-def test_a_disk_that_becomes_full_is_a_warning_and_the_flight_goes_on(
+def test_a_disk_that_becomes_full_is_a_warning_and_the_flight_steps(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(writer, "FLUSH_S", 0.02)
@@ -213,13 +199,13 @@ def test_a_disk_that_becomes_full_is_a_warning_and_the_flight_goes_on(
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (ROOM, hard))
     try:
-        session.start(lambda: None)
-        until(lambda: any(event.kind == "recording" for event in session.log_since(0)), "the warning")
-        assert goes_on(session).display.recording_s is None
+        session.begin()
+        until(lambda: is_warned(session), "the warning")
+        assert steps(session).display.recording_s is None
     finally:
         session.close()
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-    (line,) = [event for event in session.log_since(0) if event.kind == "recording"]
+    (line,) = [event for event in session.log.since(0) if event.kind == "recording"]
     assert line.level == "warning" and line.text.endswith("recording stopped, the flight goes on: File too large")
     (path,) = files(tmp_path)
     verdict = verify(path)
@@ -232,23 +218,11 @@ def test_a_list_that_cannot_be_used_is_a_warning_and_the_flight_is_recorded(
     (tmp_path / "list").mkdir()
     monkeypatch.setattr("aftdeck.station.session.session.Index", lambda: Index(tmp_path / "list"))
     with flying(record=tmp_path / "flights") as session:
-        until(lambda: any(event.kind == "recording" for event in session.log_since(0)), "the warning")
-        assert goes_on(session).display.recording_s is not None
-    (line,) = [event for event in session.log_since(0) if event.kind == "recording"]
+        until(lambda: is_warned(session), "the warning")
+        assert steps(session).display.recording_s is not None
+    (line,) = [event for event in session.log.since(0) if event.kind == "recording"]
     assert "the list of recordings cannot be used" in line.text
     assert ended(files(tmp_path / "flights")[0]) == "stopped"
-
-
-def test_a_simulation_that_breaks_down_leaves_its_recording(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("threading.excepthook", lambda _: None)
-    session = Session(scenario(), record=tmp_path)
-    session.start(lambda: None)
-    until(lambda: session.newest != b"" and shown(session).tick > 5, "steps")
-    session._sim._state.plant.angles[:] = float("nan")
-    until(lambda: session.failure != "", "the failure")
-    session.close()
-    (path,) = files(tmp_path)
-    assert verify(path).equal and ended(path) == "stopped"
 
 
 def test_a_restart_waits_for_no_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -260,9 +234,9 @@ def test_a_restart_waits_for_no_disk(tmp_path: Path, monkeypatch: pytest.MonkeyP
 
     monkeypatch.setattr(Sink, "close", stuck)
     with flying(record=tmp_path) as session:
-        goes_on(session)
+        steps(session)
         session.command(from_page.Restart(0))
         begins_anew(session)
-        goes_on(session)
+        steps(session)
         freed.set()
     assert [ended(path) for path in files(tmp_path)] == ["restarted", "stopped"]

@@ -2,9 +2,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import threading
-import time
-from types import SimpleNamespace
 from typing import Literal
 
 import pytest
@@ -12,45 +9,20 @@ import pytest
 from aftdeck.errors import CommandError
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.session import session as station_session
-from aftdeck.station.session.session import MOST_BEHIND, MOST_WAITING, SILENCE, Phase, Session
-from tests.station.flying import Flown, comes, flying, goes_on, shown
-from tests.station.pages import STILL, WAIT_S, in_time, scenario, until
+from aftdeck.station.session import page_inputs
+from aftdeck.station.session.page_inputs import LOST, MOST_WAITING, SILENCE
+from aftdeck.station.session.session import Session
+from tests.station.flying import comes, flying, shown, steps
+from tests.station.pages import STILL, scenario
 
 
 def sticks(seq: int, forward: float = 0.0) -> from_page.Sticks:
     return from_page.Sticks(seq, (forward, 0.0, 0.0), STILL, 0.0)
 
 
-def test_a_session_goes_from_ready_to_flying_to_closed() -> None:
-    session = Session(scenario())
-    phases = [session.phase]
-    session.start(lambda: None)
-    phases.append(session.phase)
-    session.close()
-    phases.append(session.phase)
-    assert phases == [Phase.READY, Phase.FLYING, Phase.CLOSED]
-    newest = session.newest
-    time.sleep(0.05)
-    assert session.newest is newest
-
-
-def test_it_steps_at_the_control_period_and_never_gains_more_than_it_was_behind() -> None:
-    def a_second_takes_one(session: Flown) -> bool:
-        begun = time.monotonic()
-        first = shown(session).tick
-        until(lambda: shown(session).tick >= first + 50, "50 steps")
-        last = shown(session).tick
-        assert (last - first) * 0.02 < time.monotonic() - begun + MOST_BEHIND + 0.05
-        return in_time(begun, 50)
-
-    with flying() as session:
-        until(lambda: a_second_takes_one(session), "50 steps in a second")
-
-
 def test_an_arm_that_nobody_flies_stands_still() -> None:
     with flying() as session:
-        frame = goes_on(session, 20)
+        frame = steps(session, 20)
     assert frame.angles == tuple(scenario().initial_angles.tolist())
     assert frame.display.stick_seq == -1
 
@@ -108,20 +80,20 @@ def test_whoever_leaves_leaves_the_arm_holding_its_position() -> None:
         session.command(from_page.RateHold(2))
         comes(session, lambda frame: frame.rate_hold, "RATE HOLD")
         session.steer(sticks(3))
-        assert goes_on(session, 5).translation[0] == 0.5
+        assert steps(session, 5).translation[0] == 0.5
         session.let_go()
         frame = comes(session, lambda frame: not frame.rate_hold, "RATE HOLD let go")
         assert frame.position_hold and frame.translation == STILL
         comes(session, lambda frame: max(abs(rate) for rate in frame.rates) < 1e-6, "it rests")
-        text = [event.text for event in session.log_since(0) if event.kind == "hands off"]
+        text = [event.text for event in session.log.since(0) if event.kind == "hands off"]
         assert text == ["the page that flew is gone: sticks at zero"]
         session.let_go()
-        goes_on(session, 3)
-        assert len([event for event in session.log_since(0) if event.kind == "hands off"]) == 1
+        steps(session, 3)
+        assert len([event for event in session.log.since(0) if event.kind == "hands off"]) == 1
 
 
 @pytest.mark.parametrize("cause", ["page hidden", "device lost"])
-def test_a_page_that_says_so_is_left_alone_and_its_sequence_goes_on(
+def test_a_page_that_says_so_is_left_alone_and_its_sequence_steps(
     cause: Literal["page hidden", "device lost"],
 ) -> None:
     with flying() as session:
@@ -135,112 +107,93 @@ def test_a_page_that_says_so_is_left_alone_and_its_sequence_goes_on(
         assert frame.sequence == "in progress"
         session.let_go()  # now nobody could stop it
         comes(session, lambda frame: frame.sequence != "in progress", "STOP")
-        assert "the page that flew is gone: sticks at zero" in [event.text for event in session.log_since(0)]
+        assert "the page that flew is gone: sticks at zero" in [event.text for event in session.log.since(0)]
 
 
-def test_a_demonstration_goes_on_when_nobody_looks() -> None:
+def test_a_demonstration_steps_when_nobody_looks() -> None:
     with flying(demo=True) as session:
         comes(session, lambda frame: frame.phase == "up", "the script's first phase")
         session.command(from_page.HandsOff(0, "page hidden"))
         session.let_go()
-        frame = goes_on(session, 10)
+        frame = steps(session, 10)
         assert frame.by == "script" and not frame.position_hold
 
 
 def test_a_held_rate_needs_a_page_that_is_heard_of(monkeypatch: pytest.MonkeyPatch) -> None:
-    clock = [100.0]
-    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
-    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
-    monkeypatch.setattr(station_session, "time", fake)
+    monkeypatch.setattr(page_inputs, "SILENCE", SILENCE)
     with flying() as session:
         session.steer(sticks(1, forward=1.0))
         session.command(from_page.RateHold(2))
         comes(session, lambda frame: frame.rate_hold, "RATE HOLD")
         for seq in range(3, 6):
-            clock[0] += 0.9 * SILENCE
+            session.now += 0.9 * SILENCE
             session.steer(sticks(seq))
-            assert goes_on(session, 3).rate_hold
-        clock[0] += 1.1 * SILENCE
+            assert steps(session, 3).rate_hold
+        session.now += 1.1 * SILENCE
         assert comes(session, lambda frame: not frame.rate_hold, "it is let go").position_hold
 
 
 def test_a_held_rate_that_is_let_go_through_a_delay_is_let_go_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    clock = [100.0]
-    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
-    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
-    monkeypatch.setattr(station_session, "time", fake)
+    monkeypatch.setattr(page_inputs, "SILENCE", SILENCE)
     delayed = dataclasses.replace(scenario(), delay=20)
     with flying(made=delayed) as session:
         session.steer(sticks(1, forward=1.0))
         session.command(from_page.RateHold(2))
         comes(session, lambda frame: frame.rate_hold, "RATE HOLD, delayed")
-        clock[0] += 1.1 * SILENCE
+        session.now += 1.1 * SILENCE
         assert comes(session, lambda frame: not frame.rate_hold, "it is let go").position_hold
-        goes_on(session, 30)
-        assert not [event.text for event in session.log_since(0) if event.kind == "refused"]
-        assert len([event for event in session.log_since(0) if event.kind == "hands off"]) == 1
+        steps(session, 30)
+        assert not [event.text for event in session.log.since(0) if event.kind == "refused"]
+        assert len([event for event in session.log.since(0) if event.kind == "hands off"]) == 1
 
 
 def test_a_hidden_page_that_falls_silent_lets_a_held_rate_go_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    clock = [100.0]
-    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
-    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
-    monkeypatch.setattr(station_session, "time", fake)
+    monkeypatch.setattr(page_inputs, "SILENCE", SILENCE)
     with flying(made=dataclasses.replace(scenario(), delay=40)) as session:
         session.steer(sticks(1, forward=1.0))
         session.command(from_page.RateHold(2))
         comes(session, lambda frame: frame.rate_hold, "RATE HOLD, delayed")
         session.steer(sticks(3))
         session.command(from_page.HandsOff(4, "page hidden"))
-        goes_on(session, 5)
-        clock[0] += 1.1 * SILENCE
+        steps(session, 5)
+        session.now += 1.1 * SILENCE
         comes(session, lambda frame: not frame.rate_hold, "it is let go")
-        goes_on(session, 60)
-        told = [event for event in session.log_since(0) if event.kind in ("hands off", "refused")]
+        steps(session, 60)
+        told = [event for event in session.log.since(0) if event.kind in ("hands off", "refused")]
         assert [event.text for event in told] == ["the page that flies is hidden: sticks at zero"]
 
 
 def test_letting_go_forgets_the_commands_that_wait() -> None:
-    session = Flown(scenario())
-    session.command(from_page.SelectJoint(0, 5))
-    session.let_go()
-    session.start(lambda: None)
-    try:
-        assert comes(session, lambda frame: frame.tick > 3, "steps").joint == 0
-    finally:
-        session.close()
+    with flying() as session:
+        session.command(from_page.SelectJoint(0, 5))
+        session.let_go()
+        assert steps(session, 3).joint == 0
 
 
 def test_silent_sticks_go_to_zero_and_no_sooner(monkeypatch: pytest.MonkeyPatch) -> None:
-    clock = [100.0]
-    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
-    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
-    monkeypatch.setattr(station_session, "time", fake)
+    monkeypatch.setattr(page_inputs, "SILENCE", SILENCE)
     with flying() as session:
         session.steer(sticks(4, forward=1.0))
         comes(session, lambda frame: frame.translation[0] == 1.0, "the sticks")
-        clock[0] += 0.99 * SILENCE
-        assert goes_on(session, 5).translation[0] == 1.0
-        clock[0] += 0.02 * SILENCE
-        assert goes_on(session, 5).translation == STILL
+        session.now += 0.99 * SILENCE
+        assert steps(session, 5).translation[0] == 1.0
+        session.now += 0.02 * SILENCE
+        assert steps(session, 5).translation == STILL
         assert shown(session).display.stick_seq == 4
 
 
 def test_sticks_that_were_lost_are_flown_again_once_they_were_at_rest(monkeypatch: pytest.MonkeyPatch) -> None:
-    clock = [100.0]
-    monkeypatch.setattr(station_session, "SILENCE", SILENCE)
-    fake = SimpleNamespace(monotonic=lambda: clock[0], perf_counter=time.perf_counter)
-    monkeypatch.setattr(station_session, "time", fake)
+    monkeypatch.setattr(page_inputs, "SILENCE", SILENCE)
     with flying() as session:
         session.steer(sticks(4, forward=1.0))
         comes(session, lambda frame: frame.translation[0] == 1.0, "the sticks")
-        clock[0] += max(1.02 * SILENCE, 1.02 * station_session.LOST)
+        session.now += max(1.02 * SILENCE, 1.02 * LOST)
         comes(session, lambda frame: frame.translation == STILL and frame.position_hold, "nobody flies")
         with pytest.raises(CommandError, match="the sticks were silent: let go of them first"):
             session.steer(sticks(5, forward=1.0))
         session.steer(sticks(6, forward=1.0))  # told once
         comes(session, lambda frame: frame.display.stick_seq == 6, "heard")
-        assert goes_on(session, 20).translation == STILL
+        assert steps(session, 20).translation == STILL
         session.steer(sticks(7))
         session.steer(sticks(8, forward=1.0))
         comes(session, lambda frame: frame.translation[0] == 1.0, "flown again")
@@ -249,22 +202,22 @@ def test_sticks_that_were_lost_are_flown_again_once_they_were_at_rest(monkeypatc
 def test_a_restart_begins_anew() -> None:
     with flying() as session:
         session.steer(sticks(0, forward=1.0))
-        goes_on(session, 30)
+        steps(session, 30)
         session.let_go()
         session.command(from_page.Restart(1))
         frame = comes(session, lambda frame: frame.tick == 1, "the first instant again")
         assert frame.angles == pytest.approx(tuple(scenario().initial_angles.tolist()), abs=1e-12)
-        assert [event.kind for event in session.log_since(0)][-1] == "restart"
+        assert [event.kind for event in session.log.since(0)][-1] == "restart"
 
 
 def test_a_demonstration_flies_until_a_stick_moves() -> None:
     with flying(demo=True) as session:
         assert comes(session, lambda frame: frame.phase == "up", "the script's first phase").by == "script"
         session.steer(sticks(0, forward=0.0005))
-        assert goes_on(session, 5).by == "script"
+        assert steps(session, 5).by == "script"
         session.steer(sticks(1, forward=0.2))
         assert comes(session, lambda frame: frame.by == "hand", "the hand").phase == ""
-        assert "you have the sticks" in [event.text for event in session.log_since(0)]
+        assert "you have the sticks" in [event.text for event in session.log.since(0)]
 
 
 def test_a_demonstration_ends_with_its_script() -> None:
@@ -295,39 +248,3 @@ def test_more_commands_than_may_wait_are_refused() -> None:
     with pytest.raises(CommandError, match="32 commands are waiting already; this one was not taken"):
         session.command(from_page.SelectJoint(99, 1))
     session.command(from_page.Stop(100))
-
-
-def test_commands_from_many_threads_are_all_taken_or_refused() -> None:
-    with flying() as session:
-        refused: list[str] = []
-
-        def hammer() -> None:
-            for seq in range(2000):
-                session.steer(sticks(seq))
-                try:
-                    session.command(from_page.SelectRate(seq, "vernier"))
-                except CommandError as error:
-                    refused.append(str(error))
-
-        threads = [threading.Thread(target=hammer) for _ in range(3)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join(WAIT_S)
-        assert goes_on(session, 3).rate == "vernier"
-    assert set(refused) <= {"32 commands are waiting already; this one was not taken"}
-
-
-@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
-def test_a_failing_step_is_told_with_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    with flying() as session:
-        told = threading.Event()
-        session._told = told.set
-
-        def fail(_: object = None) -> None:
-            raise FloatingPointError("no number")
-
-        monkeypatch.setattr(session._sim, "step", fail)
-        until(lambda: session.phase is Phase.FAILED, "the failure")
-        assert told.wait(WAIT_S)
-        assert session.failure.endswith(" s: no number")

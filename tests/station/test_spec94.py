@@ -13,7 +13,7 @@ from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.commands import inputs_of
-from aftdeck.station.session.session import HANDS_OFF
+from aftdeck.station.session.page_inputs import HANDS_OFF
 from tests.station.pages import scenario
 from tests.steering.flying import BAY, PAYLOAD
 from tests.steering.flying import scenario as written

@@ -12,8 +12,8 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from aftdeck.errors import CommandError, InputError
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.server.pages import Pages
+from aftdeck.station.session.driver import Phase
 from aftdeck.station.session.recent import Mark
-from aftdeck.station.session.session import Phase
 
 HELLO_WITHIN = 5.0
 """Time within which a page must send its hello [s]."""
@@ -185,7 +185,7 @@ class Page:
         session = self.welcomed
         scenarios, role, lines, sent = None, None, 0, b""
         told: Mark | None = None
-        while self.pages.session.phase is not Phase.CLOSED:
+        while self.pages.driver.phase is not Phase.CLOSED:
             fresh = self.pages.fresh  # read before the news, so that no later change is missed
             if session is not self.pages.session:
                 session, lines, sent = self.pages.session, 0, b""
@@ -199,7 +199,7 @@ class Page:
             if now != role:
                 role = now
                 await self._send(now)
-            if news := session.log_since(lines):
+            if news := session.log.since(lines):
                 lines += len(news)
                 await self._send(to_page.Events(news))
             recent = session.recent.news(told) if self.strips else None
@@ -209,7 +209,7 @@ class Page:
             if (frame := session.newest) is not sent and (recent or not self.strips):
                 sent = frame
                 await self.socket.send_text(frame.decode())
-            if session.phase is Phase.FAILED:
-                await goodbye(self.socket, session.failure)
+            if (driver := self.pages.driver).phase is Phase.FAILED:
+                await goodbye(self.socket, driver.failure)
                 return
             await fresh.wait()

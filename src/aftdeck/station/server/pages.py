@@ -14,6 +14,7 @@ from aftdeck.errors import AftdeckError
 from aftdeck.station.messages import to_page
 from aftdeck.station.server.control_roles import ANSWER_WITHIN, Seats
 from aftdeck.station.server.scenario_list import Choice
+from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.session import Session
 
 
@@ -34,13 +35,22 @@ class Connected(Protocol):
 class Pages:
     """Pages connected to one station, with their session and their control roles."""
 
-    def __init__(self, session: Session, told: Callable[[], None]) -> None:
-        self.session, self._told = session, told
+    def __init__(self, session: Session, notify: Callable[[], None]) -> None:
+        self.driver, self._notify = Driver(session), notify
         self.choice = Choice(session.scenario)
         self.seats: Seats[Connected] = Seats()
         self.windows: set[Connected] = set()
         self.fresh = asyncio.Event()
         self.change: asyncio.Task[None] | None = None
+
+    @property
+    def session(self) -> Session:
+        """The present session."""
+        return self.driver.session
+
+    def start(self) -> None:
+        """Start the session's run; its thread calls `notify` after each step and after a failure."""
+        self.driver.start(self._notify)
 
     def wake(self) -> None:
         """Wake the sender of every page, because there is something new to send."""
@@ -60,13 +70,13 @@ class Pages:
 
     async def _change(self, number: int, asking: Connected) -> None:
         """Replace the present session by one of another scenario; if that cannot be made, the present one continues."""
-        before, choice = self.session, self.choice
+        before, choice = self.driver, self.choice
         try:
-            self.session = await _abandonable(lambda: before.another(choice.load(number)))
+            self.driver = Driver(await _abandonable(lambda: before.session.another(choice.load(number))))
             choice.flown = number
             self.wake()
             await asyncio.to_thread(before.close)  # its recording must be finished before the next one begins
-            self.session.start(self._told)
+            self.start()
         except Exception as error:  # any error must reach the page that asked
             asking.answers.append(to_page.Refused(-1, f"{choice.scenarios[number].title!r} cannot be flown: {error}"))
             if not isinstance(error, AftdeckError):
@@ -80,7 +90,7 @@ class Pages:
         if self.change is not None:
             self.change.cancel()
             await asyncio.wait([self.change])
-        self.session.close()
+        self.driver.close()
 
     def come(self, page: Connected) -> None:
         """Add a page; a page that only shows the run gets no seat."""

@@ -31,7 +31,7 @@ class Waiting:
     def phase(self) -> str:
         """Phase of the station: ``preparing``, ``failed``, or that of its session."""
         if self.pages:
-            return self.pages.session.phase.value
+            return self.pages.driver.phase.value
         return "failed" if self._coming.error else "preparing"
 
     def start(self) -> None:
@@ -57,7 +57,7 @@ class Waiting:
                     loop.call_soon_threadsafe(pages.wake)
 
             pages = self.pages = Pages(session, told)
-            session.start(told)
+            pages.start()
         self._fresh.set()
         self._fresh = asyncio.Event()
         if self._coming.error is not None:

@@ -1,0 +1,75 @@
+"""Driver of a session: the thread that steps it at the control period, and its clock."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from enum import Enum
+
+from aftdeck.station.session.session import Session
+
+MOST_BEHIND = 0.25
+"""Largest delay of a step that is caught up [s]; after a larger one, the clock restarts from there."""
+LONGEST_END = 5.0
+"""Longest time to wait for the thread's end [s]."""
+
+
+class Phase(Enum):
+    """Phase in the life of a driver."""
+
+    READY = "ready"
+    FLYING = "flying"
+    FAILED = "failed"
+    CLOSED = "closed"
+
+
+class Driver:
+    """Thread that steps a session in real time. It never waits for a page.
+
+    Attributes:
+        session: the session.
+        phase: phase in the life of the driver.
+        failure: reason for a failure, in a sentence; empty if there was none.
+    """
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self.phase = Phase.READY
+        self.failure = ""
+        self._notify: Callable[[], None] = lambda: None
+        self._stop = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="simulation", daemon=True)
+
+    def start(self, notify: Callable[[], None]) -> None:
+        """Start the run; the thread calls `notify` after each step and after a failure."""
+        self._notify = notify
+        self.phase = Phase.FLYING
+        self._thread.start()
+
+    def close(self) -> None:
+        """Stop the run, wait for the thread, and finish the recording."""
+        self._stop.set()
+        if self._thread.is_alive():
+            self._thread.join(LONGEST_END)
+        self.session.close()
+        self.phase = Phase.CLOSED
+
+    def _run(self) -> None:
+        try:
+            self.session.begin()
+            due = time.perf_counter()
+            while not self._stop.is_set():
+                self.session.step()
+                self._notify()
+                due += self.session.scenario.control_period
+                late = time.perf_counter() - due
+                if late > MOST_BEHIND:
+                    due += late
+                elif late < 0.0:
+                    self._stop.wait(-late)
+        except Exception as error:  # any error must reach the pages
+            self.failure = f"the simulation stopped at {self.session.time_s:.2f} s: {error}"
+            self.phase = Phase.FAILED
+            self._notify()
+            raise

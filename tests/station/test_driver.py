@@ -1,0 +1,97 @@
+"""The thread that steps a session in real time."""
+
+from __future__ import annotations
+
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+from aftdeck.errors import CommandError
+from aftdeck.recording.reader import Recording
+from aftdeck.recording.records import FrameRecord
+from aftdeck.recording.replay import verify
+from aftdeck.station.messages import from_page
+from aftdeck.station.session.driver import MOST_BEHIND, Driver, Phase
+from aftdeck.station.session.session import Session
+from tests.station.flying import driven, shown
+from tests.station.pages import STILL, WAIT_S, in_time, scenario, until
+
+
+def test_driver_goes_from_ready_to_flying_to_closed() -> None:
+    driver = Driver(Session(scenario()))
+    phases = [driver.phase]
+    driver.start(lambda: None)
+    phases.append(driver.phase)
+    driver.close()
+    phases.append(driver.phase)
+    assert phases == [Phase.READY, Phase.FLYING, Phase.CLOSED]
+    newest = driver.session.newest
+    time.sleep(0.05)
+    assert driver.session.newest is newest
+
+
+def test_steps_keep_the_control_period_and_gain_no_more_than_the_delay() -> None:
+    def a_second_takes_one(session: Session) -> bool:
+        begun = time.monotonic()
+        first = shown(session).tick
+        until(lambda: shown(session).tick >= first + 50, "50 steps")
+        last = shown(session).tick
+        assert (last - first) * 0.02 < time.monotonic() - begun + MOST_BEHIND + 0.05
+        return in_time(begun, 50)
+
+    with driven() as driver:
+        until(lambda: a_second_takes_one(driver.session), "50 steps in a second")
+
+
+def test_commands_from_many_threads_are_all_taken_or_rejected() -> None:
+    with driven() as driver:
+        session, rejected = driver.session, set[str]()
+
+        def hammer() -> None:
+            for seq in range(2000):
+                session.steer(from_page.Sticks(seq, STILL, STILL, 0.0))
+                try:
+                    session.command(from_page.SelectRate(seq, "vernier"))
+                except CommandError as error:
+                    rejected.add(str(error))
+
+        threads = [threading.Thread(target=hammer) for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join(WAIT_S)
+        until(lambda: shown(session).rate == "vernier", "a command is taken")
+    assert all("commands are waiting" in text for text in rejected)
+
+
+def test_recorded_wall_time_is_real_and_simulated_time_keeps_to_it(tmp_path: Path) -> None:
+    begun = time.perf_counter()
+    with driven(record=tmp_path) as driver:
+        until(lambda: shown(driver.session).tick > 40, "40 steps")
+    took = time.perf_counter() - begun
+    (path,) = tmp_path.glob("*.mcap")
+    frames = [m for m in Recording(path).messages() if isinstance(m, FrameRecord)]
+    walls = [frame.wall_s for frame in frames]
+    assert walls == sorted(walls)
+    wall, simulated = walls[-1] - walls[0], frames[-1].time_s - frames[0].time_s
+    assert simulated - MOST_BEHIND - 0.05 < wall < took
+
+
+def test_failing_step_is_reported_with_its_time_and_the_recording_is_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("threading.excepthook", lambda _: None)
+    notified = threading.Event()
+    driver = Driver(Session(scenario(), record=tmp_path))
+    driver.start(lambda: notified.set() if driver.failure else None)
+    until(lambda: driver.session.newest != b"" and shown(driver.session).tick > 5, "steps")
+    driver.session._sim._state.plant.angles[:] = float("nan")
+    assert notified.wait(WAIT_S) and driver.phase is Phase.FAILED
+    assert f"{driver.session.time_s:.2f} s" in driver.failure
+    driver.close()
+    (path,) = tmp_path.glob("*.mcap")
+    recording = Recording(path)
+    list(recording.messages())
+    assert verify(path).equal and recording.ended == "stopped"

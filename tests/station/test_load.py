@@ -1,0 +1,108 @@
+"""A station under load: floods of messages, pages that never read, pages that come and go."""
+
+from __future__ import annotations
+
+import socket
+import time
+from contextlib import ExitStack
+from threading import Event, Thread
+
+import pytest
+from websockets.exceptions import ConnectionClosed
+
+from aftdeck.simulation.frame import Frame as Flown
+from aftdeck.simulation.inputs import Inputs
+from aftdeck.station.messages import from_page
+from aftdeck.station.messages.frame import Frame
+from aftdeck.station.session.page_inputs import MOST_WAITING
+from tests.station.pages import STILL, WAIT_S, Page, Station, closing, until
+
+
+def test_flood_of_commands_ends_its_page_and_not_the_run(station: Station) -> None:
+    with station.page() as page:
+        try:
+            for seq in range(10_000):
+                page.say(from_page.SelectJoint(seq, seq % 6))
+        except ConnectionClosed:
+            pass  # the end comes while the flood goes on
+        closing(page)
+    station.is_unhurt()
+
+
+def test_flood_of_sticks_ends_with_the_newest(shared: Station) -> None:
+    with shared.page() as page:
+        for _ in range(10_000):
+            page.push()
+        page.wait_for(Frame, lambda frame: frame.display.stick_seq == 9_999)
+    shared.is_unhurt()
+
+
+def test_stop_is_never_rejected_and_overtakes_waiting_commands(
+    station: Station, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    simulation, queue = station.session._sim, station.session._inputs._commands
+    step, stands, steps = simulation.step, Event(), Event()
+
+    def wait(inputs: Inputs | None = None) -> Flown:
+        stands.set()
+        assert steps.wait(WAIT_S)
+        return step(inputs)
+
+    with station.page() as page, ExitStack() as held:
+        held.callback(steps.set)
+        monkeypatch.setattr(simulation, "step", wait)
+        assert stands.wait(WAIT_S)
+        for _ in range(MOST_WAITING):
+            page.say(from_page.SelectJoint(page.next_seq(), 5))
+        page.push(translation=(0.5, 0.0, 0.0))
+        until(lambda: len(queue) == MOST_WAITING, "the queue is full")
+        page.say(from_page.Stop(page.next_seq()))
+        page.say(from_page.SelectRate(page.next_seq(), "vernier"))
+        until(lambda: len(queue) == 2, "STOP and what comes after it alone wait")
+        steps.set()
+        frame = page.wait_for(Frame, lambda frame: frame.rate == "vernier")
+        assert (frame.joint, frame.translation) == (0, STILL)
+
+
+def test_page_that_never_reads_delays_no_other(station: Station) -> None:
+    with station.page() as flier, station.stranger(buffered=1) as sleeper:
+        sleeper.socket.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        sleeper.greet()
+        until(lambda: flier.is_answered(150), "150 frames at the control period")
+    station.is_unhurt()
+
+
+def test_many_observers_that_never_read_delay_no_page(station: Station) -> None:
+    with ExitStack() as sleepers:
+        for _ in range(10):
+            sleepers.enter_context(station.stranger(buffered=1)).greet()
+        station.is_unhurt()
+
+
+def test_stick_is_answered_by_the_next_frame(shared: Station) -> None:
+    def most_are(page: Page) -> bool:
+        took = []
+        for _ in range(40):
+            begun = time.monotonic()
+            page.flown(page.push())
+            took.append(time.monotonic() - begun)
+        return sorted(took)[20] < 0.04
+
+    with shared.page() as page:
+        until(lambda: most_are(page), "half of 40 sticks are answered within 0.04 s")
+
+
+def test_pages_connect_and_disconnect_at_once(shared: Station) -> None:
+    def visit() -> None:
+        for _ in range(5):
+            with shared.page() as page:
+                page.push(translation=(0.0, 0.0, 0.0))
+                page.wait_for(Frame)
+
+    visitors = [Thread(target=visit) for _ in range(6)]
+    for visitor in visitors:
+        visitor.start()
+    for visitor in visitors:
+        visitor.join(WAIT_S)
+    until(lambda: not any(visitor.is_alive() for visitor in visitors), "all have gone")
+    shared.is_unhurt()

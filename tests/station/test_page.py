@@ -1,0 +1,212 @@
+"""One page's connection: its hello, its messages, and their answers."""
+
+from __future__ import annotations
+
+import json
+from contextlib import ExitStack
+
+import pytest
+
+from aftdeck.station.messages import from_page, kinds, to_page
+from aftdeck.station.messages.frame import Frame
+from aftdeck.station.server import page as station_page
+from aftdeck.station.server.page import MOST_PAGES, MOST_WRONG
+from tests.station.pages import STILL, Station, closing, text_of
+
+
+def test_page_is_welcomed_and_gets_frames(shared: Station) -> None:
+    with shared.stranger() as page:
+        welcome = page.greet()
+        assert (welcome.protocol, welcome.scenario) == (kinds.PROTOCOL, "first-flight")
+        frame = page.wait_for(Frame)
+        assert len(frame.display.poses) == 7 * len(welcome.bodies)
+
+
+@pytest.mark.parametrize(
+    ("first", "sentence"),
+    [
+        (
+            '{"type":"hello","protocol":99}',
+            f"this page speaks protocol 99, the station {kinds.PROTOCOL}: reload the page",
+        ),
+        ('{"type":"proceed","seq":1}', "the first message must be a hello"),
+        ("hello", "the first message must be a hello"),
+        ("", "the first message must be a hello"),
+        ('{"type":"hello"}', "the first message must be a hello"),
+        ('{"type":"hello","protocol":"2"}', "the first message must be a hello"),
+        ('{"type":"hello","protocol":2,"more":2}', "the first message must be a hello"),
+        ('{"x":' + "[" * 3000, "the first message must be a hello"),
+        ('{"type":"hello","' + "é" * 1000 + '":1}', "the first message must be a hello"),
+        (b"\x00\xff", "the first message must be a hello"),
+    ],
+    ids=["protocol", "no hello", "no JSON", "empty", "no number", "text", "field", "deep", "long", "binary"],
+)
+def test_wrong_first_message_ends_the_connection(shared: Station, first: str | bytes, sentence: str) -> None:
+    with shared.stranger() as page:
+        page.say(first)
+        assert sentence in page.refusal()
+        closed = closing(page)
+        assert closed.rcvd is not None
+        assert closed.rcvd.code == 1008
+        assert sentence.startswith(closed.rcvd.reason[:20])
+    shared.is_unhurt()
+
+
+def test_page_without_a_hello_is_disconnected(shared: Station, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(station_page, "HELLO_WITHIN", 0.1)
+    with shared.stranger() as page:
+        assert page.refusal() == "no hello came within 0.1 s"
+        closing(page)
+    shared.is_unhurt()
+
+
+def test_page_beyond_the_maximum_number_is_rejected(shared: Station) -> None:
+    with ExitStack() as pages:
+        for _ in range(MOST_PAGES):
+            pages.enter_context(shared.page())
+        with shared.stranger() as late:
+            late.say(from_page.Hello(kinds.PROTOCOL))
+            assert late.refusal() == f"{MOST_PAGES} pages are connected already"
+            closing(late)
+    shared.is_unhurt()
+
+
+def controllers(count: int = 1, **changed: object) -> str:
+    """A message that tells of keyboards, with something changed in them."""
+    used = {"kind": "keyboard", "name": "Keyboard", "deadband": 0, "expo": 0, "bindings": ["KeyW +X"], "centres": []}
+    return json.dumps({"type": "controllers", "seq": 1, "controllers": [used | changed] * count})
+
+
+NOT_UNDERSTOOD = {
+    "empty": "",
+    "cut short": '{"type":"proceed"',
+    "a list": "[]",
+    "null": "null",
+    "no type": '{"seq":1}',
+    "an unknown type": '{"type":"eject","seq":1}',
+    "a type that is no text": '{"type":[],"seq":1}',
+    "an unknown field": '{"type":"proceed","seq":1,"force":true}',
+    "no seq": '{"type":"proceed"}',
+    "a seq that is text": '{"type":"proceed","seq":"1"}',
+    "a broken seq": '{"type":"proceed","seq":1.5}',
+    "a seq below zero": '{"type":"proceed","seq":-1}',
+    "a seq beyond JavaScript": f'{{"type":"proceed","seq":{2**53}}}',
+    "a seq of 4000 digits": f'{{"type":"proceed","seq":1{"0" * 4000}}}',
+    "too few axes": '{"type":"sticks","seq":1,"translation":[0,0],"rotation":[0,0,0],"drive":0}',
+    "NaN": '{"type":"sticks","seq":1,"translation":[NaN,0,0],"rotation":[0,0,0],"drive":0}',
+    "Infinity": '{"type":"sticks","seq":1,"translation":[0,0,0],"rotation":[0,0,0],"drive":Infinity}',
+    "a number too large": '{"type":"sticks","seq":1,"translation":[1e999,0,0],"rotation":[0,0,0],"drive":0}',
+    "a stick that is null": '{"type":"sticks","seq":1,"translation":[0,0,0],"rotation":[0,0,0],"drive":null}',
+    "an unknown rate": '{"type":"select_rate","seq":1,"rate":"ludicrous"}',
+    "half a surrogate": '{"type":"enter_mode","seq":1,"mode":"\\ud800"}',
+    "a controller of an unknown kind": controllers(kind="trackball"),
+    "a controller without a name": controllers(name=""),
+    "a name too long": controllers(name="x" * 81),
+    "a deadband of all": controllers(deadband=1.0),
+    "a binding that is none": controllers(bindings=["KeyW"]),
+    "a binding too long": controllers(bindings=["KeyW " + "x" * 17]),
+    "too many bindings": controllers(bindings=["KeyW +X"] * 65),
+    "a centre at the end": controllers(centres=[1.0]),
+    "a mapping in words": controllers(bindings="KeyW +X"),
+    "too many controllers": controllers(count=6),
+    "deep lists": '{"x":' + "[" * 3000,
+    "deep tables": '{"x":' + '{"x":' * 700,
+}
+
+
+@pytest.mark.parametrize("text", NOT_UNDERSTOOD.values(), ids=NOT_UNDERSTOOD)
+def test_invalid_message_is_rejected_and_the_page_stays(shared: Station, text: str) -> None:
+    with shared.page() as page:
+        page.say(text)
+        assert page.refusal().startswith("message not understood: ")
+        seq = page.push()
+        page.wait_for(Frame, lambda frame: frame.display.stick_seq == seq)
+    shared.is_unhurt()
+
+
+def test_binary_message_is_rejected(shared: Station) -> None:
+    with shared.page() as page:
+        page.say(text_of(from_page.Proceed(0)).encode())
+        assert page.refusal() == "messages are JSON text; this one was binary"
+    shared.is_unhurt()
+
+
+REFUSED = {
+    "a stick past its travel": (from_page.Sticks(0, (0.0, 1.0000001, 0.0), STILL, 0.0), "sticks lie between -1 and 1"),
+    "a huge stick": (from_page.Sticks(0, STILL, (0.0, 0.0, -1e308), 0.0), "sticks lie between -1 and 1"),
+    "a huge drive": (from_page.Sticks(0, STILL, STILL, 7.0), "sticks lie between -1 and 1"),
+    "a joint too many": (from_page.SelectJoint(0, 6), "joints are numbered 0 to 5, got 6"),
+    "a joint below the first": (from_page.SelectJoint(0, -1), "joints are numbered 0 to 5, got -1"),
+    "a mode that is none": (from_page.EnterMode(0, "WARP"), "no mode 'WARP' can be entered here: there are OPR CMD"),
+    "a mode with signs": (from_page.EnterMode(0, "\x00\n<b>é"), "no mode '\\x00\\n<b>é' can be entered here"),
+    "a target at infinity": (from_page.SetTarget(0, (1e308, 1e308, -1e308), STILL), "a target lies within 1000 m"),
+    "a target that whirls": (from_page.SetTarget(0, STILL, (1e300, 0.0, 0.0)), "is turned by 100 rad at most"),
+}
+
+
+@pytest.mark.parametrize(("message", "sentence"), REFUSED.values(), ids=REFUSED)
+def test_rejected_command_names_what_was_given_and_what_is_allowed(
+    shared: Station, message: from_page.FromPage, sentence: str
+) -> None:
+    with shared.page() as page:
+        page.say(message)
+        refused = page.wait_for(to_page.Refused)
+        assert refused.seq == 0
+        assert sentence in refused.text
+    shared.is_unhurt()
+
+
+def test_commands_that_the_simulation_rejects_are_logged(shared: Station) -> None:
+    with shared.page() as page:
+        page.say(from_page.SetTarget(page.next_seq(), (-50.0, 0.0, 0.0), STILL))
+        page.say(from_page.Proceed(page.next_seq()))
+        texts: list[str] = []
+        while len(texts) < 2:
+            events = page.wait_for(to_page.Events).events
+            texts += [event.text for event in events if event.kind in ("check", "refused")]
+        assert texts[0].startswith("CMD CK FAIL: the arm cannot reach this pose: its wrist is ")
+        assert texts[1] == "PROCEED does nothing in ORB UNL: enter OPR CMD or AUTO 1-4 first"
+    shared.is_unhurt()
+
+
+def test_message_out_of_order_is_not_executed(station: Station) -> None:
+    with station.page() as page:
+        page.say(from_page.SelectJoint(7, 1))
+        page.say(from_page.SelectJoint(6, 2))
+        page.say(from_page.SelectJoint(7, 3))
+        assert page.refusal() == "message 6 came after message 7; it was not taken"
+        assert page.refusal() == "message 7 came after message 7; it was not taken"
+        first = page.wait_for(Frame)
+        assert page.wait_for(Frame, lambda frame: frame.tick > first.tick + 4).joint == 1
+    station.is_unhurt()
+
+
+def test_too_long_message_ends_its_own_page_only(shared: Station) -> None:
+    with shared.page() as other, shared.page() as page:
+        page.say(" " * kinds.MAX_MESSAGE_BYTES + "{}")
+        closed = closing(page)
+        assert closed.rcvd is not None
+        assert closed.rcvd.code == 1009
+        first = other.wait_for(Frame)
+        other.wait_for(Frame, lambda frame: frame.tick > first.tick + 10)
+    shared.is_unhurt()
+
+
+def test_page_that_sends_only_invalid_messages_is_disconnected(shared: Station) -> None:
+    with shared.page() as page:
+        for _ in range(MOST_WRONG):
+            page.say("nonsense")
+        said = f"{MOST_WRONG} messages were refused; the connection is closed"
+        page.wait_for(to_page.Refused, lambda refused: refused.text == said)
+        closing(page)
+    shared.is_unhurt()
+
+
+def test_page_with_some_invalid_messages_stays(shared: Station) -> None:
+    with shared.page() as page:
+        for _ in range(MOST_WRONG + 5):
+            page.say("nonsense")
+            page.refusal()
+            page.push()
+        page.wait_for(Frame, lambda frame: frame.display.stick_seq == page.seq)
+    shared.is_unhurt()
