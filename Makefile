@@ -27,7 +27,7 @@ test: .venv/.aftdeck .venv/.dev $(MODULES)  ## run every test not marked slow; A
 	@cd web && npm test --silent
 ifeq ($(ARGS),)
 	@$(PY) -m pytest -m "not slow and not browser" -n auto --quiet
-	@$(PY) -m pytest -m "browser and not slow"
+	@$(PY) -m pytest -m "browser and not slow" -n 2 --quiet
 else
 	@$(PY) -m pytest -m "not slow" $(ARGS)
 endif
