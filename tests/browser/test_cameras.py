@@ -317,7 +317,7 @@ def test_who_watches_is_told_that_a_drag_turns_no_camera(flight: Flight, open_pa
     box = picture.bounding_box()
     assert box is not None
     watcher.page.mouse.move(box["x"] + 30, box["y"] + 30, steps=3)
-    watcher.until_logged("You watch; only the one who flies turns cameras.")
+    watcher.until_logged("Observing: only the operator can move cameras.")
     watcher.page.mouse.up()
     steady(watcher)
     assert watcher.frame().views == before

@@ -94,7 +94,7 @@ def test_who_watches_reads_it_and_is_told_that_he_cannot_switch(flight: Flight, 
     sheet = opened(watcher)
     expect(sheet.locator(".payload-table tr.held")).to_contain_text("no payload")
     sheet.get_by_role("button", name="Key in").click()
-    watcher.until_logged("You watch; only the one who flies can do that.")
+    watcher.until_logged("Observing: only the operator can do that.")
     assert flight.frame().display.aim is None
 
 

@@ -44,6 +44,11 @@ export class Arrivals {
     return this.lines[shows].line.at(now);
   }
 
+  /** The frame that figures, lamps and log show now; null: nothing has come. */
+  get telemetry(): Frame | null {
+    return this.at('telemetry', performance.now())?.frame ?? null;
+  }
+
   age(shows: Shows, now: number): Age {
     return this.lines[shows].line.age(now);
   }

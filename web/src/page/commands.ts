@@ -51,22 +51,22 @@ export function act(action: Action, by: Acting): void {
       groups.mode.turnJoint(action.by);
       break;
     case 'camera':
-      pictures.chooseDigit(action.number - 1, performance.now());
+      pictures.monitors.chooseDigit(action.number - 1, performance.now());
       break;
     case 'cameraStep':
-      pictures.step(action.by);
+      pictures.monitors.step(action.by);
       break;
     case 'otherMonitor':
-      pictures.takeOther();
+      pictures.monitors.takeOther();
       break;
     case 'matrix':
       pictures.toggleMatrix();
       break;
     case 'split':
-      pictures.toggleSplit();
+      pictures.monitors.toggleSplit();
       break;
     case 'slow camera':
-      pictures.toggleSlow();
+      pictures.monitors.toggleSlow();
       break;
     case 'acknowledge':
       by.acknowledge();

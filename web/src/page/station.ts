@@ -2,24 +2,12 @@
 
 import { Pictures } from '../cameras/pictures';
 import { CameraHand, together } from '../input/camera-hand';
-import { RelayedKeys } from '../input/key-relay';
 import type { Action } from '../input/keymap';
 import { keyOf } from '../input/layout';
 import { reread } from '../input/store';
-import { isStale, type Seen } from '../link/delay-line';
 import { Arrivals } from '../link/delayed-messages';
-import { pageName } from '../link/identity';
 import { Latency } from '../link/latency';
-import type {
-  Frame,
-  Lamp,
-  Level,
-  Event as LogEvent,
-  ModeInfo,
-  Role,
-  Scenarios,
-  Welcome,
-} from '../link/protocol';
+import type { Frame, Lamp, Event as LogEvent, Role, Scenarios, Welcome } from '../link/protocol';
 import type { Command, LinkState } from '../link/socket';
 import { clearanceCause } from '../panel/clearance/clearance';
 import { ControllersSheet } from '../panel/controllers/controllers';
@@ -35,7 +23,7 @@ import { handOver } from '../panel/rail/hand-over';
 import { lightControl } from '../panel/rail/light';
 import { naming } from '../panel/rail/naming';
 import { calledFirst } from '../panel/rail/operator-name';
-import { rail } from '../panel/rail/rail';
+import { type Measured, rail } from '../panel/rail/rail';
 import { type ScenarioChoice, scenarioChoice } from '../panel/rail/scenarios';
 import { outline } from '../panel/spine/concerns';
 import { lightSegments } from '../panel/spine/lamp-test';
@@ -45,73 +33,47 @@ import { Spine } from '../panel/spine/spine';
 import { ControlPage } from '../panel/target/control-page';
 import type { DrawnBody } from '../scene/bodies';
 import { Tutorial } from '../tutorial';
-import { BLOCKED, type Torn, tearOff, Windows } from '../windows/opened';
+import { BLOCKED, type Torn, tearOff } from '../windows/opened';
 import { type UnitName, unitsOf } from '../words/units';
 import { act } from './commands';
+import { Control } from './control';
 import { DeviceWatch } from './device-watch';
+import { DrawLoop } from './draw-loop';
 import { keeper } from './local-storage';
+import { Log } from './log';
 import { LOST_MS, Operator } from './operator';
 import type { Drawing } from './quality';
+import { Report } from './report';
+import { Sounds } from './sounds';
 import { Tones } from './tones';
 import { TOO_NARROW_WORDS } from './width';
+import { WindowLink } from './window-link';
 
-/** Figures and legends change this often [ms]. */
-const VALUES_MS = 100;
-/** So long may they wait for a picture [ms]. */
-const OVERDUE_MS = 300;
 const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'];
-/** The station is told this often what the page measures [ms]. */
-const TOLD_MS = 1000;
-/** Bars move each so many times that the pictures do. */
+/** Number of pictures for each movement of the bars. */
 const BAR_PACE = { full: 1, low: 2 } as const;
-/** The log told anew holds older refusals, which light nothing [s]. */
-const RECENT_S = 2;
+const OBSERVING = 'Observing: only the operator can do that.';
 
 export class Station {
-  /** Pictures drawn so far, what the whole page shows of the flight, and the latencies measured. */
-  drawn = 0;
-  shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
   readonly latency: Latency;
   private readonly tones = new Tones(keeper, () => new AudioContext());
-  /** What the last frame showed, for the clicks. */
-  private heard = { mode: '', held: 0 };
-  /** What the figures are of. */
-  private figures = this.shown;
   private readonly arrivals: Arrivals;
-  private fresh = false;
-  /** The next picture waits for the frame that answers a stick. */
-  private held = false;
-  private valuesAt = 0;
-  private toldAt = 0;
-  private toldOf = '';
-  private role: Role = {
-    type: 'role',
-    flying: false,
-    watchers: 0,
-    number: 0,
-    flier: 0,
-    asking: 0,
-    name: '',
-    names: [],
-  };
-  private link: LinkState = { kind: 'open' };
-  private tooNarrow = false;
+  private readonly control = new Control();
+  private readonly log: Log;
+  private readonly loop: DrawLoop;
+  private readonly sounds: Sounds;
+  private readonly report: Report;
   private units: UnitName;
-  /** When something was refused last [ms]. */
-  private refusedAt = -Infinity;
   private request = 0;
-  private readonly barPace: number;
   private readonly ended = new AbortController();
   private readonly pictures: Pictures;
   private readonly operator: Operator;
   private readonly cameraHand: CameraHand;
-  private readonly windows: Windows;
-  private readonly relayed = new RelayedKeys(() => this.operator.zero());
+  private readonly windows: WindowLink;
   private readonly spine = new Spine({
     acknowledged: () => this.acknowledge(),
     pressed: (lamp) => this.explain(lamp),
   });
-  private readonly events: EventsGroup;
   private readonly keys: KeyMap;
   private readonly sheet: ControllersSheet;
   private readonly controlPage: ControlPage;
@@ -120,7 +82,6 @@ export class Station {
   private readonly handOver = handOver((command) => this.transmit(command));
   private readonly naming = naming(keeper, (command) => this.transmit(command));
   private readonly devices: DeviceWatch;
-  private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
   /** There is something that the orbiter can move against. */
   private readonly movable: boolean;
   private readonly groups: Groups;
@@ -128,8 +89,6 @@ export class Station {
   private readonly rail;
   private readonly tutorial: Tutorial;
   private readonly scenarios: ScenarioChoice;
-  /** Another scenario is made ready: the sticks rest. */
-  private leaving = false;
 
   constructor(
     root: HTMLElement,
@@ -141,60 +100,55 @@ export class Station {
     this.arrivals = new Arrivals(welcome);
     this.keys = new KeyMap(welcome, () => this.changeControllers());
     this.units = welcome.units;
-    this.barPace = BAR_PACE[drawing.quality];
-    this.events = new EventsGroup([welcome.text, ...reread(), keysHint()]);
-    this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
+    const events = new EventsGroup([welcome.text, ...reread(), keysHint()]);
+    this.log = new Log(events, this.arrivals);
+    this.sounds = new Sounds(this.tones, this.spine);
+    this.report = new Report(transmit);
     this.movable = welcome.work.cargo.length > 0;
     this.pictures = new Pictures(welcome, drawing, {
       tearOff: (what) => this.tearOff(what),
       turns: true,
       opened: (matrix) => this.showMatrix(root, matrix),
-      changed: () => this.tellWindows(),
-    });
-    this.windows = new Windows(pageName(), (said) => {
-      if (said.kind === 'ask') this.tellWindows();
-      else if (said.kind === 'show') this.pictures.show(said.monitor, said.names);
-      else if (said.kind === 'put') {
-        const camera = welcome.cameras.find(({ name }) => name === said.name);
-        if (camera) this.pictures.choose(camera);
-      } else if (said.kind === 'take') {
-        const { hand, monitors } = this.pictures;
-        if (this.role.flying && hand !== monitors[said.monitor]) this.pictures.takeMonitor(said.monitor);
-      } else if (said.kind === 'key' || said.kind === 'holding' || said.kind === 'released') {
-        if (this.role.flying) this.relayed.take(said);
-      }
+      changed: () => this.windows?.update(),
     });
     this.operator = new Operator(this.latency, {
       acted: (action) => this.act(action),
       send: transmit,
       taken: (event) => this.sheet.taken(event),
     });
+    this.windows = new WindowLink(
+      welcome,
+      this.pictures,
+      this.control,
+      () => this.units,
+      () => this.operator.zero(),
+    );
     this.devices = new DeviceWatch(this.operator.controllers, {
       send: transmit,
-      say: (text, level) => this.say(text, 'controller', level),
+      say: (text, level) => this.log.say(text, 'controller', level),
     });
     this.sheet = new ControllersSheet(this.operator.controllers);
     this.touch = touchView(this.operator.controllers.touch);
     this.swap = swapQuestion(this.operator.controllers.pads);
-    this.cameraHand = new CameraHand(() => together(this.operator.turning, this.pictures.turning), {
-      hand: () => this.pictures,
+    this.cameraHand = new CameraHand(() => together(this.operator.turning, this.pictures.monitors.turning), {
+      hand: () => this.pictures.monitors,
       barred: () => {
-        if (!this.operator.flying) return 'You watch; only the one who flies turns cameras.';
-        return this.frame?.by === 'script'
+        if (!this.operator.flying) return 'Observing: only the operator can move cameras.';
+        return this.arrivals.telemetry?.by === 'script'
           ? 'The script flies: take the sticks, then the cameras turn, too.'
           : '';
       },
-      say: (text) => this.say(text),
+      say: (text) => this.log.say(text),
       send: transmit,
       orbit: (camera, ...by) => this.pictures.orbit(camera, ...by),
     });
     const desk: Desk = {
       welcome,
       send: (command) => this.send(command),
-      say: (text) => this.say(text),
+      say: (text) => this.log.say(text),
     };
     this.controlPage = new ControlPage(desk);
-    this.groups = deskGroups(desk, this.events, {
+    this.groups = deskGroups(desk, events, {
       plane: () => this.showPlane(),
       controlPage: () => this.controlPage.toggle(),
       flyOrbiter: (on) => this.flyOrbiter(on),
@@ -218,13 +172,13 @@ export class Station {
     this.rail = rail(desk, drawing.software && drawing.quality === 'low', parts, {
       units: () => {
         this.units = this.units === 'SI' ? 'ft-in' : 'SI';
-        this.tellWindows();
+        this.windows.update();
       },
       restart: () => this.send({ type: 'restart' }),
       keys: () => this.keys.toggle(),
       controllers: () => this.changeControllers(),
     });
-    const [first, second] = this.pictures.monitors;
+    const [first, second] = this.pictures.monitors.both;
     setClass(root, 'all-cameras', false); // another station may have left it so
     // The order of the document is that of the focus: monitors, spine, desk, rail.
     root.replaceChildren(
@@ -245,11 +199,26 @@ export class Station {
     );
     for (const used of ['keydown', 'pointerdown'] as const)
       document.addEventListener(used, () => this.tones.wake(), { signal: this.ended.signal });
-    window.addEventListener('blur', () => this.pictures.release(), { signal: this.ended.signal });
-    window.addEventListener('pagehide', () => this.windows.say({ kind: 'gone' }), {
+    window.addEventListener('blur', () => this.pictures.monitors.release(), { signal: this.ended.signal });
+    window.addEventListener('pagehide', () => this.windows.gone(), {
       signal: this.ended.signal,
     });
+    this.loop = new DrawLoop(welcome, BAR_PACE[drawing.quality], this.arrivals, this.latency, this.operator, {
+      ...{ pictures: this.pictures, groups: this.groups },
+      bars: () => this.bars(),
+      values: (view, measured, now) => this.values(view, measured, now),
+      viewOf: (frame) => this.viewOf(frame),
+    });
     this.request = requestAnimationFrame(() => this.tick());
+  }
+
+  /** Number of pictures drawn. */
+  get drawn(): number {
+    return this.loop.drawn;
+  }
+
+  get shown(): DrawLoop['shown'] {
+    return this.loop.shown;
   }
 
   get bodies(): readonly DrawnBody[] {
@@ -260,70 +229,53 @@ export class Station {
   setFrame(frame: Frame): void {
     const now = performance.now();
     if (this.arrivals.put(frame, now)) {
-      this.latency.forget(); // what was under way is flown by nobody
-      this.log(this.arrivals.takeEvents());
+      this.latency.forget(); // no frame will answer the sticks in the command delay
+      this.log.add(this.arrivals.takeEvents());
     }
     this.operator.sticks.kept = frame.rate_hold;
     this.latency.answered(frame.display.flown_seq, now);
-    this.fresh = true;
-    if (this.held) this.draw(now);
+    this.loop.arrived(now);
   }
 
   setRole(role: Role): void {
-    this.role = role;
-    this.devices.tellAgain();
-    this.takeRole();
+    this.control.role = role;
+    this.takeControl();
     this.naming.set(role);
     setClass(document.body, 'watching', !role.flying);
-    this.tellWindows();
+    this.windows.update();
   }
 
   setScenarios(told: Scenarios): void {
-    this.leaving = told.coming !== null;
-    this.devices.tellAgain();
-    this.takeRole();
+    this.control.leaving = told.coming !== null;
+    this.takeControl();
     this.scenarios.set(told);
   }
 
-  /** Where the window is too narrow, the page watches only. */
   setTooNarrow(tooNarrow: boolean): void {
-    this.tooNarrow = tooNarrow;
-    this.devices.tellAgain();
+    this.control.tooNarrow = tooNarrow;
     this.operator.zero();
-    this.takeRole();
+    this.takeControl();
   }
 
   setLink(link: LinkState): void {
-    this.link = link;
-    this.devices.tellAgain();
-    this.takeRole();
+    this.control.link = link;
+    this.takeControl();
     if (link.kind !== 'open') this.latency.forget();
   }
 
-  /** Lines of the log come with the figures of their time. */
+  /** Lines of the log appear with the figures of their time. */
   addEvents(events: readonly LogEvent[]): void {
     this.arrivals.addEvents(events);
-    this.log(this.arrivals.dueEvents(performance.now()));
-  }
-
-  private log(events: readonly LogEvent[]): void {
-    if (events.length === 0) return;
-    const recent = (this.frame?.time_s ?? 0) - RECENT_S;
-    const refused = events.some(({ kind, time_s }) => kind === 'refused' && time_s >= recent);
-    if (refused && this.frame) this.refusedAt = performance.now();
-    this.events.add(events);
+    this.log.addDue(performance.now());
   }
 
   forgetEvents(): void {
-    this.arrivals.takeEvents();
-    this.events.clear();
+    this.log.clear();
   }
 
-  /** A command was not taken: the log says why, and CHECK CRT sends the eye there. */
+  /** Logs why a command was rejected, or shows it where a name was entered. */
   refuse(text: string, number: number): void {
-    if (this.naming.refuse(number, text)) return;
-    this.refusedAt = performance.now();
-    this.say(text);
+    if (!this.naming.refuse(number, text)) this.log.refuse(text);
   }
 
   dispose(): void {
@@ -332,17 +284,17 @@ export class Station {
     this.ended.abort();
     this.operator.dispose();
     this.cameraHand.dispose();
-    this.relayed.dispose();
     this.windows.dispose();
     this.tutorial.dispose();
     this.pictures.dispose();
   }
 
-  /** The sticks are this page's only while it flies what is flown. */
-  private takeRole(): void {
+  /** The sticks move the arm, or rest, as `Control` says. */
+  private takeControl(): void {
+    this.devices.tellAgain();
     const { flying } = this.operator;
-    this.operator.flying = this.role.flying && this.link.kind === 'open' && !this.leaving && !this.tooNarrow;
-    if (flying && !this.operator.flying) this.latency.forget(); // what was under way is flown by nobody
+    this.operator.flying = this.control.flies;
+    if (flying && !this.operator.flying) this.latency.forget(); // no frame will answer the sticks under way
   }
 
   private tick(): void {
@@ -351,40 +303,9 @@ export class Station {
     if (1000 * this.arrivals.silence(now) > LOST_MS) this.operator.zero();
     this.operator.tick(now);
     this.swap.show();
-    this.devices.watch(this.role.flying, this.operator.flying);
-    this.log(this.arrivals.dueEvents(now));
-    this.draw(now);
-  }
-
-  /** What figures, lamps and log are of. */
-  private get frame(): Frame | null {
-    return this.arrivals.at('telemetry', performance.now())?.frame ?? null;
-  }
-
-  /** Draws what is due, once the pictures of the frame before are on the page. */
-  private draw(now: number): void {
-    const [told, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
-    if (!told || !seen) return;
-    const view = this.viewOf(told.frame);
-    if (this.pictures.drawing) {
-      // Figures, lamps and tones do not wait for a picture that is long under way.
-      if (now - this.valuesAt >= OVERDUE_MS) this.values(view, now);
-      return;
-    }
-    this.held = this.latency.due(seen.frame.display.stick_seq, now);
-    if (this.held) return;
-    this.operator.sticks.driving = this.modes.get(told.frame.mode) === 'single';
-    // Where bars wait for a picture, it is not one with MON 2 in it.
-    const barsMove = (this.drawn + 1) % this.barPace === 0;
-    this.fresh = false;
-    // The pictures first: they read the page's places, which the desk's bars unsettle.
-    this.pictures.draw(seen.frame, seen.frame.work.clearance_level, () => this.pictured(seen));
-    if (barsMove) this.groups.bars(view);
-    this.keys.light(this.operator.controllers.keyboard.held);
-    this.sheet.tick();
-    this.touch.draw();
-    this.tutorial.light();
-    if (barsMove && now - this.valuesAt >= VALUES_MS) this.values(view, now);
+    this.devices.watch(this.control.role.flying, this.operator.flying);
+    this.log.addDue(now);
+    this.loop.draw(now);
   }
 
   private viewOf(frame: Frame): View {
@@ -393,58 +314,29 @@ export class Station {
       units: unitsOf(this.units),
       hand: this.operator.sticks.value,
       controllers: this.operator.controllers.shown,
-      flier: calledFirst(this.role, this.role.flier),
-      flying: this.role.flying,
-      orbiting: this.operator.sticks.flyingOrbiter && this.role.flying,
+      flier: calledFirst(this.control.role, this.control.role.flier),
+      flying: this.control.role.flying,
+      orbiting: this.operator.sticks.flyingOrbiter && this.control.role.flying,
     };
   }
 
-  /** The pictures of a frame are on the page. */
-  private pictured(seen: Seen): void {
-    const now = performance.now();
-    this.drawn += 1;
-    this.shown = this.figures;
-    this.latency.drawn(seen.frame.display.stick_seq, now);
-    this.arrivals.show('camera', seen, now);
-    if (this.fresh) this.draw(now);
+  private bars(): void {
+    this.keys.light(this.operator.controllers.keyboard.held);
+    this.sheet.tick();
+    this.touch.draw();
+    this.tutorial.light();
   }
 
-  private values(view: View, now: number): void {
-    this.valuesAt = now;
-    const [told, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
-    if (told) this.arrivals.show('telemetry', told, now);
-    this.pictures.setTime({ ...view, frame: seen?.frame ?? view.frame }, this.arrivals.age('camera', now));
-    setClass(document.body, 'stale', isStale(this.arrivals.age('telemetry', now)));
-    this.groups.values(view);
-    this.controlPage.values(view);
+  private values(view: View, measured: Measured, now: number): void {
+    const { role, link } = this.control;
     const test = view.frame.mode === 'TEST';
-    const delays = this.arrivals.delays(this.latency.answer(now), now);
-    this.spine.show([...inUnits(view), ...this.ownLamps(delays, now)], test);
-    const latency95 = this.latency.percentile95(now);
+    this.controlPage.values(view);
+    this.spine.show([...inUnits(view), ...this.ownLamps(measured.delays, now)], test);
     this.tutorial.values(view);
-    const measured = { picture: latency95, delays };
-    this.rail.values(view, measured, this.handOver.words(this.role, now), this.link);
-    this.sound(view.frame);
-    const monitors = this.pictures.shown;
-    const due = now - this.toldAt >= TOLD_MS || monitors.join('/') !== this.toldOf;
-    if (this.role.flying && due) {
-      [this.toldAt, this.toldOf] = [now, monitors.join('/')];
-      this.transmit({ type: 'shown', latency_ms: latency95, monitors });
-    }
+    this.rail.values(view, measured, this.handOver.words(role, now), link);
+    this.sounds.update(view.frame);
+    if (role.flying) this.report.update(measured.picture, this.pictures.monitors.shown, now);
     if (test) lightSegments();
-    this.figures = { frame: view.frame, restarts: this.arrivals.restarts };
-    if (!this.pictures.drawing) this.shown = this.figures;
-  }
-
-  /** Alarms until they are acknowledged, and clicks for a mode entered and a payload captured. */
-  private sound(frame: Frame): void {
-    const { alarm, more } = this.spine.takeAlarm();
-    this.tones.sound(alarm, more);
-    this.spine.setMuted(this.tones.muted);
-    const now = { mode: frame.mode, held: frame.work.cargo.filter(({ held }) => held).length };
-    if (this.heard.mode !== '' && now.mode !== this.heard.mode) this.tones.entered();
-    if (this.heard.mode !== '' && now.held > this.heard.held) this.tones.captured();
-    this.heard = now;
   }
 
   private changeControllers(): void {
@@ -453,18 +345,14 @@ export class Station {
   }
 
   private ownLamps(delays: Delays, now: number): readonly SpineLamp[] {
-    const controllers = this.tooNarrow ? null : this.operator.controllers;
+    const controllers = this.control.tooNarrow ? null : this.operator.controllers;
     const [silence, pictures] = [this.arrivals.silence(now), this.arrivals.age('camera', now)];
-    return ownLamps({ refusedAt: this.refusedAt, silence, delays, pictures, controllers }, now);
+    return ownLamps({ refusedAt: this.log.refusedAt, silence, delays, pictures, controllers }, now);
   }
 
   private send(command: Command): void {
-    if (this.role.flying) this.transmit(command);
-    else this.say('You watch; only the one who flies can do that.');
-  }
-
-  private say(text: string, kind = 'page', level: Level = 'caution'): void {
-    this.events.add([{ time_s: this.frame?.time_s ?? 0, kind, level, text }]);
+    if (this.control.role.flying) this.transmit(command);
+    else this.log.say(OBSERVING);
   }
 
   private acknowledge(): void {
@@ -475,20 +363,20 @@ export class Station {
   /** A lamp was pressed: the log keeps to its cause, and what it speaks of is outlined. */
   private explain(lamp: LampName): void {
     const concern = LAMPS[lamp];
-    this.events.keepTo(lamp, concern.kinds);
+    this.log.keepTo(lamp, concern.kinds);
     outline(concern);
   }
 
   /** Everything that this page moves comes to rest; the master arm is left where the arm is. */
   private stop(): void {
-    if (!this.role.flying) return;
+    if (!this.control.role.flying) return;
     this.transmit({ type: 'stop' });
-    if (this.modes.get(this.frame?.mode ?? '') === 'master') this.groups.meetMaster();
+    if (this.loop.kindOf(this.arrivals.telemetry?.mode ?? '') === 'master') this.groups.meetMaster();
   }
 
   private showPlane(): void {
     this.groups.setPlane(this.pictures.togglePlane());
-    this.tellWindows();
+    this.windows.update();
   }
 
   /** All cameras in place of monitors and desk, whose clearance and lamps stay in sight. */
@@ -499,18 +387,12 @@ export class Station {
     else matrix.close();
   }
 
-  private tellWindows(): void {
-    const { shown: monitors, showsPlane: plane } = this.pictures;
-    const { units, role } = this;
-    this.windows?.say({ kind: 'page', monitors, plane, units, takesKeys: role.flying });
-  }
-
   private tearOff(what: Torn): void {
-    if (!tearOff(what)) this.say(BLOCKED);
+    if (!tearOff(what)) this.log.say(BLOCKED);
   }
 
   private flyOrbiter(on: boolean): void {
-    if (!this.role.flying) this.say('You watch; only the one who flies can do that.');
+    if (!this.control.role.flying) this.log.say(OBSERVING);
     else this.operator.sticks.flyOrbiter(on && this.movable);
   }
 
@@ -522,7 +404,10 @@ export class Station {
       sheets: [sheet, rail],
       stop: () => this.stop(),
       changeRate: () =>
-        this.send({ type: 'select_rate', rate: this.frame?.rate === 'coarse' ? 'vernier' : 'coarse' }),
+        this.send({
+          type: 'select_rate',
+          rate: this.arrivals.telemetry?.rate === 'coarse' ? 'vernier' : 'coarse',
+        }),
       holdRate: () => this.send({ type: 'rate_hold' }),
       acknowledge: () => this.acknowledge(),
       showPlane: () => this.showPlane(),

@@ -101,7 +101,7 @@ class Replay {
       this.units = this.units === 'SI' ? 'ft-in' : 'SI';
       this.windows.tell();
     });
-    const [first, second] = this.pictures.monitors;
+    const [first, second] = this.pictures.monitors.both;
     this.band = el(
       'section',
       { class: 'band', 'aria-label': 'Time' },
@@ -121,11 +121,11 @@ class Replay {
     listen(this.player, {
       event: (by) => this.toEvent(by),
       desk: () => this.showDesk(),
-      camera: (number) => this.pictures.chooseDigit(number, performance.now()),
-      stepCamera: (by) => this.pictures.step(by),
+      camera: (number) => this.pictures.monitors.chooseDigit(number, performance.now()),
+      stepCamera: (by) => this.pictures.monitors.step(by),
       matrix: () => this.pictures.toggleMatrix(),
-      split: () => this.pictures.toggleSplit(),
-      otherMonitor: () => this.pictures.takeOther(),
+      split: () => this.pictures.monitors.toggleSplit(),
+      otherMonitor: () => this.pictures.monitors.takeOther(),
       plane: () => {
         this.desk.setPlane(this.pictures.togglePlane());
         this.windows.tell();
@@ -184,9 +184,17 @@ class Replay {
 
   /** Whether the pictures differ from those that stand: another frame, camera, or window. */
   private isNew(frame: Frame): boolean {
-    const { canvas, shown, showsPlane, matrixOpen, moved } = this.pictures;
+    const { canvas, monitors, showsPlane, matrixOpen, moved } = this.pictures;
     const { clientWidth, clientHeight } = canvas;
-    const asked = [frame.tick, clientWidth, clientHeight, showsPlane, matrixOpen, moved, ...shown].join();
+    const asked = [
+      frame.tick,
+      clientWidth,
+      clientHeight,
+      showsPlane,
+      matrixOpen,
+      moved,
+      ...monitors.shown,
+    ].join();
     if (asked === this.pictured) return false;
     this.pictured = asked;
     return true;
@@ -199,7 +207,7 @@ class Replay {
     const flown = pictures.findLast(({ time_s }) => time_s <= this.player.position + AT) ?? pictures[0];
     this.following = true;
     flown?.monitors.forEach((names, i) => {
-      if (names.length > 0) this.pictures.show(i, names);
+      if (names.length > 0) this.pictures.monitors.show(i, names);
     });
     this.following = false;
   }

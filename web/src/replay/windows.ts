@@ -24,7 +24,8 @@ export class ReplayWindows {
 
   /** What the page shows. */
   tell(): void {
-    const { shown: monitors, showsPlane: plane } = this.pictures;
+    const { showsPlane: plane } = this.pictures;
+    const { shown: monitors } = this.pictures.monitors;
     this.windows.say({ kind: 'page', monitors, plane, units: this.units(), takesKeys: true });
   }
 
@@ -48,15 +49,15 @@ export class ReplayWindows {
         this.player.seek(said.position);
         break;
       case 'take':
-        if (this.pictures.hand !== this.pictures.monitors[said.monitor])
-          this.pictures.takeMonitor(said.monitor);
+        if (this.pictures.monitors.hand !== this.pictures.monitors.both[said.monitor])
+          this.pictures.monitors.take(said.monitor);
         break;
       case 'show':
-        this.pictures.show(said.monitor, said.names);
+        this.pictures.monitors.show(said.monitor, said.names);
         break;
       case 'put': {
         const camera = this.cameras.find(({ name }) => name === said.name);
-        if (camera) this.pictures.choose(camera);
+        if (camera) this.pictures.monitors.choose(camera);
         break;
       }
       case 'key':

@@ -66,11 +66,11 @@ export class Display {
     this.pictures = new Pictures(welcome, drawing, { changed: () => this.tell() });
     this.keyboard = new Keyboard({ moved() {}, acted: (action) => this.act(action), taken: () => false });
     if (what === 'matrix') this.pictures.showMatrix(true);
-    else this.pictures.takeMonitor(what);
+    else this.pictures.monitors.take(what);
     const shown =
       what === 'matrix'
         ? this.pictures.matrix.element
-        : el('main', { class: 'monitors' }, this.pictures.monitors[what].element);
+        : el('main', { class: 'monitors' }, this.pictures.monitors.both[what].element);
     root.classList.add('torn-off');
     root.replaceChildren(this.pictures.canvas, shown, this.tether.rail);
     this.request = requestAnimationFrame(() => this.tick());
@@ -119,7 +119,7 @@ export class Display {
     this.units = units;
     if (plane !== this.pictures.showsPlane) this.pictures.togglePlane();
     monitors.forEach((names, i) => {
-      this.pictures.show(i, names);
+      this.pictures.monitors.show(i, names);
     });
     this.hearing = false;
   }
@@ -130,14 +130,14 @@ export class Display {
     const { what, pictures } = this;
     if (what === 'matrix') {
       pictures.showMatrix(true);
-      this.tether.say({ kind: 'put', name: pictures.camera.name });
-    } else this.tether.say({ kind: 'show', monitor: what, names: pictures.shown[what] ?? [] });
+      this.tether.say({ kind: 'put', name: pictures.monitors.camera.name });
+    } else this.tether.say({ kind: 'show', monitor: what, names: pictures.monitors.shown[what] ?? [] });
   }
 
   private act(action: Action): void {
-    if (action.name === 'camera') this.pictures.chooseDigit(action.number - 1, performance.now());
-    else if (action.name === 'cameraStep') this.pictures.step(action.by);
-    else if (action.name === 'split') this.pictures.toggleSplit();
+    if (action.name === 'camera') this.pictures.monitors.chooseDigit(action.number - 1, performance.now());
+    else if (action.name === 'cameraStep') this.pictures.monitors.step(action.by);
+    else if (action.name === 'split') this.pictures.monitors.toggleSplit();
     else if (action.name === 'plane') this.pictures.togglePlane();
   }
 }

@@ -19,7 +19,8 @@ export interface LightControl {
 
 /** What the lock acts on. */
 export interface Exposed {
-  readonly camera: Camera;
+  /** Monitors, of which the selected camera counts. */
+  readonly monitors: { readonly camera: Camera };
   readonly appearance: Appearance;
   /** How a camera's picture is exposed now [stops over full sunlight]. */
   stops(camera: Camera): number;
@@ -58,7 +59,7 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
   );
   const drop = dropDown('Light', '', list);
   const lock = () => {
-    const { camera } = exposed;
+    const { camera } = exposed.monitors;
     const others = lighting.locked.filter((each) => each.camera !== camera.name);
     const locked = others.length < lighting.locked.length;
     set({ locked: locked ? others : [...others, { camera: camera.name, stops: exposed.stops(camera) }] });
@@ -76,7 +77,7 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
       lamps.forEach((each, i) => {
         setPressed(each, lighting.lamps.includes(welcome.lamps[i] ?? ''));
       });
-      const { name } = exposed.camera;
+      const { name } = exposed.monitors.camera;
       setText(lockKey, `lock ${name}`);
       setPressed(
         lockKey,

@@ -1,0 +1,123 @@
+/** The pictures on the canvas: where each is on the page, how often it is drawn, and which are due. */
+
+import type { Camera } from '../link/protocol';
+import type { Drawing } from '../page/quality';
+import { inset } from '../page/width';
+import type { Matrix } from '../panel/monitors/matrix';
+import type { Picture } from '../panel/monitors/picture';
+import type { Rect } from '../scene/drawn';
+import type { Monitors } from './monitors';
+
+/** Number of drawings of the page for each drawing of MON 1, MON 2, a tile, and the plan. */
+export const PACES = { full: [1, 1, 3, 8], low: [1, 2, 6, 24] } as const;
+
+/** A picture on the canvas. */
+export interface Pane {
+  readonly camera: Camera;
+  readonly element: HTMLElement;
+  readonly pace: number;
+  /** On a monitor; null: a tile. */
+  readonly picture: Picture | null;
+}
+
+export class Panes {
+  private readonly paces: readonly [number, number, number, number];
+  private readonly stamps = new WeakMap<HTMLElement, string>();
+  private layout = '';
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly monitors: Monitors,
+    private readonly matrix: Matrix,
+    drawing: Drawing,
+  ) {
+    this.paces = PACES[drawing.quality];
+  }
+
+  /** The pictures on the page; `open`: all cameras are shown in place of the monitors. */
+  all(open: boolean): readonly Pane[] {
+    const [first, second, tile] = this.paces;
+    if (open) {
+      return this.matrix.tiles.map(({ camera, picture }) => ({
+        camera,
+        element: picture,
+        pace: tile,
+        picture: null,
+      }));
+    }
+    const { both } = this.monitors;
+    return both.flatMap(({ element, pictures }, i) =>
+      element.isConnected
+        ? pictures.map((picture) => {
+            const alone = i === 0 || !both[0].element.isConnected;
+            const pace = alone || this.inset(open) ? first : second;
+            return { camera: picture.camera, element: picture.element, pace, picture };
+          })
+        : [],
+    );
+  }
+
+  /**
+   * The pictures to draw now, and whether all others are of this frame too.
+   *
+   * @param state what a picture depends on beside its exposure.
+   * @param stops exposure of a camera.
+   * @param count number of drawings of the page so far.
+   * @param wiped whether the canvas was wiped, so that every picture is due.
+   */
+  due(
+    panes: readonly Pane[],
+    state: string,
+    stops: (camera: string) => number,
+    open: boolean,
+    count: number,
+    wiped: boolean,
+  ): { readonly due: readonly Pane[]; readonly complete: boolean } {
+    const look = ({ camera: { name } }: Pane) => `${name} ${stops(name)}`;
+    // A picture that lies in another one is drawn whenever that is.
+    const looks = this.inset(open) ? panes.map(look).join() : null;
+    let complete = true;
+    const due = panes.filter((pane, i) => {
+      const stamp = `${state} ${looks ?? look(pane)}`;
+      if (this.stamps.get(pane.element) === stamp && !wiped) return false;
+      if ((count + i) % pane.pace !== 0 && !wiped) {
+        complete = false;
+        return false;
+      }
+      this.stamps.set(pane.element, stamp);
+      return true;
+    });
+    return { due, complete };
+  }
+
+  /** Takes over the page's layout; returns whether pictures have come, gone or moved. */
+  takeLayout(panes: readonly Pane[], open: boolean): boolean {
+    const layout = this.laidOut(panes, open);
+    const changed = layout !== this.layout;
+    this.layout = layout;
+    return changed;
+  }
+
+  /** Whether the pictures are where they were when the layout was taken over. */
+  isLaidOut(panes: readonly Pane[], open: boolean): boolean {
+    return this.laidOut(panes, open) === this.layout;
+  }
+
+  /** The place of an element on the canvas. */
+  rectOf(element: HTMLElement): Rect {
+    const over = this.canvas.getBoundingClientRect();
+    const { left, top, width, height } = element.getBoundingClientRect();
+    return { left: left - over.left, top: top - over.top, width, height };
+  }
+
+  /** Whether MON 2 is in a corner of MON 1. */
+  private inset(open: boolean): boolean {
+    return inset() && !open && this.monitors.both.every(({ element }) => element.isConnected);
+  }
+
+  /** What the pictures' places on the page depend on. */
+  private laidOut(panes: readonly Pane[], open: boolean): string {
+    const { clientWidth, clientHeight } = this.canvas;
+    return [clientWidth, clientHeight, open, ...panes.map(({ element }) => element.clientWidth)].join();
+  }
+}

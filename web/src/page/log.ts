@@ -1,0 +1,54 @@
+/** The page's log: the station's lines with the figures of their time, the page's own, and the last rejection. */
+
+import type { Arrivals } from '../link/delayed-messages';
+import type { Level, Event as LogEvent } from '../link/protocol';
+import type { EventsGroup } from '../panel/desk/events';
+import type { LampName } from '../panel/spine/lamps';
+
+/** The log of a page that connects again holds older rejections; those older than this light no lamp [s]. */
+const RECENT_S = 2;
+
+export class Log {
+  /** Time of the last rejected command [ms]. */
+  refusedAt = -Infinity;
+
+  constructor(
+    private readonly group: EventsGroup,
+    private readonly arrivals: Arrivals,
+  ) {}
+
+  /** Adds the station's lines that are due at the time `now` [ms]. */
+  addDue(now: number): void {
+    this.add(this.arrivals.dueEvents(now));
+  }
+
+  add(events: readonly LogEvent[]): void {
+    if (events.length === 0) return;
+    const frame = this.arrivals.telemetry;
+    const recent = (frame?.time_s ?? 0) - RECENT_S;
+    const refused = events.some(({ kind, time_s }) => kind === 'refused' && time_s >= recent);
+    if (refused && frame) this.refusedAt = performance.now();
+    this.group.add(events);
+  }
+
+  /** Adds a line of the page's own. */
+  say(text: string, kind = 'page', level: Level = 'caution'): void {
+    this.group.add([{ time_s: this.arrivals.telemetry?.time_s ?? 0, kind, level, text }]);
+  }
+
+  /** Adds the reason for a rejected command; CHECK CRT points to it. */
+  refuse(text: string): void {
+    this.refusedAt = performance.now();
+    this.say(text);
+  }
+
+  /** Shows only the lines of these kinds, for a lamp; all again at the second call for it. */
+  keepTo(lamp: LampName, kinds: readonly string[]): void {
+    this.group.keepTo(lamp, kinds);
+  }
+
+  clear(): void {
+    this.arrivals.takeEvents();
+    this.group.clear();
+  }
+}
