@@ -13,9 +13,9 @@ from aftdeck.frames import Pose
 from aftdeck.kinematics.inverse import BRANCHES, rmangs
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.parts.carried import carrying
+from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.steering.entry import limited_rates
-from aftdeck.steering.layout import COMMAND, DRIVE, GO, LAW, PLAN, RATE, REPORT, STATE, STICKS, TARGET
+from aftdeck.steering.layout import COMMAND, DRIVE, LAW, MOTION_ACTIVE, PLAN, RATE, REPORT, STATE, STICKS, TARGET
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
 from aftdeck.steering.modes import open_loop
 from aftdeck.steering.modes import position as position_mode
@@ -32,7 +32,7 @@ POSE = (-0.5, 1.3, -1.8, -1.2, 0.3, -2.0)
 def rate_law() -> list[Figure]:
     """RMSRAT with RATLMT: twelve numbers in, six out; the same by general libraries."""
     scenario = load_scenario("first-flight")
-    rules = carrying(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
+    rules = steering_setup(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
     numbers, out = np.array([*scenario.initial_angles, *TWIST]), np.empty(6)
     limits = np.array(rules[RATE : RATE + 6])
     ours = microseconds("f(rules, numbers, out)", {"f": limited_rates, "rules": rules, "numbers": numbers, "out": out})
@@ -58,7 +58,7 @@ def rate_law() -> list[Figure]:
 def steering() -> list[Figure]:
     """A whole control step of each mode: MSTEER, state in and out."""
     scenario = load_scenario("loaded")
-    rules_by_mode = carrying(scenario, scenario.payload).rules
+    rules_by_mode = steering_setup(scenario, scenario.payload).rules
     figures = []
     for position, mode in MODES.items():
         if position.startswith("AUTO"):
@@ -67,7 +67,7 @@ def steering() -> list[Figure]:
             rules = rules_by_mode[position, "coarse", law]
             command, state, report = np.zeros(COMMAND), np.zeros(STATE), np.zeros(REPORT)
             state[:6] = scenario.initial_angles
-            command[LAW], command[GO], command[DRIVE] = law, 1.0, 0.5
+            command[LAW], command[MOTION_ACTIVE], command[DRIVE] = law, 1.0, 0.5
             command[STICKS : STICKS + 6] = 0.3
             command[TARGET : TARGET + 12] = [10.0, 0.0, -3.0, *np.eye(3).ravel()]
             if law == AUTOMATIC_LAWS["position"]:

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 
 import aftdeck
+from aftdeck.field_meta import field_meta
 from aftdeck.recording.codec import as_read, decode, encode
 from aftdeck.recording.convert import DIGITS, frame_record, input_record, inputs_of
 from aftdeck.recording.records import FrameRecord
@@ -21,7 +22,6 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.plain import plain_inputs
 from aftdeck.steering.mode import MODES
-from aftdeck.told import told
 from aftdeck.worksite.report import Work
 from tests.steering.flying import scenario
 from tests.steering.test_promises import equipped, inputs, start
@@ -186,7 +186,7 @@ def test_a_frame_of_every_panel_position_is_told_in_finite_numbers(mode: str) ->
 
 def test_a_field_of_the_frame_is_recorded_without_a_second_declaration() -> None:
     """A frame with one more field is written and read with it."""
-    wind = Annotated[float, told("of nothing", "m/s", decimals=2)]
+    wind = Annotated[float, field_meta("of nothing", "m/s", decimals=2)]
     kind = msgspec.defstruct("WithMore", [("wind", wind)], bases=(FrameRecord,), frozen=True)
     sim = aftdeck.Simulation("first-flight")
     made = frame_record(sim.step(Inputs()), 0.0, None)

@@ -19,7 +19,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.recording.run import record
 from aftdeck.recording.sink import Sink
-from aftdeck.recording.tape import Tape
+from aftdeck.recording.tape import SessionRecorder
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
@@ -152,13 +152,13 @@ def test_a_tape_without_a_place_complains_once_and_lets_fly(
 ) -> None:
     folder = tmp_path if len(name) > 200 else tmp_path / "file"
     (tmp_path / "file").touch()
-    tape = Tape(folder, None)
+    tape = SessionRecorder(folder, None)
     made = bay(name=name)
     tape.begin(made, 0)
     tape.step(Inputs(), Simulation(made).step(Inputs()), None)
-    (text,) = tape.complaints()
+    (text,) = tape.take_errors()
     assert text.startswith("nothing is recorded: ") and "cannot be written" in text
-    assert tape.complaints() == [] and tape.running_s is None and tape.file is None
+    assert tape.take_errors() == [] and tape.running_s is None and tape.file is None
     tape.end("restarted")
     tape.close()
     assert capsys.readouterr().err == f"aftdeck: {text}\n"
@@ -166,19 +166,19 @@ def test_a_tape_without_a_place_complains_once_and_lets_fly(
 
 def test_flights_that_begin_in_one_second_get_names_of_their_own(tmp_path: Path) -> None:
     made = bay()
-    tape = Tape(tmp_path, None)
+    tape = SessionRecorder(tmp_path, None)
     for _ in range(5):
         tape.begin(made, 0)
         tape.step(Inputs(), Simulation(made).step(Inputs()), None)
         tape.end("restarted")
     tape.close()
-    assert tape.complaints() == []
+    assert tape.take_errors() == []
     files = list(tmp_path.glob("test-*.mcap"))
     assert len(files) == 5 and all(verify(path).equal for path in files)
 
 
 def test_a_tape_without_a_folder_records_nothing(tmp_path: Path) -> None:
-    tape = Tape(None, Index(tmp_path / "list.sqlite"))
+    tape = SessionRecorder(None, Index(tmp_path / "list.sqlite"))
     made = bay()
     tape.begin(made, 0)
     tape.step(Inputs(), Simulation(made).step(Inputs()), None)

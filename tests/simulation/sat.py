@@ -180,12 +180,12 @@ class Witness:
 
     def look(self) -> None:
         """Look at the step just made."""
-        things = self.sim._state.site
-        active = things.watch.active | self.fingers
-        place(self.vertices, self.layout.frame, things.frames, self.placed)
+        worksite = self.sim._state.worksite
+        active = worksite.watch.active | self.fingers
+        place(self.vertices, self.layout.frame, worksite.frames, self.placed)
         look(
-            self.placed, self.radius, self.layout.pairs, self.layout.begins, active, things.before,
-            things.frames, self.vertices, self.layout.frame, self.axes, self.depths, self.ways,
+            self.placed, self.radius, self.layout.pairs, self.layout.begins, active, worksite.before,
+            worksite.frames, self.vertices, self.layout.frame, self.axes, self.depths, self.ways,
         )  # fmt: skip
         # what moves between two looks begins with the step in which the two came together
         entered = (self.depths > 0.0) & (self.steps == 0)

@@ -18,7 +18,7 @@ from aftdeck.bodies.cameras import Camera, Drive, Setting, Travel, setting
 from aftdeck.errors import InputError
 from aftdeck.scenario.all_cameras import cameras_of
 from aftdeck.scenario.load import built_in, load_scenario
-from aftdeck.simulation.camera_drives import CameraDrive, Cameras, moved
+from aftdeck.simulation.camera_drives import CameraDrive, Cameras, driven_setting
 from aftdeck.simulation.run import SavedSimulation
 from aftdeck.station.conversion.welcome_of import welcome_of
 
@@ -69,7 +69,7 @@ def test_a_drive_pushed_long_enough_ends_exactly_at_its_stop_and_stays(
 ) -> None:
     at = setting(camera)
     for _ in range(math.ceil(40.0 / period)):
-        at = moved(camera, at, CameraDrive(camera.name, push, push, push), period)
+        at = driven_setting(camera, at, CameraDrive(camera.name, push, push, push), period)
     for travel, angle, way in zip(travels(camera.drive), at, (push, push, -push), strict=True):
         if travel is not None:
             assert angle == (travel.greatest if way > 0.0 else travel.least)
@@ -80,11 +80,11 @@ def test_the_shuttles_cameras_cross_their_pan_in_the_published_time() -> None:
     for slow, seconds in ((False, 340.0 / 12.0), (True, 340.0 / 1.2)):
         at, steps = Setting(math.radians(-170.0), 0.0, 1.0), 0
         while at.pan < math.radians(170.0):
-            at, steps = moved(DRIVEN[0], at, CameraDrive("A", pan=1.0, slow=slow), PERIOD), steps + 1
+            at, steps = driven_setting(DRIVEN[0], at, CameraDrive("A", pan=1.0, slow=slow), PERIOD), steps + 1
         assert steps * PERIOD == pytest.approx(seconds, abs=2 * PERIOD)
     at, steps = Setting(0.0, 0.0, math.radians(77.0)), 0
     while at.zoom > math.radians(9.0):
-        at, steps = moved(DRIVEN[0], at, CameraDrive("A", zoom=1.0), PERIOD), steps + 1
+        at, steps = driven_setting(DRIVEN[0], at, CameraDrive("A", zoom=1.0), PERIOD), steps + 1
     assert steps * PERIOD == pytest.approx(8.0, abs=2 * PERIOD)
 
 

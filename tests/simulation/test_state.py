@@ -41,9 +41,16 @@ def flight(name: str) -> tuple[aftdeck.Simulation, tuple[bytes, ...], tuple[byte
 
 def kind(state: State) -> tuple[object, ...]:
     """What is under way in a state."""
-    things, checking = state.site, state.checking
+    worksite, checking = state.worksite, state.checking
     rehearsing = checking is not None and checking.steps > 0
-    return checking is None, rehearsing, things.held, things.fast, bool(things.told), bool(things.lined_up)
+    return (
+        checking is None,
+        rehearsing,
+        worksite.held,
+        worksite.arm_fixed,
+        bool(worksite.logged_contacts),
+        bool(worksite.aligned_with),
+    )
 
 
 def altered(value: Any) -> Iterator[tuple[str, Any]]:
@@ -101,9 +108,9 @@ def test_every_value_of_the_state_is_in_its_digest(name: str) -> None:
 def test_a_flight_has_been_checked_held_and_touching() -> None:
     states = [resume(flight(name)[0]._flight, data) for name in FLOWN for data in flight(name)[2]]
     assert any(state.checking is not None and state.checking.steps > 0 for state in states)
-    assert any(state.site.held is not None for state in states)
-    assert any(state.site.told for state in states)
-    assert any(any(state.site.floating) for state in states)
+    assert any(state.worksite.held is not None for state in states)
+    assert any(state.worksite.logged_contacts for state in states)
+    assert any(any(state.worksite.floating) for state in states)
 
 
 @pytest.mark.parametrize("name", FLOWN)
@@ -122,7 +129,7 @@ def test_a_flight_without_its_caches_is_the_same_to_the_last_digit(name: str) ->
         if tick % 20 == 0:
             forget_everything(sim, lost)
         elif rng.random() < 0.9:
-            sim._state.site.watch.forget()
+            sim._state.worksite.watch.forget()
         sim.advance(None if sticks is None else next(sticks))
         assert sim.seal() == expected, f"after step {tick + 1}"
     assert {type(one).__name__ for one in caches(sim._state)} <= lost

@@ -15,7 +15,7 @@ from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from aftdeck.station.server.playback_server import replay_app
 from aftdeck.station.server.serve import listen, make_server
 from tests.simulation.flights import srms
@@ -95,7 +95,7 @@ def grappled(path: Path) -> list[Frame]:
 def playing(path: Path) -> Iterator[str]:
     """The address at which a recording is served."""
     listener = listen("127.0.0.1", 0)
-    with Reel(path) as reel:
+    with PlaybackStore(path) as reel:
         server = make_server(replay_app(reel, path))
         thread = Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
         thread.start()

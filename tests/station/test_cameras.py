@@ -15,7 +15,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord, Shown
 from aftdeck.recording.replay import verify
 from aftdeck.station.messages import from_page, kinds
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
 from aftdeck.station.session import page_inputs
 from aftdeck.station.session.page_inputs import SILENCE
@@ -137,7 +137,7 @@ def test_a_recording_keeps_cameras_and_monitors_as_they_change_and_flies_again_a
     assert len(views[0]) == 7
     assert views[-1][1].pan > views[0][1].pan
     assert verify(path).equal
-    with Reel(path) as reel:
+    with PlaybackStore(path) as reel:
         index = reel.index(CHECKING)
         lanes = {lane.name: [stretch.label for stretch in lane.stretches] for lane in index.lanes}
         assert [pictured.monitors for pictured in index.pictures] == changes

@@ -17,7 +17,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.station.messages import from_page, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
-from aftdeck.station.server.scenario_list import Choice
+from aftdeck.station.server.scenario_list import ScenarioList
 from aftdeck.station.session.session import Session
 from tests.station.pages import WAIT_S, Page, Station, scenario, served
 from tests.station.test_recording import ended, files
@@ -50,7 +50,7 @@ def own_file() -> Scenario:
 
 
 def test_every_built_in_scenario_can_be_chosen_by_what_its_file_says() -> None:
-    choice = Choice(scenario())
+    choice = ScenarioList(scenario())
     assert {info.name for info in choice.scenarios} == set(built_in())
     assert choice.scenarios[choice.flown].name == "first-flight"
     assert not any(info.given for info in choice.scenarios)
@@ -60,7 +60,7 @@ def test_every_built_in_scenario_can_be_chosen_by_what_its_file_says() -> None:
 
 
 def test_a_file_of_the_users_own_stays_in_the_list_beside_its_namesake() -> None:
-    choice = Choice(own_file())
+    choice = ScenarioList(own_file())
     assert [info.title for info in choice.scenarios if info.name == "first-flight"] == ["My own flight", "First flight"]
     assert choice.flown == 0 and choice.scenarios[0].given
     assert choice.load(0).title == "My own flight"
@@ -115,7 +115,7 @@ def test_each_scenario_has_a_recording_of_its_own_and_the_first_is_kept(tmp_path
         page.wait_for(Frame, lambda frame: frame.tick > 20)
         with station.page():
             page.flown(page.push((1.0, 0.0, 0.0)))
-        page.say(from_page.FlyScenario(page.next_seq(), number(Choice(scenario()).message(), OTHER)))
+        page.say(from_page.FlyScenario(page.next_seq(), number(ScenarioList(scenario()).message(), OTHER)))
         page.wait_for(Welcome)
         page.wait_for(Frame, lambda frame: frame.tick > 20 and frame.display.recording_s is not None)
     first, second = files(tmp_path)
@@ -136,10 +136,10 @@ def test_what_cannot_be_flown_is_refused_and_the_flight_steps(
         page.say(from_page.FlyScenario(page.next_seq(), told.flown))
         assert page.refusal() == "'First flight' is flown already: Restart puts it back"
 
-        def broken(self: Choice, chosen: int) -> Scenario:
+        def broken(self: ScenarioList, chosen: int) -> Scenario:
             raise ScenarioError(["singular.toml: is gone"])
 
-        monkeypatch.setattr(Choice, "load", broken)
+        monkeypatch.setattr(ScenarioList, "load", broken)
         page.say(from_page.FlyScenario(page.next_seq(), number(told, OTHER)))
         assert page.refusal() == "'Three singularities' cannot be flown: singular.toml: is gone"
         after = page.wait_for(to_page.Scenarios, lambda told: told.coming is None)

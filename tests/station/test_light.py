@@ -14,7 +14,7 @@ from aftdeck.recording.records import LightRecord
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.light import Lighting, LockedExposure
 from aftdeck.station.messages import from_page
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from tests.station.flying import comes, flying, shown, steps
 from tests.station.pages import scenario, text_of
 
@@ -84,7 +84,7 @@ def test_a_recording_keeps_the_light_as_it_changes_and_a_replay_has_it_again(tmp
     ]
     assert [(lock.camera, lock.stops) for lock in records[1].locked] == [("B", 1.25)]
     assert verify(path).equal, "light is no part of what is flown"
-    with Reel(path) as reel:
+    with PlaybackStore(path) as reel:
         moments = itertools.chain.from_iterable(reel.block(n) for n in range(reel.blocks))
         lights = {moment.frame.tick: moment.frame.display.lighting for moment in moments}
     assert {tick for tick, light in lights.items() if light == NIGHT} == set(range(first, last))

@@ -15,7 +15,7 @@ from aftdeck.station import built as station_built
 from aftdeck.station.messages.playback import Block, PlaybackIndex
 from aftdeck.station.playback import one_file
 from aftdeck.station.playback.one_file import write_html
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
 from tests.station.recordings import recorded
 
@@ -69,7 +69,7 @@ def test_all_frames_are_there_to_a_tenth_of_a_millimetre(recording: Path, tmp_pa
     write_html(recording, tmp_path / "out.html")
     index, moments = parts((tmp_path / "out.html").read_text(encoding="utf-8"))
     assert index.stride == 1
-    with Reel(recording) as reel:
+    with PlaybackStore(recording) as reel:
         for shown, exact in zip(moments, reel.moments(1), strict=True):
             assert shown.frame.tick == exact.frame.tick
             assert shown.frame.display.poses == pytest.approx(exact.frame.display.poses, abs=0.51e-4)
@@ -90,7 +90,7 @@ def test_a_long_run_is_thinned_to_fit_and_its_lanes_strips_and_log_are_not(
     assert [moment.frame.tick for moment in moments] == list(range(1, 601, index.stride))
     whole, _ = parts((tmp_path / "whole.html").read_text(encoding="utf-8"))
     assert msgspec.structs.replace(index, stride=1) == whole
-    with Reel(recording) as reel:
+    with PlaybackStore(recording) as reel:
         assert index.events == reel.index(CHECKING).events
 
 

@@ -18,7 +18,7 @@ from aftdeck.recording.sink import Sink
 from aftdeck.recording.trial import Trial
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
 from tests.station.flying import Flown, comes, flying, shown, steps
 from tests.station.pages import STILL, WAIT_S, scenario, until
@@ -174,7 +174,7 @@ def test_the_replay_names_the_controllers_and_how_they_were_set(tmp_path: Path) 
         session.controllers_in_use(from_page.Controllers(0, (KEYS, PAD)))
         steps(session, 5)
     (path,) = files(tmp_path)
-    with Reel(path) as reel:
+    with PlaybackStore(path) as reel:
         (measure,) = [m for m in reel.index(CHECKING).measures if m.name == "Controllers"]
     assert measure.text == "keyboard, pad"
     assert "Test pad, deadband 8 %, expo 0.3" in measure.about

@@ -18,7 +18,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.messages.playback import BLOCK, PlaybackIndex
 from aftdeck.station.playback import reel as station_reel
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
 from tests.station.pages import scenario
 from tests.station.recordings import NOTE, recorded
@@ -34,14 +34,14 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Flown:
 
 @pytest.fixture(scope="module")
 def index(flown: Flown) -> PlaybackIndex:
-    with Reel(flown[0]) as reel:
+    with PlaybackStore(flown[0]) as reel:
         return reel.index(CHECKING)
 
 
 def test_blocks_hold_every_frame_once_as_the_station_would_show_it(flown: Flown) -> None:
     path, frames = flown
     displays = Displays(scenario())
-    with Reel(path) as reel:
+    with PlaybackStore(path) as reel:
         blocks = [reel.block(number) for number in range(reel.blocks)]
     assert [len(block) for block in blocks] == [BLOCK, BLOCK, len(frames) - 2 * BLOCK]
     for moment, frame in zip((moment for block in blocks for moment in block), frames, strict=True):
@@ -52,7 +52,7 @@ def test_blocks_hold_every_frame_once_as_the_station_would_show_it(flown: Flown)
 
 
 def test_a_block_that_is_none_is_an_index_error(flown: Flown) -> None:
-    with Reel(flown[0]) as reel:
+    with PlaybackStore(flown[0]) as reel:
         for number in (-1, 3):
             with pytest.raises(IndexError, match=f"blocks are numbered 0 to 2, got {number}"):
                 reel.block(number)
@@ -60,7 +60,7 @@ def test_a_block_that_is_none_is_an_index_error(flown: Flown) -> None:
 
 @pytest.mark.parametrize("stride", [1, 7, 256, 600])
 def test_a_thinned_reel_keeps_the_first_moment_and_every_so_manieth(flown: Flown, stride: int) -> None:
-    with Reel(flown[0]) as reel:
+    with PlaybackStore(flown[0]) as reel:
         ticks = [moment.frame.tick for moment in reel.moments(stride)]
     assert ticks == list(range(1, 601, stride))
 
@@ -78,13 +78,13 @@ def test_lanes_cover_the_run_without_gaps(index: PlaybackIndex) -> None:
 
 def test_a_flight_by_hand_alone_has_no_phases(tmp_path: Path) -> None:
     recorded(tmp_path / "hand.mcap", 4, script=False)
-    with Reel(tmp_path / "hand.mcap") as reel:
+    with PlaybackStore(tmp_path / "hand.mcap") as reel:
         names = [lane.name for lane in reel.index(CHECKING).lanes]
     assert names == ["Mode", "MON 1", "MON 2", "Alarms", "Limits"]
 
 
 def test_every_curve_has_a_value_in_every_moment_and_strips_their_extremes(flown: Flown, index: PlaybackIndex) -> None:
-    with Reel(flown[0]) as reel:
+    with PlaybackStore(flown[0]) as reel:
         columns = list(zip(*(moment.values for moment in reel.moments(1)), strict=True))
     curves = [(strip, curve) for strip in index.strips for curve in strip.curves]
     assert len(curves) == len(columns)
@@ -100,7 +100,7 @@ def test_every_curve_has_a_value_in_every_moment_and_strips_their_extremes(flown
 
 def test_strips_tell_of_the_same_frames_as_the_read_outs(flown: Flown, index: PlaybackIndex) -> None:
     path, frames = flown
-    with Reel(path) as reel:
+    with PlaybackStore(path) as reel:
         moment = reel.block(1)[100]
     frame = frames[BLOCK + 100]
     names = [strip.name for strip in index.strips for _ in strip.curves]
@@ -142,7 +142,7 @@ def test_a_cut_recording_plays_as_far_as_it_goes(tmp_path: Path, monkeypatch: py
     recorded(path)
     data = path.read_bytes()
     path.write_bytes(data[: data.rfind(b"zstd", 0, len(data) * 3 // 4) + 20])  # within a chunk
-    with Reel(path) as reel:
+    with PlaybackStore(path) as reel:
         index = reel.index(CHECKING)
         assert 0 < index.ticks < 600
         assert index.ended == ""
@@ -154,7 +154,7 @@ def test_a_cut_recording_plays_as_far_as_it_goes(tmp_path: Path, monkeypatch: py
 def test_a_recording_without_a_step_is_told(tmp_path: Path) -> None:
     recorded(tmp_path / "empty.mcap", 0)
     with pytest.raises(RecordingError, match=r"empty\.mcap: ends before its first step; there is nothing in it to"):
-        Reel(tmp_path / "empty.mcap")
+        PlaybackStore(tmp_path / "empty.mcap")
 
 
 def test_a_full_disk_is_told(flown: Flown, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -169,4 +169,4 @@ def test_a_full_disk_is_told(flown: Flown, monkeypatch: pytest.MonkeyPatch) -> N
 
     monkeypatch.setattr(station_reel, "TemporaryFile", lambda **_: Full())
     with pytest.raises(RecordingError, match=r"frames cannot be kept in .*: No space left on device"):
-        Reel(flown[0])
+        PlaybackStore(flown[0])

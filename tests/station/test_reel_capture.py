@@ -14,7 +14,7 @@ from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages.curves import Strip
 from aftdeck.station.messages.playback import Measure, PlaybackIndex
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING
 from aftdeck.worksite.watch.alarm import CLEAR, level_of
 from tests.station.pages import scenario
@@ -27,7 +27,7 @@ Flown = tuple[list[Frame], PlaybackIndex]
 
 
 def read(path: Path) -> PlaybackIndex:
-    with Reel(path) as reel:
+    with PlaybackStore(path) as reel:
         return reel.index(CHECKING)
 
 

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 import aftdeck
-from aftdeck.simulation.parts.carried import carrying
+from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.steering.entry import limited_rates
 from aftdeck.steering.layout import RATE
 
 
 def test_limited_rates_give_the_twist_or_keep_its_direction_at_a_joints_limit() -> None:
     scenario = aftdeck.load_scenario("first-flight")
-    rules = carrying(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
+    rules = steering_setup(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
     limits, random = np.array(rules[RATE : RATE + 6]), np.random.default_rng(3)
     cut = 0
     for size in (1e-3, 1.0) * 50:

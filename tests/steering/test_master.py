@@ -8,15 +8,15 @@ import pytest
 import aftdeck
 from aftdeck.arrays import Array
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.parts.carried import carrying
+from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.steering.layout import (
     ARRIVED,
     CAUSE,
     COMMAND,
-    CULPRIT,
     DT,
     HIGH,
     LAW,
+    LIMITING_JOINT,
     LOW,
     MASTER,
     MASTER_LAW,
@@ -45,7 +45,7 @@ class Follower:
     """An arm that follows exactly what MASTER commands, step by step."""
 
     def __init__(self, made: Scenario, angles: Array, rate: str = "coarse") -> None:
-        self.rules = carrying(made, made.payload).rules["MASTER", "coarse" if rate == "coarse" else "vernier", 10]
+        self.rules = steering_setup(made, made.payload).rules["MASTER", "coarse" if rate == "coarse" else "vernier", 10]
         self.command, self.state, self.report = np.zeros(COMMAND), np.zeros(STATE), np.zeros(REPORT)
         self.command[LAW] = MASTER_LAW
         self.state[:6] = angles
@@ -131,7 +131,7 @@ def test_a_master_beyond_a_stop_leads_the_joint_up_to_it_and_the_report_names_it
     for _ in range(int(arm.longest / 0.02)):
         _, angles = arm.step(master)
     assert angles[joint] == pytest.approx(soft[joint, 1 if way > 0 else 0], abs=1e-9)
-    assert (int(arm.report[CAUSE]), int(arm.report[CULPRIT])) == (BY_STOP, joint)
+    assert (int(arm.report[CAUSE]), int(arm.report[LIMITING_JOINT])) == (BY_STOP, joint)
 
 
 def test_joints_past_their_stops_stand_until_the_master_leads_them_back() -> None:
@@ -174,6 +174,6 @@ def test_too_fast_towards_a_soft_stop_from_single_the_joint_is_held_at_it() -> N
 def test_with_a_payload_the_master_is_followed_more_slowly() -> None:
     made = scenario(BAY, 'mode = "MASTER"\n[payload]\nmass = "32000 lb"')
     empty = scenario(BAY, 'mode = "MASTER"')
-    plain, loaded = (carrying(s, s.payload).rules["MASTER", "coarse", 10] for s in (empty, made))
+    plain, loaded = (steering_setup(s, s.payload).rules["MASTER", "coarse", 10] for s in (empty, made))
     assert loaded[RATE : RATE + 6] == pytest.approx(plain[RATE : RATE + 6] * 0.115 / 2.0)
     assert kinds(aftdeck.Simulation(made).step(aftdeck.Inputs())) == set()

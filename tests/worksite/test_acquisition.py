@@ -27,7 +27,7 @@ from aftdeck.worksite.capture.acquisition import (
     acquisition,
     grasp,
 )
-from aftdeck.worksite.conditions import all_hold, failing, refusal
+from aftdeck.worksite.conditions import all_hold, failing, rejection_text
 from tests.bodies.shapes import rotations, skewed
 from tests.worksite.grips import BAR, TOLERANCES, bar, found_at, over, over_face
 
@@ -210,7 +210,7 @@ def test_beyond_their_distance_the_fingers_are_not_tested() -> None:
 
 def test_a_refusal_says_what_is_wrong() -> None:
     _, found = found_at([*over(height=2.5 / 12.0, along=1.3, spacing=1.6), bar()])
-    assert refusal("CAPTURE", acquisition(found, TOLERANCES, "ft-in")) == (
+    assert rejection_text("CAPTURE", acquisition(found, TOLERANCES, "ft-in")) == (
         "CAPTURE refused: fingers 19.2 in apart, at most 9.6 in allowed; palm 2.5 in above the bar, 0 to 0.75 in "
         "allowed; palm 15.6 in from the bar's middle to its rear, at most 12 in allowed"
     )

@@ -12,7 +12,7 @@ from aftdeck.frames import Pose
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.kinematics.observe import OBSERVED, observe, observe_near
 from aftdeck.simulation.constants.flight import FAST, WATCHED
-from aftdeck.simulation.payloads.alignment import counted
+from aftdeck.simulation.payloads.alignment import alarm_pairs
 from aftdeck.worksite.watch.contact_update import nearest_place, place_everything
 from tests.simulation.flights import anything
 
@@ -60,27 +60,27 @@ def test_one_call_does_what_its_parts_do_one_by_one(name: str) -> None:
     state = sim._state
     period = sim.scenario.control_period
     for inputs in anything(np.random.default_rng(11), 60):
-        things = state.site
-        counts = counted(
+        worksite = state.worksite
+        counts = alarm_pairs(
             sim._flight,
-            things.held,
-            things.watch,
-            things.frames,
-            things.lined_up,
-            things.nearest,
-            things.contacts,
-            things.permitted,
+            worksite.held,
+            worksite.watch,
+            worksite.frames,
+            worksite.aligned_with,
+            worksite.nearest,
+            worksite.contacts,
+            worksite.permitted,
         )[0]
-        watch, count = state.site.watch.copied(), state.site.contacts.count.copy()
+        watch, count = state.worksite.watch.copied(), state.worksite.contacts.count.copy()
         sim.advance(inputs)
-        if not np.array_equal(watch.active, things.watch.active):
+        if not np.array_equal(watch.active, worksite.watch.active):
             continue  # something was caught or let go at the end of the step
-        watch.look_near(things.before, things.frames, period, counts, max(WATCHED, FAST * period))
-        assert np.array_equal(watch.found, things.watch.found)
-        assert np.array_equal(watch.placed, things.watch.placed)
+        watch.look_near(worksite.before, worksite.frames, period, counts, max(WATCHED, FAST * period))
+        assert np.array_equal(watch.found, worksite.watch.found)
+        assert np.array_equal(watch.placed, worksite.watch.placed)
         touching = watch.found[:, 0] <= 1e-9
-        assert np.array_equal(things.contacts.count, np.where(touching, np.minimum(count + 1, 2), 0))
-        assert things.nearest == watch.nearest(counts)
+        assert np.array_equal(worksite.contacts.count, np.where(touching, np.minimum(count + 1, 2), 0))
+        assert worksite.nearest == watch.nearest(counts)
 
 
 def test_the_nearest_place_is_that_of_least_distance_if_it_is_near() -> None:

@@ -14,8 +14,8 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
 from aftdeck.units import INCH
-from aftdeck.worksite.conditions import Condition, all_hold, failing, refusal
-from aftdeck.worksite.log_line import Said
+from aftdeck.worksite.conditions import Condition, all_hold, failing, rejection_text
+from aftdeck.worksite.log_line import LogLine
 from aftdeck.worksite.seats.berthing import (
     Guide,
     SeatTolerances,
@@ -100,7 +100,7 @@ def test_ready_is_every_trunnion_on_its_seat_and_the_turn_within_a_degree(
 def test_a_switch_that_shows_nothing_keeps_the_latches_open() -> None:
     trunnions, left = payload()
     found = ready_to_latch(trunnions, left, GUIDES, TOLERANCES, "SI", frozenset({"keel B"}))
-    assert refusal("LATCH", found) == "LATCH refused: keel latch: switch B shows nothing"
+    assert rejection_text("LATCH", found) == "LATCH refused: keel latch: switch B shows nothing"
     assert switches(trunnions, GUIDES, TOLERANCES, frozenset({"keel B"})) == ((True, True), (True, True), (True, False))
 
 
@@ -117,8 +117,8 @@ def test_a_payload_let_go_near_its_stowed_pose_is_retained(distance: float, angl
 
 def fly(
     latches: Latches, command: str, seconds: float, dt: float = 0.02, conditions: tuple[Condition, ...] = ()
-) -> tuple[Latches, list[Said]]:
-    said: list[Said] = []
+) -> tuple[Latches, list[LogLine]]:
+    said: list[LogLine] = []
     for k in range(round(seconds / dt)):
         latches, more = advance(latches, 30.0, command if k == 0 else "", dt, conditions)  # type: ignore[arg-type]
         said += more
@@ -130,7 +130,7 @@ def test_latching_takes_its_time_whatever_the_step(dt: float) -> None:
     latches, seated = Latches(), ready()
     for command, kind in (("latch", "latched"), ("unlatch", "unlatched")):
         elapsed = 0.0
-        said: tuple[Said, ...] = ()
+        said: tuple[LogLine, ...] = ()
         pressed = command
         while not said:
             latches, said = advance(latches, 30.0, pressed, dt, seated)  # type: ignore[arg-type]

@@ -9,7 +9,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from aftdeck.units import FOOT, INCH
-from aftdeck.worksite.conditions import Units, all_hold, failing, refusal, shown, tightest, within
+from aftdeck.worksite.conditions import Units, all_hold, failing, quantity_text, rejection_text, tightest, within
 
 HEIGHT = ("palm {} above the bar", "palm {} below the bar")
 NUMBERS = st.floats(-50.0, 50.0)
@@ -72,13 +72,13 @@ def test_a_refusal_lists_what_fails_and_only_that() -> None:
     conditions = [
         within("palm height", x, 0.0, 0.75 * INCH, "m", "ft-in", HEIGHT) for x in (2.5 * INCH, 0.01, -1.0 * INCH)
     ]
-    assert refusal("CAPTURE", conditions) == (
+    assert rejection_text("CAPTURE", conditions) == (
         "CAPTURE refused: palm 2.5 in above the bar, 0 to 0.75 in allowed; "
         "palm 1 in below the bar, 0 to 0.75 in allowed"
     )
     assert failing(conditions) == (conditions[0], conditions[2])
     assert not all_hold(conditions)
-    assert refusal("CAPTURE", conditions[1:2]) == ""
+    assert rejection_text("CAPTURE", conditions[1:2]) == ""
     assert all_hold(conditions[1:2])
 
 
@@ -94,6 +94,6 @@ def test_the_tightest_is_found_among_those_of_one_unit() -> None:
 @settings(deadline=None)
 @given(st.floats(1e-3, 1e4))
 def test_what_is_shown_is_right_to_its_figures_and_has_no_exponent(value: float) -> None:
-    text = shown(value, "", "SI")
+    text = quantity_text(value, "", "SI")
     assert "e" not in text
     assert float(text) == pytest.approx(value, rel=5.1e-3, abs=5.1e-4)

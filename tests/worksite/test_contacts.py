@@ -38,7 +38,7 @@ def frame(*colliding: int, clearance: float = -0.02) -> np.ndarray:
 def after(watched: Contacts, mode: int, *frames: np.ndarray) -> tuple[bool, bool]:
     """Arm and finger inhibited, after these frames."""
     for found in frames:
-        watched.look(found, PRONG, mode)
+        watched.update(found, PRONG, mode)
     return watched.inhibit.arm, watched.inhibit.finger
 
 
@@ -91,7 +91,7 @@ def test_motion_is_inhibited_just_where_a_detrimental_contact_of_the_arm_is_in_t
     for k, now in enumerate(frames):
         if k == cut:
             watched = decoded(contacts(holding=holding), encoded(watched), lambda _: Cache())
-        inhibit = watched.look(frame(*np.flatnonzero(now).tolist()), PRONG, mode)
+        inhibit = watched.update(frame(*np.flatnonzero(now).tolist()), PRONG, mode)
         both = [a and b for a, b in zip(before, now, strict=True)]
         palm = both[PALM_BAR] or both[PALM_CAN] or (holding and both[CAN_WALL])
         prong = both[PRONG_CAN]
@@ -104,7 +104,7 @@ def test_motion_is_inhibited_just_where_a_detrimental_contact_of_the_arm_is_in_t
 def test_a_change_is_told_in_the_frame_in_which_it_is() -> None:
     watched = contacts()
     frames = [frame(), frame(PALM_CAN), frame(PALM_CAN), frame(PALM_CAN), frame(), frame()]
-    assert [watched.look(found, PRONG, 1).changed for found in frames] == [False, True, True, False, True, False]
+    assert [watched.update(found, PRONG, 1).changed for found in frames] == [False, True, True, False, True, False]
 
 
 def test_contacts_are_told_deepest_first_with_what_they_are() -> None:

@@ -12,8 +12,16 @@ from hypothesis import strategies as st
 from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.solid import Solid
-from aftdeck.worksite.watch.clearance_monitor import Watch
-from aftdeck.worksite.watch.contact_motion import BESIDES, DEEPER, LEAST_RELIEF, RELIEF, relieves, ways_out, worsened
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
+from aftdeck.worksite.watch.contact_motion import (
+    BESIDES,
+    DEEPER,
+    LEAST_RELIEF,
+    RELIEF,
+    relieves,
+    ways_out,
+    worst_new_contact,
+)
 from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import Layout, layout_of
 from tests.bodies.shapes import boxes, skewed
@@ -74,16 +82,16 @@ def lost_at_most(before: Array, after: Array, gained: float) -> float:
 def test_only_motion_that_relieves_every_contact_and_makes_none_is_let_through(seed: int, pace: float) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
-    watch, now = Watch(layout), poses(rng)
+    watch, now = ClearanceMonitor(layout), poses(rng)
     counts = layout.carried(CHAIN)
-    watch.look(now, now, PERIOD)
+    watch.update(now, now, PERIOD)
     found = watch.found.copy()
     here = clearances(made, layout, now)
     for _ in range(3):
         then = arm_moved(rng, now, pace)
         spoilt = np.where(counts == 1, spoils(here, clearances(made, layout, then)), -np.inf)
         if abs(spoilt.max() - 1e-12) > 5e-13:
-            which = worsened(watch, counts, then)
+            which = worst_new_contact(watch, counts, then)
             assert (which < 0) == (spoilt.max() < 1e-12)
             if which >= 0:
                 assert spoilt[which] == pytest.approx(spoilt.max(), abs=2e-12)
@@ -99,16 +107,16 @@ def test_only_motion_that_relieves_every_contact_and_makes_none_is_let_through(s
 def test_an_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
-    watch, now = Watch(layout), poses(rng)
+    watch, now = ClearanceMonitor(layout), poses(rng)
     counts = layout.carried(CHAIN)
-    watch.look(now, now, PERIOD)
+    watch.update(now, now, PERIOD)
     start = before = clearances(made, layout, now)
     assume((before[counts == 1] <= CONTACT).any())
     lost = 0.0
     for _ in range(25):
         then = arm_moved(rng, now, rng.choice([0.01, 1.0]))
         if relieves(watch, counts, counts, then):
-            watch.look(now, then, PERIOD)
+            watch.update(now, then, PERIOD)
             after = clearances(made, layout, then)
             most = lost_at_most(before, after, won(made, layout, counts, now, then)[0])
             assert (after[before <= CONTACT] >= before[before <= CONTACT] - 2.0 * most).all()
@@ -139,8 +147,8 @@ def test_some_direction_always_frees_a_single_contact(seed: int, box: bool) -> N
     layout = layout_of(("orbiter", "hand"), made, [("palm", "wall")])
     now = poses(rng)[[0, 2]]
     now[1, :3] = 0.2 * rng.normal(size=3) * np.ptp(shapes, axis=1).min()
-    watch, counts = Watch(layout), np.ones(1, np.uint8)
-    watch.look(now, now, PERIOD)
+    watch, counts = ClearanceMonitor(layout), np.ones(1, np.uint8)
+    watch.update(now, now, PERIOD)
     assume(watch.found[0, CLEARANCE] <= CONTACT)
     step = 0.02
     for _ in range(400):
@@ -153,7 +161,7 @@ def test_some_direction_always_frees_a_single_contact(seed: int, box: bool) -> N
         # one of three square axes is within 55 degrees of any way out
         assert gains[best] >= step / sqrt(3.0) - 1e-12
         assert relieves(watch, counts, counts, ways[best])
-        watch.look(now, ways[best], PERIOD)
+        watch.update(now, ways[best], PERIOD)
         now = ways[best]
         assert watch.found[0, CLEARANCE] - clearance == pytest.approx(gains[best], abs=1e-12)
     assert watch.found[0, CLEARANCE] > CONTACT
@@ -168,15 +176,15 @@ def test_a_way_out_of_one_contact_into_another_is_none() -> None:
         Solid("roof", "orbiter", cube * [9.0, 9.0, 1.0] - [0.0, 0.0, 1.01]),
     ]
     layout = layout_of(("orbiter", "hand"), made, [("palm", "floor"), ("palm", "roof")])
-    watch, counts = Watch(layout), np.ones(2, np.uint8)
+    watch, counts = ClearanceMonitor(layout), np.ones(2, np.uint8)
     now = np.zeros((2, 12))
     now[:, 3:] = np.eye(3).ravel()
-    watch.look(now, now, PERIOD)
+    watch.update(now, now, PERIOD)
     up = now.copy()
     for height, free in ((0.005, True), (0.0101, False)):
         up[1, 2] = -height
         assert relieves(watch, counts, counts, up) is free
         assert (ways_out(watch, counts, counts, up[None])[0] > 0.0) == free
     watch.active[1] = 0
-    watch.look(now, now, PERIOD)
+    watch.update(now, now, PERIOD)
     assert relieves(watch, counts, counts, up)

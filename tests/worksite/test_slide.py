@@ -13,7 +13,7 @@ from aftdeck.bodies.solid import Solid
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.worksite.sliding.projection import SLACK, slide
 from aftdeck.worksite.sliding.touches import touches
-from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import layout_of
 from tests.bodies.shapes import CUBE, rotations
@@ -109,13 +109,13 @@ def test_a_payload_pushed_about_in_a_trough_slides_and_stays_out_of_its_walls(se
     ]
     pairs = [("payload", part) for part in ("wall port", "wall starboard", "floor")]
     layout = layout_of(("orbiter", "can"), made, pairs)
-    watch, counts, period = Watch(layout), np.ones(3, np.uint8), 0.02
+    watch, counts, period = ClearanceMonitor(layout), np.ones(3, np.uint8), 0.02
     now = np.zeros((2, 12))
     now[:, 3:] = np.eye(3).ravel()
     wanted = rng.normal(size=6) * np.repeat([0.05 * turning, 0.5], 3)
     tip = np.array([0.0, 0.0, -1.0])
     along = 0.0
-    watch.look(now, now, period)
+    watch.update(now, now, period)
     for _ in range(120):
         rows = touches(watch, counts, "can", 0.1, period, 0.02)
         grip = now[1, :3] + now[1, 3:].reshape(3, 3) @ tip
@@ -125,7 +125,7 @@ def test_a_payload_pushed_about_in_a_trough_slides_and_stays_out_of_its_walls(se
         carried[1, 3:] -= np.cross(twist[:3], grip)
         before, now = now, moved(now, carried, period)
         along += twist[3] * period
-        watch.look(before, now, period)
+        watch.update(before, now, period)
         # a turn by 0.005 rad a step takes a corner 4 m away beside its straight way by 5e-5 m
         assert watch.found[:, CLEARANCE].min() > (-1e-4 if turning else -1e-9)
     assert clearances(made, layout, now) == pytest.approx(watch.found[:, CLEARANCE], abs=1e-12)
@@ -142,16 +142,16 @@ def test_a_payload_pushed_about_in_a_trough_slides_and_stays_out_of_its_walls(se
 def test_the_touches_of_a_payload_are_its_corners_at_the_wall() -> None:
     made = [Solid("payload", "can", CUBE), Solid("wall", "orbiter", CUBE * [9.0, 1.0, 9.0])]
     layout = layout_of(("orbiter", "can"), made, [("payload", "wall")])
-    watch, counts = Watch(layout), np.ones(1, np.uint8)
+    watch, counts = ClearanceMonitor(layout), np.ones(1, np.uint8)
     now = np.zeros((2, 12))
     now[:, 3:] = np.eye(3).ravel()
     now[1, 1] = 1.01
-    watch.look(now, now, 0.1)
+    watch.update(now, now, 0.1)
     rows = touches(watch, counts, "can", 0.02, 0.1, 0.05)
     assert rows[:, 3:6] == pytest.approx(np.tile([0.0, 1.0, 0.0], (5, 1)), abs=1e-12)
     assert rows[:, 6] == pytest.approx(np.full(5, -0.1))
     assert {tuple(row) for row in rows[1:, :3].round(9)} == {(x, 0.51, z) for x in (-0.5, 0.5) for z in (-0.5, 0.5)}
     assert len(touches(watch, counts, "can", 0.005, 0.1, 0.05)) == 0
     now[1, 1] = 0.99
-    watch.look(now, now, 0.1)
+    watch.update(now, now, 0.1)
     assert touches(watch, counts, "can", 0.02, 0.1, 0.05)[:, 6] == pytest.approx(np.full(5, 0.05))

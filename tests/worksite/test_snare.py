@@ -18,7 +18,7 @@ from aftdeck.units import INCH
 from aftdeck.worksite.capture.grapple import CaptureEnvelope, in_envelope
 from aftdeck.worksite.capture.snare import Flags, Snare, SnareCommand, SnareTimes, advance, flags
 from aftdeck.worksite.conditions import Condition, all_hold, failing
-from aftdeck.worksite.log_line import Said
+from aftdeck.worksite.log_line import LogLine
 from aftdeck.worksite.seats.draw_in import remaining
 
 ENVELOPE = CaptureEnvelope(4.0 * INCH, -0.001, 4.0 * INCH, radians(10.0), radians(10.0), radians(10.0))
@@ -40,9 +40,9 @@ def fly(
     seconds: float,
     dt: float = 0.02,
     conditions: tuple[Condition, ...] = (),
-) -> tuple[Snare, list[Said]]:
+) -> tuple[Snare, list[LogLine]]:
     """Steps of dt, the trigger pressed in the first."""
-    said: list[Said] = []
+    said: list[LogLine] = []
     for k in range(round(seconds / dt)):
         pressed = command if k == 0 else msgspec.structs.replace(command, trigger="")
         snare, more = advance(snare, TIMES, pressed, dt, conditions)

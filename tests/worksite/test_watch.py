@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.pair import CONTACT
-from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, NORMAL, POINT_A, POINT_B, SPEED, WHICH
 from tests.worksite.scenes import clearances, moved, placed, poses, scene
 
@@ -29,11 +29,11 @@ def drift(rng: np.random.Generator, pace: float = 1.0) -> Array:
 def test_a_group_is_as_far_apart_as_its_nearest_solids(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
-    watch, before, twists = Watch(layout), poses(rng), drift(rng, 5.0)
+    watch, before, twists = ClearanceMonitor(layout), poses(rng), drift(rng, 5.0)
     for step in range(4):
         # in between, a jump, after which nothing that is remembered is of use
         now = poses(rng, 1.0) if step == 2 else moved(before, twists, PERIOD)
-        watch.look(before, now, PERIOD)
+        watch.update(before, now, PERIOD)
         expected = clearances(made, layout, now)
         assert watch.found[:, CLEARANCE] == pytest.approx(expected, abs=1e-12)
         for g, row in enumerate(watch.found):
@@ -57,8 +57,8 @@ def test_the_closing_speed_is_how_fast_the_clearance_falls(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
     now, twists, instant = poses(rng), drift(rng), 1e-5
-    watch = Watch(layout)
-    watch.look(moved(now, twists, -PERIOD), now, PERIOD)
+    watch = ClearanceMonitor(layout)
+    watch.update(moved(now, twists, -PERIOD), now, PERIOD)
     here = clearances(made, layout, now)
     fall = (here - clearances(made, layout, moved(now, twists, instant))) / instant
     fell = (clearances(made, layout, moved(now, twists, -instant)) - here) / instant
@@ -71,8 +71,8 @@ def test_the_closing_speed_is_how_fast_the_clearance_falls(seed: int) -> None:
 def test_bodies_that_neither_moves_do_not_close() -> None:
     rng = np.random.default_rng(5)
     _, layout = scene(rng)
-    watch, now = Watch(layout), poses(rng)
-    watch.look(now, now, PERIOD)
+    watch, now = ClearanceMonitor(layout), poses(rng)
+    watch.update(now, now, PERIOD)
     assert not watch.found[:, SPEED].any()
 
 
@@ -81,17 +81,17 @@ def test_bodies_that_neither_moves_do_not_close() -> None:
 def test_a_group_that_does_not_count_is_not_looked_at_and_changes_no_other(seed: int) -> None:
     rng = np.random.default_rng(seed)
     _, layout = scene(rng)
-    whole, part, now, twists = Watch(layout), Watch(layout), poses(rng), drift(rng)
+    whole, part, now, twists = ClearanceMonitor(layout), ClearanceMonitor(layout), poses(rng), drift(rng)
     part.active[:] = rng.integers(0, 2, len(part.active))
     for _ in range(3):
         before, now = now, moved(now, twists, PERIOD)
-        whole.look(before, now, PERIOD)
-        part.look(before, now, PERIOD)
+        whole.update(before, now, PERIOD)
+        part.update(before, now, PERIOD)
     counts = part.active == 1
     assert np.array_equal(part.found[counts], whole.found[counts])
     assert np.isinf(part.found[~counts, CLEARANCE]).all()
     part.active[:] = 1
-    part.look(before, now, PERIOD)
+    part.update(before, now, PERIOD)
     assert part.found[:, CLEARANCE] == pytest.approx(whole.found[:, CLEARANCE], abs=1e-12)
     assert part.found[:, SPEED] == pytest.approx(whole.found[:, SPEED], abs=1e-6)
 
@@ -101,7 +101,7 @@ def test_a_group_that_does_not_count_is_not_looked_at_and_changes_no_other(seed:
 def test_a_watch_that_remembers_nothing_finds_the_same_to_the_last_digit(seed: int, within: float) -> None:
     rng = np.random.default_rng(seed)
     _, layout = scene(rng)
-    watch, forgetful, now = Watch(layout), Watch(layout), poses(rng)
+    watch, forgetful, now = ClearanceMonitor(layout), ClearanceMonitor(layout), poses(rng)
     twists, active = drift(rng, 3.0), rng.integers(0, 8, len(watch.active)) > 0
     counts = rng.integers(0, 2, len(watch.active)).astype(np.uint8)
     for step in range(8):
@@ -118,13 +118,13 @@ def test_a_watch_that_remembers_nothing_finds_the_same_to_the_last_digit(seed: i
 def test_the_nearest_group_is_the_nearest_of_those_asked_for() -> None:
     rng = np.random.default_rng(6)
     _, layout = scene(rng)
-    watch, now = Watch(layout), poses(rng)
-    watch.look(now, now, PERIOD)
+    watch, now = ClearanceMonitor(layout), poses(rng)
+    watch.update(now, now, PERIOD)
     counts = np.ones(len(layout.groups), np.uint8)
     for expected in np.argsort(watch.found[:, CLEARANCE]):
         assert watch.nearest(counts) == expected
         counts[expected] = 0
     assert watch.nearest(counts) == -1
     watch.active[:] = 0
-    watch.look(now, now, PERIOD)
+    watch.update(now, now, PERIOD)
     assert watch.nearest(counts + 1) == -1

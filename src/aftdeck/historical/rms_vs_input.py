@@ -77,7 +77,7 @@ def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
         camera=motion,
         zoom=_level(camera.zoom),
         station=cast("Station", state.panel.camera) if state.panel.camera in STATION else NOT_CONNECTED,
-        prong=_WAYS[state.site.switch],
+        prong=_WAYS[state.worksite.switch],
     )
     unsaid += ["master"] if held != angles or any(angle / FULL_SCALE * FULL_SCALE != angle for angle in held) else []
     unsaid += ["telescope"] if flown.telescope != said.telescope else []
@@ -120,7 +120,7 @@ def inputs_from(said: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> 
 
 def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
     """Return the names of commands that act in this step, given now or earlier, and have no channel."""
-    panel, things, scenario = state.panel, state.site, flight.scenario
+    panel, worksite, scenario = state.panel, state.worksite, flight.scenario
     asked_else = flown.mode not in (None, MODE)
     again = flown.effector not in (None, "stop") and state.script.attached > 0
     standing = {
@@ -134,8 +134,8 @@ def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
         "brakes": panel.brakes,
         "safing": panel.safing,
         "effector": again,  # payload fixed in the grasp: each press is rejected, and a channel shows no presses
-        "effector_mode": things.effector_mode != "auto",
-        "rigid": things.rigid != "off",
+        "effector_mode": worksite.effector_mode != "auto",
+        "rigid": worksite.rigid != "off",
     }
     given = [name for name in _MOMENTARY if getattr(flown, name) != getattr(_NEUTRAL, name)]
     return list(dict.fromkeys([*(name for name, acts in standing.items() if acts), *given]))

@@ -57,12 +57,12 @@ class Block(NamedTuple):
 
 def places_of(state: State) -> Places:
     """Return the positions in a state, to be compared with those of the next state."""
-    return Places(state.plant.stand.position, state.site.prong.position, state.views)
+    return Places(state.plant.stand.position, state.worksite.prong.position, state.views)
 
 
 def block_of(flight: Flight, state: State, before: Places) -> Block:
     """Return the frame block after a step; `before` holds the positions before the step."""
-    things, now, unsaid = state.site, places_of(state), []
+    worksite, now, unsaid = state.worksite, places_of(state), []
     begun = any(event.kind == "initialise" for event in state.events)
     if begun:  # an initialised position is not a motion
         before = now
@@ -74,7 +74,7 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
     if station not in STATIONS:
         unsaid.append("station")
     control = ControlWord(
-        mode=cast("Literal[1, 2, 3, 4]", things.task),
+        mode=cast("Literal[1, 2, 3, 4]", worksite.task),
         station=station if station in STATIONS else NO_CODE,
         initialise=begun,
         telescope=_way(now.stand - before.stand),
@@ -82,8 +82,8 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
         tilt=tilt,
         zoom=zoom,
         prong=_way(now.prong - before.prong),
-        finger_inhibited=things.contacts.inhibit.finger,
-        arm_inhibited=things.contacts.inhibit.arm,
+        finger_inhibited=worksite.contacts.inhibit.finger,
+        arm_inhibited=worksite.contacts.inhibit.arm,
     )
     planes = list(planes_of(flight, state))
     for k, plane in enumerate(planes):
@@ -96,9 +96,11 @@ def block_of(flight: Flight, state: State, before: Places) -> Block:
 
 def planes_of(flight: Flight, state: State) -> Planes:
     """Return D1 to D3 in R; a plane is None if there is no bar, or if hexahedron and bar collide."""
-    bar, held = flight.site.bar, state.site.held
+    bar, held = flight.site.bar, state.worksite.held
     if bar is not None and held is not None and (which := bar.which[held]) is not None:
-        d1, d2, d3 = (_face(state.site.watch.placed[solid], face) for solid, face in zip(which, INNER, strict=False))
+        d1, d2, d3 = (
+            _face(state.worksite.watch.placed[solid], face) for solid, face in zip(which, INNER, strict=False)
+        )
         return d1, d2, d3
     near = [pair for pair in all_near(flight, state) if pair.a in HEXES and pair.b.endswith("receptacle")]
     nearest = next((pair.b for pair in near if pair.a == HEXES[0]), None)

@@ -23,8 +23,8 @@ from aftdeck.historical.input_channels import CHANNELS, OperatorInputs, decode_i
 from aftdeck.historical.rms_vs_input import inputs_from, reading_of
 from aftdeck.historical.rms_vs_output import Places, block_of, places_of
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.begin import first_state
-from aftdeck.simulation.constants.flight import Flight, prepare
+from aftdeck.simulation.begin import initial_state
+from aftdeck.simulation.constants.flight import Flight, run_constants
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.state import State
@@ -57,7 +57,7 @@ class WordsWriter:
 
     def __init__(self, file: TextIO, scenario: Scenario) -> None:
         self._file = file
-        self._before = places_of(first_state(prepare(scenario)))
+        self._before = places_of(initial_state(run_constants(scenario)))
         self.steps, self.unsaid = 0, Counter[str]()
 
     def step(self, sim: Simulation) -> None:
@@ -180,7 +180,7 @@ def operator_of(samples: Sequence[OperatorInputs]) -> Callable[[Simulation], Inp
         if said is None:
             return None
         try:
-            return inputs_from(said, sim._state.site.switch, sim.cameras)
+            return inputs_from(said, sim._state.worksite.switch, sim.cameras)
         except InputError as error:
             raise InputError(f"line {number} of the channels: {error}") from None
 

@@ -14,14 +14,13 @@ from aftdeck.frames import Pose
 from aftdeck.jsc12628.quantities import UNTURNED, Units, array, limited_rules, metres, positive
 from aftdeck.kinematics.arm import Arm
 from aftdeck.steering import msteer as laws
-from aftdeck.steering.course import set_off
+from aftdeck.steering.course import start_motion
 from aftdeck.steering.layout import (
     ANGLES,
     ARRIVED,
     CLOCK,
     COMMAND,
     DRIVE,
-    GO,
     HAND,
     HELD,
     HIGH,
@@ -30,6 +29,7 @@ from aftdeck.steering.layout import (
     LAW,
     LOW,
     MEASURED,
+    MOTION_ACTIVE,
     MOUNT,
     PLAN,
     RATE,
@@ -157,7 +157,7 @@ def operin(
     command[JOINT] = joint
     command[DRIVE] = float(array(theta_dot_C, (), "theta_dot_C")) / rules[RATE + joint]
     if mode in (1, 2, 3):
-        set_off(rules, command, state)
+        start_motion(rules, command, state)
     return Phase(arm, mode, units, rules, command, state)
 
 
@@ -172,7 +172,7 @@ def msteer(phase: Phase, theta: ArrayLike, theta_dot: ArrayLike | None = None) -
     rates = None if theta_dot is None else array(theta_dot, (6,), "theta_dot")
     report = phase._step(array(theta, (6,), "theta"), rates)
     state, to_b = phase._state, phase.arm.model.mount.rotation
-    automatic = phase._command[GO] != 0.0
+    automatic = phase._command[MOTION_ACTIVE] != 0.0
     since = float(state[CLOCK]) if phase.mode in (1, 3) else phase.TP
     return Msteer(
         state[RATES : RATES + 6].copy(),

@@ -1,6 +1,6 @@
 """Conversion between values and the JSON of a recording, derived from the types of the values.
 
-A field that declares its decimals (`aftdeck.told`) is rounded to them, and a rotation in it is a quaternion, w x y z.
+A field that declares its decimals (`aftdeck.field_meta`) is rounded to them; a rotation in it is a quaternion, w x y z.
 Any other field is kept to the last digit, and a rotation in it is a matrix, row by row. Named tuples are written as
 objects, because viewers do not accept lists of lists.
 """

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
+from aftdeck.field_meta import field_meta
 from aftdeck.recording.message import Message, Numbers
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.told import told
 
 FORMAT = 2
 """Number of the file's layout; a reader rejects a greater one."""
@@ -24,97 +24,116 @@ PROFILE = "aftdeck"
 class Opening(Message, frozen=True):
     """The first message: everything that the run started from."""
 
-    format: Annotated[int, told("number of the file's layout")]
-    version: Annotated[str, told("Aftdeck's version")]
-    laws: Annotated[str, told("digest of the laws' sources; others may give other last digits")]
-    machine: Annotated[str, told("processor, system and compilers; equal ones repeat a run bit for bit")]
-    began: Annotated[str, told("wall time at which the run began, ISO 8601, UTC")]
-    scenario: Annotated[str, told("the scenario's name")]
-    title: Annotated[str, told("the same for people")]
-    seed: Annotated[int, told("of everything random")]
-    control_period_s: Annotated[float, told("one tick", "s")]
-    joints: Annotated[tuple[str, ...], told("names in the order of every list of joints")]
-    scenario_text: Annotated[str, told("the scenario's file, whole")]
-    arm_text: Annotated[str, told("the arm's file, whole")]
-    shapes_file: Annotated[str, told("name of the arm's shapes file in the arm's file; empty: none")]
-    shapes_text: Annotated[str, told("the arm's shapes file, whole")]
-    worksite_text: Annotated[str, told("the worksite's file, whole")]
-    changes: Annotated[tuple[str, ...], told("KEY=VALUE: what a replay changed in the scenario")] = ()
-    participant: Annotated[str, told("code of who took part, as a study gave it; empty: none was given")] = ""
-    condition: Annotated[str, told("condition of the trial, as a study gave it; empty: none was given")] = ""
-    digests: Annotated[str, told("names what the frames' digests are made of; others say nothing to them")] = ""
+    format: Annotated[int, field_meta("number of the file's layout")]
+    version: Annotated[str, field_meta("Aftdeck's version")]
+    laws: Annotated[str, field_meta("digest of the laws' sources; different laws may give different last digits")]
+    machine: Annotated[
+        str, field_meta("processor, system and compilers; on an equal machine a run repeats bit for bit")
+    ]
+    began: Annotated[str, field_meta("wall time at which the run began, ISO 8601, UTC")]
+    scenario: Annotated[str, field_meta("the scenario's name")]
+    title: Annotated[str, field_meta("title of the scenario")]
+    seed: Annotated[int, field_meta("random seed")]
+    control_period_s: Annotated[float, field_meta("control period", "s")]
+    joints: Annotated[tuple[str, ...], field_meta("names of the joints, in the order of every list of joints")]
+    scenario_text: Annotated[str, field_meta("complete text of the scenario's file")]
+    arm_text: Annotated[str, field_meta("complete text of the arm's file")]
+    shapes_file: Annotated[
+        str, field_meta("name of the arm's shapes file, as the arm's file gives it; empty if it gives none")
+    ]
+    shapes_text: Annotated[str, field_meta("complete text of the arm's shapes file")]
+    worksite_text: Annotated[str, field_meta("complete text of the worksite's file")]
+    changes: Annotated[tuple[str, ...], field_meta("changes of the scenario by a replay, each as KEY=VALUE")] = ()
+    participant: Annotated[str, field_meta("code of the participant; empty if none was given")] = ""
+    condition: Annotated[str, field_meta("condition of the trial; empty if none was given")] = ""
+    digests: Annotated[
+        str, field_meta("identifies the declaration of the state; digests are comparable only if it is equal")
+    ] = ""
 
 
 class Input(Inputs, Message, frozen=True, omit_defaults=True, kw_only=True):
     """The operator's sticks and switches in one step, exact; an absent stick is centred, an absent switch unchanged."""
 
-    tick: Annotated[int, told("of the step that flew them")]
-    script: Annotated[bool, told("the scenario's script flew this step; nobody's inputs")] = False
+    tick: Annotated[int, field_meta("number of the step in which they acted")]
+    script: Annotated[bool, field_meta("whether the scenario's script supplied the inputs")] = False
 
 
 class FrameRecord(Frame, Message, frozen=True):
     """State after one control step: the frame, rounded to its recorded decimals."""
 
-    wall_s: Annotated[float, told("wall time since the run began", "s", decimals=6)]
-    latency_ms: Annotated[float | None, told("stick to picture, 95th percentile that the page showed", "ms")]
+    wall_s: Annotated[float, field_meta("wall time since the run began", "s", decimals=6)]
+    latency_ms: Annotated[
+        float | None,
+        field_meta("time from stick to picture, 95th percentile, as displayed by the page; null if not measured", "ms"),
+    ]
 
 
 class Note(Event, Message, frozen=True):
     """A line of the log that the station wrote, not the simulation."""
 
-    wall_s: Annotated[float, told("wall time since the run began", "s")]
+    wall_s: Annotated[float, field_meta("wall time since the run began", "s")]
 
 
 class ControllerRecord(Message, frozen=True):
     """A device that moves the hand controllers."""
 
-    kind: Annotated[str, told("keyboard, pad, thc pad, rhc pad, thc joystick, rhc joystick, spacemouse or touch")]
-    name: Annotated[str, told("as the browser calls it")]
-    deadband: Annotated[float, told("part of an axis' travel about its centre that counts as zero", "1")]
-    expo: Annotated[float, told("of what is left x: (1 - expo) x + expo x**3", "1")]
-    bindings: Annotated[tuple[str, ...], told("key, button or axis, and what it does: `KeyW +X`, `a1 -X`")]
-    centres: Annotated[Numbers, told("where each axis rests; beyond the last: 0", "1")]
+    kind: Annotated[str, field_meta("keyboard, pad, thc pad, rhc pad, thc joystick, rhc joystick, spacemouse or touch")]
+    name: Annotated[str, field_meta("name that the browser reports")]
+    deadband: Annotated[float, field_meta("fraction of an axis' travel, about its centre, that counts as zero", "1")]
+    expo: Annotated[
+        float, field_meta("weight of the cubic part: x becomes (1 - expo) x + expo x**3 after the deadband", "1")
+    ]
+    bindings: Annotated[tuple[str, ...], field_meta("key, button or axis, and its effect: `KeyW +X`, `a1 -X`")]
+    centres: Annotated[Numbers, field_meta("rest position of each axis; 0 for axes beyond the last", "1")]
 
 
 class ControllersRecord(Message, frozen=True):
     """Devices that move the hand controllers from a time on, with mappings; `Input` holds the resulting inputs."""
 
-    time_s: Annotated[float, told("simulated time", "s")]
-    controllers: Annotated[tuple[ControllerRecord, ...], told("all in use; none: nobody flies")]
-    wall_s: Annotated[float, told("wall time since the run began", "s")]
+    time_s: Annotated[float, field_meta("simulated time", "s")]
+    controllers: Annotated[
+        tuple[ControllerRecord, ...], field_meta("controllers in use; none if no page is in control")
+    ]
+    wall_s: Annotated[float, field_meta("wall time since the run began", "s")]
 
 
 class Shown(Message, frozen=True):
     """Cameras that the monitors of the operator's page showed from a time on."""
 
-    time_s: Annotated[float, told("simulated time", "s")]
-    mon_1: Annotated[tuple[str, ...], told("names of MON 1's cameras: two where it was split; none: no page flew")]
-    mon_2: Annotated[tuple[str, ...], told("the same of MON 2")]
+    time_s: Annotated[float, field_meta("simulated time", "s")]
+    mon_1: Annotated[
+        tuple[str, ...], field_meta("names of MON 1's cameras, two if it is split; none if no page is in control")
+    ]
+    mon_2: Annotated[tuple[str, ...], field_meta("names of MON 2's cameras, as for MON 1")]
 
 
 class LockRecord(Message, frozen=True):
     """A camera whose exposure was locked, and so did not follow its picture."""
 
-    camera: Annotated[str, told("the camera's name")]
-    stops: Annotated[float, told("its exposure, over that of full sunlight", "stops")]
+    camera: Annotated[str, field_meta("the camera's name")]
+    stops: Annotated[float, field_meta("exposure above that of full sunlight", "stops")]
 
 
 class LightRecord(Message, frozen=True):
     """Light from a time on: sun and Earth, lamps, and locked exposures of cameras."""
 
-    time_s: Annotated[float, told("simulated time", "s")]
-    condition: Annotated[str, told("where sun and Earth stood: `high sun`, `low sun`, `night`, `terminator`")]
-    lamps: Annotated[tuple[str, ...], told("switches of the lamps that were on")]
-    locked: Annotated[tuple[LockRecord, ...], told("locked exposures; those of other cameras followed their pictures")]
+    time_s: Annotated[float, field_meta("simulated time", "s")]
+    condition: Annotated[str, field_meta("positions of sun and Earth: `high sun`, `low sun`, `night`, `terminator`")]
+    lamps: Annotated[tuple[str, ...], field_meta("names of the lamps that are on")]
+    locked: Annotated[tuple[LockRecord, ...], field_meta("locked exposures; all other cameras have automatic exposure")]
 
 
 class Closing(Message, frozen=True):
     """The last message of a recording that was not cut short."""
 
-    ended: Annotated[Literal["completed", "time", "fault", "stopped", "restarted"], told("how it ended")]
-    ticks: Annotated[int, told("steps done")]
-    frames_sha256: Annotated[str, told("SHA-256 over those of all frames, 32 bytes each")]
-    summary: Annotated[str, told("summary of a scripted run, as `aftdeck run --json` prints it; empty by hand")]
+    ended: Annotated[
+        Literal["completed", "time", "fault", "stopped", "restarted"], field_meta("reason for the end of the run")
+    ]
+    ticks: Annotated[int, field_meta("number of steps done")]
+    frames_sha256: Annotated[str, field_meta("SHA-256 over the digests of all frames, 32 bytes each")]
+    summary: Annotated[
+        str, field_meta("summary of a scripted run, as `aftdeck run --json` prints it; empty for manual inputs")
+    ]
 
 
 CHANNELS: dict[str, tuple[type[Message], str]] = {

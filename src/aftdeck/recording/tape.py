@@ -22,7 +22,7 @@ MOST_OF_A_NAME = 999
 """Limit of the number that distinguishes files with the same name and second; the greatest number is one less."""
 
 
-class Tape:
+class SessionRecorder:
     """Recorder of the runs of one session.
 
     Attributes:
@@ -58,7 +58,7 @@ class Tape:
         return self._recorder.steps * self._period if self._recorder and self.file else None
 
     def begin(self, scenario: Scenario, seed: int) -> None:
-        """Start to record a run; if that fails, `complaints` returns the reason."""
+        """Start to record a run; if that fails, `take_errors` returns the reason."""
         if self._folder is None and self._live is None:
             return
         self._period = scenario.control_period
@@ -102,7 +102,7 @@ class Tape:
         if self._recorder is not None:
             self._recorder.light(time_s, lighting)
 
-    def complaints(self) -> list[str]:
+    def take_errors(self) -> list[str]:
         """Return the errors since the last call, one sentence each."""
         self._look()
         told, self._complaints = self._complaints, []
@@ -127,7 +127,7 @@ class Tape:
         self.end("stopped")
         for recorder in self._ending:
             recorder.close("stopped")
-        self.complaints()
+        self.take_errors()
         self._ending.clear()
 
     def _complain(self, text: str) -> None:

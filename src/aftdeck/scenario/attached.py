@@ -45,17 +45,17 @@ class Grasp:
         there = (*where, "detached" if phase.payload is None else "payload")
         own = self.payloads[self.held - 1] if self.held else None
         if phase.payload is not None and phase.detached:
-            problems.wrong(there, "give either payload or detached, not both")
+            problems.add(there, "give either payload or detached, not both")
         elif self._cargo:
-            problems.wrong(
+            problems.add(
                 there, "is for a grasp without a worksite's payloads: the hand takes and releases those itself"
             )
         elif own is not None and (own.shapes or own.solids):
-            problems.wrong(
+            problems.add(
                 there, "cannot change a payload with a shape or a body; payloads of the worksite can be let go"
             )
         elif phase.detached and own is None:
-            problems.wrong(there, "there is nothing in the grasp")
+            problems.add(there, "there is nothing in the grasp")
         elif phase.payload is None:
             self.held = 0
             return self.held

@@ -17,7 +17,7 @@ from aftdeck.scenario.model import PhasePlan, Scenario
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
 from aftdeck.scenario.payload import held_payload
 from aftdeck.scenario.phases import script
-from aftdeck.scenario.places import Things
+from aftdeck.scenario.places import TargetReferences
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import ScenarioFile
 from aftdeck.scenario.sequences import stored_points
@@ -59,17 +59,17 @@ def build(problems: Problems, spec: ScenarioFile, name: str, text: str, folder: 
     payload = held_payload(problems, spec.payload)
     check_por(problems, spec.limits.por, por_with(arm.model, payload.mass if payload else 0.0, spec.limits.por))
     cargo = present_cargo(problems, worksite, spec.cargo)
-    things = Things(cargo, worksite, spec.strict)
-    begin = start(problems, arm, spec.initial, things, ("initial",))
-    begun = parts(problems, arm, spec.initialise, begin, things)
+    references = TargetReferences(cargo, worksite, spec.strict)
+    begin = start(problems, arm, spec.initial, references, ("initial",))
+    begun = parts(problems, arm, spec.initialise, begin, references)
     sequences = stored_points(problems, arm, spec.sequence)
     check_mode(problems, mode.position, bool(payload or cargo), sequences, ("mode",))
     if payload and cargo:
-        problems.wrong(("payload",), "stays in the grasp for good; where there is a [[cargo]], say initial.grasped")
+        problems.add(("payload",), "stays in the grasp for good; where there is a [[cargo]], say initial.grasped")
     elif cargo and begin is not None and begin.grasped is None and MODES[mode.position].loaded:
-        problems.wrong(("mode",), f"{mode.position} moves a payload, and none is in the grasp: give initial.grasped")
+        problems.add(("mode",), f"{mode.position} moves a payload, and none is in the grasp: give initial.grasped")
     grasp = Grasp(payload, cargo=bool(cargo))
-    phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, things)
+    phases = script(problems, arm, spec.phase, grasp, spec.limits.por, sequences, references)
     _check_clearance(problems, spec)
     lamps = lamps_of(worksite, arm.model, payload, cargo) if worksite else ()
     light = lighting(problems, spec.light, lamps)
@@ -143,7 +143,7 @@ def _check_fit(
         else:
             cautions.append(misfit.problem)
     for where, whats in wrong.items():
-        problems.wrong(where, "; ".join(whats))
+        problems.add(where, "; ".join(whats))
     return cautions
 
 
@@ -153,7 +153,7 @@ def _worksite(problems: Problems, spec: ScenarioFile, folder: Path) -> Worksite 
         return load_worksite(beside(spec.worksite, folder), spec.dimensions)
     except ScenarioError as error:
         for problem in error.problems:
-            problems.wrong(("worksite",), problem)
+            problems.add(("worksite",), problem)
         return None
 
 
@@ -162,22 +162,22 @@ def _check_times(problems: Problems, spec: ScenarioFile) -> None:
     period, duration = spec.control_period, spec.duration
     whole = SHORTEST_PERIOD <= period <= LONGEST_PERIOD
     if not whole:
-        problems.wrong(
+        problems.add(
             ("control_period",), f"lies between {SHORTEST_PERIOD:g} and {LONGEST_PERIOD:g} s, got {period:g} s"
         )
     elif not 0.0 < duration <= LONGEST_RUN:
-        problems.wrong(("duration",), f"is above 0 and at most {LONGEST_RUN:g} s, got {duration:g} s")
+        problems.add(("duration",), f"is above 0 and at most {LONGEST_RUN:g} s, got {duration:g} s")
     elif duration < 0.5 * period or abs(duration / period - round(duration / period)) > WHOLE:
-        problems.wrong(
+        problems.add(
             ("duration",),
             f"is a whole number of control periods: {duration:g} s is {duration / period:g} of {period:g} s",
         )
     delays = {"command_delay": spec.command_delay, "telemetry_delay": spec.telemetry_delay}
     for key, delay in (delays | {"camera_delay": spec.camera_delay}).items():
         if not 0.0 <= delay <= LONGEST_DELAY:
-            problems.wrong((key,), f"lies between 0 and {LONGEST_DELAY:g} s, got {delay:g} s")
+            problems.add((key,), f"lies between 0 and {LONGEST_DELAY:g} s, got {delay:g} s")
         elif key == "command_delay" and whole and abs(delay / period - round(delay / period)) > WHOLE:
-            problems.wrong(
+            problems.add(
                 (key,), f"is a whole number of control periods: {delay:g} s is {delay / period:g} of {period:g} s"
             )
 
@@ -186,14 +186,14 @@ def _check_clearance(problems: Problems, spec: ScenarioFile) -> None:
     """Check the clearances for caution and warning."""
     caution, warning = spec.clearance.caution, spec.clearance.warning
     if warning <= 0.0:
-        problems.wrong(("clearance", "warning"), f"is above 0, got {warning:g} m")
+        problems.add(("clearance", "warning"), f"is above 0, got {warning:g} m")
     if not warning < caution:
-        problems.wrong(("clearance", "caution"), f"is above the warning at {warning:g} m, got {caution:g} m")
+        problems.add(("clearance", "caution"), f"is above the warning at {warning:g} m, got {caution:g} m")
 
 
 def _check_arrival(problems: Problems, spec: ScenarioFile) -> None:
     """Check the end sphere of the automatic modes."""
     if spec.arrive_within <= 0.0:
-        problems.wrong(("arrive_within",), f"is above 0, got {spec.arrive_within:g} m")
+        problems.add(("arrive_within",), f"is above 0, got {spec.arrive_within:g} m")
     if spec.arrive_within_angle <= 0.0:
-        problems.wrong(("arrive_within_angle",), f"is above 0, got {spec.arrive_within_angle:g} rad")
+        problems.add(("arrive_within_angle",), f"is above 0, got {spec.arrive_within_angle:g} rad")

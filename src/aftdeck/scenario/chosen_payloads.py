@@ -22,23 +22,23 @@ def present_cargo(problems: Problems, worksite: Worksite | None, specs: Sequence
     for i, spec in enumerate(specs):
         if spec.name not in offered:
             there = f"it has {', '.join(offered)}" if offered else "it has none"
-            problems.wrong(("cargo", i, "name"), f"worksite {worksite.name} has no cargo {spec.name!r}: {there}")
+            problems.add(("cargo", i, "name"), f"worksite {worksite.name} has no cargo {spec.name!r}: {there}")
             continue
         if any(one.name == spec.name for one in found):
-            problems.wrong(("cargo", i, "name"), f"{spec.name!r} is listed twice; each is there once")
+            problems.add(("cargo", i, "name"), f"{spec.name!r} is listed twice; each is there once")
             continue
         one = offered[spec.name]
         if spec.mass is not None and spec.mass <= 0.0:
-            problems.wrong(("cargo", i, "mass"), f"is above 0, got {spec.mass:g} kg")
+            problems.add(("cargo", i, "mass"), f"is above 0, got {spec.mass:g} kg")
         elif spec.mass is not None:
             one = msgspec.structs.replace(one, mass=float(spec.mass))
         if spec.start is not None:
             try:
                 one = msgspec.structs.replace(one, start=start_of(spec.start, seats, one.probe, one.trunnions))
             except ValueError as error:
-                problems.wrong(("cargo", i, "start"), str(error))
+                problems.add(("cargo", i, "start"), str(error))
         found.append(one)
     taken = [one.start.seat for one in found if one.start.seat]
     for seat in sorted({seat for seat in taken if taken.count(seat) > 1}):
-        problems.wrong(("cargo",), f"the seat {seat!r} can hold one cargo, {taken.count(seat)} start in it")
+        problems.add(("cargo",), f"the seat {seat!r} can hold one cargo, {taken.count(seat)} start in it")
     return tuple(found)

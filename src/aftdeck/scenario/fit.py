@@ -24,7 +24,7 @@ from aftdeck.frames import Pose
 from aftdeck.kinematics.linkage import L5
 from aftdeck.scenario.relative import at_cargo, composed, inverted, scene_in_l
 from aftdeck.scenario.target import AtCargo
-from aftdeck.worksite.conditions import Units, shown
+from aftdeck.worksite.conditions import Units, quantity_text
 from aftdeck.worksite.file.cargo import part_of
 from aftdeck.worksite.model import BarAcquisition, Cargo, Worksite
 
@@ -116,7 +116,7 @@ def _telescope(model: ArmModel, worksite: Worksite, around: Parts) -> Iterator[M
             composed(scene, Pose(np.array([0.0, 0.0, -length]), np.eye(3))),
         )
         for what in _deep(own, around, model.units):
-            at = shown(length, "m", model.units)
+            at = quantity_text(length, "m", model.units)
             yield Misfit(Problem(("arm",), f"with the shoulder {at} up, {what}"), True)
 
 
@@ -127,7 +127,7 @@ def _grasp(model: ArmModel, worksite: Worksite, one: Cargo) -> Iterator[str]:
         return
 
     def size(value: float) -> str:
-        return shown(value, "m", units)
+        return quantity_text(value, "m", units)
 
     opened, closed, finger = -prong.opened, -prong.closed, prong.fixed_finger
     length, width, _ = np.ptp(bar, axis=0).tolist()
@@ -197,4 +197,4 @@ def _deep(some: Parts, others: Parts, units: Units) -> Iterator[str]:
     for a, own in some.items():
         for b, there in others.items():
             if (depth := deepest(own, there)) > TOLERANCE:
-                yield f"{a} is {shown(depth, 'm', units)} inside {b}"
+                yield f"{a} is {quantity_text(depth, 'm', units)} inside {b}"

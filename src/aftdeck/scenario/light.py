@@ -107,9 +107,9 @@ def lighting(problems: Problems, spec: LightSpec, lamps: tuple[str, ...]) -> Lig
     names = [condition.name for condition in conditions()]
     condition = names[0] if spec.condition is None else spec.condition
     if condition not in names:
-        problems.wrong(("light", "condition"), f"no condition of light {condition!r}: there are {', '.join(names)}")
+        problems.add(("light", "condition"), f"no condition of light {condition!r}: there are {', '.join(names)}")
     for i, lamp in enumerate(spec.lamps or ()):
         if lamp not in lamps:
             there = f"there are {', '.join(lamps)}" if lamps else "this place has none"
-            problems.wrong(("light", "lamps", i), f"no lamps {lamp!r}: {there}")
+            problems.add(("light", "lamps", i), f"no lamps {lamp!r}: {there}")
     return Lighting(condition, lamps if spec.lamps is None else tuple(one for one in lamps if one in spec.lamps))

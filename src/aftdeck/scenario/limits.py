@@ -25,10 +25,10 @@ def limited_arm(problems: Problems, name_or_path: str, over: LimitsOverride, fol
         arm = load_arm(beside(name_or_path, folder))
     except ScenarioError as error:
         for problem in error.problems:
-            problems.wrong(("arm",), problem)
+            problems.add(("arm",), problem)
         return None
     except AftdeckError as error:
-        problems.wrong(("arm",), str(error))
+        problems.add(("arm",), str(error))
         return None
     return Arm(_limited(problems, arm.model, over))
 
@@ -37,7 +37,7 @@ def _limited(problems: Problems, model: ArmModel, over: LimitsOverride) -> ArmMo
     limits = Limits(**{name: _pick(over, name, own) for name, own in model.limits._asdict().items()})
     rates = _rates(model, over)
     for problem in limit_problems(model.joints, limits, rates):
-        problems.wrong(("limits", *problem.where[1:]), problem.what)
+        problems.add(("limits", *problem.where[1:]), problem.what)
     return replace(model, limits=limits, rates=rates)
 
 
@@ -67,7 +67,7 @@ def phase_limits(
         return None
     rates = _rates(model, over)
     for problem in limit_problems(model.joints, model.limits, rates):
-        problems.wrong((*where, *problem.where[1:]), problem.what)
+        problems.add((*where, *problem.where[1:]), problem.what)
     given = {name: value for name in PorOverride.__struct_fields__ if (value := getattr(over.por, name)) is not None}
     if over.por.reached_in is not None:
         own = msgspec.structs.replace(own, acceleration=None, angular_acceleration=None)
@@ -95,9 +95,9 @@ def check_por(problems: Problems, over: PorOverride, por: PorLimits, where: Wher
     for name in PorOverride.__struct_fields__:
         given = getattr(over, name)
         if given is not None and given <= 0.0:
-            problems.wrong((*where, name), f"is above 0, got {given:g}")
+            problems.add((*where, name), f"is above 0, got {given:g}")
         elif given is not None and over.reached_in is not None and "acceleration" in name:
-            problems.wrong((*where, name), "give either reached_in or accelerations, not both")
+            problems.add((*where, name), "give either reached_in or accelerations, not both")
     for name, (coarse, vernier) in (("vernier_translation", por.translation), ("vernier_rotation", por.rotation)):
         if vernier > coarse > 0.0:
-            problems.wrong((*where, name), f"is at most the coarse limit {coarse:g}, got {vernier:g}")
+            problems.add((*where, name), f"is at most the coarse limit {coarse:g}, got {vernier:g}")

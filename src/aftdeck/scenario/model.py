@@ -13,7 +13,7 @@ from aftdeck.kinematics.arm import Arm
 from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.schema import FreeContact, PorOverride, Rate, Until
-from aftdeck.scenario.target import Place, Target
+from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.steering.mode import MODES, LawChoice, PanelPosition
 from aftdeck.worksite.model import Cargo, Worksite
 
@@ -73,7 +73,7 @@ class PhasePlan:
     drive: float
     joint_rate: float | None
     joint_at: float | None
-    target: Target | Place | None
+    target: Target | RelativeTarget | None
     law: LawChoice | None
     payload_axes: bool | None
     master: tuple[float, float, float, float, float, float] | None

@@ -36,15 +36,15 @@ def chosen_mode(problems: Problems, given: int | str, where: Where) -> Chosen | 
     if isinstance(given, int) and (found := position_of(given)):
         position, number = found
         return Chosen(position, _LAWS.get(number), True if number == MIXED else None)
-    problems.wrong(where, f"no mode {given!r}: there are 1 to 8 and the panel's {', '.join(MODES)}")
+    problems.add(where, f"no mode {given!r}: there are 1 to 8 and the panel's {', '.join(MODES)}")
     return None
 
 
 def check_mode(problems: Problems, position: str, loads: bool, sequences: Sequences, where: Where) -> None:
     """Report a mode that needs a payload or a sequence that the scenario does not have."""
     if MODES[position].loaded and not loads:
-        problems.wrong(
+        problems.add(
             where, f"{position} moves a payload, and the scenario has none: add a [payload] table or a [[cargo]]"
         )
     if position.startswith("AUTO") and position not in sequences:
-        problems.wrong(where, f"{position} has no points: add a [[sequence]] with slot = {position[-1]}")
+        problems.add(where, f"{position} has no points: add a [[sequence]] with slot = {position[-1]}")

@@ -24,7 +24,7 @@ def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None
         return None
     for k, cover in enumerate(spec.body):
         if problem := cover_problem(cover, PART):
-            problems.wrong(("payload", "body", k), problem)
+            problems.add(("payload", "body", k), problem)
             return None
     solids = tuple(frozen(vertices) for cover in spec.body for vertices in hexahedra(cover, PART))
     return replace(held, shapes=spec.shape, solids=solids)
@@ -33,7 +33,7 @@ def held_payload(problems: Problems, spec: PayloadSpec | None) -> Payload | None
 def attached_payload(problems: Problems, spec: AttachedSpec, where: Where) -> Payload | None:
     """Return the payload of a table at a place in the file, without shape; None if the table is wrong."""
     if spec.mass <= 0.0:
-        problems.wrong((*where, "mass"), f"is above 0, got {spec.mass:g} kg")
+        problems.add((*where, "mass"), f"is above 0, got {spec.mass:g} kg")
         return None
     turned = endori(spec.roll, spec.pitch, spec.yaw)
     if spec.matrix is not None:

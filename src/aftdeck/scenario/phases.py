@@ -12,7 +12,7 @@ from aftdeck.scenario.attached import Grasp
 from aftdeck.scenario.limits import phase_limits
 from aftdeck.scenario.model import PhasePlan, RateLimits, Sequences
 from aftdeck.scenario.modes import Chosen, check_mode, chosen_mode
-from aftdeck.scenario.places import Things, goal
+from aftdeck.scenario.places import TargetReferences, goal
 from aftdeck.scenario.poses import check_angle
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.schema import AngularVelocity, Phase, PorOverride, Velocity
@@ -37,7 +37,7 @@ def script(
     grasp: Grasp,
     por: PorOverride,
     sequences: Sequences,
-    things: Things,
+    references: TargetReferences,
 ) -> list[PhasePlan | None]:
     """Return the phases, ready to fly; None for each phase whose mode does not exist.
 
@@ -48,7 +48,7 @@ def script(
         grasp: the grasp at the start; collects the payloads of the phases.
         por: the scenario's limits of the point of resolution.
         sequences: points of AUTO 1-4.
-        things: objects relative to which targets may be given.
+        references: objects relative to which targets may be given.
     """
     plans: list[PhasePlan | None] = []
     for i, phase in enumerate(phases):
@@ -60,7 +60,7 @@ def script(
             continue
         check_mode(problems, chosen.position, grasp.loaded, sequences, (*where, "mode"))
         limits = phase_limits(problems, arm.model, grasp.mass, por, phase.limits, (*where, "limits"))
-        plans.append(_phase_plan(problems, arm, phase, where, chosen, things, limits, attaches))
+        plans.append(_phase_plan(problems, arm, phase, where, chosen, references, limits, attaches))
     return plans
 
 
@@ -70,12 +70,12 @@ def _phase_plan(
     phase: Phase,
     where: Where,
     chosen: Chosen,
-    things: Things,
+    references: TargetReferences,
     limits: RateLimits | None,
     attaches: int | None,
 ) -> PhasePlan:
     """Return one phase, ready to fly."""
-    there = None if phase.target is None else goal(problems, arm, phase.target, things, (*where, "target"))
+    there = None if phase.target is None else goal(problems, arm, phase.target, references, (*where, "target"))
     joint = _joint(problems, arm, phase, where)
     _check_phase(problems, arm, phase, chosen, joint, where)
     return PhasePlan(
@@ -114,7 +114,7 @@ def _joint(problems: Problems, arm: Arm, phase: Phase, where: Where) -> int:
     if phase.joint is None:
         return 0
     if phase.joint not in arm.joints:
-        problems.wrong((*where, "joint"), f"no joint {phase.joint!r}: there are {', '.join(arm.joints)}")
+        problems.add((*where, "joint"), f"no joint {phase.joint!r}: there are {', '.join(arm.joints)}")
         return 0
     return arm.joints.index(phase.joint)
 
@@ -126,7 +126,7 @@ def _stand(problems: Problems, arm: Arm, phase: Phase, where: Where) -> float | 
     try:
         arm.model.at(phase.stand_at)
     except InputError as error:
-        problems.wrong((*where, "stand_at"), str(error))
+        problems.add((*where, "stand_at"), str(error))
     return float(phase.stand_at)
 
 
@@ -135,17 +135,17 @@ def _check_phase(problems: Problems, arm: Arm, phase: Phase, chosen: Chosen, joi
     mode = MODES[chosen.position]
     _check_use(problems, phase, mode, where)
     if phase.law is not None and chosen.law not in (None, phase.law):
-        problems.wrong((*where, "law"), f"mode {phase.mode} says which law is flown; leave law out")
+        problems.add((*where, "law"), f"mode {phase.mode} says which law is flown; leave law out")
     if phase.duration is not None and phase.duration <= 0.0:
-        problems.wrong((*where, "duration"), f"is above 0, got {phase.duration:g} s")
+        problems.add((*where, "duration"), f"is above 0, got {phase.duration:g} s")
     if mode.position == "OPR CMD" and phase.target is None:
-        problems.wrong(where, "mode OPR CMD needs a target")
+        problems.add(where, "mode OPR CMD needs a target")
     if mode.kind in ("manual", "test") and phase.duration is None:
-        problems.wrong(where, f"mode {mode.position} needs a duration")
+        problems.add(where, f"mode {mode.position} needs a duration")
     if mode.kind == "master" and phase.master is None:
-        problems.wrong(where, f"mode {mode.position} needs the master arm's angles")
+        problems.add(where, f"mode {mode.position} needs the master arm's angles")
     if (phase.until is not None or phase.stand_at is not None) and phase.duration is None:
-        problems.wrong(where, "until and stand_at need a duration: the longest time allowed")
+        problems.add(where, "until and stand_at need a duration: the longest time allowed")
     if mode.kind == "single":
         _check_single(problems, arm, phase, mode, joint, where)
 
@@ -170,23 +170,23 @@ def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> No
     used |= {"payload_axes"} if mode.position == "ORB LD" else set()
     for stick, physical in (("translation", "velocity"), ("rotation", "angular_velocity"), ("drive", "joint_rate")):
         if given[stick] and given[physical]:
-            problems.wrong((*where, physical), f"give either {stick} or {physical}, not both")
+            problems.add((*where, physical), f"give either {stick} or {physical}, not both")
     for name, present in given.items():
         if present and name not in used:
             takes = ", ".join(sorted(used)) or "nothing"
-            problems.wrong((*where, name), f"mode {mode.position} takes no {name}; it takes {takes}")
+            problems.add((*where, name), f"mode {mode.position} takes no {name}; it takes {takes}")
 
 
 def _check_single(problems: Problems, arm: Arm, phase: Phase, mode: Mode, joint: int, where: Where) -> None:
     """Check that SINGLE or DIRECT has a joint, and either its drive for a time or the angle to which it moves."""
     if phase.joint is None:
-        problems.wrong(where, f"mode {mode.position} needs a joint")
+        problems.add(where, f"mode {mode.position} needs a joint")
     if phase.joint_at is None and phase.duration is None:
-        problems.wrong(where, f"mode {mode.position} needs joint_at, or drive or joint_rate and a duration")
+        problems.add(where, f"mode {mode.position} needs joint_at, or drive or joint_rate and a duration")
     if phase.joint_at is None:
         return
     for name, given in (("drive", phase.drive != 0.0), ("joint_rate", phase.joint_rate is not None)):
         if given:
-            problems.wrong(where, f"give either joint_at or {name}, not both")
+            problems.add(where, f"give either joint_at or {name}, not both")
     if phase.joint in arm.joints:
         check_angle(problems, arm, joint, phase.joint_at, (*where, "joint_at"))

@@ -13,11 +13,11 @@ from aftdeck.scenario.poses import FRAMES, position_and_rotation, target
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.relative import at_cargo, at_seat, composed, in_frame, inverted, scene_in_l, takes
 from aftdeck.scenario.schema import PoseSpec
-from aftdeck.scenario.target import AtCargo, AtSeat, Place, Target
+from aftdeck.scenario.target import AtCargo, AtSeat, RelativeTarget, Target
 from aftdeck.worksite.model import Cargo, Worksite
 
 
-class Things(NamedTuple):
+class TargetReferences(NamedTuple):
     """Objects relative to which a target or a start may be given, and the way to find its joint angles.
 
     Attributes:
@@ -36,30 +36,34 @@ def is_relative(spec: PoseSpec) -> bool:
     return spec.frame not in FRAMES or (spec.cargo, spec.seat, spec.above, spec.offset) != (None, None, None, None)
 
 
-def goal(problems: Problems, arm: Arm, spec: PoseSpec, things: Things, where: Where) -> Target | Place | None:
+def goal(
+    problems: Problems, arm: Arm, spec: PoseSpec, references: TargetReferences, where: Where
+) -> Target | RelativeTarget | None:
     """Return a target as a pose, or as a place that is evaluated as the phase begins; None if the target is wrong."""
-    return place(problems, arm, spec, things, where) if is_relative(spec) else target(problems, arm, spec, where)
+    return place(problems, arm, spec, references, where) if is_relative(spec) else target(problems, arm, spec, where)
 
 
-def place(problems: Problems, arm: Arm, spec: PoseSpec, things: Things, where: Where) -> Place | None:
+def place(
+    problems: Problems, arm: Arm, spec: PoseSpec, references: TargetReferences, where: Where
+) -> RelativeTarget | None:
     """Return the place of a pose given relative to an object; None if the pose or the worksite is wrong."""
-    if things.worksite is None:
+    if references.worksite is None:
         return None
     if spec.cargo is None and spec.seat is None:
-        return _in_frame(problems, spec, things, where)
+        return _in_frame(problems, spec, references, where)
     rest = msgspec.structs.replace(spec, cargo=None, seat=None, above=None, offset=None)
     if rest != PoseSpec() or None not in (spec.cargo, spec.seat):
-        problems.wrong(where, "give cargo or seat, with above and offset where it is short of it, and nothing else")
+        problems.add(where, "give cargo or seat, with above and offset where it is short of it, and nothing else")
         return None
     above, (x, y, z) = float(spec.above or 0.0), spec.offset or (0.0, 0.0, 0.0)
     offset = float(x), float(y), float(z)
     if spec.seat is not None:
-        seats = [seat.name for seat in things.worksite.seats]
+        seats = [seat.name for seat in references.worksite.seats]
         if spec.seat in seats:
             return AtSeat(spec.seat, above, offset)
-        problems.wrong((*where, "seat"), f"no seat {spec.seat!r}: there is {', '.join(seats) or 'none'}")
+        problems.add((*where, "seat"), f"no seat {spec.seat!r}: there is {', '.join(seats) or 'none'}")
         return None
-    k = cargo_index(problems, arm, things.cargo, spec.cargo or "", (*where, "cargo"))
+    k = cargo_index(problems, arm, references.cargo, spec.cargo or "", (*where, "cargo"))
     return None if k is None else AtCargo(k, above, offset)
 
 
@@ -68,16 +72,21 @@ def cargo_index(problems: Problems, arm: Arm, cargo: tuple[Cargo, ...], name: st
     names = [one.name for one in cargo]
     if name not in names:
         there = f"there is {', '.join(names)}" if names else "the scenario has none: add a [[cargo]]"
-        problems.wrong(where, f"no cargo {name!r}: {there}")
+        problems.add(where, f"no cargo {name!r}: {there}")
         return None
     if not takes(arm.model, cargo[names.index(name)]):
-        problems.wrong(where, f"{name!r} has nothing that the hand of {arm.model.name} takes")
+        problems.add(where, f"{name!r} has nothing that the hand of {arm.model.name} takes")
         return None
     return names.index(name)
 
 
 def at_the_start(
-    problems: Problems, arm: Arm, spec: PoseSpec, things: Things, in_hand: tuple[int, Pose] | None, where: Where
+    problems: Problems,
+    arm: Arm,
+    spec: PoseSpec,
+    references: TargetReferences,
+    in_hand: tuple[int, Pose] | None,
+    where: Where,
 ) -> Pose | None:
     """Return the tip's pose in L for a pose given relative to objects as they are at the start; None if it is wrong.
 
@@ -85,44 +94,44 @@ def at_the_start(
         problems: collects the problems found.
         arm: arm with its telescope at the given length.
         spec: the decoded pose.
-        things: the objects.
+        references: the objects.
         in_hand: index of the held payload, and its pose at the tip; None if no payload is held.
         where: the pose's place in the file.
     """
-    found = place(problems, arm, spec, things, where)
-    if found is None or things.worksite is None:
+    found = place(problems, arm, spec, references, where)
+    if found is None or references.worksite is None:
         return None
-    scene = scene_in_l(arm.model.mount, things.worksite.origin)
+    scene = scene_in_l(arm.model.mount, references.worksite.origin)
     if isinstance(found, AtCargo):
-        one = things.cargo[found.cargo]
+        one = references.cargo[found.cargo]
         return composed(scene, composed(one.start.pose, at_cargo(arm.model, one, found)))
     if isinstance(found, AtSeat):
         if in_hand is None:
-            problems.wrong(where, "a pose at a seat is that of what is held there: give grasped")
+            problems.add(where, "a pose at a seat is that of what is held there: give grasped")
             return None
         k, held = in_hand
-        seat = next(seat for seat in things.worksite.seats if seat.name == found.seat)
-        if lacking := seat.lacks(things.cargo[k].probe, things.cargo[k].trunnions):
-            problems.wrong(
-                where, f"{things.cargo[k].name!r} has no {lacking}, which the seat {seat.name!r} holds on to"
+        seat = next(seat for seat in references.worksite.seats if seat.name == found.seat)
+        if lacking := seat.lacks(references.cargo[k].probe, references.cargo[k].trunnions):
+            problems.add(
+                where, f"{references.cargo[k].name!r} has no {lacking}, which the seat {seat.name!r} holds on to"
             )
             return None
-        return composed(scene, composed(at_seat(seat, things.cargo[k], found), inverted(held)))
-    carrier = next((one.start.pose for one in things.cargo if one.name == found.frame), None)
+        return composed(scene, composed(at_seat(seat, references.cargo[k], found), inverted(held)))
+    carrier = next((one.start.pose for one in references.cargo if one.name == found.frame), None)
     return composed(scene, found.pose if carrier is None else composed(carrier, found.pose))
 
 
-def _in_frame(problems: Problems, spec: PoseSpec, things: Things, where: Where) -> Place | None:
+def _in_frame(problems: Problems, spec: PoseSpec, references: TargetReferences, where: Where) -> RelativeTarget | None:
     """Return the place of a pose in the axes of a body, a seat or a payload; None if it is wrong."""
     if spec.above is not None or spec.offset is not None:
-        problems.wrong(where, "above and offset go with cargo or seat")
+        problems.add(where, "above and offset go with cargo or seat")
         return None
     pose = position_and_rotation(problems, spec, where)
-    if pose is None or things.worksite is None:
+    if pose is None or references.worksite is None:
         return None
-    found = in_frame(things.worksite, things.cargo, spec.frame, pose)
+    found = in_frame(references.worksite, references.cargo, spec.frame, pose)
     if found is None:
-        names = [body.name for body in things.worksite.bodies] + [seat.name for seat in things.worksite.seats]
-        there = ", ".join(dict.fromkeys([*FRAMES, *names, *(one.name for one in things.cargo)]))
-        problems.wrong((*where, "frame"), f"no frame {spec.frame!r}: there are {there}")
+        names = [body.name for body in references.worksite.bodies] + [seat.name for seat in references.worksite.seats]
+        there = ", ".join(dict.fromkeys([*FRAMES, *names, *(one.name for one in references.cargo)]))
+        problems.add((*where, "frame"), f"no frame {spec.frame!r}: there are {there}")
     return found

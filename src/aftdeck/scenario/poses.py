@@ -32,7 +32,7 @@ def check_angle(problems: Problems, arm: Arm, joint: int, angle: float, where: W
     low, high = arm.limits.hard[joint]
     if low <= angle <= high:
         return True
-    problems.wrong(
+    problems.add(
         where,
         f"{arm.joints[joint]} at {math.degrees(angle):g} deg is outside its hard limits "
         f"{math.degrees(low):g} to {math.degrees(high):g} deg",
@@ -44,13 +44,13 @@ def rotation_matrix(problems: Problems, rows: tuple[Row, Row, Row], where: Where
     """Return the given matrix as an array; None if it is not right-handed and orthonormal."""
     matrix = np.array(rows, dtype=np.float64)
     if not np.isfinite(matrix).all():
-        problems.wrong(where, "expected finite numbers")
+        problems.add(where, "expected finite numbers")
     elif (
         np.abs(matrix).max() > 1.0 + ORTHONORMAL  # before the squares, which may overflow
         or np.abs(matrix @ matrix.T - np.eye(3)).max() > ORTHONORMAL
         or np.linalg.det(matrix) < 0.0
     ):
-        problems.wrong(where, "is not a right-handed orthonormal matrix (to 1e-6)")
+        problems.add(where, "is not a right-handed orthonormal matrix (to 1e-6)")
     else:
         return matrix
     return None
@@ -71,18 +71,18 @@ def pose_in_l(problems: Problems, arm: Arm, spec: PoseSpec, where: Where) -> Pos
     """Return the pose of frame 7 in L for a pose given in one of three ways; None if the pose is wrong."""
     if (spec.cargo, spec.seat, spec.above, spec.offset) != (None, None, None, None):
         what = "cargo, seat, above and offset are for the target of a phase, and for the pose at the start"
-        problems.wrong(where, what)
+        problems.add(where, what)
         return None
     if spec.joints is not None:
         euler = (spec.roll, spec.pitch, spec.yaw)
         if spec.position is not None or spec.matrix is not None or euler != (None, None, None):
-            problems.wrong(where, "give either joints, or a position with an orientation, not both")
+            problems.add(where, "give either joints, or a position with an orientation, not both")
             return None
         angles = joint_angles(problems, arm, spec.joints, (*where, "joints"))
         return None if angles is None else arm.forward(angles)
     frame = next((name for name in FRAMES if name == spec.frame), None)
     if frame is None:
-        problems.wrong((*where, "frame"), f"expected one of {', '.join(FRAMES)}, got {spec.frame!r}")
+        problems.add((*where, "frame"), f"expected one of {', '.join(FRAMES)}, got {spec.frame!r}")
         return None
     pose = position_and_rotation(problems, spec, where)
     if pose is None:
@@ -97,11 +97,11 @@ def position_and_rotation(problems: Problems, spec: PoseSpec, where: Where) -> P
     """Return a pose given by position and orientation, in its own frame; None if it is wrong."""
     euler = (spec.roll, spec.pitch, spec.yaw)
     if spec.position is None or spec.joints is not None:
-        problems.wrong(where, "give joints (six angles), or a position with an orientation")
+        problems.add(where, "give joints (six angles), or a position with an orientation")
         return None
     if spec.matrix is not None:
         if euler != (None, None, None):
-            problems.wrong(where, "give either a matrix or roll, pitch, yaw, not both")
+            problems.add(where, "give either a matrix or roll, pitch, yaw, not both")
             return None
         given = rotation_matrix(problems, spec.matrix, (*where, "matrix"))
         if given is None:

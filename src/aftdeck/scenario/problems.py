@@ -21,7 +21,7 @@ class Problems:
     def __bool__(self) -> bool:
         return bool(self._found)
 
-    def wrong(self, where: Where, what: str) -> None:
+    def add(self, where: Where, what: str) -> None:
         """Add the problem `what` at the place `where` in the file."""
         if not any(_inside(where, known) or _inside(known, where) for known in self._known):
             self._found.append(Problem(where, what))

@@ -15,7 +15,7 @@ def stored_points(problems: Problems, arm: Arm, specs: tuple[SequenceSpec, ...])
     for i, sequence in enumerate(specs):
         position = f"AUTO {sequence.slot}"
         if position in found:
-            problems.wrong(("sequence", i, "slot"), f"{position} has its points already: each slot is given once")
+            problems.add(("sequence", i, "slot"), f"{position} has its points already: each slot is given once")
         points = []
         for k, point in enumerate(sequence.point):
             there = target(problems, arm, point.target, ("sequence", i, "point", k, "target"))

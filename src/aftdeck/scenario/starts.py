@@ -10,7 +10,7 @@ from aftdeck.files import Where
 from aftdeck.frames import Pose
 from aftdeck.kinematics.arm import Arm
 from aftdeck.scenario.model import Grasped, Part, Start
-from aftdeck.scenario.places import Things, at_the_start, cargo_index, is_relative
+from aftdeck.scenario.places import TargetReferences, at_the_start, cargo_index, is_relative
 from aftdeck.scenario.poses import joint_angles, pose_in_l
 from aftdeck.scenario.problems import Problems
 from aftdeck.scenario.relative import composed, inverted, scene_in_l
@@ -18,7 +18,9 @@ from aftdeck.scenario.schema import Initial, InitialiseSpec, PoseSpec, SixAngles
 from aftdeck.units import Length
 
 
-def parts(problems: Problems, arm: Arm, spec: InitialiseSpec, full: Start | None, things: Things) -> dict[Part, Start]:
+def parts(
+    problems: Problems, arm: Arm, spec: InitialiseSpec, full: Start | None, references: TargetReferences
+) -> dict[Part, Start]:
     """Return the initial states for the parts of the problem; empty if the scenario gives none."""
     given: dict[Part, Initial | None] = {
         "acquisition": spec.acquisition,
@@ -26,7 +28,7 @@ def parts(problems: Problems, arm: Arm, spec: InitialiseSpec, full: Start | None
         "manoeuvring": spec.manoeuvring,
     }
     found = {
-        part: start(problems, arm, initial, things, ("initialise", part))
+        part: start(problems, arm, initial, references, ("initialise", part))
         for part, initial in given.items()
         if initial is not None
     }
@@ -34,17 +36,15 @@ def parts(problems: Problems, arm: Arm, spec: InitialiseSpec, full: Start | None
     return {"full problem": full, **begun} if begun and full is not None else {}
 
 
-def start(problems: Problems, arm: Arm, initial: Initial, things: Things, where: Where) -> Start | None:
+def start(problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, where: Where) -> Start | None:
     """Return the initial state of the arm (RMSIST); None if it is wrong."""
     standing = _standing(problems, arm, initial.stand, (*where, "stand"))
     rates = frozen(initial.rates or [0.0] * 6)
     for joint, rate, most in zip(arm.joints, rates, arm.rates.servo, strict=True):
         if abs(rate) > most:
-            problems.wrong(
-                (*where, "rates"), f"{joint} starts at {rate:g} rad/s; its servo gives at most {most:g} rad/s"
-            )
-    grasped = None if initial.grasped is None else _grasped(problems, arm, initial, things, where)
-    angles = _angles(problems, standing, initial, things, grasped, where)
+            problems.add((*where, "rates"), f"{joint} starts at {rate:g} rad/s; its servo gives at most {most:g} rad/s")
+    grasped = None if initial.grasped is None else _grasped(problems, arm, initial, references, where)
+    angles = _angles(problems, standing, initial, references, grasped, where)
     if angles is None:
         return None
     return Start(angles, rates, float(standing.model.links[0]), grasped)
@@ -55,31 +55,31 @@ def _standing(problems: Problems, arm: Arm, stand: Length | None, where: Where) 
     try:
         return arm if stand is None else Arm(arm.model.at(float(stand)))
     except InputError as error:
-        problems.wrong(where, str(error))
+        problems.add(where, str(error))
         return arm
 
 
 def _angles(
-    problems: Problems, arm: Arm, initial: Initial, things: Things, grasped: Grasped | None, where: Where
+    problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, grasped: Grasped | None, where: Where
 ) -> np.ndarray | None:
     """Return the given joint angles, or those for a given pose, by RMANGS if strict; None if they are wrong."""
     if initial.joints is not None and initial.pose is None:
         return joint_angles(problems, arm, initial.joints, (*where, "joints"))
     if initial.pose is None or initial.joints is not None:
-        problems.wrong(where, "give either joints (six angles) or a pose")
+        problems.add(where, "give either joints (six angles) or a pose")
         return None
     where = (*where, "pose")
     if is_relative(initial.pose):
-        in_hand = None if grasped is None else _in_hand(arm, things, grasped)
-        pose = at_the_start(problems, arm, initial.pose, things, in_hand, where)
+        in_hand = None if grasped is None else _in_hand(arm, references, grasped)
+        pose = at_the_start(problems, arm, initial.pose, references, in_hand, where)
     else:
         pose = pose_in_l(problems, arm, initial.pose, where)
-    if pose is None or not things.strict or initial.near is not None:
+    if pose is None or not references.strict or initial.near is not None:
         return None if pose is None else _reached(problems, arm, pose, initial.near, where)
     try:
         return joint_angles(problems, arm, arm.rmangs(pose).tolist(), where)
     except AftdeckError as error:
-        problems.wrong(where, str(error))
+        problems.add(where, str(error))
         return None
 
 
@@ -88,34 +88,36 @@ def _reached(problems: Problems, arm: Arm, pose: Pose, near: SixAngles | None, w
     try:
         return frozen(arm.inverse(pose, near=near)[0])
     except AftdeckError as error:
-        problems.wrong(where, str(error))
+        problems.add(where, str(error))
         return None
 
 
-def _grasped(problems: Problems, arm: Arm, initial: Initial, things: Things, where: Where) -> Grasped | None:
+def _grasped(
+    problems: Problems, arm: Arm, initial: Initial, references: TargetReferences, where: Where
+) -> Grasped | None:
     spec, where = initial.grasped, (*where, "grasped")
     assert spec is not None, "asked for only where it is given"
     standing = _standing(problems, arm, spec.stand, (*where, "stand"))
-    if things.worksite is None:
+    if references.worksite is None:
         return None  # report a wrong worksite once, and not also as a missing payload
-    k = cargo_index(problems, arm, things.cargo, spec.cargo, (*where, "cargo"))
+    k = cargo_index(problems, arm, references.cargo, spec.cargo, (*where, "cargo"))
     angles = None
     if (spec.joints is None) == (spec.above is None):
-        problems.wrong(where, "give either joints (six angles), or above")
+        problems.add(where, "give either joints (six angles), or above")
     elif spec.joints is not None:
         angles = joint_angles(problems, standing, spec.joints, (*where, "joints"))
     elif k is not None:
         over = PoseSpec(cargo=spec.cargo, above=spec.above)
-        pose = at_the_start(problems, standing, over, things, None, where)
+        pose = at_the_start(problems, standing, over, references, None, where)
         angles = None if pose is None else _reached(problems, standing, pose, initial.near, where)
     return None if k is None or angles is None else Grasped(k, angles, float(standing.model.links[0]))
 
 
-def _in_hand(arm: Arm, things: Things, grasped: Grasped) -> tuple[int, Pose]:
+def _in_hand(arm: Arm, references: TargetReferences, grasped: Grasped) -> tuple[int, Pose]:
     """Return the index of the payload that is held from the start, and its pose at the tip."""
-    assert things.worksite is not None, "what is held is the worksite's"
-    scene = scene_in_l(arm.model.mount, things.worksite.origin)
-    payload = composed(scene, things.cargo[grasped.cargo].start.pose)
+    assert references.worksite is not None, "what is held is the worksite's"
+    scene = scene_in_l(arm.model.mount, references.worksite.origin)
+    payload = composed(scene, references.cargo[grasped.cargo].start.pose)
     telescope = grasped.stand != float(arm.model.links[0])
     tip = (arm.at(stand=grasped.stand) if telescope else arm).forward(grasped.angles)
     return grasped.cargo, composed(inverted(tip), payload)

@@ -67,7 +67,7 @@ class InFrame(msgspec.Struct, frozen=True, tag=True):
         return Pose(np.array(self.position), np.array(self.rotation))
 
 
-Place = AtCargo | AtSeat | InFrame
+RelativeTarget = AtCargo | AtSeat | InFrame
 """A target that depends on where an object is as a phase begins."""
 
 

@@ -9,10 +9,10 @@ from aftdeck.errors import ScenarioError
 from aftdeck.kinematics.observe import OBSERVED, observe
 from aftdeck.scenario.model import Part, Start
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.frame_poses import frames_at, frames_with
-from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.frame_poses import frames_at, frames_with_prong_at
+from aftdeck.simulation.log import log, log_rejection
 from aftdeck.simulation.operator.panel import make_ready
-from aftdeck.simulation.parts.carried import carrying
+from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.simulation.parts.free_flight import floating
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.payloads.grasp import put_effector, steer, take_hold
@@ -22,11 +22,11 @@ from aftdeck.simulation.payloads.task_phases import change_task
 from aftdeck.simulation.state import State, new_state
 from aftdeck.steering.layout import KEPT, MASTER, RATES, TWIST
 from aftdeck.steering.mode import MODES
-from aftdeck.worksite.conditions import reasons
+from aftdeck.worksite.conditions import failure_text
 from aftdeck.worksite.seats.latches import Latches
 
 
-def first_state(flight: Flight) -> State:
+def initial_state(flight: Flight) -> State:
     """Return the state at the scenario's first instant.
 
     Raises:
@@ -37,8 +37,8 @@ def first_state(flight: Flight) -> State:
     state = _state_at(flight, scenario.start)
     begun = {f"initialise.{part}": _state_at(flight, start) for part, start in scenario.parts.items() if start.grasped}
     for name, at in {"initial": state, **begun}.items():
-        k = at.site.held
-        if k is not None and (why := reasons(holding(flight, at, k))):
+        k = at.worksite.held
+        if k is not None and (why := failure_text(holding(flight, at, k))):
             problems.append(f"{scenario.name}: {name}.grasped: {flight.site.cargo[k].title} cannot be held so: {why}")
     if problems:
         raise ScenarioError(problems)
@@ -48,7 +48,7 @@ def first_state(flight: Flight) -> State:
 def _state_at(flight: Flight, start: Start) -> State:
     """Return the state at a start, before the first step."""
     scenario = flight.scenario
-    state = new_state(flight, carrying(scenario, scenario.payload))
+    state = new_state(flight, steering_setup(scenario, scenario.payload))
     _put(flight, state, start)
     return state
 
@@ -58,16 +58,16 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
     parts = flight.scenario.parts
     if part not in parts:
         there = f"this scenario has {', '.join(parts)}" if parts else "this scenario has none of them"
-        refuse(flight, state, f"{part} cannot be begun anew: {there}")
+        log_rejection(flight, state, f"{part} cannot be begun anew: {there}")
         return
-    task = state.site.task
-    state.become(_state_at(flight, parts[part]))
-    state.panel.began, state.script.attached = state.tick - 1, 0 if flight.scenario.payload is None else 1
+    task = state.worksite.task
+    state.replace_with(_state_at(flight, parts[part]))
+    state.panel.motion_began, state.script.attached = state.tick - 1, 0 if flight.scenario.payload is None else 1
     steer(flight, state)
     if MODES[state.panel.mode].loaded and state.carried.payload is None:
         state.panel.mode = "ORB UNL"  # the grasp is empty in this part
     log(flight, state, "initialise", "info", f"initialised to {part}")
-    state.site.task = task
+    state.worksite.task = task
     change_task(flight, state)
     if state.tick > 1:  # at the first step `operate` does this
         make_ready(flight, state)
@@ -75,7 +75,7 @@ def initialise(flight: Flight, state: State, part: Part) -> None:
 
 def _put(flight: Flight, state: State, start: Start) -> None:
     """Set the arm and the worksite of a new state to a start."""
-    site, things, scenario = flight.site, state.site, flight.scenario
+    site, worksite, scenario = flight.site, state.worksite, flight.scenario
     plant = state.plant
     plant.angles[:], plant.rates[:] = start.angles, start.rates
     plant.stand.position = start.stand
@@ -85,35 +85,35 @@ def _put(flight: Flight, state: State, start: Start) -> None:
     state.command[MASTER : MASTER + 6] = state.command[KEPT : KEPT + 6] = start.angles
     state.steering[RATES : RATES + 6], state.steering[TWIST : TWIST + 6] = start.rates, seen[12:18]
     state.measure()
-    frames = things.frames
+    frames = worksite.frames
     for k, one in enumerate(site.cargo):
         pose = np.empty(POSE)
         compose(site.scene, site.starts[k], pose)
         if one.start.seat:
-            things.cargo[k].seat, things.cargo[k].latches = one.start.seat, Latches(1.0, 1.0)
-            things.cargo[k].off = things.cargo[k].seated = list(HERE)
+            worksite.cargo[k].seat, worksite.cargo[k].latches = one.start.seat, Latches(1.0, 1.0)
+            worksite.cargo[k].offset_at_fixing = worksite.cargo[k].offset_in_seat = list(HERE)
         else:
             velocity = site.scene[3:].reshape(3, 3) @ one.start.velocity
             control = one.limit_cycle
             rates, angles = (one.start.rates, None) if control is None else (control.rate, control.start)
-            things.floating[k] = floating(pose, velocity, rates, control, angles)
-    things.settle(site)
-    frames[:] = frames_with(flight, state, things.prong.position)
+            worksite.floating[k] = floating(pose, velocity, rates, control, angles)
+    worksite.update_attachments(site)
+    frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
     if state.script.attached:
         put_effector(flight, state, holding=True)
-        frames[:] = frames_with(flight, state, things.prong.position)
+        frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
     if start.grasped is not None:
         k = start.grasped.cargo
         put_effector(flight, state, holding=True)
-        frames[:] = frames_at(flight, state, start.grasped.angles, start.grasped.stand, things.prong.position)
-        things.cargo[k].seat = ""
+        frames[:] = frames_at(flight, state, start.grasped.angles, start.grasped.stand, worksite.prong.position)
+        worksite.cargo[k].seat = ""
         take_hold(flight, state, k)
-        frames[:] = frames_with(flight, state, things.prong.position)
-    things.before[:] = frames
-    things.looked[:] = things.watch.active
-    things.watch.look(frames, frames, scenario.control_period)
-    things.permitted[:] = permitted(site, things.watch, frames)
-    things.contacts.look(things.watch.found, site.by_prong, things.task)
+        frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
+    worksite.before[:] = frames
+    worksite.monitored_before[:] = worksite.watch.active
+    worksite.watch.update(frames, frames, scenario.control_period)
+    worksite.permitted[:] = permitted(site, worksite.watch, frames)
+    worksite.contacts.update(worksite.watch.found, site.by_prong, worksite.task)
     count(flight, state)
-    things.nearest = things.watch.nearest(things.watch.counts)
+    worksite.nearest = worksite.watch.nearest(worksite.watch.counts)
     change_task(flight, state)

@@ -65,11 +65,11 @@ class Cameras:
         if command.camera not in self.names:
             return views
         i = self.names.index(command.camera)
-        now = moved(self._driven[i], views[i], command, period)
+        now = driven_setting(self._driven[i], views[i], command, period)
         return views if now == views[i] else (*views[:i], now, *views[i + 1 :])
 
 
-def moved(camera: Camera, at: Setting, command: CameraDrive, period: float) -> Setting:
+def driven_setting(camera: Camera, at: Setting, command: CameraDrive, period: float) -> Setting:
     """Return a camera's setting after one step of a command, `period` [s] long."""
     drive = camera.drive
     if drive is None:

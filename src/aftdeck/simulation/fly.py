@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.motion.motion_inhibit import restrain
+from aftdeck.simulation.motion.motion_inhibit import limit_motion
 from aftdeck.simulation.operator.holds import hold_position
 from aftdeck.simulation.operator.panel import operate
 from aftdeck.simulation.state import State
-from aftdeck.simulation.work import work
-from aftdeck.steering.course import set_off
-from aftdeck.steering.layout import GO, RATES
+from aftdeck.simulation.work import update_worksite
+from aftdeck.steering.course import start_motion
+from aftdeck.steering.layout import MOTION_ACTIVE, RATES
 from aftdeck.steering.msteer import msteer
 
 
@@ -31,11 +31,11 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     """
     # plan an automatic motion where it begins
     if state.panel.sequence != "in progress":
-        state.command[GO] = 0.0
-    elif state.command[GO] == 0.0:
-        set_off(state.rules_while(under_way=True), state.command, state.steering)
-        if state.command[GO] != 0.0:
-            state.panel.began = state.tick - 1
+        state.command[MOTION_ACTIVE] = 0.0
+    elif state.command[MOTION_ACTIVE] == 0.0:
+        start_motion(state.rules_while(under_way=True), state.command, state.steering)
+        if state.command[MOTION_ACTIVE] != 0.0:
+            state.panel.motion_began = state.tick - 1
     hold_position(flight, state)
 
     # steering commands the joint rates
@@ -43,9 +43,9 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     rates = state.steering[RATES : RATES + 6]
 
     # limit the motion to what contacts, seats and walls allow
-    telescope = restrain(flight, state, inputs.telescope)
+    telescope = limit_motion(flight, state, inputs.telescope)
 
     # move the plant, then the worksite: contacts, captures, seats
     scenario = flight.scenario
     state.plant.move(scenario.arm.limits.hard, flight.telescope, rates, scenario.control_period, telescope)
-    work(flight, state, inputs)
+    update_worksite(flight, state, inputs)

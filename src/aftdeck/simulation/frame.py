@@ -11,7 +11,7 @@ from typing import Annotated, Literal, NamedTuple
 import msgspec
 
 from aftdeck.bodies.cameras import Setting
-from aftdeck.told import told
+from aftdeck.field_meta import field_meta
 from aftdeck.worksite.report import Work
 
 Vec3 = tuple[float, float, float]
@@ -28,10 +28,10 @@ FREE, PAST_REACH, PAST_SOFT, AT_HARD = 0, 1, 2, 3
 class Event(msgspec.Struct, frozen=True, gc=False):
     """Event of a step, as a line of the log."""
 
-    time_s: Annotated[float, told("simulated time", "s")]
-    kind: Annotated[str, told("what it is about")]
-    level: Annotated[Level, told("how urgent")]
-    text: Annotated[str, told("for people")]
+    time_s: Annotated[float, field_meta("simulated time", "s")]
+    kind: Annotated[str, field_meta("kind of event: `mode`, `contact`, `captured`")]
+    level: Annotated[Level, field_meta("urgency")]
+    text: Annotated[str, field_meta("text for the operator")]
 
 
 LimitKind = Literal[
@@ -52,9 +52,9 @@ LimitKind = Literal[
 class Limit(msgspec.Struct, frozen=True, gc=False):
     """Limit that acted in a step."""
 
-    kind: Annotated[LimitKind, told("which kind")]
-    joint: Annotated[int, told("0 to 5; -1: no single joint is concerned")]
-    text: Annotated[str, told("for people")]
+    kind: Annotated[LimitKind, field_meta("kind of limit")]
+    joint: Annotated[int, field_meta("joint that it limits, 0 to 5; -1 if it limits no single joint")]
+    text: Annotated[str, field_meta("text for the operator")]
 
 
 Cause = Literal["", "reach", "seat", "switch", "contact", "limit", "miss", "time"]
@@ -68,36 +68,43 @@ stop, a singularity or another limit of the steering; the motion misses its targ
 class Check(msgspec.Struct, frozen=True):
     """Verdict of CMD CK, from a rehearsal of the motion to a target."""
 
-    good: Annotated[bool, told("GOOD, not FAIL")]
-    text: Annotated[str, told("`GOOD: 83 s` or `FAIL: elbow pitch meets its soft stop 12 s from here`")]
-    seconds: Annotated[float, told("GOOD: how long the motion takes; FAIL: when it fails", "s")] = 0.0
-    cause: Annotated[Cause, told("why it fails; empty: it does not")] = ""
+    good: Annotated[bool, field_meta("true for GOOD, false for FAIL")]
+    text: Annotated[
+        str, field_meta("verdict as displayed: `GOOD: 83 s` or `FAIL: elbow pitch meets its soft stop 12 s from here`")
+    ]
+    seconds: Annotated[
+        float, field_meta("GOOD: duration of the motion; FAIL: time from its start to the failure", "s")
+    ] = 0.0
+    cause: Annotated[Cause, field_meta("cause of a FAIL; empty for GOOD")] = ""
     joints: Annotated[
-        Six | None, told("the joint angles that mode 1 flies to; null in modes 2 and 3, and where it fails", "rad")
+        Six | None,
+        field_meta("joint angles at the target of mode 1; null in modes 2 and 3, and for FAIL", "rad"),
     ] = None
 
 
 class WayOut(msgspec.Struct, frozen=True, gc=False):
     """Command that leads away from a singularity or a joint's limit, or out of the contacts that inhibit the arm."""
 
-    cause: Annotated[str, told("`elbow` (a singularity), a joint's name, or `contact`")]
-    text: Annotated[str, told("for people: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -`")]
-    stick: Annotated[Literal["translation", "rotation", "joint", "telescope"], told("which stick or switch")]
-    axis: Annotated[int, told("axis 0 to 2 of the stick, or the joint")]
-    sign: Annotated[int, told("+1 or -1")]
-    position: Annotated[str, told("panel position to enter first; empty: the stick acts in the present one")] = ""
+    cause: Annotated[str, field_meta("what it leads away from: `elbow` (a singularity), a joint's name, or `contact`")]
+    text: Annotated[str, field_meta("text for the operator: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -`")]
+    stick: Annotated[Literal["translation", "rotation", "joint", "telescope"], field_meta("stick or switch to deflect")]
+    axis: Annotated[int, field_meta("axis of the stick, 0 to 2, or number of the joint")]
+    sign: Annotated[int, field_meta("direction: +1 or -1")]
+    position: Annotated[
+        str, field_meta("panel position to enter first; empty if the stick acts in the present one")
+    ] = ""
 
 
 class Goal(msgspec.Struct, frozen=True, gc=False):
     """Target of an automatic mode (pose of frame 7), and the distance, angle and time that remain."""
 
-    position: Annotated[Vec3, told("of the tip there", "m", "L")]
-    rotation: Annotated[Rows, told("attitude of frame 7 there", "1", "L")]
-    distance: Annotated[float, told("what is left", "m")]
-    angle: Annotated[float, told("what is left", "rad")]
+    position: Annotated[Vec3, field_meta("position of the tip at the target", "m", "L")]
+    rotation: Annotated[Rows, field_meta("attitude of frame 7 at the target", "1", "L")]
+    distance: Annotated[float, field_meta("remaining distance", "m")]
+    angle: Annotated[float, field_meta("remaining rotation", "rad")]
     remaining_s: Annotated[
         float,
-        told("ETA - TP; 0 when not under way, and while modes 1 and 3 still bring the arm to rest", "s"),
+        field_meta("ETA - TP; 0 without a motion, and while modes 1 and 3 still bring the arm to rest", "s"),
     ]
 
 
@@ -107,98 +114,113 @@ class Times(msgspec.Struct, frozen=True, gc=False):
     A phase begins when an automatic motion sets off, a phase of the script begins, or a panel position is entered.
     """
 
-    tp_s: Annotated[float, told("TP: how long it has lasted", "s")] = 0.0
+    tp_s: Annotated[float, field_meta("TP: time since the motion or the script's phase began", "s")] = 0.0
     eta_s: Annotated[
         float | None,
-        told("ETA: when it ends, estimated in the automatic modes, given in a script's others; null: unknown", "s"),
+        field_meta(
+            "ETA: time of its end, estimated in the automatic modes, else the duration in the script; null if unknown",
+            "s",
+        ),
     ] = None
     etap_s: Annotated[
         float | None,
-        told("ETAP: when the rotation would end if it went as fast as permitted; in modes 2 and 3, else null", "s"),
+        field_meta(
+            "ETAP: time at which the rotation would end at the permitted rate, in modes 2 and 3; else null", "s"
+        ),
     ] = None
 
 
 class Placed(NamedTuple):
     """Pose of a body."""
 
-    position: Annotated[Vec3, told("its centre", "m", "L")]
-    orientation: Annotated[Rows, told("its attitude", "1", "L")]
+    position: Annotated[Vec3, field_meta("position of its centre", "m", "L")]
+    orientation: Annotated[Rows, field_meta("its attitude", "1", "L")]
 
 
 class Frame(msgspec.Struct, frozen=True, gc=False):
     """State after a control step, with the inputs flown and the limits that acted. The tip is coordinate frame 7."""
 
-    tick: Annotated[int, told("control steps done")]
-    time_s: Annotated[float, told("simulated time: tick x control period", "s")]
-    phase: Annotated[str, told("the script's phase; empty when flown by hand")]
-    by: Annotated[Literal["hand", "script"], told("who flew this step")]
-    mode: Annotated[str, told("panel position entered")]
-    law: Annotated[int, told("the report's mode number flown, 1 to 8; 0 TEST, 9 DIRECT, 10 MASTER")]
-    law_choice: Annotated[Literal["position", "closed loop", "open loop"], told("switch beside OPR CMD and AUTO 1-4")]
-    payload_axes: Annotated[bool, told("switch beside ORB LD")]
-    rate_hold: Annotated[bool, told("RATE HOLD keeps a stick command")]
-    position_hold: Annotated[bool, told("POSITION HOLD is on")]
-    brakes: Annotated[bool, told("BRAKES are on: the joints stand")]
-    safing: Annotated[bool, told("SAFING: zero joint rates are commanded")]
-    joint: Annotated[int, told("selected joint, 0 to 5")]
-    rate: Annotated[Literal["coarse", "vernier"], told("rate setting")]
-    sequence: Annotated[Sequence, told("CHECKING, READY and IN PROG of the automatic modes")]
-    point: Annotated[int, told("AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes")]
-    points: Annotated[int, told("AUTO 1-4: how many there are")]
-    check: Annotated[Check | None, told("CMD CK of the present target")]
-    translation: Annotated[Vec3, told("THC as flown, in [-1, 1]", "1", "control", 7)]
-    rotation: Annotated[Vec3, told("RHC as flown, in [-1, 1]", "1", "control", 7)]
-    drive: Annotated[float, told("DRIVE as flown, in [-1, 1]", "1", decimals=7)]
-    angles: Annotated[Six, told("joint angles, measured", "rad")]
-    rates: Annotated[Six, told("joint rates, measured", "rad/s")]
-    angles_commanded: Annotated[Six, told("where the commanded rates would have brought the joints", "rad")]
-    rates_commanded: Annotated[Six, told("joint rates, commanded", "rad/s")]
-    rate_limits: Annotated[Six, told("joint rate limits in force", "rad/s")]
+    tick: Annotated[int, field_meta("number of control steps done")]
+    time_s: Annotated[float, field_meta("simulated time: tick x control period", "s")]
+    phase: Annotated[str, field_meta("name of the script's phase; empty with manual inputs")]
+    by: Annotated[Literal["hand", "script"], field_meta("source of this step's inputs")]
+    mode: Annotated[str, field_meta("mode: panel position that was entered")]
+    law: Annotated[int, field_meta("number of the steering law: 1 to 8 as in the report, 0 TEST, 9 DIRECT, 10 MASTER")]
+    law_choice: Annotated[
+        Literal["position", "closed loop", "open loop"], field_meta("switch beside OPR CMD and AUTO 1-4")
+    ]
+    payload_axes: Annotated[bool, field_meta("switch beside ORB LD")]
+    rate_hold: Annotated[bool, field_meta("whether RATE HOLD keeps a stick command")]
+    position_hold: Annotated[bool, field_meta("whether POSITION HOLD is on")]
+    brakes: Annotated[bool, field_meta("whether BRAKES are on, so that the joints do not move")]
+    safing: Annotated[bool, field_meta("whether SAFING commands zero joint rates")]
+    joint: Annotated[int, field_meta("selected joint, 0 to 5")]
+    rate: Annotated[Literal["coarse", "vernier"], field_meta("rate setting")]
+    sequence: Annotated[Sequence, field_meta("state of an automatic mode: CHECKING, READY and IN PROG")]
+    point: Annotated[int, field_meta("AUTO 1-4: number of the present or next point, from 1; 0 in other modes")]
+    points: Annotated[int, field_meta("AUTO 1-4: number of points; 0 in other modes")]
+    check: Annotated[Check | None, field_meta("result of CMD CK for the present target; null if there is none")]
+    translation: Annotated[Vec3, field_meta("THC deflection that acted, in [-1, 1]", "1", "control", 7)]
+    rotation: Annotated[Vec3, field_meta("RHC deflection that acted, in [-1, 1]", "1", "control", 7)]
+    drive: Annotated[float, field_meta("DRIVE deflection that acted, in [-1, 1]", "1", decimals=7)]
+    angles: Annotated[Six, field_meta("joint angles, measured", "rad")]
+    rates: Annotated[Six, field_meta("joint rates, measured", "rad/s")]
+    angles_commanded: Annotated[Six, field_meta("joint angles to which the commanded rates lead", "rad")]
+    rates_commanded: Annotated[Six, field_meta("joint rates, commanded", "rad/s")]
+    rate_limits: Annotated[Six, field_meta("joint rate limits in force", "rad/s")]
     zones: Annotated[
         tuple[int, int, int, int, int, int],
-        told("per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop"),
+        field_meta("for each joint: 0 free, 1 beyond the reach limit, 2 beyond the soft stop, 3 at the hard stop"),
     ]
-    position: Annotated[Vec3, told("of the tip", "m", "L")]
-    orientation: Annotated[Rows, told("attitude of frame 7", "1", "L")]
+    position: Annotated[Vec3, field_meta("position of the tip", "m", "L")]
+    orientation: Annotated[Rows, field_meta("attitude of frame 7", "1", "L")]
     wrist_pitch: Annotated[
         Rows | None,
-        told(
-            "T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; the concept arm's: of its lower "
-            "arm's frame; null in a recording that does not tell it",
+        field_meta(
+            "T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; on the concept arm, of the lower "
+            "arm's frame; null in a recording without it",
             "1",
             "orbiter",
         ),
     ]
-    resolution: Annotated[Vec3, told("point of resolution: the payload's in ORB LD and PL, else the tip", "m", "L")]
-    payload: Annotated[Placed | None, told("the payload in the grasp")]
+    resolution: Annotated[
+        Vec3, field_meta("position of the point of resolution: the payload's in ORB LD and PL, else the tip", "m", "L")
+    ]
+    payload: Annotated[Placed | None, field_meta("payload in the grasp; null if the grasp is empty")]
     attached: Annotated[
-        int, told("which of the scenario's own payloads (`Scenario.own_payloads`) that is, from 1; 0: none of them")
+        int,
+        field_meta(
+            "its number, from 1, among the scenario's own payloads (`Scenario.own_payloads`); 0 if it is none of them"
+        ),
     ]
-    twist: Annotated[Six, told("angular velocity, then velocity of the point of resolution", "rad/s, m/s", "L", 7)]
-    twist_commanded: Annotated[Six, told("what RATLMT left of the commanded twist", "rad/s, m/s", "L", 7)]
-    twist_demanded: Annotated[Six, told("what the mode asked for, before every limit", "rad/s, m/s", "L", 7)]
+    twist: Annotated[Six, field_meta("angular velocity, and velocity of the point of resolution", "rad/s, m/s", "L", 7)]
+    twist_commanded: Annotated[Six, field_meta("twist after RATLMT's limits", "rad/s, m/s", "L", 7)]
+    twist_demanded: Annotated[Six, field_meta("twist that the mode demands, before all limits", "rad/s, m/s", "L", 7)]
     por_limits: Annotated[
-        tuple[float, float], told("speed and angular rate of the point of resolution, in force", "m/s, rad/s")
+        tuple[float, float],
+        field_meta("limits in force of the speed and angular rate of the point of resolution", "m/s, rad/s"),
     ]
-    ratio: Annotated[float, told("what RATLMT left of the demand, 0 to 1", "1", decimals=7)]
-    limits: Annotated[tuple[Limit, ...], told("limits that acted in this step")]
-    singularity: Annotated[Vec3, told("signed distances: shoulder, elbow, wrist", "1", decimals=7)]
-    singular: Annotated[tuple[str, ...], told("singularities nearer than the arm's threshold")]
+    ratio: Annotated[float, field_meta("fraction of the demand that RATLMT permits, 0 to 1", "1", decimals=7)]
+    limits: Annotated[tuple[Limit, ...], field_meta("limits that were active in this step")]
+    singularity: Annotated[
+        Vec3, field_meta("signed distances from the shoulder, elbow and wrist singularity", "1", decimals=7)
+    ]
+    singular: Annotated[tuple[str, ...], field_meta("singularities nearer than the arm's threshold")]
     ways_out: Annotated[
         tuple[WayOut, ...],
-        told(
-            "for each singularity that is near and each joint past a limit: what leads away from it; while a contact "
-            "inhibits the arm, only what leads out of the contact"
+        field_meta(
+            "escape direction from each near singularity and each joint beyond a limit; while a contact inhibits the "
+            "arm, only that from the contact"
         ),
     ]
-    goal: Annotated[Goal | None, told("target of an automatic mode")]
-    times: Annotated[Times, told("TP, ETA and ETAP")]
-    work: Annotated[Work, told("contacts, captures, and where the worksite's things are")]
-    events: Annotated[tuple[Event, ...], told("what happened in this step")]
+    goal: Annotated[Goal | None, field_meta("target of an automatic mode; null if there is none")]
+    times: Annotated[Times, field_meta("TP, ETA and ETAP")]
+    work: Annotated[Work, field_meta("state of the worksite: contacts, captures and payloads")]
+    events: Annotated[tuple[Event, ...], field_meta("events of this step")]
     views: Annotated[
         tuple[Setting, ...],
-        told(
-            "pan, tilt and field of view of the cameras that turn, in the order of `scenario.cameras.cameras_of`", "rad"
+        field_meta(
+            "pan, tilt and field of view of the driven cameras, in the order of `scenario.cameras.cameras_of`", "rad"
         ),
     ]
-    sha256: Annotated[str, told("SHA-256 of the state behind all this, to the last digit")]
+    sha256: Annotated[str, field_meta("SHA-256 of the exact state")]

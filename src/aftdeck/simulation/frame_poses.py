@@ -15,12 +15,12 @@ def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: 
 
     The orbiter, and what carries each payload, are as they are now.
     """
-    frames = np.empty_like(state.site.frames)
-    place_everything(*state.site.places(flight.site), angles, stand, prong, frames)
+    frames = np.empty_like(state.worksite.frames)
+    place_everything(*state.worksite.places(flight.site), angles, stand, prong, frames)
     return frames
 
 
-def frames_with(flight: Flight, state: State, prong: float) -> Array:
+def frames_with_prong_at(flight: Flight, state: State, prong: float) -> Array:
     """Return the poses of all frames in L, (F, 12), as they are now, but with the prong at `prong` [m]."""
     return frames_at(flight, state, state.plant.angles, state.plant.stand.position, prong)
 
@@ -32,4 +32,4 @@ def frames_after(flight: Flight, state: State, rates: Array, telescope: float) -
     """
     plant, period = state.plant, flight.scenario.control_period
     angles, stand = plant.angles + rates * period, plant.stand.after(flight.telescope, telescope, period)
-    return frames_at(flight, state, angles, stand, state.site.prong.position)
+    return frames_at(flight, state, angles, stand, state.worksite.prong.position)

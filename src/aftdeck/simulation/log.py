@@ -13,11 +13,11 @@ def log(flight: Flight, state: State, kind: str, level: Level, text: str) -> Non
     state.events.append(Event(round(time, 9), kind, level, text))
 
 
-def refuse(flight: Flight, state: State, text: str) -> None:
+def log_rejection(flight: Flight, state: State, text: str) -> None:
     """Log a rejected command and the reason."""
     log(flight, state, "refused", "caution", text)
 
 
-def spoken(joint: str) -> str:
+def joint_label(joint: str) -> str:
     """Return a joint's name in words: ``elbow pitch`` for ``elbow_pitch``."""
     return joint.replace("_", " ")

@@ -7,14 +7,14 @@ from collections.abc import Callable
 import numpy as np
 
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.parts.carried import Carried
+from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Rehearsed
 from aftdeck.simulation.parts.standing import Standing
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.payloads.grasp import steer
 from aftdeck.simulation.state import State, new_state
 from aftdeck.state_part import Cache, decoded
-from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 
 
 def resume(flight: Flight, saved: bytes) -> State:
@@ -23,12 +23,12 @@ def resume(flight: Flight, saved: bytes) -> State:
     Raises:
         InputError: the bytes are not a state of this flight.
     """
-    nothing = Carried(None, {})
+    nothing = SteeringSetup(None, {})
     empty: dict[type, Callable[[], Cache]] = {
-        Carried: lambda: nothing,
+        SteeringSetup: lambda: nothing,
         Standing: lambda: Standing(flight.scenario.arm),
         Rehearsed: Rehearsed,
-        Watch: lambda: Watch(flight.site.layout),
+        ClearanceMonitor: lambda: ClearanceMonitor(flight.site.layout),
     }
     state = decoded(new_state(flight, nothing), saved, lambda kind: empty[kind]())
     steer(flight, state)
@@ -38,12 +38,12 @@ def resume(flight: Flight, saved: bytes) -> State:
 
 def look_again(flight: Flight, state: State) -> None:
     """Measure the clearances again as the last step did, starting from an empty watch."""
-    things = state.site
-    watch, nearest = things.watch, np.zeros_like(things.looked)
-    if things.nearest >= 0:
-        nearest[things.nearest] = 1
+    worksite = state.worksite
+    watch, nearest = worksite.watch, np.zeros_like(worksite.monitored_before)
+    if worksite.nearest >= 0:
+        nearest[worksite.nearest] = 1
     watch.forget()
-    watch.active[:] = things.looked
-    watch.look_near(things.before, things.frames, flight.scenario.control_period, nearest, flight.within)
-    things.choose(flight.site)
+    watch.active[:] = worksite.monitored_before
+    watch.look_near(worksite.before, worksite.frames, flight.scenario.control_period, nearest, flight.within)
+    worksite.select_monitored(flight.site)
     count(flight, state)

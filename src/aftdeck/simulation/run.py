@@ -13,11 +13,11 @@ import msgspec
 from aftdeck.errors import InputError, SimulationError
 from aftdeck.scenario.load import load_scenario
 from aftdeck.scenario.model import Scenario
-from aftdeck.simulation.begin import first_state
-from aftdeck.simulation.constants.flight import prepare
+from aftdeck.simulation.begin import initial_state
+from aftdeck.simulation.constants.flight import run_constants
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.observe.look import look
+from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import Ahead, Axis, look_ahead
 from aftdeck.simulation.observe.look_work import all_near
 from aftdeck.simulation.plain import plain_inputs, whole
@@ -53,8 +53,8 @@ class Simulation:
         self._seal = b""
         self._given: Inputs | None = None
         self._flown = Inputs()
-        self._flight = prepare(self.scenario)
-        self._state = first_state(self._flight)
+        self._flight = run_constants(self.scenario)
+        self._state = initial_state(self._flight)
         constants = f"{self.scenario.text}\n{self.scenario.arm.model.source}"
         self._stepped = False
         self._digest = hashlib.sha256(constants.encode()).hexdigest()
@@ -118,7 +118,7 @@ class Simulation:
     def look(self) -> Frame:
         """Return the frame of the last control step. Leaves the state unchanged; costs about as much as a step."""
         if self._frame is None:
-            self._frame = look(self._flight, self._state, self.seal())
+            self._frame = frame_of(self._flight, self._state, self.seal())
         return self._frame
 
     def ahead(self, seconds: float = 5.0, last: Axis | None = None) -> Ahead:

@@ -17,12 +17,12 @@ from aftdeck.simulation.camera_drives import Views
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Check, Event, Level, Sequence, Six, WayOut
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.parts.carried import Carried
+from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Checking, Premises
 from aftdeck.simulation.parts.standing import Standing
-from aftdeck.simulation.parts.worksite_state import Things, new_things
+from aftdeck.simulation.parts.worksite_state import WorksiteState, new_worksite_state
 from aftdeck.state_part import StatePart, copied
-from aftdeck.steering.layout import COMMAND, GO, REPORT, STATE
+from aftdeck.steering.layout import COMMAND, MOTION_ACTIVE, REPORT, STATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice
 from aftdeck.steering.msteer import measured
 from aftdeck.steering.rules import Rate
@@ -40,7 +40,7 @@ class Panel(StatePart):
     """Steering law of OPR CMD and AUTO 1-4."""
     payload_axes: bool = False
     """True if ORB LD rotates in payload axes."""
-    held: Six | None = None
+    rate_hold_sticks: Six | None = None
     """Stick deflections (rotation, translation) that RATE HOLD keeps; None if RATE HOLD is off."""
     position_hold: bool = False
     """POSITION HOLD switch."""
@@ -48,7 +48,7 @@ class Panel(StatePart):
     """BRAKES switch: stops all joints."""
     safing: bool = False
     """SAFING: zero joint rates are commanded."""
-    holding: Target | None = None
+    position_hold_target: Target | None = None
     """Pose that POSITION HOLD keeps; None while it keeps no pose, as when a stick is deflected."""
     keyed: Target | None = None
     """OPR CMD's keyed-in pose."""
@@ -63,11 +63,11 @@ class Panel(StatePart):
     proceeding: bool = False
     """True if PROCEED was pressed: the motion starts once CMD CK is GOOD."""
     sequence: Sequence = "idle"
-    began: int = 0
+    motion_began: int = 0
     """Tick after which the report's phase began: start of a motion or script phase, or entry of a mode."""
     ending: Ending = ""
     """Result of an automatic motion that ended in this step; "" if none ended."""
-    beside: str = ""
+    final_error: str = ""
     """Final error of that motion, for people; "" if it reached its target."""
     blocked: int = 0
     """Number of steps for which an automatic motion has been at a standstill."""
@@ -109,14 +109,14 @@ class State(StatePart):
     Attributes:
         panel: switches.
         script: progress of the script.
-        under_way: an operator's inputs that the command delay holds back, oldest first.
+        delayed_inputs: an operator's inputs that the command delay holds back, oldest first.
         plant: model that moves the joints and the telescope.
-        site: the worksite's part of the state.
+        worksite: the worksite's part of the state.
         views: settings of the cameras' drives.
         steering: measured angles and rise, commanded rates, commanded twist.
         command: input of the steering laws in this step.
         report: output of the steering laws in this step.
-        seen: (21,) tip pose, twist and singularity distances of the arm, as `kinematics.observe` fills it.
+        observed: (21,) tip pose, twist and singularity distances of the arm, as `kinematics.observe` fills it.
         carried: payload that the arm holds, and the steering's rules with it.
         standing: the arm on its telescope.
         tick: number of control steps done, the present one included.
@@ -129,15 +129,15 @@ class State(StatePart):
 
     panel: Panel
     script: Script
-    under_way: list[Inputs]
+    delayed_inputs: list[Inputs]
     plant: KinematicPlant
-    site: Things
+    worksite: WorksiteState
     views: Views
     steering: Array
     command: Array
     report: Array
-    seen: Array
-    carried: Carried
+    observed: Array
+    carried: SteeringSetup
     standing: Standing
     tick: int = 0
     by_script: bool = False
@@ -152,19 +152,19 @@ class State(StatePart):
         copy.checking = None
         return copy
 
-    def become(self, other: State) -> None:
+    def replace_with(self, other: State) -> None:
         """Replace this state by another of the same run; keep the tick, the script, the events and delayed inputs."""
         for name in ("panel", "carried", "plant", "site", "steering", "views", "command", "report", "checking"):
             setattr(self, name, getattr(other, name))
 
     def measure(self) -> None:
         """Copy the plant's measured angles and rates to `steering`; steering, plans and checks start from them."""
-        measured(self.plant.angles, self.plant.rates, self.rise, self.steering)
+        measured(self.plant.angles, self.plant.rates, self.shoulder_offset, self.steering)
 
     @property
     def rules(self) -> Array:
         """Steering rules in force; mode 1 uses those of mode 2 while the arm comes to rest before its motion."""
-        return self.rules_while(under_way=bool(self.command[GO]))
+        return self.rules_while(under_way=bool(self.command[MOTION_ACTIVE]))
 
     def rules_while(self, *, under_way: bool) -> Array:
         """Return the steering's rules for the case that an automatic motion is in progress, or is not."""
@@ -174,7 +174,7 @@ class State(StatePart):
         return self.carried.rules[panel.mode, panel.rate, law]
 
     @property
-    def rise(self) -> float:
+    def shoulder_offset(self) -> float:
         """Height of the shoulder above its height in the steering's rules [m]."""
         return self.plant.stand.position - self.standing.height
 
@@ -184,7 +184,7 @@ class State(StatePart):
         return self.standing.at(self.plant.stand.position)
 
 
-def new_state(flight: Flight, carried: Carried) -> State:
+def new_state(flight: Flight, carried: SteeringSetup) -> State:
     """Return a state in which the arm and the worksite are not yet at their start; `begin` puts them there."""
     scenario, views = flight.scenario, flight.cameras.first
     panel = Panel(
@@ -199,14 +199,14 @@ def new_state(flight: Flight, carried: Carried) -> State:
     return State(
         panel=panel,
         script=Script(attached=0 if scenario.payload is None else 1),
-        under_way=[Inputs()] * scenario.delay,
+        delayed_inputs=[Inputs()] * scenario.delay,
         plant=KinematicPlant(np.zeros(6), np.zeros(6), np.zeros(6), Slide(0.0)),
-        site=new_things(flight.site, flight.prong),
+        worksite=new_worksite_state(flight.site, flight.prong),
         views=views,
         steering=np.zeros(STATE),
         command=np.zeros(COMMAND),
         report=np.zeros(REPORT),
-        seen=np.zeros(OBSERVED),
+        observed=np.zeros(OBSERVED),
         carried=carried,
         standing=Standing(scenario.arm),
     )

@@ -7,10 +7,10 @@ from aftdeck.simulation.command_check.cmd_ck import check
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.fly import go
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.observe.arm_events import notice
+from aftdeck.simulation.observe.arm_events import log_arm_events
 from aftdeck.simulation.operator.command_delay import delayed
 from aftdeck.simulation.operator.panel import operate
-from aftdeck.simulation.operator.script import conclude, hand_over, phase_name, play
+from aftdeck.simulation.operator.script import end_if_time_is_up, hand_over, phase_name, play
 from aftdeck.simulation.payloads.alignment import count
 from aftdeck.simulation.state import State
 
@@ -57,7 +57,7 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     count(flight, state)
 
     # log lines about the arm; end of a script whose time has run out
-    notice(flight, state)
+    log_arm_events(flight, state)
     if state.by_script:
-        conclude(flight, state)
+        end_if_time_is_up(flight, state)
     return inputs

@@ -50,7 +50,7 @@ class Summary(msgspec.Struct, frozen=True):
     worst_rate_ratio: float
     """Largest |commanded joint rate| / limit in force."""
     min_clearance_m: float | None
-    """Minimum clearance of the pairs that count for CLEARANCE (`simulation.lined_up`), negative if they overlapped.
+    """Minimum clearance of the pairs that count for CLEARANCE (`simulation.aligned_with`), negative if they overlapped.
 
     None if no such pair was watched.
     """
@@ -81,9 +81,9 @@ class Tally:
         self.events += state.events
         rules = state.rules
         self.worst = max(self.worst, rate_ratio(rules, state.steering))
-        things = state.site
-        if things.nearest >= 0:
-            self.least = min(self.least, float(things.watch.found[things.nearest, CLEARANCE]))
+        worksite = state.worksite
+        if worksite.nearest >= 0:
+            self.least = min(self.least, float(worksite.watch.found[worksite.nearest, CLEARANCE]))
         self._digest.update(seal)
 
     def summary(self, scenario: Scenario, seed: int, ended: Ended, frame: Frame) -> Summary:

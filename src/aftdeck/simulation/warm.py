@@ -7,12 +7,12 @@ import contextlib
 from aftdeck.errors import AftdeckError
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.target import target_at
-from aftdeck.simulation.begin import first_state
-from aftdeck.simulation.constants.flight import Flight, prepare
+from aftdeck.simulation.begin import initial_state
+from aftdeck.simulation.constants.flight import Flight, run_constants
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.motion.ways_out import ways_out
-from aftdeck.simulation.observe.look import look
+from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
 from aftdeck.simulation.payloads.grasp import let_go, set_free, take_hold
 from aftdeck.simulation.payloads.seating import conditions_at
@@ -30,8 +30,8 @@ FAR = 1e3
 
 def warm_up(scenario: Scenario) -> None:
     """Run a scratch copy for a few steps, to call everything that is compiled at its first use."""
-    flight = prepare(scenario)
-    state = first_state(flight)
+    flight = run_constants(scenario)
+    state = initial_state(flight)
     arm = scenario.arm
     here = target_at(arm.forward(scenario.initial_angles))
     step(flight, state, Inputs())
@@ -45,7 +45,7 @@ def warm_up(scenario: Scenario) -> None:
     step(flight, state, Inputs(mode="SINGLE"))
     ways_out(flight, state, (0, 0, 0, 0, 0, 0), ("elbow",))
     step(flight, state, None)
-    state.site.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.site.task)
+    state.worksite.contacts.judge(touching=True, changed=True, prong=flight.site.by_prong, mode=state.worksite.task)
     way_out_of_contact(flight, state)
     if flight.site.cargo:
         _carry(flight, state)
@@ -53,12 +53,12 @@ def warm_up(scenario: Scenario) -> None:
 
 def _carry(flight: Flight, state: State) -> None:
     """Attach the first payload of the scratch copy, slide it along the walls, check its seats, and release it."""
-    things = state.site
-    things.cargo[0].seat = ""
+    worksite = state.worksite
+    worksite.cargo[0].seat = ""
     take_hold(flight, state, 0)
     change_task(flight, state)
-    look(flight, state, digest(state))
-    things.watch.look(things.frames, things.frames, flight.scenario.control_period)
+    frame_of(flight, state, digest(state))
+    worksite.watch.update(worksite.frames, worksite.frames, flight.scenario.control_period)
     state.steering[TWIST : TWIST + 6] = FAR  # every wall is then within reach of the next step
     slide_along(flight, state, 0.0, 0)
     for berth in flight.site.berths[0]:

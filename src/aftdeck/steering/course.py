@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array
 from aftdeck.law import law
-from aftdeck.steering.layout import GO, LAW, MEASURED, STRICT
+from aftdeck.steering.layout import LAW, MEASURED, MOTION_ACTIVE, STRICT
 from aftdeck.steering.modes import open_loop, position
 
 AT_REST = 1e-6
@@ -25,7 +25,7 @@ def may_start(rules: Array, state: Array) -> bool:
 
 
 @law
-def set_off(rules: Array, command: Array, state: Array) -> None:
+def start_motion(rules: Array, command: Array, state: Array) -> None:
     """Plan and start the motion if the arm may start; call this before each step until GO is set in `command`.
 
     `command` holds the law's number and the target. In mode 1 it also holds the final joint angles, at the index of
@@ -37,4 +37,4 @@ def set_off(rules: Array, command: Array, state: Array) -> None:
         position.plan(rules, command, state)
     elif command[LAW] == 3.0:
         open_loop.plan(rules, command, state)
-    command[GO] = 1.0
+    command[MOTION_ACTIVE] = 1.0

@@ -51,9 +51,9 @@ JOINT = STICKS + 6
 """Selected joint, 0 to 5."""
 DRIVE = JOINT + 1
 """SINGLE/DIRECT DRIVE in [-1, 1]."""
-GO = DRIVE + 1
+MOTION_ACTIVE = DRIVE + 1
 """1 while an automatic motion is in progress; 0 while the arm first comes to rest, where the plan begins."""
-TARGET = GO + 1
+TARGET = MOTION_ACTIVE + 1
 """(12,) final tip position, then rotation row by row."""
 PLAN = TARGET + 12
 """(11,) plan that modes 1 and 3 compute once at their start; before that, mode 1's final angles; see those modes."""
@@ -81,9 +81,9 @@ POINT = 18
 """Point whose velocity TWIST holds: 0 the tip, 1 the payload's point of resolution."""
 CLOCK = 19
 """Phase time TP of modes 1 and 3 [s]."""
-PACE = 20
+CLOCK_RATE = 20
 """Share of the last step's demand that was flown, 0 to 1: the rate of CLOCK."""
-RISE = 21
+SHOULDER_OFFSET = 21
 """Height of the shoulder above that in `rules` (L1), as measured [m]: the telescope's extension."""
 MEASURED = 22
 """(6,) joint rates, as measured [rad/s]."""
@@ -96,7 +96,7 @@ RATIO = 6
 """Share of the commanded rates that RATLMT allowed, 0 to 1."""
 CAUSE = 7
 """Limit that acted in RATLMT: an index in `limiters.CAUSES`."""
-CULPRIT = 8
+LIMITING_JOINT = 8
 """Joint (or singularity) at that limit; -1 for none."""
 POR_CAUSE = 9
 """Limits that acted in AVCLMT, as `limiters.avclmt` numbers them."""

@@ -22,25 +22,25 @@ from aftdeck.steering.layout import (
     ARRIVED,
     CAUSE,
     CLOCK,
-    CULPRIT,
+    CLOCK_RATE,
     DEMAND,
     DIRECT_LAW,
     DISTANCE,
     DT,
-    GO,
     GUARDED,
     LAW,
+    LIMITING_JOINT,
     MASTER_LAW,
     MEASURED,
+    MOTION_ACTIVE,
     OFFSET,
-    PACE,
     POINT,
     POR_CAUSE,
     RATE,
     RATES,
     RATIO,
     REMAINING,
-    RISE,
+    SHOULDER_OFFSET,
     STRICT,
     TURN_REMAINING,
     TWIST,
@@ -61,7 +61,7 @@ def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
     The arrays are those of `steering.layout`. `state` holds measured angles, and the rates and the twist that
     the last step commanded; this function replaces the rates and the twist.
     """
-    report[RATIO], report[CAUSE], report[CULPRIT], report[POR_CAUSE] = 1.0, 0.0, -1.0, 0.0
+    report[RATIO], report[CAUSE], report[LIMITING_JOINT], report[POR_CAUSE] = 1.0, 0.0, -1.0, 0.0
     report[DISTANCE], report[ANGLE], report[REMAINING], report[ARRIVED] = 0.0, 0.0, 0.0, 0.0
     report[TURN_REMAINING] = 0.0
     a = _sines_at(rules, state, 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT])
@@ -82,7 +82,7 @@ def measured(angles: Array, rates: Array, rise: float, state: Array) -> None:
         rise: height of the shoulder above that in `rules` [m].
         state: receives the measurements.
     """
-    state[RISE] = rise
+    state[SHOULDER_OFFSET] = rise
     for i in range(6):
         state[ANGLES + i] = angles[i]
         state[MEASURED + i] = rates[i]
@@ -109,7 +109,7 @@ def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: 
         wanted = position.rates(rules, command, state, report)
         factor = _position_factor(rules, command, state, report, a, j, wanted)
         rates = cut(rules, wanted, factor)
-        state[PACE] = factor
+        state[CLOCK_RATE] = factor
         share = 1.0 if rules[STRICT] != 0.0 else factor
         state[CLOCK] = position.clock_after(command, state[CLOCK], share, rules[DT])
     elif command[LAW] == DIRECT_LAW:
@@ -132,12 +132,12 @@ def _position_factor(
     The tip's limits apply as well, but not under `strict`: in the source only RATLMT acts.
     """
     limit = joint_ratio(rules, state, wanted)
-    if rules[STRICT] != 0.0 or command[GO] == 0.0:
-        report[RATIO], report[CAUSE], report[CULPRIT] = limit.ratio, limit.cause, limit.culprit
+    if rules[STRICT] != 0.0 or command[MOTION_ACTIVE] == 0.0:
+        report[RATIO], report[CAUSE], report[LIMITING_JOINT] = limit.ratio, limit.cause, limit.culprit
         return limit.ratio
     present = _present(rules, state, a, j, False, 0.0, 0.0, 0.0)
     found = one_factor(rules, state, wanted, erates(a, j, wanted), present, limit)
-    report[RATIO], report[CAUSE], report[CULPRIT] = found.factor, found.cause, found.culprit
+    report[RATIO], report[CAUSE], report[LIMITING_JOINT] = found.factor, found.cause, found.culprit
     report[POR_CAUSE] = found.por_cause
     return found.factor
 
@@ -145,7 +145,7 @@ def _position_factor(
 @law
 def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian) -> None:
     """Steer in modes 2 to 7, which command a twist of the point of resolution."""
-    here = lifted(tip(rules, _sines_at(rules, state, 0.0)), state[RISE])
+    here = lifted(tip(rules, _sines_at(rules, state, 0.0)), state[SHOULDER_OFFSET])
     wanted = _wanted(rules, command, state, report, here)
     _note_demand(report, wanted)
     offset = rules[OFFSET] != 0.0 or rules[OFFSET + 1] != 0.0 or rules[OFFSET + 2] != 0.0
@@ -156,12 +156,12 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
             wanted = _carried(wanted, x, y, z)
     floor = NEAR_FLOOR if rules[GUARDED] != 0.0 else FLOOR
     present = _present(rules, state, a, j, offset, x, y, z)
-    planned = command[LAW] == 3.0 and command[GO] != 0.0 and rules[STRICT] == 0.0
+    planned = command[LAW] == 3.0 and command[MOTION_ACTIVE] != 0.0 and rules[STRICT] == 0.0
     if not planned:  # one factor alone keeps mode 3 on its plan
         if rules[STRICT] == 0.0:
             possible = ratlmt(rules, state, a, rmsrat(rules, a, _carried(wanted, -x, -y, -z), floor))
             wanted = scaled(wanted, possible.ratio)
-            report[RATIO], report[CAUSE], report[CULPRIT] = possible.ratio, possible.cause, possible.culprit
+            report[RATIO], report[CAUSE], report[LIMITING_JOINT] = possible.ratio, possible.cause, possible.culprit
         wanted, por_cause = avclmt(rules, wanted, present)
         report[POR_CAUSE] = por_cause
     rates = rmsrat(rules, a, _carried(wanted, -x, -y, -z), floor)
@@ -174,11 +174,14 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
             report[POR_CAUSE] = found.por_cause
     report[RATIO] = report[RATIO] * factor
     if cause != 0:
-        report[CAUSE], report[CULPRIT] = cause, culprit
-    if report[CAUSE] == BY_RATE and _below_limit(rules, rates, factor, int(report[CULPRIT])):
-        report[CAUSE], report[CULPRIT] = 0.0, -1.0  # the arm is still accelerating; this limit would act only later
-    state[PACE] = 1.0 if rules[STRICT] != 0.0 else report[RATIO]
-    state[CLOCK] += state[PACE] * rules[DT]
+        report[CAUSE], report[LIMITING_JOINT] = cause, culprit
+    if report[CAUSE] == BY_RATE and _below_limit(rules, rates, factor, int(report[LIMITING_JOINT])):
+        report[CAUSE], report[LIMITING_JOINT] = (
+            0.0,
+            -1.0,
+        )  # the arm is still accelerating; this limit would act only later
+    state[CLOCK_RATE] = 1.0 if rules[STRICT] != 0.0 else report[RATIO]
+    state[CLOCK] += state[CLOCK_RATE] * rules[DT]
     feed_back(state, cut(rules, rates, factor), scaled(wanted, factor), 1.0 if offset else 0.0)
 
 

@@ -6,7 +6,7 @@ import math
 
 from aftdeck.arrays import Array
 from aftdeck.law import law
-from aftdeck.steering.layout import ANGLES, CAUSE, CULPRIT, DT, HIGH, LOW, MEASURED, RATE, RATE_UP, RATIO
+from aftdeck.steering.layout import ANGLES, CAUSE, DT, HIGH, LIMITING_JOINT, LOW, MEASURED, RATE, RATE_UP, RATIO
 from aftdeck.steering.limiters import braked
 
 
@@ -35,6 +35,6 @@ def ramped(rules: Array, state: Array, report: Array, asked: float, i: int, stop
     allowed = braked(gap, rules[RATE_UP + i], rules[DT])
     if abs(rate) > allowed:
         report[RATIO] = min(report[RATIO], allowed / abs(rate))
-        report[CAUSE], report[CULPRIT] = stop, i
+        report[CAUSE], report[LIMITING_JOINT] = stop, i
         rate = math.copysign(allowed, rate)
     return float(min(max(rate, -rules[RATE + i]), rules[RATE + i]))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array
 from aftdeck.law import law
-from aftdeck.steering.course import set_off
-from aftdeck.steering.layout import ANGLES, ARRIVED, DT, GO, MEASURED, RATES, RATIO
+from aftdeck.steering.course import start_motion
+from aftdeck.steering.layout import ANGLES, ARRIVED, DT, MEASURED, MOTION_ACTIVE, RATES, RATIO
 from aftdeck.steering.msteer import msteer
 
 STANDSTILL = 1e-3
@@ -23,8 +23,8 @@ def rehearse(rules: Array, command: Array, state: Array, report: Array, most: fl
     dt = rules[DT]
     held, step = 0, 0
     while step * dt < most and held * dt < GIVEN_UP:
-        if command[GO] == 0.0:
-            set_off(rules, command, state)
+        if command[MOTION_ACTIVE] == 0.0:
+            start_motion(rules, command, state)
         msteer(rules, command, state, report)
         for i in range(6):
             state[ANGLES + i] += state[RATES + i] * dt

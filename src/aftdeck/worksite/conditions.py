@@ -13,7 +13,7 @@ from typing import Annotated, Literal, NamedTuple
 
 import msgspec
 
-from aftdeck.told import told
+from aftdeck.field_meta import field_meta
 from aftdeck.units import FOOT, INCH
 
 Unit = Literal["m", "rad", "m/s", "rad/s", "s", ""]
@@ -38,17 +38,20 @@ _SMALLEST, _GREATEST = 1e-3, 999.5
 class Condition(msgspec.Struct, frozen=True, gc=False):
     """One condition with its measured value, its limit and its margin."""
 
-    name: Annotated[str, told("which: `palm height`")]
-    holds: Annotated[bool, told("whether it holds")]
-    value: Annotated[float, told("what is measured, in `unit`", decimals=5)]
+    name: Annotated[str, field_meta("name of the condition: `palm height`")]
+    holds: Annotated[bool, field_meta("whether it holds")]
+    value: Annotated[float, field_meta("measured value, in `unit`", decimals=5)]
     limit: Annotated[
-        float, told("what it is held against, in `unit`: the nearer of two bounds, or the one passed", decimals=5)
+        float,
+        field_meta(
+            "bound that it is compared with, in `unit`: the nearer of two, or the one that is exceeded", decimals=5
+        ),
     ]
-    unit: Annotated[Unit, told("m, rad, m/s, or empty")]
-    margin: Annotated[float, told("by how much it holds, or fails where negative, in `unit`", decimals=5)]
-    text: Annotated[str, told("for people: `palm 2.5 in above the bar, 0 to 0.75 in allowed`")]
-    words: Annotated[str, told("the text with `{}` in place of each number; empty in a recording without it")] = ""
-    numbers: Annotated[tuple[float, ...], told("those numbers, in `unit`", decimals=5)] = ()
+    unit: Annotated[Unit, field_meta("unit of value, limit and margin; empty for a count")]
+    margin: Annotated[float, field_meta("margin, in `unit`; negative if the condition fails", decimals=5)]
+    text: Annotated[str, field_meta("text for the operator: `palm 2.5 in above the bar, 0 to 0.75 in allowed`")]
+    words: Annotated[str, field_meta("text with `{}` in place of each number; empty in a recording without it")] = ""
+    numbers: Annotated[tuple[float, ...], field_meta("numbers of the text, in `unit`", decimals=5)] = ()
 
 
 def within(
@@ -58,7 +61,7 @@ def within(
     greatest: float,
     unit: Unit,
     units: Units,
-    says: tuple[str, str],
+    templates: tuple[str, str],
 ) -> Condition:
     """Return the condition least <= value <= greatest; one of the bounds may be infinite, but not both.
 
@@ -69,16 +72,16 @@ def within(
         greatest: upper bound.
         unit: unit of the value and the bounds.
         units: the operator's units.
-        says: two text templates for the value, with braces for its size: the first for a value of 0 or more, the
+        templates: two text templates for the value, with braces for its size: the first for a value of 0 or more, the
             second for a negative value.
     """
     below, above = value - least, greatest - value
     margin, limit = (below, least) if below < above else (above, greatest)
     holds = margin >= 0.0
-    size = shown(abs(value), unit, units)
+    size = quantity_text(abs(value), unit, units)
     if not holds and abs(margin) < _LIKE * abs(limit) + _TINY:
-        size = _told_apart(abs(value), abs(limit), unit, units)
-    measured, allowed = says[value < 0.0], _allowed(least, greatest, unit, units, holds)
+        size = _distinct_text(abs(value), abs(limit), unit, units)
+    measured, allowed = templates[value < 0.0], _allowed(least, greatest, unit, units, holds)
     text, words = measured.format(size) + allowed.text, measured + allowed.words
     numbers = (abs(value), *allowed.numbers) if "{}" in measured else allowed.numbers
     return Condition(name, holds, value, limit, unit, margin, text, words, numbers)
@@ -94,17 +97,17 @@ def failing(conditions: Iterable[Condition]) -> tuple[Condition, ...]:
     return tuple(condition for condition in conditions if not condition.holds)
 
 
-def reasons(conditions: Iterable[Condition]) -> str:
+def failure_text(conditions: Iterable[Condition]) -> str:
     """Return the texts of all failed conditions, joined by "; "; empty if all hold."""
     return "; ".join(condition.text for condition in failing(conditions))
 
 
-def refusal(what: str, conditions: Iterable[Condition]) -> str:
+def rejection_text(what: str, conditions: Iterable[Condition]) -> str:
     """Return the text that rejects a command because of failed conditions; empty if all hold.
 
     For example ``CAPTURE refused: palm 2.5 in above the bar, 0 to 0.75 in allowed; ...``.
     """
-    why = reasons(conditions)
+    why = failure_text(conditions)
     return f"{what} refused: {why}" if why else ""
 
 
@@ -113,7 +116,7 @@ def tightest(conditions: Iterable[Condition], unit: Unit) -> Condition | None:
     return min((c for c in conditions if c.unit == unit), key=lambda c: c.margin, default=None)
 
 
-def shown(value: float, unit: Unit, units: Units, figures: int = _FIGURES) -> str:
+def quantity_text(value: float, unit: Unit, units: Units, figures: int = _FIGURES) -> str:
     """Return the text of a value [unit] in the operator's units.
 
     Examples:
@@ -124,15 +127,15 @@ def shown(value: float, unit: Unit, units: Units, figures: int = _FIGURES) -> st
     return _digits(value * per, figures) + suffix
 
 
-def _told_apart(value: float, limit: float, unit: Unit, units: Units) -> str:
+def _distinct_text(value: float, limit: float, unit: Unit, units: Units) -> str:
     """Return the text of a value with as many figures as distinguish it from a limit.
 
     Otherwise a text such as "0.75 in above, 0 to 0.75 in allowed" could result.
     """
     for figures in range(_FIGURES, _MOST_FIGURES):
-        if (text := shown(value, unit, units, figures)) != shown(limit, unit, units, figures):
+        if (text := quantity_text(value, unit, units, figures)) != quantity_text(limit, unit, units, figures):
             return text
-    return shown(value, unit, units, _MOST_FIGURES)
+    return quantity_text(value, unit, units, _MOST_FIGURES)
 
 
 def _scale(size: float, unit: Unit, units: Units) -> tuple[float, str]:
@@ -197,4 +200,4 @@ def _allowed(least: float, greatest: float, unit: Unit, units: Units, holds: boo
         per, suffix = _scale(max(abs(least), abs(greatest)), unit, units)
         text = words.format(_digits(least * per, _FIGURES), _digits(greatest * per, _FIGURES) + suffix)
         return _Allowed(text, words, (least, greatest))
-    return _Allowed(words.format(shown(bound, unit, units)), words, (bound,))
+    return _Allowed(words.format(quantity_text(bound, unit, units)), words, (bound,))

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Literal, NamedTuple
 
 
-class Said(NamedTuple):
+class LogLine(NamedTuple):
     """A line for the log.
 
     Attributes:
-        kind: ``captured``, ``missed``, ``released``, ``rigid``, ``latched``, ``unlatched``, ``refused``.
+        kind: ``captured``, ``missed``, ``released``, ``rigid``, ``latched``, ``unlatched``, ``rejection``.
         level: level of the log line.
         text: sentence for the operator.
     """
@@ -19,6 +19,6 @@ class Said(NamedTuple):
     text: str
 
 
-def refused(text: str) -> Said:
+def rejection(text: str) -> LogLine:
     """Return the log line for a rejected command, with the reason as its text."""
-    return Said("refused", "caution", text)
+    return LogLine("refused", "caution", text)

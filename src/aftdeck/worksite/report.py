@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from aftdeck.told import told
+from aftdeck.field_meta import field_meta
 from aftdeck.worksite.conditions import Condition
 from aftdeck.worksite.watch.alarm import Level
 
@@ -25,74 +25,94 @@ COARSE = 5
 class Near(msgspec.Struct, frozen=True, gc=False):
     """Two monitored parts."""
 
-    a: Annotated[str, told("a part, for people: `lower boom`")]
-    b: Annotated[str, told("the other part")]
-    clearance: Annotated[float, told("their distance; negative where they overlap", "m", decimals=COARSE)]
-    closing: Annotated[float, told("speed at which the two closest points approach", "m/s", decimals=COARSE)]
-    point_a: Annotated[Vec3, told("the closest point of a", "m", "L", COARSE)]
-    point_b: Annotated[Vec3, told("the closest point of b", "m", "L", COARSE)]
-    normal: Annotated[
-        Vec3, told("unit normal of a plane between the two, from a to b; zero where they collide", "1", "L", COARSE)
+    a: Annotated[str, field_meta("name of the first part: `lower boom`")]
+    b: Annotated[str, field_meta("name of the second part")]
+    clearance: Annotated[float, field_meta("distance of the two parts; negative if they overlap", "m", decimals=COARSE)]
+    closing: Annotated[
+        float, field_meta("speed at which the two closest points approach each other", "m/s", decimals=COARSE)
     ]
-    distance: Annotated[float, told("of that plane from the origin", "m", "L", COARSE)]
-    essential: Annotated[bool, told("the two are made to touch: inhibits nothing")] = False
-    feature_a: Annotated[str, told("what of a touches or penetrates: `vertex 3`; empty where they are apart")] = ""
-    feature_b: Annotated[str, told("the same of b")] = ""
+    point_a: Annotated[Vec3, field_meta("closest point of the first part", "m", "L", COARSE)]
+    point_b: Annotated[Vec3, field_meta("closest point of the second part", "m", "L", COARSE)]
+    normal: Annotated[
+        Vec3,
+        field_meta("unit normal of a plane between the two, from a to b; zero if they touch", "1", "L", COARSE),
+    ]
+    distance: Annotated[float, field_meta("distance of that plane from the origin", "m", "L", COARSE)]
+    essential: Annotated[bool, field_meta("whether the contact belongs to the task, so that it inhibits nothing")] = (
+        False
+    )
+    feature_a: Annotated[str, field_meta("feature of a that touches b: `vertex 3`; empty if they are apart")] = ""
+    feature_b: Annotated[str, field_meta("feature of b that touches a")] = ""
 
 
 class Cargo(msgspec.Struct, frozen=True, gc=False):
     """A payload of the worksite."""
 
-    name: Annotated[str, told("which")]
-    position: Annotated[Vec3, told("its centre", "m", "L")]
-    orientation: Annotated[Rows, told("its attitude", "1", "L")]
-    velocity: Annotated[Vec3, told("of its centre", "m/s", "L")]
-    held: Annotated[bool, told("the end effector holds it")]
-    seat: Annotated[str, told("the seat that it is fixed to; empty: none")]
+    name: Annotated[str, field_meta("name of the payload")]
+    position: Annotated[Vec3, field_meta("position of its centre", "m", "L")]
+    orientation: Annotated[Rows, field_meta("its attitude", "1", "L")]
+    velocity: Annotated[Vec3, field_meta("velocity of its centre", "m/s", "L")]
+    held: Annotated[bool, field_meta("whether the end effector holds it")]
+    seat: Annotated[str, field_meta("seat that it is fixed to; empty if it is fixed to none")]
 
 
 class Hand(msgspec.Struct, frozen=True, gc=False):
     """The end effector."""
 
-    switch: Annotated[Literal["stop", "close", "open"], told("how its switch stands")]
-    opening: Annotated[float, told("0 closed to 1 open: of the prong, or of the snares", "1", decimals=COARSE)]
-    spacing: Annotated[float | None, told("prong to fixed finger; null: this arm has none", "m", decimals=COARSE)]
-    carriage: Annotated[float | None, told("0 extended to 1 rigid; null: this arm has none", "1", decimals=COARSE)]
-    flags: Annotated[tuple[str, ...], told("lit on the panel: `CAPTURE`, `RIGID`")]
-    mode: Annotated[Literal["auto", "manual"], told("END EFFECTOR MODE of the snares")] = "auto"
-    rigid: Annotated[Literal["off", "rigid", "derigid"], told("END EFFECTOR MAN CONTR of the snares")] = "off"
+    switch: Annotated[Literal["stop", "close", "open"], field_meta("position of its switch")]
+    opening: Annotated[
+        float, field_meta("opening of the prong or the snares, from 0 (closed) to 1 (open)", "1", decimals=COARSE)
+    ]
+    spacing: Annotated[
+        float | None,
+        field_meta("distance from the prong to the fixed finger; null on an arm without a prong", "m", decimals=COARSE),
+    ]
+    carriage: Annotated[
+        float | None,
+        field_meta(
+            "position of the carriage, from 0 (extended) to 1 (rigid); null on an arm without one", "1", decimals=COARSE
+        ),
+    ]
+    flags: Annotated[tuple[str, ...], field_meta("flags that are lit on the panel: `CAPTURE`, `RIGID`")]
+    mode: Annotated[Literal["auto", "manual"], field_meta("position of END EFFECTOR MODE")] = "auto"
+    rigid: Annotated[Literal["off", "rigid", "derigid"], field_meta("position of END EFFECTOR MAN CONTR")] = "off"
 
 
 class Objective(msgspec.Struct, frozen=True, gc=False):
     """What the end effector can do where it is."""
 
-    action: Annotated[Literal["acquire", "capture", "dock", "insert", "berth"], told("which action")]
-    text: Annotated[str, told("for people: `acquire payload`, `berth in the Cargo bay`")]
+    action: Annotated[
+        Literal["acquire", "capture", "dock", "insert", "berth"], field_meta("action that becomes possible")
+    ]
+    text: Annotated[str, field_meta("text for the operator: `acquire payload`, `berth in the Cargo bay`")]
 
 
 class Work(msgspec.Struct, frozen=True, gc=False):
     """The worksite after a step."""
 
-    task: Annotated[int, told("the report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked")]
+    task: Annotated[
+        int, field_meta("task phase, the report's MODE: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked")
+    ]
     nearest: Annotated[
         Near | None,
-        told(
-            "the watched pair with the least clearance, but for those that are, or come, together as the task needs "
-            "it, of which the conditions tell (`simulation.lined_up`); null: no pair is watched"
+        field_meta(
+            "monitored pair with the minimum clearance, without pairs that the task brings together (the conditions "
+            "report those); null if no pair is monitored"
         ),
     ]
-    clearance_level: Annotated[Level, told("what that clearance calls for, by the scenario's thresholds")]
-    contacts: Annotated[tuple[Near, ...], told("pairs that touch or overlap")]
-    arm_inhibit: Annotated[bool, told("the arm is inhibited")]
-    finger_inhibit: Annotated[bool, told("the finger is inhibited")]
-    inhibits: Annotated[tuple[str, ...], told("why the arm or the finger is inhibited, and what frees it")]
+    clearance_level: Annotated[Level, field_meta("alarm level of that clearance, by the scenario's thresholds")]
+    contacts: Annotated[tuple[Near, ...], field_meta("pairs that touch or overlap")]
+    arm_inhibit: Annotated[bool, field_meta("whether a contact inhibits the arm")]
+    finger_inhibit: Annotated[bool, field_meta("whether a contact inhibits the finger")]
+    inhibits: Annotated[tuple[str, ...], field_meta("reasons for which the arm or the finger is inhibited")]
     objective: Annotated[
-        Objective | None, told("what can be done here, once the conditions hold; null: nothing is near enough")
+        Objective | None,
+        field_meta("action that becomes possible once the conditions hold; null if nothing is near enough"),
     ]
-    conditions: Annotated[tuple[Condition, ...], told("of capture, docking or latching")]
-    hand: Annotated[Hand, told("the end effector")]
-    stand: Annotated[float | None, told("length of the telescope; null: this arm stands on none", "m")]
-    orbiter: Annotated[Vec3, told("how far the orbiter has moved", "m", "L")]
-    orbiter_velocity: Annotated[Vec3, told("its velocity", "m/s", "L")]
-    cargo: Annotated[tuple[Cargo, ...], told("the worksite's payloads")]
-    master: Annotated[Six | None, told("the master arm's joint angles; null in other modes than MASTER", "rad")]
+    conditions: Annotated[tuple[Condition, ...], field_meta("conditions of capture, docking or latching")]
+    hand: Annotated[Hand, field_meta("state of the end effector")]
+    stand: Annotated[float | None, field_meta("length of the telescope; null on an arm without one", "m")]
+    orbiter: Annotated[Vec3, field_meta("distance that the orbiter has moved", "m", "L")]
+    orbiter_velocity: Annotated[Vec3, field_meta("velocity of the orbiter", "m/s", "L")]
+    cargo: Annotated[tuple[Cargo, ...], field_meta("state of each payload of the worksite")]
+    master: Annotated[Six | None, field_meta("joint angles of the master arm; null in modes other than MASTER", "rad")]

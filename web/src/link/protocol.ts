@@ -799,156 +799,156 @@ export interface NamedPage {
 /** All data that the page shows of one instant; the newest frame counts, and older ones may be skipped. */
 export interface Frame {
   readonly type: 'frame';
-  /** control steps done */
+  /** number of control steps done */
   readonly tick: number;
   /** simulated time: tick x control period [s] */
   readonly time_s: number;
-  /** the script's phase; empty when flown by hand */
+  /** name of the script's phase; empty with manual inputs */
   readonly phase: string;
-  /** who flew this step */
+  /** source of this step's inputs */
   readonly by: 'hand' | 'script';
-  /** panel position entered */
+  /** mode: panel position that was entered */
   readonly mode: string;
-  /** the report's mode number flown, 1 to 8; 0 TEST, 9 DIRECT, 10 MASTER */
+  /** number of the steering law: 1 to 8 as in the report, 0 TEST, 9 DIRECT, 10 MASTER */
   readonly law: number;
   /** switch beside OPR CMD and AUTO 1-4 */
   readonly law_choice: LawChoice;
   /** switch beside ORB LD */
   readonly payload_axes: boolean;
-  /** RATE HOLD keeps a stick command */
+  /** whether RATE HOLD keeps a stick command */
   readonly rate_hold: boolean;
-  /** POSITION HOLD is on */
+  /** whether POSITION HOLD is on */
   readonly position_hold: boolean;
-  /** BRAKES are on: the joints stand */
+  /** whether BRAKES are on, so that the joints do not move */
   readonly brakes: boolean;
-  /** SAFING: zero joint rates are commanded */
+  /** whether SAFING commands zero joint rates */
   readonly safing: boolean;
   /** selected joint, 0 to 5 */
   readonly joint: number;
   /** rate setting */
   readonly rate: Rate;
-  /** CHECKING, READY and IN PROG of the automatic modes */
+  /** state of an automatic mode: CHECKING, READY and IN PROG */
   readonly sequence: Sequence;
-  /** AUTO 1-4: the point, from 1, that is flown to or comes next; 0 in other modes */
+  /** AUTO 1-4: number of the present or next point, from 1; 0 in other modes */
   readonly point: number;
-  /** AUTO 1-4: how many there are */
+  /** AUTO 1-4: number of points; 0 in other modes */
   readonly points: number;
-  /** CMD CK of the present target */
+  /** result of CMD CK for the present target; null if there is none */
   readonly check: Check | null;
-  /** THC as flown, in [-1, 1], along the axes of control */
+  /** THC deflection that acted, in [-1, 1], along the axes of control */
   readonly translation: Vec3;
-  /** RHC as flown, in [-1, 1], along the axes of control */
+  /** RHC deflection that acted, in [-1, 1], along the axes of control */
   readonly rotation: Vec3;
-  /** DRIVE as flown, in [-1, 1] */
+  /** DRIVE deflection that acted, in [-1, 1] */
   readonly drive: number;
   /** joint angles, measured [rad] */
   readonly angles: Six;
   /** joint rates, measured [rad/s] */
   readonly rates: Six;
-  /** where the commanded rates would have brought the joints [rad] */
+  /** joint angles to which the commanded rates lead [rad] */
   readonly angles_commanded: Six;
   /** joint rates, commanded [rad/s] */
   readonly rates_commanded: Six;
   /** joint rate limits in force [rad/s] */
   readonly rate_limits: Six;
-  /** per joint: 0 free, 1 past the reach limit, 2 past the soft stop, 3 at the hard stop */
+  /** for each joint: 0 free, 1 beyond the reach limit, 2 beyond the soft stop, 3 at the hard stop */
   readonly zones: readonly [number, number, number, number, number, number];
-  /** of the tip [m], along the axes of L */
+  /** position of the tip [m], along the axes of L */
   readonly position: Vec3;
   /** attitude of frame 7, along the axes of L */
   readonly orientation: Rows;
-  /** T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; the concept arm's: of its lower arm's frame; null in a recording that does not tell it, along the axes of orbiter */
+  /** T_B5: attitude of the wrist-pitch frame 5 in the orbiter's body axes; on the concept arm, of the lower arm's frame; null in a recording without it, along the axes of orbiter */
   readonly wrist_pitch: Rows | null;
-  /** point of resolution: the payload's in ORB LD and PL, else the tip [m], along the axes of L */
+  /** position of the point of resolution: the payload's in ORB LD and PL, else the tip [m], along the axes of L */
   readonly resolution: Vec3;
-  /** the payload in the grasp */
+  /** payload in the grasp; null if the grasp is empty */
   readonly payload: readonly [position: Vec3, orientation: Rows] | null;
-  /** which of the scenario's own payloads (`Scenario.own_payloads`) that is, from 1; 0: none of them */
+  /** its number, from 1, among the scenario's own payloads (`Scenario.own_payloads`); 0 if it is none of them */
   readonly attached: number;
-  /** angular velocity, then velocity of the point of resolution [rad/s, m/s], along the axes of L */
+  /** angular velocity, and velocity of the point of resolution [rad/s, m/s], along the axes of L */
   readonly twist: Six;
-  /** what RATLMT left of the commanded twist [rad/s, m/s], along the axes of L */
+  /** twist after RATLMT's limits [rad/s, m/s], along the axes of L */
   readonly twist_commanded: Six;
-  /** what the mode asked for, before every limit [rad/s, m/s], along the axes of L */
+  /** twist that the mode demands, before all limits [rad/s, m/s], along the axes of L */
   readonly twist_demanded: Six;
-  /** speed and angular rate of the point of resolution, in force [m/s, rad/s] */
+  /** limits in force of the speed and angular rate of the point of resolution [m/s, rad/s] */
   readonly por_limits: Vec2;
-  /** what RATLMT left of the demand, 0 to 1 */
+  /** fraction of the demand that RATLMT permits, 0 to 1 */
   readonly ratio: number;
-  /** limits that acted in this step */
+  /** limits that were active in this step */
   readonly limits: readonly Limit[];
-  /** signed distances: shoulder, elbow, wrist */
+  /** signed distances from the shoulder, elbow and wrist singularity */
   readonly singularity: Vec3;
   /** singularities nearer than the arm's threshold */
   readonly singular: readonly string[];
-  /** for each singularity that is near and each joint past a limit: what leads away from it; while a contact inhibits the arm, only what leads out of the contact */
+  /** escape direction from each near singularity and each joint beyond a limit; while a contact inhibits the arm, only that from the contact */
   readonly ways_out: readonly WayOut[];
-  /** target of an automatic mode */
+  /** target of an automatic mode; null if there is none */
   readonly goal: Goal | null;
   /** TP, ETA and ETAP */
   readonly times: Times;
-  /** contacts, captures, and where the worksite's things are */
+  /** state of the worksite: contacts, captures and payloads */
   readonly work: Work;
-  /** what happened in this step */
+  /** events of this step */
   readonly events: readonly Event[];
-  /** pan, tilt and field of view of the cameras that turn, in the order of `scenario.cameras.cameras_of` [rad] */
+  /** pan, tilt and field of view of the driven cameras, in the order of `scenario.cameras.cameras_of` [rad] */
   readonly views: readonly (readonly [pan: number, tilt: number, zoom: number])[];
-  /** SHA-256 of the state behind all this, to the last digit */
+  /** SHA-256 of the exact state */
   readonly sha256: string;
   readonly display: Display;
 }
 
 /** Verdict of CMD CK, from a rehearsal of the motion to a target. */
 export interface Check {
-  /** GOOD, not FAIL */
+  /** true for GOOD, false for FAIL */
   readonly good: boolean;
-  /** `GOOD: 83 s` or `FAIL: elbow pitch meets its soft stop 12 s from here` */
+  /** verdict as displayed: `GOOD: 83 s` or `FAIL: elbow pitch meets its soft stop 12 s from here` */
   readonly text: string;
-  /** GOOD: how long the motion takes; FAIL: when it fails [s] */
+  /** GOOD: duration of the motion; FAIL: time from its start to the failure [s] */
   readonly seconds: number;
-  /** why it fails; empty: it does not */
+  /** cause of a FAIL; empty for GOOD */
   readonly cause: Cause;
-  /** the joint angles that mode 1 flies to; null in modes 2 and 3, and where it fails [rad] */
+  /** joint angles at the target of mode 1; null in modes 2 and 3, and for FAIL [rad] */
   readonly joints: Six | null;
 }
 
 /** Limit that acted in a step. */
 export interface Limit {
-  /** which kind */
+  /** kind of limit */
   readonly kind: LimitKind;
-  /** 0 to 5; -1: no single joint is concerned */
+  /** joint that it limits, 0 to 5; -1 if it limits no single joint */
   readonly joint: number;
-  /** for people */
+  /** text for the operator */
   readonly text: string;
 }
 
 /** Command that leads away from a singularity or a joint's limit, or out of the contacts that inhibit the arm. */
 export interface WayOut {
-  /** `elbow` (a singularity), a joint's name, or `contact` */
+  /** what it leads away from: `elbow` (a singularity), a joint's name, or `contact` */
   readonly cause: string;
-  /** for people: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -` */
+  /** text for the operator: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -` */
   readonly text: string;
-  /** which stick or switch */
+  /** stick or switch to deflect */
   readonly stick: 'translation' | 'rotation' | 'joint' | 'telescope';
-  /** axis 0 to 2 of the stick, or the joint */
+  /** axis of the stick, 0 to 2, or number of the joint */
   readonly axis: number;
-  /** +1 or -1 */
+  /** direction: +1 or -1 */
   readonly sign: number;
-  /** panel position to enter first; empty: the stick acts in the present one */
+  /** panel position to enter first; empty if the stick acts in the present one */
   readonly position: string;
 }
 
 /** Target of an automatic mode (pose of frame 7), and the distance, angle and time that remain. */
 export interface Goal {
-  /** of the tip there [m], along the axes of L */
+  /** position of the tip at the target [m], along the axes of L */
   readonly position: Vec3;
-  /** attitude of frame 7 there, along the axes of L */
+  /** attitude of frame 7 at the target, along the axes of L */
   readonly rotation: Rows;
-  /** what is left [m] */
+  /** remaining distance [m] */
   readonly distance: number;
-  /** what is left [rad] */
+  /** remaining rotation [rad] */
   readonly angle: number;
-  /** ETA - TP; 0 when not under way, and while modes 1 and 3 still bring the arm to rest [s] */
+  /** ETA - TP; 0 without a motion, and while modes 1 and 3 still bring the arm to rest [s] */
   readonly remaining_s: number;
 }
 
@@ -958,135 +958,135 @@ export interface Goal {
  * A phase begins when an automatic motion sets off, a phase of the script begins, or a panel position is entered.
  */
 export interface Times {
-  /** TP: how long it has lasted [s] */
+  /** TP: time since the motion or the script's phase began [s] */
   readonly tp_s: number;
-  /** ETA: when it ends, estimated in the automatic modes, given in a script's others; null: unknown [s] */
+  /** ETA: time of its end, estimated in the automatic modes, else the duration in the script; null if unknown [s] */
   readonly eta_s: number | null;
-  /** ETAP: when the rotation would end if it went as fast as permitted; in modes 2 and 3, else null [s] */
+  /** ETAP: time at which the rotation would end at the permitted rate, in modes 2 and 3; else null [s] */
   readonly etap_s: number | null;
 }
 
 /** The worksite after a step. */
 export interface Work {
-  /** the report's mode: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked */
+  /** task phase, the report's MODE: 1 acquisition, 2 extraction, 3 manoeuvring, 4 docked */
   readonly task: number;
-  /** the watched pair with the least clearance, but for those that are, or come, together as the task needs it, of which the conditions tell (`simulation.lined_up`); null: no pair is watched */
+  /** monitored pair with the minimum clearance, without pairs that the task brings together (the conditions report those); null if no pair is monitored */
   readonly nearest: Near | null;
-  /** what that clearance calls for, by the scenario's thresholds */
+  /** alarm level of that clearance, by the scenario's thresholds */
   readonly clearance_level: Level;
   /** pairs that touch or overlap */
   readonly contacts: readonly Near[];
-  /** the arm is inhibited */
+  /** whether a contact inhibits the arm */
   readonly arm_inhibit: boolean;
-  /** the finger is inhibited */
+  /** whether a contact inhibits the finger */
   readonly finger_inhibit: boolean;
-  /** why the arm or the finger is inhibited, and what frees it */
+  /** reasons for which the arm or the finger is inhibited */
   readonly inhibits: readonly string[];
-  /** what can be done here, once the conditions hold; null: nothing is near enough */
+  /** action that becomes possible once the conditions hold; null if nothing is near enough */
   readonly objective: Objective | null;
-  /** of capture, docking or latching */
+  /** conditions of capture, docking or latching */
   readonly conditions: readonly Condition[];
-  /** the end effector */
+  /** state of the end effector */
   readonly hand: Hand;
-  /** length of the telescope; null: this arm stands on none [m] */
+  /** length of the telescope; null on an arm without one [m] */
   readonly stand: number | null;
-  /** how far the orbiter has moved [m], along the axes of L */
+  /** distance that the orbiter has moved [m], along the axes of L */
   readonly orbiter: Vec3;
-  /** its velocity [m/s], along the axes of L */
+  /** velocity of the orbiter [m/s], along the axes of L */
   readonly orbiter_velocity: Vec3;
-  /** the worksite's payloads */
+  /** state of each payload of the worksite */
   readonly cargo: readonly Cargo[];
-  /** the master arm's joint angles; null in other modes than MASTER [rad] */
+  /** joint angles of the master arm; null in modes other than MASTER [rad] */
   readonly master: Six | null;
 }
 
 /** Two monitored parts. */
 export interface Near {
-  /** a part, for people: `lower boom` */
+  /** name of the first part: `lower boom` */
   readonly a: string;
-  /** the other part */
+  /** name of the second part */
   readonly b: string;
-  /** their distance; negative where they overlap [m] */
+  /** distance of the two parts; negative if they overlap [m] */
   readonly clearance: number;
-  /** speed at which the two closest points approach [m/s] */
+  /** speed at which the two closest points approach each other [m/s] */
   readonly closing: number;
-  /** the closest point of a [m], along the axes of L */
+  /** closest point of the first part [m], along the axes of L */
   readonly point_a: Vec3;
-  /** the closest point of b [m], along the axes of L */
+  /** closest point of the second part [m], along the axes of L */
   readonly point_b: Vec3;
-  /** unit normal of a plane between the two, from a to b; zero where they collide, along the axes of L */
+  /** unit normal of a plane between the two, from a to b; zero if they touch, along the axes of L */
   readonly normal: Vec3;
-  /** of that plane from the origin [m], along the axes of L */
+  /** distance of that plane from the origin [m], along the axes of L */
   readonly distance: number;
-  /** the two are made to touch: inhibits nothing */
+  /** whether the contact belongs to the task, so that it inhibits nothing */
   readonly essential: boolean;
-  /** what of a touches or penetrates: `vertex 3`; empty where they are apart */
+  /** feature of a that touches b: `vertex 3`; empty if they are apart */
   readonly feature_a: string;
-  /** the same of b */
+  /** feature of b that touches a */
   readonly feature_b: string;
 }
 
 /** What the end effector can do where it is. */
 export interface Objective {
-  /** which action */
+  /** action that becomes possible */
   readonly action: 'acquire' | 'capture' | 'dock' | 'insert' | 'berth';
-  /** for people: `acquire payload`, `berth in the Cargo bay` */
+  /** text for the operator: `acquire payload`, `berth in the Cargo bay` */
   readonly text: string;
 }
 
 /** One condition with its measured value, its limit and its margin. */
 export interface Condition {
-  /** which: `palm height` */
+  /** name of the condition: `palm height` */
   readonly name: string;
   /** whether it holds */
   readonly holds: boolean;
-  /** what is measured, in `unit` */
+  /** measured value, in `unit` */
   readonly value: number;
-  /** what it is held against, in `unit`: the nearer of two bounds, or the one passed */
+  /** bound that it is compared with, in `unit`: the nearer of two, or the one that is exceeded */
   readonly limit: number;
-  /** m, rad, m/s, or empty */
+  /** unit of value, limit and margin; empty for a count */
   readonly unit: 'm' | 'rad' | 'm/s' | 'rad/s' | 's' | '';
-  /** by how much it holds, or fails where negative, in `unit` */
+  /** margin, in `unit`; negative if the condition fails */
   readonly margin: number;
-  /** for people: `palm 2.5 in above the bar, 0 to 0.75 in allowed` */
+  /** text for the operator: `palm 2.5 in above the bar, 0 to 0.75 in allowed` */
   readonly text: string;
-  /** the text with `{}` in place of each number; empty in a recording without it */
+  /** text with `{}` in place of each number; empty in a recording without it */
   readonly words: string;
-  /** those numbers, in `unit` */
+  /** numbers of the text, in `unit` */
   readonly numbers: readonly number[];
 }
 
 /** The end effector. */
 export interface Hand {
-  /** how its switch stands */
+  /** position of its switch */
   readonly switch: EffectorSwitch;
-  /** 0 closed to 1 open: of the prong, or of the snares */
+  /** opening of the prong or the snares, from 0 (closed) to 1 (open) */
   readonly opening: number;
-  /** prong to fixed finger; null: this arm has none [m] */
+  /** distance from the prong to the fixed finger; null on an arm without a prong [m] */
   readonly spacing: number | null;
-  /** 0 extended to 1 rigid; null: this arm has none */
+  /** position of the carriage, from 0 (extended) to 1 (rigid); null on an arm without one */
   readonly carriage: number | null;
-  /** lit on the panel: `CAPTURE`, `RIGID` */
+  /** flags that are lit on the panel: `CAPTURE`, `RIGID` */
   readonly flags: readonly string[];
-  /** END EFFECTOR MODE of the snares */
+  /** position of END EFFECTOR MODE */
   readonly mode: 'auto' | 'manual';
-  /** END EFFECTOR MAN CONTR of the snares */
+  /** position of END EFFECTOR MAN CONTR */
   readonly rigid: 'off' | 'rigid' | 'derigid';
 }
 
 /** A payload of the worksite. */
 export interface Cargo {
-  /** which */
+  /** name of the payload */
   readonly name: string;
-  /** its centre [m], along the axes of L */
+  /** position of its centre [m], along the axes of L */
   readonly position: Vec3;
   /** its attitude, along the axes of L */
   readonly orientation: Rows;
-  /** of its centre [m/s], along the axes of L */
+  /** velocity of its centre [m/s], along the axes of L */
   readonly velocity: Vec3;
-  /** the end effector holds it */
+  /** whether the end effector holds it */
   readonly held: boolean;
-  /** the seat that it is fixed to; empty: none */
+  /** seat that it is fixed to; empty if it is fixed to none */
   readonly seat: string;
 }
 
@@ -1094,11 +1094,11 @@ export interface Cargo {
 export interface Event {
   /** simulated time [s] */
   readonly time_s: number;
-  /** what it is about */
+  /** kind of event: `mode`, `contact`, `captured` */
   readonly kind: string;
-  /** how urgent */
+  /** urgency */
   readonly level: Level;
-  /** for people */
+  /** text for the operator */
   readonly text: string;
 }
 

@@ -8,8 +8,8 @@ from aftdeck.errors import AftdeckError
 from aftdeck.simulation.command_check.rehearsal import Rehearsal
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Check
-from aftdeck.simulation.log import log, refuse
-from aftdeck.simulation.motion.standstill import held_fast, standing
+from aftdeck.simulation.log import log, log_rejection
+from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payload_reason
 from aftdeck.simulation.operator.check_request import premises
 from aftdeck.simulation.operator.sequence import begin
 from aftdeck.simulation.operator.ways import ways
@@ -37,7 +37,7 @@ def check(flight: Flight, state: State) -> None:
     if panel.proceeding and state.checking is None:
         panel.proceeding = False
         if panel.check is None or not panel.check.good or panel.target is None:
-            refuse(flight, state, f"PROCEED refused: CMD CK {panel.check.text if panel.check else ''}")
+            log_rejection(flight, state, f"PROCEED refused: CMD CK {panel.check.text if panel.check else ''}")
         else:
             begin(flight, state, panel.target, panel.check.joints)
             log(flight, state, "proceed", "info", "PROCEED: the arm flies to its target")
@@ -52,9 +52,9 @@ def _check_on(flight: Flight, state: State, checking: Checking) -> Check | None:
         moving = np.abs(state.steering[MEASURED : MEASURED + 6]).max() > 0.0
         if moving and MODES[state.panel.mode].kind == "automatic":
             return None
-        if stopped := standing(state.panel):
+        if stopped := joint_lock_reason(state.panel):
             return Check(False, f"FAIL: {stopped}", cause="switch")
-        if fast := held_fast(flight, state):
+        if fast := latched_payload_reason(flight, state):
             return Check(False, f"FAIL: {fast}", cause="seat")
         try:
             checking.ways = list(ways(flight, state, checking.target, state.panel.law))

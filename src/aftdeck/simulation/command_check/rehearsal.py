@@ -14,12 +14,12 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.fly import fly, go
 from aftdeck.simulation.frame import Cause
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.log import spoken
-from aftdeck.simulation.motion.standstill import fixed_in, held_fast
+from aftdeck.simulation.log import joint_label
+from aftdeck.simulation.motion.standstill import fixed_in, latched_payload_reason
 from aftdeck.simulation.operator.sequence import begin
 from aftdeck.simulation.parts.checking import Tried, Way
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import CAUSE, CULPRIT
+from aftdeck.steering.layout import CAUSE, LIMITING_JOINT
 from aftdeck.steering.limiters import BY_SINGULARITY, CAUSES
 from aftdeck.units import INCH
 from aftdeck.worksite.watch.found import POINT_A
@@ -42,11 +42,11 @@ class Rehearsal:
         panel = self._copy.panel
         if panel.mode not in flight.scenario.sequences:
             panel.mode = "OPR CMD"
-        panel.law, panel.held, panel.holding = way.law, None, None
+        panel.law, panel.rate_hold_sticks, panel.position_hold_target = way.law, None, None
         panel.proceeding, panel.ending = False, ""
         begin(flight, self._copy, target, way.joints)
-        self._copy.site.watch.counts[:] = 0  # a rehearsal does not use the nearest pair
-        self._touching = frozenset(self._copy.site.told)
+        self._copy.worksite.watch.counts[:] = 0  # a rehearsal does not use the nearest pair
+        self._touching = frozenset(self._copy.worksite.logged_contacts)
         self._nearest, self._which, self._point = 1.0, 0, panel.point
         self._held: tuple[int, int, str] = (0, -1, "")
         self.steps = 0
@@ -55,7 +55,7 @@ class Rehearsal:
         """Rehearse at most `most` more steps; return the result, or None if the motion has not ended."""
         flight, copy, period = self._flight, self._copy, self._flight.scenario.control_period
         for _ in range(most):
-            self._held = int(copy.report[CAUSE]), int(copy.report[CULPRIT]), copy.site.halt
+            self._held = int(copy.report[CAUSE]), int(copy.report[LIMITING_JOINT]), copy.worksite.halt
             copy.tick += 1
             copy.events.clear()
             if self.steps == 0:  # `begin` has just started the motion: the panel must not act again
@@ -69,9 +69,9 @@ class Rehearsal:
             near, which = nearest_singularity(copy.arm.model.links, copy.plant.angles)
             if near < self._nearest:
                 self._nearest, self._which = near, which
-            if copy.site.fast:  # a port or latches now hold the payload, which also ends the motion
+            if copy.worksite.arm_fixed:  # a port or latches now hold the payload, which also ends the motion
                 return self._tried(True, "", self.steps * period, f"then {fixed_in(flight, copy)}", "")
-            if copy.site.contacts.inhibit.changed and (text := self._contact(self._touching)):
+            if copy.worksite.contacts.inhibit.changed and (text := self._contact(self._touching)):
                 return self._tried(False, "contact", self.steps * period, text, "")
             if self.steps * period >= LONGEST:
                 return self._tried(False, "time", self.steps * period, f"target not reached within {LONGEST:.0f} s", "")
@@ -80,10 +80,12 @@ class Rehearsal:
     def _contact(self, besides: frozenset[int] = frozenset()) -> str:
         """Return a text for a contact outside `besides` that inhibits the arm, with its location; "" if none does."""
         copy, scenario = self._copy, self._flight.scenario
-        things = copy.site
-        for contact in things.contacts.standing(self._flight.site.layout, things.watch.found, scenario.arm.model.units):
+        worksite = copy.worksite
+        for contact in worksite.contacts.standing(
+            self._flight.site.layout, worksite.watch.found, scenario.arm.model.units
+        ):
             if contact.inhibits and contact.group not in besides:
-                point = things.watch.found[contact.group, POINT_A : POINT_A + 3]
+                point = worksite.watch.found[contact.group, POINT_A : POINT_A + 3]
                 x, y, z = scenario.arm.model.mount.to("panel", Pose(point, np.eye(3))).position / INCH
                 return f"{contact.a} touches {contact.b} at X {x:.0f}, Y {y:.0f}, Z {z:.0f} in"
         return ""
@@ -98,7 +100,7 @@ class Rehearsal:
             cause, text = self._standstill()
             return self._tried(False, cause, seconds, text, near)
         good = copy.panel.ending == "reached" or flight.scenario.strict
-        text = f"ends {copy.panel.beside} the target" if copy.panel.beside else ""
+        text = f"ends {copy.panel.final_error} the target" if copy.panel.final_error else ""
         return self._tried(good, "" if good else "miss", seconds, text, near)
 
     def _tried(self, good: bool, cause: Cause, seconds: float, text: str, near: str) -> Tried:
@@ -111,9 +113,9 @@ class Rehearsal:
         """Return the cause that holds the arm at a standstill, and its text."""
         flight, (cause, culprit, halt) = self._flight, self._held
         if halt == "seat":
-            return "seat", held_fast(flight, self._copy)
+            return "seat", latched_payload_reason(flight, self._copy)
         if halt == "contact":
             return "contact", self._contact() or "a contact holds the arm"
         if cause == BY_SINGULARITY:
             return "limit", f"the {NAMES[culprit]} singularity lies in the way"
-        return "limit", f"{spoken(flight.scenario.arm.joints[culprit])} meets its {CAUSES[cause]}"
+        return "limit", f"{joint_label(flight.scenario.arm.joints[culprit])} meets its {CAUSES[cause]}"

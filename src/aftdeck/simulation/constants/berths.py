@@ -45,19 +45,19 @@ class Berth:
     tolerances: SeatTolerances
 
     @property
-    def at_once(self) -> bool:
+    def latches_automatically(self) -> bool:
         """Whether the seat fixes the cargo by itself as soon as the conditions hold: True for a docking port."""
         return self.port is not None
 
     @property
-    def lies(self) -> bool:
+    def is_passive(self) -> bool:
         """Whether a cargo merely lies in the seat: it stays where it is released, and leaves when it is captured."""
         return self.port is None and self.seat.latch == "auto"
 
     @property
     def verb(self) -> Literal["dock", "insert", "berth"]:
         """Verb for bringing a cargo into the seat."""
-        return "dock" if self.at_once else "insert" if self.lies else "berth"
+        return "dock" if self.latches_automatically else "insert" if self.is_passive else "berth"
 
 
 def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:

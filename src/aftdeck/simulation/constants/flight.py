@@ -45,7 +45,7 @@ class Flight:
     hard: tuple[Pair, ...]
 
 
-def prepare(scenario: Scenario) -> Flight:
+def run_constants(scenario: Scenario) -> Flight:
     """Return the constants of a scenario's flight."""
     model = scenario.arm.model
 

@@ -146,9 +146,9 @@ class Site:
         """Return whether a seat is fixed in the frame ``space``, which does not move with the orbiter."""
         return self.seat(name).frame == "space"
 
-    def lies(self, name: str) -> bool:
+    def is_passive_berth(self, name: str) -> bool:
         """Return whether cargo merely lies in this seat: kept when released there, and taken along by the arm."""
-        return any(berth.lies for own in self.berths for berth in own if berth.seat.name == name)
+        return any(berth.is_passive for own in self.berths for berth in own if berth.seat.name == name)
 
 
 def site_of(scenario: Scenario) -> Site:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Limit, LimitKind
-from aftdeck.simulation.log import spoken
-from aftdeck.simulation.motion.standstill import held_fast, standing
+from aftdeck.simulation.log import joint_label
+from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payload_reason
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import CAUSE, CULPRIT, POR_CAUSE
+from aftdeck.steering.layout import CAUSE, LIMITING_JOINT, POR_CAUSE
 from aftdeck.steering.limiters import CAUSES
 
 _TEXTS: dict[str, tuple[LimitKind, str]] = {
@@ -21,22 +21,22 @@ _TEXTS: dict[str, tuple[LimitKind, str]] = {
 """Kind of limit, and text about the joint, for each of `limiters.CAUSES` that names a joint."""
 
 
-def acting_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
+def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
     """Return the limits that acted in the last step.
 
     If a seat, a contact or a switch stopped the arm, return that alone.
     """
-    if state.site.halt == "seat":
-        return (Limit("seat", -1, held_fast(flight, state)),)
-    if state.site.halt == "contact":
+    if state.worksite.halt == "seat":
+        return (Limit("seat", -1, latched_payload_reason(flight, state)),)
+    if state.worksite.halt == "contact":
         return (Limit("contact", -1, "contact: only motion that relieves it is flown"),)
-    if why := standing(state.panel):
-        return (Limit("switch", -1, why),) if state.site.halt == "switch" else ()
+    if why := joint_lock_reason(state.panel):
+        return (Limit("switch", -1, why),) if state.worksite.halt == "switch" else ()
     report = state.report
     cause, por_cause = int(report[CAUSE]), int(report[POR_CAUSE])
     if cause == 0 and por_cause == 0:
         return ()
-    found = _of_joints(flight, cause, int(report[CULPRIT]))
+    found = _of_joints(flight, cause, int(report[LIMITING_JOINT]))
     if por_cause & 2:
         found.append(Limit("POR translation", -1, "POR at its greatest speed"))
     if por_cause & 8:
@@ -53,6 +53,6 @@ def _of_joints(flight: Flight, cause: int, culprit: int) -> list[Limit]:
         return []
     if CAUSES[cause] == "singularity":
         return [Limit("singularity", -1, f"slowed before the {NAMES[culprit]} singularity")]
-    joint = spoken(flight.scenario.arm.joints[culprit])
+    joint = joint_label(flight.scenario.arm.joints[culprit])
     kind, text = _TEXTS[CAUSES[cause]]
     return [Limit(kind, culprit, f"{joint} {text}")]

@@ -45,20 +45,20 @@ def way_out_of_contact(flight: Flight, state: State) -> None:
     Joints and telescope are tried only if no stick leads out. `advice` is None if nothing leads out. The search runs
     every `LOOK_EVERY` steps, and in every step while `advice` is None.
     """
-    things = state.site
-    if things.advice and state.tick % LOOK_EVERY:
+    worksite = state.worksite
+    if worksite.advice and state.tick % LOOK_EVERY:
         return
     for ways, sliding in ((_sticks(state), True), (_joints(flight, state), False)):
         apart = kept_apart(flight, state, sliding=sliding)
         first = _afters(flight, state, ways, SLOWLY)
-        won = ways_out(things.watch, *apart, first)
+        won = ways_out(worksite.watch, *apart, first)
         if not won.max() > 0.0:
             ahead = [_afters(flight, state, ways, SLOWLY * steps) for steps in AHEAD]
-            won = leads_out(things.watch, *apart, first, ahead)
+            won = leads_out(worksite.watch, *apart, first, ahead)
         if won.max() > 0.0:
-            things.advice = ways[int(won.argmax())].command
+            worksite.advice = ways[int(won.argmax())].command
             return
-    things.advice = None
+    worksite.advice = None
 
 
 def _afters(flight: Flight, state: State, ways: list[_Way], steps: float) -> Array:

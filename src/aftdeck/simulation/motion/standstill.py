@@ -6,14 +6,14 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.state import Panel, State
 
 
-def standing(panel: Panel) -> str:
+def joint_lock_reason(panel: Panel) -> str:
     """Return the switch that blocks all joints, BRAKES or SAFING, as text; "" if neither is on."""
     if panel.brakes:
         return "BRAKES are on"
     return "SAFING is on; CANCEL it first" if panel.safing else ""
 
 
-def held_fast(flight: Flight, state: State) -> str:
+def latched_payload_reason(flight: Flight, state: State) -> str:
     """Return why a seat blocks the arm, with the remedy, as text; "" if the held payload is not fixed."""
     where = fixed_in(flight, state)
     return f"{where}: UNLATCH" if where else ""
@@ -21,7 +21,7 @@ def held_fast(flight: Flight, state: State) -> str:
 
 def fixed_in(flight: Flight, state: State) -> str:
     """Return a text that names the held payload and the seat it is fixed in; "" if it is not fixed."""
-    site, things = flight.site, state.site
-    if things.held is None or not things.fast:
+    site, worksite = flight.site, state.worksite
+    if worksite.held is None or not worksite.arm_fixed:
         return ""
-    return f"{site.cargo[things.held].title} is fixed in the {site.seat(things.cargo[things.held].seat).title}"
+    return f"{site.cargo[worksite.held].title} is fixed in the {site.seat(worksite.cargo[worksite.held].seat).title}"

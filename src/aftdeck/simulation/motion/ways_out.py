@@ -9,7 +9,7 @@ import numpy as np
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import WayOut
-from aftdeck.simulation.log import spoken
+from aftdeck.simulation.log import joint_label
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import COMMAND, LAW
 from aftdeck.steering.mode import MODES
@@ -37,10 +37,10 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
 
     While a contact inhibits the arm, the result is the way out of that contact alone, if there is one (`contact_out`).
     """
-    contact = state.site.contacts.inhibit.arm
+    contact = state.worksite.contacts.inhibit.arm
     if contact or (not singular and not any(zones)):
         state.panel.advice.clear()
-        return (state.site.advice,) if contact and state.site.advice is not None else ()
+        return (state.worksite.advice,) if contact and state.worksite.advice is not None else ()
     found = [_from_singularity(flight, state, NAMES.index(name), zones) for name in singular]
     found += [_from_limit(flight, state, joint) for joint, zone in enumerate(zones) if zone]
     return tuple(found)
@@ -74,7 +74,7 @@ def by_stick(state: State, cause: str, direction: int) -> WayOut:
 
 def by_joint(flight: Flight, position: str, cause: str, joint: int, sign: int) -> WayOut:
     """Return the motion of one joint, in a panel position, as a way out."""
-    text = f"{position} {spoken(flight.scenario.arm.joints[joint])} {'+' if sign > 0 else '−'}"
+    text = f"{position} {joint_label(flight.scenario.arm.joints[joint])} {'+' if sign > 0 else '−'}"
     return WayOut(cause, text, "joint", joint, sign, position)
 
 

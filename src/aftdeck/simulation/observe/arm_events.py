@@ -8,10 +8,10 @@ from aftdeck.kinematics.observe import observe_near
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import AT_HARD, FREE, PAST_REACH, PAST_SOFT, Level
-from aftdeck.simulation.log import log, spoken
+from aftdeck.simulation.log import joint_label, log
 from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.state import State
-from aftdeck.worksite.conditions import shown
+from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.watch.alarm import level_of
 from aftdeck.worksite.watch.found import CLEARANCE
 
@@ -25,7 +25,7 @@ _ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", 
                AT_HARD: "at its hard stop"}  # fmt: skip
 
 
-def notice(flight: Flight, state: State) -> None:
+def log_arm_events(flight: Flight, state: State) -> None:
     """Observe the arm, log what has changed, and update the ways out in the state."""
     model, plant = flight.scenario.arm.model, state.plant
     near = observe_near(
@@ -35,16 +35,16 @@ def notice(flight: Flight, state: State) -> None:
         plant.stand.velocity,
         model.limits.reach,
         model.singular,
-        state.seen,
+        state.observed,
     )
     if near:
-        distances = state.seen[18:].tolist()
+        distances = state.observed[18:].tolist()
         zones = _zones(flight, plant.angles.tolist())
         singular = tuple(name for name, d in zip(NAMES, distances, strict=True) if abs(d) < model.singular)
     else:
         zones, singular = _ALL_FREE, ()
     if zones != state.panel.zones:
-        _tell_zones(flight, state, zones)
+        _log_zone_changes(flight, state, zones)
     if singular != state.panel.singular:
         _tell_singular(flight, state, singular)
     _tell_clearance(flight, state)
@@ -66,17 +66,17 @@ def _zones(flight: Flight, angles: list[float]) -> Zones:
     return cast("Zones", found)
 
 
-def _tell_zones(flight: Flight, state: State, zones: Zones) -> None:
+def _log_zone_changes(flight: Flight, state: State, zones: Zones) -> None:
     for joint, old, new in zip(flight.scenario.arm.joints, state.panel.zones, zones, strict=True):
         if new != old:
             level: Level = "caution" if new > old else "info"
             text = _ZONE_TEXTS[new] if new > old or new == FREE else _BACK_TEXTS[new]
-            log(flight, state, "limit", level, f"{spoken(joint)} {text}")
+            log(flight, state, "limit", level, f"{joint_label(joint)} {text}")
     state.panel.zones = zones
 
 
 def _tell_singular(flight: Flight, state: State, singular: tuple[str, ...]) -> None:
-    before, distances = state.panel.singular, state.seen[18:].tolist()
+    before, distances = state.panel.singular, state.observed[18:].tolist()
     for name, distance in zip(NAMES, distances, strict=True):
         if name in singular and name not in before:
             log(flight, state, "singular", "caution", f"{name} singularity near: {abs(distance):.2f} of 1")
@@ -87,18 +87,21 @@ def _tell_singular(flight: Flight, state: State, singular: tuple[str, ...]) -> N
 
 def _tell_clearance(flight: Flight, state: State) -> None:
     """Log when the minimum clearance falls below a threshold of the scenario, or rises above it again."""
-    scenario, things, before = flight.scenario, state.site, state.panel.clearance
+    scenario, worksite, before = flight.scenario, state.worksite, state.panel.clearance
     now: Level = "info"
-    if things.nearest >= 0:
-        clearance = float(things.watch.found[things.nearest, CLEARANCE])
+    if worksite.nearest >= 0:
+        clearance = float(worksite.watch.found[worksite.nearest, CLEARANCE])
         now = level_of(clearance, scenario.caution, scenario.warning, before)
     if now == before:
         return
     state.panel.clearance = now
     units = scenario.arm.model.units
-    thresholds = {"caution": shown(scenario.caution, "m", units), "warning": shown(scenario.warning, "m", units)}
+    thresholds = {
+        "caution": quantity_text(scenario.caution, "m", units),
+        "warning": quantity_text(scenario.warning, "m", units),
+    }
     if now == "warning" or before == "info":
-        a, b = flight.site.layout.named(things.nearest)
+        a, b = flight.site.layout.named(worksite.nearest)
         log(flight, state, "clearance", now, f"{a} within {thresholds[now]} of {b}")
     else:
         passed = thresholds["warning" if now == "caution" else "caution"]

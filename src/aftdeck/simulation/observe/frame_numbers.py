@@ -14,7 +14,7 @@ from aftdeck.simulation.frame import Rows, Six, Vec3
 from aftdeck.steering.layout import (
     DEMAND,
     DRIVE,
-    GO,
+    MOTION_ACTIVE,
     RATE,
     RATES,
     RATIO,
@@ -105,7 +105,7 @@ def frame_numbers(
             vec3(command, STICKS + 3),
             vec3(command, STICKS),
         ),
-        (command[DRIVE], report[RATIO], report[REMAINING], report[TURN_REMAINING], command[GO]),
+        (command[DRIVE], report[RATIO], report[REMAINING], report[TURN_REMAINING], command[MOTION_ACTIVE]),
     )
 
 

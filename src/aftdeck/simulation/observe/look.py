@@ -10,15 +10,15 @@ from aftdeck.frames import Rows, angle_between
 from aftdeck.kinematics.observe import CARRIED, observe_payload
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Frame, Goal, Placed, Six, Times, Vec3
-from aftdeck.simulation.motion.active_limits import acting_limits
+from aftdeck.simulation.motion.active_limits import active_limits
 from aftdeck.simulation.observe.frame_numbers import frame_numbers
-from aftdeck.simulation.observe.look_work import look_work
+from aftdeck.simulation.observe.look_work import work_of
 from aftdeck.simulation.payloads.grasp import packed_in_grasp
 from aftdeck.simulation.state import State
 from aftdeck.steering.mode import MODES
 
 
-def look(flight: Flight, state: State, seal: bytes) -> Frame:
+def frame_of(flight: Flight, state: State, seal: bytes) -> Frame:
     """Return the frame of the last step, with its log lines and the state's digest; leave the state unchanged."""
     scenario, panel, plant = flight.scenario, state.panel, state.plant
     model = scenario.arm.model
@@ -28,7 +28,7 @@ def look(flight: Flight, state: State, seal: bytes) -> Frame:
         plant.angles,
         plant.rates,
         plant.commanded,
-        state.seen,
+        state.observed,
         state.rules,
         state.command,
         state.steering,
@@ -49,7 +49,7 @@ def look(flight: Flight, state: State, seal: bytes) -> Frame:
         law=panel.flown,
         law_choice=panel.law,
         payload_axes=panel.payload_axes,
-        rate_hold=panel.held is not None,
+        rate_hold=panel.rate_hold_sticks is not None,
         position_hold=panel.position_hold,
         brakes=panel.brakes,
         safing=panel.safing,
@@ -79,13 +79,13 @@ def look(flight: Flight, state: State, seal: bytes) -> Frame:
         twist_demanded=twist_demanded,
         por_limits=por_limits,
         ratio=ratio,
-        limits=acting_limits(flight, state),
+        limits=active_limits(flight, state),
         singularity=singularity,
         singular=panel.singular,
         ways_out=state.ways_out,
         goal=_goal(state, position, orientation, remaining),
         times=_times(flight, state, remaining, turn_remaining, under_way=go != 0.0),
-        work=look_work(flight, state),
+        work=work_of(flight, state),
         events=tuple(state.events),
         views=state.views,
         sha256=seal.hex(),
@@ -98,7 +98,7 @@ def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[
     if held is None:
         return position, twist, None
     carried_array = np.empty(CARRIED)
-    observe_payload(state.seen, held, carried_array)
+    observe_payload(state.observed, held, carried_array)
     x, y, z, a, b, c, d, e, f, g, h, i, px, py, pz, vx, vy, vz = carried_array.tolist()
     payload = Placed((x, y, z), ((a, b, c), (d, e, f), (g, h, i)))
     if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # the source moves the tip in every mode
@@ -109,7 +109,7 @@ def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[
 def _times(flight: Flight, state: State, remaining: float, turn_remaining: float, *, under_way: bool) -> Times:
     """Return TP, ETA and ETAP; the laws report the time that remains at the beginning of a step."""
     panel, period = state.panel, flight.scenario.control_period
-    steered = (state.tick - 1 - panel.began) * period
+    steered = (state.tick - 1 - panel.motion_began) * period
     eta = etap = None
     if panel.sequence == "in progress":
         if under_way:

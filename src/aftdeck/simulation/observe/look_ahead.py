@@ -17,12 +17,12 @@ from aftdeck.errors import InputError
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Six
 from aftdeck.simulation.frame_poses import frames_at
-from aftdeck.simulation.motion.standstill import standing
+from aftdeck.simulation.motion.standstill import joint_lock_reason
 from aftdeck.simulation.observe.look_work import near_of
-from aftdeck.simulation.payloads.alignment import counted
+from aftdeck.simulation.payloads.alignment import alarm_pairs
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import ANGLES, DRIVE, GO, LAW, REPORT, RISE, STICKS, TWIST
+from aftdeck.steering.layout import ANGLES, DRIVE, LAW, MOTION_ACTIVE, REPORT, SHOULDER_OFFSET, STICKS, TWIST
 from aftdeck.steering.mode import MODES
 from aftdeck.steering.msteer import measured
 from aftdeck.steering.rehearsal import rehearse
@@ -67,7 +67,7 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     cargo: tuple[tuple[Vec3, Rows], ...]
     """Centre and axes (rows) of each payload of the worksite at that time, in L [m]."""
     nearest: Near | None
-    """Watched pair with the least clearance at that time, of the pairs that count then (`lined_up`); None: no pair."""
+    """Watched pair with the least clearance at that time, of the pairs that count for CLEARANCE then; None: no pair."""
     contact_s: float | None
     """Time of the first contact on the way, to a tenth of `seconds` [s]; None if no contact is found."""
     stopping: float
@@ -97,26 +97,28 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
     seconds, last = float(seconds), None if last is None else (int(last[0]), cast("Literal[-1, 1]", int(last[1])))
     command, steering, held = _asked(state, last)
     rules, report = state.rules, np.zeros(REPORT)
-    site, things, stand, travel = flight.site, state.site, state.plant.stand, flight.telescope
+    site, worksite, stand, travel = flight.site, state.worksite, state.plant.stand, flight.telescope
     driven = stand.velocity / travel.rate if travel.rate else 0.0
-    outside = counted(
-        flight, things.held, things.watch, things.frames, things.lined_up, things.nearest, things.contacts,
-        things.permitted,
+    outside = alarm_pairs(
+        flight, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
+        worksite.contacts, worksite.permitted,
     )[0]  # fmt: skip
-    watch, height, contact, period = things.watch.copied(), stand.position, None, seconds / SAMPLES
+    watch, height, contact, period = worksite.watch.copied(), stand.position, None, seconds / SAMPLES
     for sample in range(1, SAMPLES + 1):
         rehearse(rules, command, steering, report, period)
         height = stand.after(travel, driven, sample * period)
-        steering[RISE] += height - stand.after(travel, driven, (sample - 1) * period)
+        steering[SHOULDER_OFFSET] += height - stand.after(travel, driven, (sample - 1) * period)
         angles = steering[ANGLES : ANGLES + 6]
-        frames = frames_at(flight, state, angles, height, things.prong.position)
+        frames = frames_at(flight, state, angles, height, worksite.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
         may = permitted(site, watch, frames)
         # a pair that is lined up now is docked or latched before it penetrates deeply
         touching = watch.nearest(site.detrimental | (outside & (1 - may)))
         if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
-    counts = counted(flight, things.held, watch, frames, things.lined_up, things.nearest, things.contacts, may)[0]
+    counts = alarm_pairs(
+        flight, worksite.held, watch, frames, worksite.aligned_with, worksite.nearest, worksite.contacts, may
+    )[0]
     watch.look_near(frames, frames, period, counts, 0.0)
     group = watch.nearest(counts)
     a, b, c, d, e, f = angles.tolist()
@@ -144,7 +146,7 @@ def _placed(row: list[float]) -> tuple[Vec3, Rows]:
 def _copies(state: State) -> tuple[Array, Array]:
     """Return copies of the command and of the steering's state as measured now, to fly on from."""
     steering = state.steering.copy()
-    measured(state.plant.angles, state.plant.rates, state.rise, steering)
+    measured(state.plant.angles, state.plant.rates, state.shoulder_offset, steering)
     return state.command.copy(), steering
 
 
@@ -152,16 +154,16 @@ def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
     """Return the command and the steering's state to fly on from, and whether the sticks are flown as they are."""
     command, steering = _copies(state)
     held = bool(command[STICKS : STICKS + 6].any() or command[DRIVE])
-    if standing(state.panel):
+    if joint_lock_reason(state.panel):
         command[STICKS : STICKS + 6] = command[DRIVE] = 0.0
-        command[LAW], command[GO] = _ORB_UNL, 0.0
+        command[LAW], command[MOTION_ACTIVE] = _ORB_UNL, 0.0
         return command, steering, False
     if not held and last is not None and MODES[state.panel.mode].kind in ("manual", "single"):
         axis, sign = last
         command[DRIVE if axis == DRIVE_AXIS else STICKS + axis] = sign
-        command[LAW], command[GO] = state.panel.flown, 0.0  # a stick overrides POSITION HOLD
+        command[LAW], command[MOTION_ACTIVE] = state.panel.flown, 0.0  # a stick overrides POSITION HOLD
     if MODES[state.panel.mode].kind == "automatic" and state.panel.sequence != "in progress":
-        command[LAW], command[GO] = _ORB_UNL, 0.0  # the arm rests until PROCEED
+        command[LAW], command[MOTION_ACTIVE] = _ORB_UNL, 0.0  # the arm rests until PROCEED
     return command, steering, held
 
 
@@ -169,13 +171,13 @@ def _stopping(state: State) -> float:
     """Return the distance from the tip to where the tip comes to rest without a command [m]."""
     (command, steering), report = _copies(state), np.zeros(REPORT)
     command[STICKS : STICKS + 6] = 0.0
-    command[DRIVE] = command[GO] = 0.0
+    command[DRIVE] = command[MOTION_ACTIVE] = 0.0
     if MODES[state.panel.mode].kind != "single":
         command[LAW] = _ORB_UNL
     rules, gone = state.rules, 0.0
     while np.abs(steering[TWIST : TWIST + 6]).max() > _STILL and gone < _LONGEST_STOP:
         rehearse(rules, command, steering, report, 0.5)
-        command[GO] = 0.0
+        command[MOTION_ACTIVE] = 0.0
         gone += 0.5
     here, there = (state.arm.forward(angles).position for angles in (state.plant.angles, steering[ANGLES : ANGLES + 6]))
     return math.dist(here, there)

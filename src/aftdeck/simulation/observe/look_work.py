@@ -23,21 +23,21 @@ from aftdeck.worksite.watch.found import CLEARANCE, DISTANCE, FEATURE_A, FEATURE
 _ZERO = (0.0, 0.0, 0.0)
 
 
-def look_work(flight: Flight, state: State) -> Work:
+def work_of(flight: Flight, state: State) -> Work:
     """Return the record of the worksite as it is now."""
-    site, things = flight.site, state.site
-    group = things.nearest
-    inhibit = things.contacts.inhibit
+    site, worksite = flight.site, state.worksite
+    group = worksite.nearest
+    inhibit = worksite.contacts.inhibit
     contacts: tuple[Near, ...] = ()
     reasons: tuple[str, ...] = ()
-    if things.told:
-        standing = things.contacts.standing(site.layout, things.watch.found, flight.scenario.arm.model.units)
-        contacts = tuple(near_of(flight, state, things.watch.found, contact.group) for contact in standing)
+    if worksite.logged_contacts:
+        standing = worksite.contacts.standing(site.layout, worksite.watch.found, flight.scenario.arm.model.units)
+        contacts = tuple(near_of(flight, state, worksite.watch.found, contact.group) for contact in standing)
         reasons = tuple(contact.text for contact in standing if contact.inhibits)
     objective, conditions = present_objective(flight, state)
     return Work(
-        task=things.task,
-        nearest=None if group < 0 else near_of(flight, state, things.watch.found, group),
+        task=worksite.task,
+        nearest=None if group < 0 else near_of(flight, state, worksite.watch.found, group),
         clearance_level=state.panel.clearance,
         contacts=contacts,
         arm_inhibit=inhibit.arm,
@@ -47,8 +47,8 @@ def look_work(flight: Flight, state: State) -> Work:
         conditions=conditions,
         hand=_hand(flight, state),
         stand=state.plant.stand.position if site.prong else None,
-        orbiter=_in_l(site, things.orbiter),
-        orbiter_velocity=_in_l(site, things.orbiter_velocity),
+        orbiter=_in_l(site, worksite.orbiter),
+        orbiter_velocity=_in_l(site, worksite.orbiter_velocity),
         cargo=tuple(_cargo(flight, state, k) for k in range(len(site.cargo))),
         master=_six(state.command[MASTER : MASTER + 6]) if MODES[state.panel.mode].kind == "master" else None,
     )
@@ -56,9 +56,9 @@ def look_work(flight: Flight, state: State) -> Work:
 
 def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
     """Return every pair that is watched now, nearest first."""
-    things = state.site
-    watch = things.watch.copied()
-    watch.look(things.before, things.frames, flight.scenario.control_period)
+    worksite = state.worksite
+    watch = worksite.watch.copied()
+    watch.update(worksite.before, worksite.frames, flight.scenario.control_period)
     found = watch.found[:, CLEARANCE]
     groups = np.flatnonzero(np.isfinite(found))
     return tuple(near_of(flight, state, watch.found, int(g)) for g in groups[np.argsort(found[groups], kind="stable")])
@@ -92,23 +92,23 @@ def near_of(flight: Flight, state: State, found: Array, group: int) -> Near:
         (row[POINT_B], row[POINT_B + 1], row[POINT_B + 2]),
         _ZERO if touching else (row[NORMAL], row[NORMAL + 1], row[NORMAL + 2]),
         0.0 if touching else row[DISTANCE],
-        bool(state.site.contacts.essential[group]),
+        bool(state.worksite.contacts.essential[group]),
         named(int(row[FEATURE_A])) if touching else "",
         named(int(row[FEATURE_B])) if touching else "",
     )
 
 
 def _hand(flight: Flight, state: State) -> Hand:
-    things, has = state.site, flight.scenario.arm.model.equipment.prong
+    worksite, has = state.worksite, flight.scenario.arm.model.equipment.prong
     if has is not None:
-        prong, travel = things.prong.position, flight.prong
+        prong, travel = worksite.prong.position, flight.prong
         opening = (travel.high - prong) / (travel.high - travel.low)
         spacing = has.fixed_finger - prong
         shows = (("CAPTURE", state.carried.payload is not None), ("CLOSE", opening == 0.0), ("OPEN", opening == 1.0))
-        return Hand(things.switch, opening, spacing, None, tuple(name for name, on in shows if on))
-    snare = things.snare
+        return Hand(worksite.switch, opening, spacing, None, tuple(name for name, on in shows if on))
+    snare = worksite.snare
     lit = _lit(snare)
-    return Hand(things.switch, 1.0 - snare.ring, None, snare.carriage, lit, things.effector_mode, things.rigid)
+    return Hand(worksite.switch, 1.0 - snare.ring, None, snare.carriage, lit, worksite.effector_mode, worksite.rigid)
 
 
 @lru_cache(maxsize=16)
@@ -118,9 +118,9 @@ def _lit(snare: Snare) -> tuple[str, ...]:
 
 
 def _cargo(flight: Flight, state: State, k: int) -> Cargo:
-    site, things = flight.site, state.site
+    site, worksite = flight.site, state.worksite
     position, orientation, velocity = moving(
-        things.frames, things.before, site.cargo_row(k), flight.scenario.control_period
+        worksite.frames, worksite.before, site.cargo_row(k), flight.scenario.control_period
     )
-    thing = things.cargo[k]
+    thing = worksite.cargo[k]
     return Cargo(site.cargo[k].name, position, orientation, velocity, thing.held, thing.seat)

@@ -17,16 +17,16 @@ def begin_check(state: State, target: Target) -> None:
 
 def premises(state: State, target: Target) -> Premises:
     """Return the values on which a verdict on this target would depend now."""
-    panel, things, script = state.panel, state.site, state.script
+    panel, worksite, script = state.panel, state.worksite, state.script
     return Premises(
         target,
         panel.law,
         panel.rate,
-        things.held,
+        worksite.held,
         script.limits,
         script.attached,
         panel.brakes or panel.safing,
         tuple(state.plant.angles.tolist()),
-        tuple(things.orbiter_velocity.tolist()),
-        sha256(things.frames.data).digest(),
+        tuple(worksite.orbiter_velocity.tolist()),
+        sha256(worksite.frames.data).digest(),
     )

@@ -8,7 +8,7 @@ from aftdeck.simulation.state import State
 
 def delayed(state: State, inputs: Inputs) -> Inputs:
     """Return the inputs that arrive in this step, and queue the inputs given now."""
-    if not state.under_way:
+    if not state.delayed_inputs:
         return inputs
-    state.under_way.append(inputs)
-    return state.under_way.pop(0)
+    state.delayed_inputs.append(inputs)
+    return state.delayed_inputs.pop(0)

@@ -7,39 +7,39 @@ import numpy as np
 from aftdeck.scenario.target import target_at
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.log import log, log_rejection
 from aftdeck.simulation.state import State
-from aftdeck.steering.layout import GO, LAW, STICKS, TARGET, TWIST
+from aftdeck.steering.layout import LAW, MOTION_ACTIVE, STICKS, TARGET, TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES
 
 AT_REST = 1e-3
 """Tip speed [m/s] and angular rate [rad/s] below which POSITION HOLD stores the present pose as the one to keep."""
 
 
-def held_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[float, ...]:
+def effective_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[float, ...]:
     """Update RATE HOLD, and return the stick command to fly (rotation, then translation)."""
     panel = state.panel
     given = (*inputs.rotation, *inputs.translation)
     if inputs.rate_hold:
         if MODES[panel.mode].kind != "manual":
-            refuse(
+            log_rejection(
                 flight,
                 state,
                 f"RATE HOLD refused: it works in the manual modes, not in {panel.mode}",
             )
-        elif panel.held is not None:
-            panel.held = None
+        elif panel.rate_hold_sticks is not None:
+            panel.rate_hold_sticks = None
             log(flight, state, "rate hold", "info", "RATE HOLD off")
         elif any(given):
-            panel.held = given
+            panel.rate_hold_sticks = given
             log(flight, state, "rate hold", "info", "RATE HOLD: the present rates are kept; press again to let go")
         else:
-            refuse(
+            log_rejection(
                 flight,
                 state,
                 "RATE HOLD refused: the sticks are at rest, there is no rate to keep",
             )
-    return given if panel.held is None else panel.held
+    return given if panel.rate_hold_sticks is None else panel.rate_hold_sticks
 
 
 def hold_position(flight: Flight, state: State) -> None:
@@ -47,12 +47,12 @@ def hold_position(flight: Flight, state: State) -> None:
     panel = state.panel
     off = not panel.position_hold or MODES[panel.mode].kind != "manual"
     if off or state.command[STICKS : STICKS + 6].any():
-        panel.holding = None
+        panel.position_hold_target = None
         return
-    if panel.holding is None and np.abs(state.steering[TWIST : TWIST + 6]).max() < AT_REST:
+    if panel.position_hold_target is None and np.abs(state.steering[TWIST : TWIST + 6]).max() < AT_REST:
         tip = state.arm.forward(state.plant.angles)
-        panel.holding = target_at(tip)
+        panel.position_hold_target = target_at(tip)
         state.command[TARGET : TARGET + 3] = tip.position
         state.command[TARGET + 3 : TARGET + 12] = tip.rotation.ravel()
-    if panel.holding is not None:
-        state.command[LAW], state.command[GO] = AUTOMATIC_LAWS["closed loop"], 1.0
+    if panel.position_hold_target is not None:
+        state.command[LAW], state.command[MOTION_ACTIVE] = AUTOMATIC_LAWS["closed loop"], 1.0

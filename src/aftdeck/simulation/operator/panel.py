@@ -8,10 +8,10 @@ from __future__ import annotations
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.log import log, refuse
-from aftdeck.simulation.motion.standstill import standing
+from aftdeck.simulation.log import log, log_rejection
+from aftdeck.simulation.motion.standstill import joint_lock_reason
 from aftdeck.simulation.operator.check_request import begin_check, premises
-from aftdeck.simulation.operator.holds import held_sticks
+from aftdeck.simulation.operator.holds import effective_sticks
 from aftdeck.simulation.operator.master import turn_master
 from aftdeck.simulation.operator.sequence import finish, next_target
 from aftdeck.simulation.state import State
@@ -32,12 +32,12 @@ def operate(flight: Flight, state: State, inputs: Inputs) -> None:
         state.command[MASTER : MASTER + 6] = inputs.master
     if inputs.target is not None:
         _key_in(flight, state, inputs.target)
-    if inputs.stop or standing(panel):
+    if inputs.stop or joint_lock_reason(panel):
         _stop(flight, state)
     if inputs.proceed:
         _proceed(flight, state)
     command = state.command
-    sticks = held_sticks(flight, state, inputs)
+    sticks = effective_sticks(flight, state, inputs)
     command[LAW] = panel.flown
     command[STICKS : STICKS + 6] = sticks
     command[JOINT], command[DRIVE] = panel.joint, inputs.drive
@@ -56,7 +56,7 @@ def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
         panel.payload_axes = inputs.payload_axes
         axes = "payload axes (mode 7)" if panel.payload_axes else "the orbiter's axes (mode 4)"
         log(flight, state, "payload axes", "info", f"ORB LD rotates in {axes}")
-    hand = state.site
+    hand = state.worksite
     if inputs.effector is not None:
         hand.switch = inputs.effector
     if inputs.effector_mode is not None:
@@ -75,7 +75,7 @@ def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
         log(flight, state, "safing", "caution" if panel.safing else "info", text)
     if inputs.law is not None and inputs.law != panel.law:
         if panel.sequence == "in progress":
-            refuse(
+            log_rejection(
                 flight,
                 state,
                 "the law cannot be changed while a motion is in progress: STOP first",
@@ -89,27 +89,27 @@ def _hold_position(flight: Flight, state: State, on: bool) -> None:
     panel = state.panel
     if on != panel.position_hold:
         log(flight, state, "position hold", "info", f"POSITION HOLD {'on' if on else 'off'}")
-    panel.position_hold, panel.holding = on, None
+    panel.position_hold, panel.position_hold_target = on, None
 
 
 def _enter(flight: Flight, state: State, position: str) -> None:
     mode = MODES.get(position)
     if mode is None:
-        refuse(flight, state, f"no mode {position!r}: there are {', '.join(MODES)}")
+        log_rejection(flight, state, f"no mode {position!r}: there are {', '.join(MODES)}")
         return
     if mode.loaded and state.carried.payload is None:
-        refuse(flight, state, f"{position} refused: it moves a payload, and none is in the grasp")
+        log_rejection(flight, state, f"{position} refused: it moves a payload, and none is in the grasp")
         return
     if position.startswith("AUTO") and position not in flight.scenario.sequences:
-        refuse(flight, state, f"{position} refused: no points are stored for it in this scenario")
+        log_rejection(flight, state, f"{position} refused: no points are stored for it in this scenario")
         return
     panel = state.panel
     if mode.kind == "master":  # the master arm starts from the angles of the arm
         state.command[MASTER : MASTER + 6] = state.plant.angles
     if mode.kind == "single":  # theta_0 of mode 8
         state.command[KEPT : KEPT + 6] = state.plant.angles
-    panel.mode, panel.held, panel.holding, panel.point = position, None, None, 0
-    panel.began = state.tick - 1
+    panel.mode, panel.rate_hold_sticks, panel.position_hold_target, panel.point = position, None, None, 0
+    panel.motion_began = state.tick - 1
     log(flight, state, "mode", "info", f"{position} entered: {mode.title}")
     make_ready(flight, state)
 
@@ -126,7 +126,7 @@ def make_ready(flight: Flight, state: State, *, keyed: bool = False) -> None:
 def _key_in(flight: Flight, state: State, target: Target) -> None:
     panel = state.panel
     if panel.sequence == "in progress":
-        refuse(flight, state, "no target can be keyed in while a motion is in progress: STOP first")
+        log_rejection(flight, state, "no target can be keyed in while a motion is in progress: STOP first")
         return
     panel.keyed = target
     log(flight, state, "target", "info", "target keyed in")
@@ -135,30 +135,30 @@ def _key_in(flight: Flight, state: State, target: Target) -> None:
 
 def _stop(flight: Flight, state: State) -> None:
     panel = state.panel
-    panel.held = None
+    panel.rate_hold_sticks = None
     panel.proceeding = False
     if panel.sequence == "in progress":
         panel.sequence = "ready"
-        how = "the arm stands" if standing(panel) else "the arm slows to rest"
+        how = "the arm stands" if joint_lock_reason(panel) else "the arm slows to rest"
         log(flight, state, "stop", "info", f"STOP: {how}; PROCEED goes on")
 
 
 def _proceed(flight: Flight, state: State) -> None:
     panel = state.panel
     if MODES[panel.mode].kind != "automatic":
-        refuse(
+        log_rejection(
             flight,
             state,
             f"PROCEED does nothing in {panel.mode}: enter OPR CMD or AUTO 1-4 first",
         )
-    elif stopped := standing(panel):
-        refuse(flight, state, f"PROCEED refused: {stopped}")
+    elif stopped := joint_lock_reason(panel):
+        log_rejection(flight, state, f"PROCEED refused: {stopped}")
     elif panel.sequence != "in progress":
         if panel.point >= len(flight.scenario.sequences.get(panel.mode, ())):
             panel.point = 0  # a completed sequence starts again
         panel.target = next_target(flight, panel)
         if panel.target is None:
-            refuse(flight, state, "PROCEED refused: no target is keyed in")
+            log_rejection(flight, state, "PROCEED refused: no target is keyed in")
             return
         stale = panel.check is None or panel.premises != premises(state, panel.target)
         if state.checking is None and stale:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from aftdeck.scenario.model import PhasePlan
-from aftdeck.scenario.target import Place, Target
+from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs, Vec3
 from aftdeck.simulation.log import log
@@ -32,9 +32,9 @@ def play(flight: Flight, state: State) -> Inputs:
     while script.phase < len(phases) and not script.ended:
         phase = phases[script.phase]
         if script.began < 0:
-            script.began, state.panel.began = state.tick, state.tick - 1
+            script.began, state.panel.motion_began = state.tick, state.tick - 1
             log(flight, state, "phase", "info", f"phase {phase.name!r} begins")
-            target = found(flight, state, phase.target) if isinstance(phase.target, Place) else phase.target
+            target = found(flight, state, phase.target) if isinstance(phase.target, RelativeTarget) else phase.target
             if isinstance(target, str):
                 _fail(flight, state, f"phase {phase.name!r} failed: {target}")
                 continue
@@ -69,7 +69,7 @@ def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
     steer(flight, state)
 
 
-def conclude(flight: Flight, state: State) -> None:
+def end_if_time_is_up(flight: Flight, state: State) -> None:
     """End a script whose time runs out with this step; it is completed if its last phase ends at the same time."""
     script, scenario = state.script, flight.scenario
     if script.ended or state.tick < scenario.ticks:
@@ -216,7 +216,7 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
 def _come_about(state: State, phase: PhasePlan) -> bool:
     """Return whether the event and the stand length that a phase waits for have been reached."""
     stands = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < AT_LENGTH
-    return stands and (phase.until is None or state.site.is_so(phase.until))
+    return stands and (phase.until is None or state.worksite.has_occurred(phase.until))
 
 
 def _awaited(phase: PhasePlan) -> str:

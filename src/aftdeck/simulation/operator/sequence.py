@@ -13,12 +13,12 @@ from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Six
 from aftdeck.simulation.log import log
-from aftdeck.simulation.motion.standstill import held_fast, standing
+from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payload_reason
 from aftdeck.simulation.operator.check_request import begin_check
 from aftdeck.simulation.operator.miss import miss
 from aftdeck.simulation.operator.ways import final_angles
 from aftdeck.simulation.state import Ending, Panel, State
-from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, GO, LAW, MASTER, PLAN, RATIO, TARGET
+from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, LAW, MASTER, MOTION_ACTIVE, PLAN, RATIO, TARGET
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 from aftdeck.steering.rehearsal import GIVEN_UP, STANDSTILL
 
@@ -50,7 +50,7 @@ def begin(flight: Flight, state: State, target: Target, joints: Six | None = Non
     """
     command, panel = state.command, state.panel
     final = final_angles(state, target) if joints is None else joints
-    command[LAW], command[GO] = AUTOMATIC_LAWS[panel.law], 0.0
+    command[LAW], command[MOTION_ACTIVE] = AUTOMATIC_LAWS[panel.law], 0.0
     command[TARGET : TARGET + 3] = target.position
     command[TARGET + 3 : TARGET + 12] = np.ravel(target.rotation)
     command[PLAN:MASTER] = 0.0
@@ -61,7 +61,7 @@ def begin(flight: Flight, state: State, target: Target, joints: Six | None = Non
 def finish(flight: Flight, state: State) -> None:
     """End an automatic motion that reached its target in the last step, or that has been at a standstill too long."""
     panel = state.panel
-    panel.ending, panel.beside = "", ""
+    panel.ending, panel.final_error = "", ""
     if panel.sequence != "in progress":
         return
     points = flight.scenario.sequences.get(panel.mode, ())
@@ -81,8 +81,12 @@ def finish(flight: Flight, state: State) -> None:
     panel.blocked = panel.blocked + 1 if still else 0
     if panel.blocked * flight.scenario.control_period >= GIVEN_UP:
         panel.sequence, panel.blocked, panel.ending = "ready", 0, "given up"
-        halt = state.site.halt
-        why = held_fast(flight, state) if halt == "seat" else standing(state.panel) or _STANDSTILLS[halt]
+        halt = state.worksite.halt
+        why = (
+            latched_payload_reason(flight, state)
+            if halt == "seat"
+            else joint_lock_reason(state.panel) or _STANDSTILLS[halt]
+        )
         log(flight, state, "blocked", "caution", f"automatic motion given up: {why}")
 
 
@@ -105,7 +109,7 @@ def _arrive(flight: Flight, state: State, passing: bool) -> None:
         try:
             begin(flight, state, points[panel.point].target)
             if passing:  # mode 2 has no plan that starts from rest, so the motion starts at once
-                state.command[GO], panel.began = 1.0, state.tick - 1
+                state.command[MOTION_ACTIVE], panel.motion_began = 1.0, state.tick - 1
         except AftdeckError as error:
             _end(panel, "given up", beside)
             log(flight, state, "check", "caution", f"{panel.mode} stops: {error}")
@@ -123,7 +127,7 @@ def _arrive(flight: Flight, state: State, passing: bool) -> None:
 
 
 def _end(panel: Panel, ending: Ending, beside: str) -> None:
-    panel.sequence, panel.ending, panel.beside = "idle", ending, beside
+    panel.sequence, panel.ending, panel.final_error = "idle", ending, beside
 
 
 def _tell_arrival(flight: Flight, state: State, name: str, passing: bool, beside: str) -> None:

@@ -12,7 +12,7 @@ from aftdeck.kinematics.singular import NAMES
 from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import AGREED
-from aftdeck.simulation.log import spoken
+from aftdeck.simulation.log import joint_label
 from aftdeck.simulation.parts.checking import Way
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import RATE
@@ -84,7 +84,7 @@ def _branches(flight: Flight, state: State, target: Target) -> list[Array]:
         row = int(beyond.max(axis=1).argmin())
         joint = int(beyond[row].argmax())
         raise UnreachableError(
-            f"every solution lies outside the soft stops; the nearest needs {spoken(state.arm.joints[joint])} at "
+            f"every solution lies outside the soft stops; the nearest needs {joint_label(state.arm.joints[joint])} at "
             f"{math.degrees(solutions[row, joint]):.2f} deg, {math.degrees(beyond[row, joint]):.2f} deg outside",
             float(beyond[row, joint]),
             state.arm.joints[joint],

@@ -12,7 +12,7 @@ from aftdeck.state_part import Cache
 from aftdeck.steering.rules import Key, rules_of
 
 
-class Carried(Cache):
+class SteeringSetup(Cache):
     """Payload in the grasp and the steering's rules with it; `grasp.steer` derives both from the rest of the state.
 
     Attributes:
@@ -25,7 +25,7 @@ class Carried(Cache):
         self.rules = rules
 
 
-def carrying(scenario: Scenario, payload: Payload | None, limits: RateLimits | None = None) -> Carried:
+def steering_setup(scenario: Scenario, payload: Payload | None, limits: RateLimits | None = None) -> SteeringSetup:
     """Return a payload (None for an empty grasp) and the steering's rules; `limits` replaces the scenario's limits."""
     model, por = scenario.arm.model, scenario.por
     if limits is not None:
@@ -41,4 +41,4 @@ def carrying(scenario: Scenario, payload: Payload | None, limits: RateLimits | N
         near=scenario.near,
         near_turn=scenario.near_turn,
     )
-    return Carried(payload, rules)
+    return SteeringSetup(payload, rules)

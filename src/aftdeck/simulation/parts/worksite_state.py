@@ -17,14 +17,14 @@ from aftdeck.simulation.parts.free_flight import Floating
 from aftdeck.state_part import StatePart
 from aftdeck.worksite.capture.snare import Snare
 from aftdeck.worksite.seats.latches import Latches
-from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contacts import Contacts
 
 Switch = Literal["stop", "close", "open"]
 Halt = Literal["", "seat", "contact", "switch"]
 
 
-class Thing(StatePart):
+class PayloadState(StatePart):
     """State of a payload: held, fixed to a seat, or both; otherwise it floats. Poses are rows of twelve numbers."""
 
     held: bool = False
@@ -32,43 +32,43 @@ class Thing(StatePart):
     """Pose in the frame of the last joint, with which it moves unless a seat holds it; None if not held."""
     steered: list[float] | None = None
     """The same as the steering uses it: as at capture, at the end of drawing in, or when a seat released it."""
-    first: list[float] | None = None
+    fixture_at_capture: list[float] | None = None
     """Pose of its fixture in the end effector's axes where drawing in began: at capture, or when a seat released it."""
-    since: float = 0.0
+    drawn_at_capture: float = 0.0
     """Fraction by which the carriage was retracted at that time [1]."""
     seat: str = ""
     """Name of the seat that it is fixed to; "" if none."""
     latches: Latches = Latches()
-    off: list[float] = msgspec.field(default_factory=list)
+    offset_at_fixing: list[float] = msgspec.field(default_factory=list)
     """Its pose relative to its place in the seat, at the time when the seat took it."""
-    seated: list[float] = msgspec.field(default_factory=list)
+    offset_in_seat: list[float] = msgspec.field(default_factory=list)
     """Present value of that pose, as the latches draw it in."""
-    parted: str = ""
+    released_from: str = ""
     """Seat that just released it; a port then docks it again only after it has left, or on LATCH."""
-    asked: int = 0
+    unlatch_asked_at: int = 0
     """Step of the last UNLATCH that waits for a second one as confirmation; 0 if none waits."""
 
 
-class Things(StatePart):
+class WorksiteState(StatePart):
     """State of the worksite: everything there that the next step depends on.
 
     Attributes:
         frames: (F, 12) pose of every coordinate frame, in L.
         before: (F, 12) the same one step ago.
-        looked: (g,) 1 for groups that were watched in the last step.
-        watch: clearances of the watched groups; they follow from `frames`, `before`, `looked` and `nearest`.
+        monitored_before: (g,) 1 for groups that were watched in the last step.
+        watch: clearances of the watched groups; they follow from `frames`, `before`, `monitored_before` and `nearest`.
         permitted: (g,) 1 for groups that the task brings into contact; 0 for those of them that touch outside their
             relation or deeper than it permits.
         contacts: contacts, and what they inhibit.
-        told: groups whose contact is logged.
+        logged_contacts: groups whose contact is logged.
         cargo: the payloads.
         floating: free flight of each payload; None while the hand or a seat holds it.
         held: index of the payload in the grasp; None if there is none.
-        fast: True if the held payload is fixed to a seat, so that the arm cannot move.
+        arm_fixed: True if the held payload is fixed to a seat, so that the arm cannot move.
         carrier: (c,) for each payload, the row of the frame that carries it; -1 if it floats.
-        rides: (c, 12) pose of each payload in that frame; if it floats, in L as L was at the start.
-        nearest: group with the minimum clearance of those that count (`simulation.lined_up`); -1 if none is watched.
-        lined_up: index of the cargo that the hand is aligned with for capture; None if there is none.
+        poses_in_carrier: (c, 12) pose of each payload in that frame; if it floats, in L as L was at the start.
+        nearest: group with the minimum clearance of those that count for CLEARANCE; -1 if none is watched.
+        aligned_with: index of the cargo that the hand is aligned with for capture; None if there is none.
         orbiter: (3,) distance that the orbiter has moved forward, starboard and down [m].
         orbiter_velocity: (3,) velocity of the orbiter along the same axes [m/s].
         prong: prong of the concept's hand: y2 of its inner face.
@@ -78,7 +78,7 @@ class Things(StatePart):
         rigid: MAN CONTR.
         task: the report's mode, 1 to 4.
         advice: way out of the contacts that was found last; None if there is none.
-        refused_orbiter: True if a translation of the orbiter was rejected in the last step.
+        orbiter_rejected: True if a translation of the orbiter was rejected in the last step.
         waiting: True if the carriage or the latches are stopped before a contact.
         halt: what blocked the commanded motion in the last step: "seat" (a seat holds the held payload), "contact" (the
             motion would deepen one), "switch" (BRAKES, SAFING), or "" (nothing).
@@ -86,38 +86,38 @@ class Things(StatePart):
 
     frames: Array
     before: Array
-    looked: Mask
+    monitored_before: Mask
     permitted: Mask
     contacts: Contacts
-    cargo: list[Thing]
+    cargo: list[PayloadState]
     floating: list[Floating | None]
     carrier: Indices
-    rides: Array
+    poses_in_carrier: Array
     orbiter: Array
     orbiter_velocity: Array
     prong: Slide
-    watch: Watch
-    told: tuple[int, ...] = ()
+    watch: ClearanceMonitor
+    logged_contacts: tuple[int, ...] = ()
     held: int | None = None
-    fast: bool = False
+    arm_fixed: bool = False
     nearest: int = -1
-    lined_up: int | None = None
+    aligned_with: int | None = None
     snare: Snare = Snare()
     switch: Switch = "stop"
     effector_mode: Literal["auto", "manual"] = "auto"
     rigid: Literal["off", "rigid", "derigid"] = "off"
     task: int = 1
     advice: WayOut | None = None
-    refused_orbiter: bool = False
+    orbiter_rejected: bool = False
     waiting: bool = False
     halt: Halt = ""
 
     @property
-    def _meant(self) -> list[Thing]:
+    def _meant(self) -> list[PayloadState]:
         """Payloads that latching and unlatching refer to: the one in the grasp, or all if none is held."""
         return [thing for thing in self.cargo if thing.held] or self.cargo
 
-    def is_so(self, what: Until) -> bool:
+    def has_occurred(self, what: Until) -> bool:
         """Return whether an event that a script may wait for has occurred."""
         match what:
             case "captured":
@@ -129,20 +129,20 @@ class Things(StatePart):
             case "unlatched":
                 return not any(thing.seat for thing in self._meant)
 
-    def settle(self, site: Site) -> None:
+    def update_attachments(self, site: Site) -> None:
         """Update the held payload, the carrier of each payload, the watched groups, and those moving with the arm."""
         self.held = next((k for k, thing in enumerate(self.cargo) if thing.held), None)
-        self.fast = self.held is not None and self.cargo[self.held].seat != ""
+        self.arm_fixed = self.held is not None and self.cargo[self.held].seat != ""
         for k in range(len(self.cargo)):
-            self.ride(site, k)
+            self.update_carrier(site, k)
         self.contacts.arm[:] = site.by_arm
         if self.held is not None:
             self.contacts.arm |= site.of_cargo[self.held]
-        self.choose(site)
+        self.select_monitored(site)
         # a group that is no longer watched has not separated: forget its contact, so that "clear of" is not logged
-        self.told = tuple(group for group in self.told if self.watch.active[group])
+        self.logged_contacts = tuple(group for group in self.logged_contacts if self.watch.active[group])
 
-    def choose(self, site: Site) -> None:
+    def select_monitored(self, site: Site) -> None:
         """Mark all groups as watched, except a held payload with the hand, and a fixed one with what its seat is on."""
         active = self.watch.active
         active[:] = 1
@@ -152,37 +152,37 @@ class Things(StatePart):
             if thing.seat:
                 active &= 1 - site.seated[k, thing.seat]
 
-    def ride(self, site: Site, k: int) -> None:
+    def update_carrier(self, site: Site, k: int) -> None:
         """Set the carrier of cargo k (its seat, else the last joint, else none), and its pose in that frame."""
         thing = self.cargo[k]
         if (berth := site.berth(k, thing.seat)) is not None:
             self.carrier[k] = berth.row
-            compose(berth.place, np.array(thing.seated), self.rides[k])
+            compose(berth.place, np.array(thing.offset_in_seat), self.poses_in_carrier[k])
         elif thing.grasp is not None:
-            self.carrier[k], self.rides[k] = site.last_joint, thing.grasp
+            self.carrier[k], self.poses_in_carrier[k] = site.last_joint, thing.grasp
         elif (flight := self.floating[k]) is not None:
-            self.carrier[k], self.rides[k] = -1, flight.pose
+            self.carrier[k], self.poses_in_carrier[k] = -1, flight.pose
 
     def places(self, site: Site) -> tuple[Array, Array, Array, Array, Indices, Array]:
         """Return the first arguments of `place_everything`: all but angles, stand and prong."""
-        return site.arm.joints, site.scene, site.axes, self.orbiter, self.carrier, self.rides
+        return site.arm.joints, site.scene, site.axes, self.orbiter, self.carrier, self.poses_in_carrier
 
 
-def new_things(site: Site, prong: Travel) -> Things:
+def new_worksite_state(site: Site, prong: Travel) -> WorksiteState:
     """Return a worksite state in which nothing has its start position yet and the prong is open."""
     groups, cargo = len(site.layout.groups), len(site.cargo)
-    return Things(
+    return WorksiteState(
         frames=np.zeros((len(site.layout.frames), POSE)),
         before=np.zeros((len(site.layout.frames), POSE)),
-        looked=np.ones(groups, np.uint8),
+        monitored_before=np.ones(groups, np.uint8),
         permitted=site.essential.copy(),
         contacts=Contacts(site.essential.copy(), site.by_arm.copy(), np.zeros(groups, np.uint8)),
-        cargo=[Thing() for _ in range(cargo)],
+        cargo=[PayloadState() for _ in range(cargo)],
         floating=[None] * cargo,
         carrier=np.full(cargo, -1),
-        rides=np.zeros((cargo, POSE)),
+        poses_in_carrier=np.zeros((cargo, POSE)),
         orbiter=np.zeros(3),
         orbiter_velocity=np.zeros(3),
         prong=Slide(prong.low),
-        watch=Watch(site.layout),
+        watch=ClearanceMonitor(site.layout),
     )

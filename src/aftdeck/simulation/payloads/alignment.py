@@ -28,7 +28,7 @@ from aftdeck.worksite.capture.acquisition import AWAY, FIXED, FOUND, PALM, PRONG
 from aftdeck.worksite.model import Relation
 from aftdeck.worksite.seats.berthing import over
 from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, INSIDE
-from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contacts import FRAMES, Contacts
 from aftdeck.worksite.watch.found import CLEARANCE
 
@@ -38,17 +38,17 @@ WIDER, WIDEST = 2.0, 2.4
 
 def count(flight: Flight, state: State) -> None:
     """Update the groups among which the next step finds the nearest, after this step has moved everything."""
-    things = state.site
-    things.watch.counts[:], things.lined_up = counted(
-        flight, things.held, things.watch, things.frames, things.lined_up, things.nearest, things.contacts,
-        things.permitted, flight.within,
+    worksite = state.worksite
+    worksite.watch.counts[:], worksite.aligned_with = alarm_pairs(
+        flight, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
+        worksite.contacts, worksite.permitted, flight.within,
     )  # fmt: skip
 
 
-def counted(
+def alarm_pairs(
     flight: Flight,
     held: int | None,
-    watch: Watch,
+    watch: ClearanceMonitor,
     frames: Array,
     before: int | None,
     nearest: int,
@@ -92,10 +92,12 @@ def _inhibited(contacts: Contacts, among: Mask) -> bool:
     return bool(np.any((contacts.count == FRAMES) & (contacts.essential == 0) & (contacts.arm != 0) & (among != 0)))
 
 
-def _outside(site: Site, watch: Watch, frames: Array, nearest: int, permitted: Mask, travel: float) -> Iterator[int]:
+def _outside(
+    site: Site, watch: ClearanceMonitor, frames: Array, nearest: int, permitted: Mask, travel: float
+) -> Iterator[int]:
     """Yield the groups of the task that touch, or would touch, where their relation does not permit a contact.
 
-    Groups that are too far apart to be the nearest are yielded as well. Arguments as for `counted`.
+    Groups that are too far apart to be the nearest are yielded as well. Arguments as for `alarm_pairs`.
     """
     known: dict[tuple[int, Relation], bool] = {}
     farthest = NEAR  # nothing farther apart is lined up

@@ -11,9 +11,9 @@ from aftdeck.bodies.pose import POSE, compose, inverse, pose_of
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import Bar, Snares
 from aftdeck.simulation.inputs import Inputs
-from aftdeck.simulation.log import log, refuse
+from aftdeck.simulation.log import log, log_rejection
 from aftdeck.simulation.payloads.grasp import let_go, nearest_fixture, steer, take_hold
-from aftdeck.simulation.payloads.mechanism import waits
+from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.payloads.seating import stay_or_leave
 from aftdeck.simulation.state import State
 from aftdeck.worksite.capture.acquisition import FOUND, acquire
@@ -46,7 +46,7 @@ def _keep(flight: Flight, state: State, inputs: Inputs) -> None:
     """Reject every motion of an end effector whose payload the scenario fixes in the grasp."""
     for switch in (inputs.effector, inputs.rigid):
         if switch in ("close", "open", "rigid", "derigid"):
-            refuse(
+            log_rejection(
                 flight,
                 state,
                 f"{switch.upper()} refused: the scenario fixes its payload in the grasp; a payload of [[cargo]] can be "
@@ -56,41 +56,43 @@ def _keep(flight: Flight, state: State, inputs: Inputs) -> None:
 
 def _prong(flight: Flight, state: State, bar: Bar) -> None:
     """Acquire a payload if the six conditions hold; release it once the fingers are farther apart than allowed."""
-    things = state.site
-    if things.held is not None:
-        if bar.fixed_finger - things.prong.position > bar.tolerances.spacing:
-            _release(flight, state, things.held)
+    worksite = state.worksite
+    if worksite.held is not None:
+        if bar.fixed_finger - worksite.prong.position > bar.tolerances.spacing:
+            _release(flight, state, worksite.held)
         return
     found = np.empty(FOUND)
     for k, which in enumerate(bar.which):
-        if which is not None and acquire(things.watch.placed, which, bar.packed, found):
+        if which is not None and acquire(worksite.watch.placed, which, bar.packed, found):
             _acquired(flight, state, k)
             return
 
 
 def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None:
     """Move the snares and the carriage by one step of CAPTURE, RELEASE or MAN CONTR."""
-    things, scenario = state.site, flight.scenario
-    held = k = things.held
-    if not pressed and not things.snare.motion and things.rigid == "off":
+    worksite, scenario = state.worksite, flight.scenario
+    held = k = worksite.held
+    if not pressed and not worksite.snare.motion and worksite.rigid == "off":
         return
     conditions: tuple[Condition, ...] = ()
     if held is None and (near := nearest_fixture(flight, state, math.inf)) is not None:
         k, fixture = near
         conditions = in_envelope(pose_of(fixture), snares.envelope, scenario.arm.model.units)
     command = SnareCommand(
-        "AUTO" if things.effector_mode == "auto" else "MAN",
-        _TRIGGERS[things.switch] if pressed else "",
-        _CONTR[things.rigid],
+        "AUTO" if worksite.effector_mode == "auto" else "MAN",
+        _TRIGGERS[worksite.switch] if pressed else "",
+        _CONTR[worksite.rigid],
     )
-    snare, said = advance(things.snare, snares.times, command, scenario.control_period, conditions)
-    halted = held is not None and snare.drawn != things.snare.drawn and not _draw_in(flight, state, snares, held, snare)
+    snare, said = advance(worksite.snare, snares.times, command, scenario.control_period, conditions)
+    halted = (
+        held is not None and snare.drawn != worksite.snare.drawn and not _draw_in(flight, state, snares, held, snare)
+    )
     for line in said:
         if line.kind == "refused" or not halted:
             log(flight, state, line.kind, line.level, line.text)
     if halted:
         return
-    things.snare = snare
+    worksite.snare = snare
     if held is None and k is not None and snare.captured:
         _acquired(flight, state, k)
     elif held is not None and not snare.captured:
@@ -103,19 +105,19 @@ def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare)
     A payload that is fixed stays, and the arm gives way (assumed). The carriage's travel during that time is not made
     up later, so that the payload does not jump when it is unlatched.
     """
-    site, things = flight.site, state.site
-    thing = things.cargo[k]
-    if thing.seat or thing.first is None:
+    site, worksite = flight.site, state.worksite
+    thing = worksite.cargo[k]
+    if thing.seat or thing.fixture_at_capture is None:
         return True
     left, pin, grasp, drawn = np.empty(POSE), np.empty(POSE), np.empty(POSE), np.empty(POSE)
-    remaining(np.array(thing.first), 1.0 - (snare.drawn - thing.since), left)
+    remaining(np.array(thing.fixture_at_capture), 1.0 - (snare.drawn - thing.drawn_at_capture), left)
     compose(site.effector, left, pin)
     compose(pin, inverse(snares.fixture(k)), grasp)
-    compose(things.frames[site.last_joint], grasp, drawn)
-    if waits(flight, state, k, drawn, "carriage"):
+    compose(worksite.frames[site.last_joint], grasp, drawn)
+    if is_blocked(flight, state, k, drawn, "carriage"):
         return False
     thing.grasp = grasp.tolist()
-    things.ride(site, k)
+    worksite.update_carrier(site, k)
     if snare.drawn == 1.0:
         thing.steered = thing.grasp
         steer(flight, state)
@@ -127,8 +129,8 @@ def _acquired(flight: Flight, state: State, k: int) -> None:
 
     A payload that merely lies in the concept's bay leaves its seat.
     """
-    site, thing = flight.site, state.site.cargo[k]
-    if thing.seat and site.lies(thing.seat):
+    site, thing = flight.site, state.worksite.cargo[k]
+    if thing.seat and site.is_passive_berth(thing.seat):
         thing.seat = ""
     take_hold(flight, state, k)
     fixed = f", fixed in the {site.seat(thing.seat).title}" if thing.seat else ""
@@ -137,7 +139,7 @@ def _acquired(flight: Flight, state: State, k: int) -> None:
 
 def _release(flight: Flight, state: State, k: int) -> None:
     """Release a payload, which then stays in its seat, or floats free and keeps its velocity."""
-    site, thing = flight.site, state.site.cargo[k]
+    site, thing = flight.site, state.worksite.cargo[k]
     let_go(flight, state, k)
     stay_or_leave(flight, state, k)
     where = f"it stays in the {site.seat(thing.seat).title}" if thing.seat else "it is free"

@@ -13,14 +13,14 @@ import numpy as np
 from aftdeck.arrays import Array, Mask
 from aftdeck.law import law
 from aftdeck.simulation.constants.flight import Flight
-from aftdeck.simulation.frame_poses import frames_with
+from aftdeck.simulation.frame_poses import frames_with_prong_at
 from aftdeck.simulation.log import log
 from aftdeck.simulation.parts.free_flight import Floating
 from aftdeck.simulation.state import State
-from aftdeck.worksite.conditions import shown
+from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.file.check import ARM
-from aftdeck.worksite.watch.clearance_monitor import Watch
-from aftdeck.worksite.watch.contact_motion import looked_at, worsened
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
+from aftdeck.worksite.watch.contact_motion import looked_at, worst_new_contact
 from aftdeck.worksite.watch.found import CLEARANCE, NORMAL, POINT_A, POINT_B
 from aftdeck.worksite.watch.motion import motion
 
@@ -39,13 +39,13 @@ def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floatin
         k: the cargo.
         floating: the cargo's free flight until now.
     """
-    period, things = flight.scenario.control_period, state.site
-    if not measured(things.watch.found, flight.site.of_cargo[k]):  # nothing is near enough to be met in this step
+    period, worksite = flight.scenario.control_period, state.worksite
+    if not measured(worksite.watch.found, flight.site.of_cargo[k]):  # nothing is near enough to be met in this step
         floating.move(period)
         floating.met = False
         return floating
     after = floating.moved(period)
-    here = looked_at(things.watch, _frames(flight, state, k, floating))
+    here = looked_at(worksite.watch, _frames(flight, state, k, floating))
     group = _met(flight, state, k, here, after)
     if group < 0:
         after.met = False
@@ -64,16 +64,16 @@ def measured(found: Array, groups: Mask) -> bool:
 
 def _frames(flight: Flight, state: State, k: int, floating: Floating) -> Array:
     """Set cargo k to the pose of a free flight, and return the poses of all frames in L, (F, 12)."""
-    state.site.rides[k] = floating.pose
-    return frames_with(flight, state, state.site.prong.position)
+    state.worksite.poses_in_carrier[k] = floating.pose
+    return frames_with_prong_at(flight, state, state.worksite.prong.position)
 
 
-def _met(flight: Flight, state: State, k: int, here: Watch, after: Floating) -> int:
+def _met(flight: Flight, state: State, k: int, here: ClearanceMonitor, after: Floating) -> int:
     """Return the group in which a motion of cargo k makes or deepens a contact; -1 if there is none."""
-    return worsened(here, flight.site.of_cargo[k], _frames(flight, state, k, after))
+    return worst_new_contact(here, flight.site.of_cargo[k], _frames(flight, state, k, after))
 
 
-def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Watch, group: int) -> Floating:
+def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: ClearanceMonitor, group: int) -> Floating:
     """Return the free flight of a body that stops against what it met, or is reflected; log a new contact."""
     period, site = flight.scenario.control_period, flight.site
     free, share = 0.0, 0.5
@@ -100,7 +100,7 @@ def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: Wat
         stopped.motion[:3] *= 0.0 if not reflects else -1.0 if turning > 0.0 else 1.0
     if not floating.met:
         what, whom = site.layout.named(group) if first else reversed(site.layout.named(group))
-        speed = shown(straight + turning, "m", flight.scenario.arm.model.units) + "/s"
+        speed = quantity_text(straight + turning, "m", flight.scenario.arm.model.units) + "/s"
         done = "is reflected" if reflects else "stops"
         log(flight, state, "bump", "caution", f"{what} meets {whom} at {speed} and {done}; impulse unknown")
     stopped.met = True
@@ -112,23 +112,23 @@ def _velocity(flight: Flight, state: State, frame: str) -> Array:
 
     Parts of the arm count as moving with the orbiter: the arm does not carry along a body that stops against it.
     """
-    site, things = flight.site, state.site
+    site, worksite = flight.site, state.worksite
     for k, one in enumerate(site.cargo):
         if one.name != frame:
             continue
-        if (floating := things.floating[k]) is not None:
+        if (floating := worksite.floating[k]) is not None:
             return floating.motion[3:].copy()
-        if things.cargo[k].seat and site.in_space(things.cargo[k].seat):
+        if worksite.cargo[k].seat and site.in_space(worksite.cargo[k].seat):
             return np.zeros(3)
-    return np.zeros(3) if frame == "space" else site.axes @ things.orbiter_velocity
+    return np.zeros(3) if frame == "space" else site.axes @ worksite.orbiter_velocity
 
 
 def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Array) -> Array:
     """Return the velocity in L (3,) of a point of a frame that the arm moves [m/s]; zeros for any other frame."""
-    name, held = flight.site.layout.frames[frame], state.site.held
+    name, held = flight.site.layout.frames[frame], state.worksite.held
     if not name.startswith(ARM) and (held is None or name != flight.site.cargo[held].name):
         return np.zeros(3)
-    now = motion(state.site.frames[frame], frames[frame], flight.scenario.control_period)
+    now = motion(state.worksite.frames[frame], frames[frame], flight.scenario.control_period)
     turn = np.array([now.wx, now.wy, now.wz])
     return np.array([now.vx, now.vy, now.vz]) + np.cross(turn, point - frames[frame, :3])
 

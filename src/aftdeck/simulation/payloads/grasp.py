@@ -12,7 +12,7 @@ from aftdeck.kinematics.payload import PACKED, Payload
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.site import Site
 from aftdeck.simulation.log import log
-from aftdeck.simulation.parts.carried import carrying
+from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.simulation.parts.free_flight import floating
 from aftdeck.simulation.payloads.hand_poses import fixture_in_effector, payload_in_hand
 from aftdeck.simulation.state import State
@@ -26,10 +26,10 @@ NEAR = 3.0
 
 def take_hold(flight: Flight, state: State, k: int) -> None:
     """Attach a cargo to the frame of the last joint, in the cargo's present pose (MO2SET)."""
-    things = state.site
-    things.cargo[k].held, things.floating[k] = True, None
+    worksite = state.worksite
+    worksite.cargo[k].held, worksite.floating[k] = True, None
     regrasp(flight, state, k)
-    things.settle(flight.site)
+    worksite.update_attachments(flight.site)
 
 
 def regrasp(flight: Flight, state: State, k: int) -> None:
@@ -37,10 +37,10 @@ def regrasp(flight: Flight, state: State, k: int) -> None:
 
     From now on the carriage draws in what remains of the misalignment.
     """
-    thing = state.site.cargo[k]
+    thing = state.worksite.cargo[k]
     thing.grasp = thing.steered = in_hand(flight, state, k).tolist()
-    if (fixture := fixture_in_hand(flight.site, state.site.frames, k)) is not None:
-        thing.first, thing.since = fixture.tolist(), state.site.snare.drawn
+    if (fixture := fixture_in_hand(flight.site, state.worksite.frames, k)) is not None:
+        thing.fixture_at_capture, thing.drawn_at_capture = fixture.tolist(), state.worksite.snare.drawn
     steer(flight, state)
 
 
@@ -50,23 +50,23 @@ def steer(flight: Flight, state: State) -> None:
     The steering takes a worksite payload's mass, its axes and, as point of resolution, its centre.
     """
     scenario, script, payload = flight.scenario, state.script, None
-    for k, thing in enumerate(state.site.cargo):
+    for k, thing in enumerate(state.worksite.cargo):
         if thing.held:
             payload = _payload(flight, k, np.array(thing.steered))
     if script.attached:
         payload = scenario.own_payloads[script.attached - 1]
     limits = scenario.phases[script.limits].limits if script.limits >= 0 else None
-    state.carried = carrying(scenario, payload, limits)
+    state.carried = steering_setup(scenario, payload, limits)
 
 
 def put_effector(flight: Flight, state: State, *, holding: bool) -> None:
     """Set the end effector as with a payload in its grasp (prong closed or snares rigid), or as with none."""
-    things = state.site
+    worksite = state.worksite
     if flight.site.prong:
-        things.prong.position = flight.prong.high if holding else flight.prong.low
+        worksite.prong.position = flight.prong.high if holding else flight.prong.low
     else:
         held = Snare(ring=1.0, carriage=1.0, tension=1.0, captured=True, drawn=1.0)
-        things.snare = held if holding else Snare()
+        worksite.snare = held if holding else Snare()
 
 
 def packed_in_grasp(flight: Flight, state: State) -> Array | None:
@@ -74,12 +74,12 @@ def packed_in_grasp(flight: Flight, state: State) -> Array | None:
 
     Carriage and latches change the pose of a worksite payload in the hand.
     """
-    site, k = flight.site, state.site.held
+    site, k = flight.site, state.worksite.held
     if k is None:
         own = state.carried.payload
         return None if own is None else own.packed
     inside, packed = np.empty(POSE), np.zeros(PACKED)
-    payload_in_hand(state.site.frames, site.last_joint, site.cargo_row(k), site.hand, inside)
+    payload_in_hand(state.worksite.frames, site.last_joint, site.cargo_row(k), site.hand, inside)
     packed[:9] = inside[3:]
     packed[9:12] = inside[3:].reshape(3, 3).T @ inside[:3]
     return packed
@@ -95,7 +95,7 @@ def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
 
 def in_hand(flight: Flight, state: State, k: int) -> Array:
     """Return a cargo's pose (12,) in the frame of the last joint."""
-    site, frames, grasp = flight.site, state.site.frames, np.empty(POSE)
+    site, frames, grasp = flight.site, state.worksite.frames, np.empty(POSE)
     relative(frames[site.last_joint], frames[site.cargo_row(k)], grasp)
     return grasp
 
@@ -123,7 +123,7 @@ def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple
     """Return the cargo whose fixture is nearest, and the fixture's pose (12,) in E; None beyond `within` [m]."""
     best, least = None, within
     for k in range(len(flight.site.cargo)):
-        fixture = fixture_in_hand(flight.site, state.site.frames, k)
+        fixture = fixture_in_hand(flight.site, state.worksite.frames, k)
         if fixture is not None and (away := math.hypot(*fixture[:3].tolist())) < least:
             best, least = (k, fixture), away
     return best
@@ -131,14 +131,20 @@ def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple
 
 def let_go(flight: Flight, state: State, k: int) -> None:
     """Empty the grasp; enter ORB UNL if the present mode moves a payload."""
-    things, panel = state.site, state.panel
-    thing = things.cargo[k]
-    thing.held, thing.grasp, thing.first, thing.steered, thing.since = False, None, None, None, 0.0
+    worksite, panel = state.worksite, state.panel
+    thing = worksite.cargo[k]
+    thing.held, thing.grasp, thing.fixture_at_capture, thing.steered, thing.drawn_at_capture = (
+        False,
+        None,
+        None,
+        None,
+        0.0,
+    )
     steer(flight, state)
     if MODES[panel.mode].loaded:
-        panel.mode, panel.held, panel.holding, panel.sequence = "ORB UNL", None, None, "idle"
+        panel.mode, panel.rate_hold_sticks, panel.position_hold_target, panel.sequence = "ORB UNL", None, None, "idle"
         log(flight, state, "mode", "info", "ORB UNL entered: nothing is in the grasp any more")
-    things.settle(flight.site)
+    worksite.update_attachments(flight.site)
 
 
 def set_free(flight: Flight, state: State, k: int, from_space: bool) -> None:
@@ -147,14 +153,14 @@ def set_free(flight: Flight, state: State, k: int, from_space: bool) -> None:
     A cargo that was fixed in space rests there. A cargo that was held moves as the hand did, with the orbiter's
     velocity.
     """
-    site, things = flight.site, state.site
+    site, worksite = flight.site, state.worksite
     row = site.cargo_row(k)
-    now = motion(things.before[row], things.frames[row], flight.scenario.control_period)
-    pose = things.frames[row].copy()
-    pose[:3] += site.scene[:3] - things.frames[site.space_row, :3]
+    now = motion(worksite.before[row], worksite.frames[row], flight.scenario.control_period)
+    pose = worksite.frames[row].copy()
+    pose[:3] += site.scene[:3] - worksite.frames[site.space_row, :3]
     turn = pose[3:].reshape(3, 3).T @ np.array([now.wx, now.wy, now.wz])
-    velocity = np.array([now.vx, now.vy, now.vz]) + site.axes @ things.orbiter_velocity
+    velocity = np.array([now.vx, now.vy, now.vz]) + site.axes @ worksite.orbiter_velocity
     if from_space:
         velocity[:] = 0.0
-    things.floating[k] = floating(pose, velocity, turn, site.cargo[k].limit_cycle)
-    things.settle(site)
+    worksite.floating[k] = floating(pose, velocity, turn, site.cargo[k].limit_cycle)
+    worksite.update_attachments(site)

@@ -22,7 +22,7 @@ CONFIRM = 10.0
 def nearest_berth(flight: Flight, state: State, k: int) -> Berth | None:
     """Return the place in a seat that is nearest to a cargo; None if none is within `NEAR`."""
     site = flight.site
-    nearest = nearest_place(state.site.frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
+    nearest = nearest_place(state.worksite.frames, site.cargo_row(k), site.berth_rows[k], site.berth_places[k], NEAR)
     return None if nearest < 0 else site.berths[k][nearest]
 
 
@@ -35,23 +35,23 @@ def meant(flight: Flight, state: State, pressed: Pressed | None) -> int | None:
     Returns:
         The payload; None if there is none, or if the grasp is empty and nothing is pressed.
     """
-    site, things = flight.site, state.site
-    if pressed is None or things.held is not None:
-        return things.held
-    hand = things.frames[site.last_joint, :3]
+    site, worksite = flight.site, state.worksite
+    if pressed is None or worksite.held is not None:
+        return worksite.held
+    hand = worksite.frames[site.last_joint, :3]
     ways = []
-    for k, thing in enumerate(things.cargo):
+    for k, thing in enumerate(worksite.cargo):
         if thing.seat:
-            fits = not site.lies(thing.seat) and (pressed == "unlatch" or not _latched(flight, state, k))
+            fits = not site.is_passive_berth(thing.seat) and (pressed == "unlatch" or not _latched(flight, state, k))
         else:
             fits = pressed == "latch" and nearest_berth(flight, state, k) is not None
-        ways.append((not fits, math.dist(hand.tolist(), things.frames[site.cargo_row(k), :3].tolist()), k))
+        ways.append((not fits, math.dist(hand.tolist(), worksite.frames[site.cargo_row(k), :3].tolist()), k))
     return min(ways)[2] if ways else None
 
 
 def _latched(flight: Flight, state: State, k: int) -> bool:
     """Return whether a seat holds a cargo firmly: by docking, or by latches that are closed and not opening."""
-    thing = state.site.cargo[k]
+    thing = state.worksite.cargo[k]
     return thing.latches.closed == 1.0 and thing.latches.motion != "unlatch"
 
 
@@ -61,14 +61,14 @@ def confirmed(flight: Flight, state: State, k: int, title: str) -> bool:
     The question is a log line, and a second UNLATCH within `CONFIRM` confirms. A switch that is held over several steps
     is one command.
     """
-    thing, tick = state.site.cargo[k], state.tick
+    thing, tick = state.worksite.cargo[k], state.tick
     if thing.held or thing.latches.motion == "unlatch":
         return True
-    steps, thing.asked = tick - thing.asked if thing.asked else math.inf, tick
+    steps, thing.unlatch_asked_at = tick - thing.unlatch_asked_at if thing.unlatch_asked_at else math.inf, tick
     if steps == 1:
         return False
     if steps * flight.scenario.control_period <= CONFIRM:
-        thing.asked = 0
+        thing.unlatch_asked_at = 0
         return True
     name = flight.site.cargo[k].title
     text = f"UNLATCH again within {CONFIRM:g} s to confirm: nothing but the {title} holds {name}"

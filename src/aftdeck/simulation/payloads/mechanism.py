@@ -6,10 +6,10 @@ from aftdeck.arrays import Array
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.log import log
 from aftdeck.simulation.state import State
-from aftdeck.worksite.watch.contact_motion import worsened
+from aftdeck.worksite.watch.contact_motion import worst_new_contact
 
 
-def waits(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
+def is_blocked(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
     """Return whether a mechanism must stop because drawing in cargo k would make or deepen a contact.
 
     The stop is logged once. Walls along which the cargo slides count as well: a mechanism does not slide the cargo.
@@ -22,12 +22,12 @@ def waits(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
         pose: (12,) pose to which the mechanism would draw the cargo, in L.
         what: name of the mechanism, for the log.
     """
-    site, things = flight.site, state.site
-    after = things.frames.copy()
+    site, worksite = flight.site, state.worksite
+    after = worksite.frames.copy()
     after[site.cargo_row(k)] = pose
-    group = worsened(things.watch, things.contacts.arm & (1 - things.permitted), after)
-    if group >= 0 and not things.waiting:
+    group = worst_new_contact(worksite.watch, worksite.contacts.arm & (1 - worksite.permitted), after)
+    if group >= 0 and not worksite.waiting:
         a, b = site.layout.named(group)
         log(flight, state, "waits", "caution", f"the {what} waits: it would bring {a} deeper into {b}")
-    things.waiting = group >= 0
-    return things.waiting
+    worksite.waiting = group >= 0
+    return worksite.waiting

@@ -21,9 +21,9 @@ Pursued = tuple[Objective | None, tuple[Condition, ...]]
 
 def present_objective(flight: Flight, state: State) -> Pursued:
     """Return the present objective and its conditions; None and () if nothing is near enough."""
-    site, things, units = flight.site, state.site, flight.scenario.arm.model.units
-    if (k := things.held) is not None:
-        berth = None if things.fast else nearest_berth(flight, state, k)
+    site, worksite, units = flight.site, state.worksite, flight.scenario.arm.model.units
+    if (k := worksite.held) is not None:
+        berth = None if worksite.arm_fixed else nearest_berth(flight, state, k)
         if berth is None:
             return None, ()
         text = f"{berth.verb} in the {berth.seat.title}"
@@ -42,9 +42,9 @@ def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
     site, units = flight.site, flight.scenario.arm.model.units
     if site.bar is not None and (which := site.bar.which[k]) is not None:
         found = np.empty(FOUND)
-        acquire(state.site.watch.placed, which, site.bar.packed, found)
+        acquire(state.worksite.watch.placed, which, site.bar.packed, found)
         return acquisition(found, site.bar.tolerances, units)
-    if site.snares is not None and (fixture := fixture_in_hand(site, state.site.frames, k)) is not None:
+    if site.snares is not None and (fixture := fixture_in_hand(site, state.worksite.frames, k)) is not None:
         return in_envelope(pose_of(fixture), site.snares.envelope, units)
     return ()
 
@@ -56,7 +56,7 @@ def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursued:
     for cargo, which in zip(flight.site.cargo, bar.which, strict=True):
         if which is None:
             continue
-        acquire(state.site.watch.placed, which, bar.packed, found)
+        acquire(state.worksite.watch.placed, which, bar.packed, found)
         if found[AWAY] < least:
             least = float(found[AWAY])
             conditions = acquisition(found, bar.tolerances, flight.scenario.arm.model.units)

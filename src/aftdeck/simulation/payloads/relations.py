@@ -23,11 +23,11 @@ from aftdeck.simulation.payloads.seating import approached
 from aftdeck.worksite.capture.acquisition import FIXED, FOUND, PALM, PRONG, acquire
 from aftdeck.worksite.seats.berthing import inside, places
 from aftdeck.worksite.seats.docking import BEFORE, DISTANCE, INSIDE
-from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE
 
 
-def permitted(site: Site, watch: Watch, frames: Array) -> Mask:
+def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
     """Return which groups of parts may be in contact at their present positions.
 
     Args:
@@ -47,7 +47,7 @@ def permitted(site: Site, watch: Watch, frames: Array) -> Mask:
     return may
 
 
-def _related(site: Site, watch: Watch, frames: Array, meeting: Meeting) -> bool:
+def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meeting) -> bool:
     """Return whether the two parts have the relative position that the task needs."""
     k, depth = meeting.cargo, meeting.depth
     match meeting.relation:

@@ -36,21 +36,21 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
         Allowed drive of the stand, in [-1, 1]: the stand stops at a wall. None if the arm must stop to keep the cargo
         out of a wall.
     """
-    site, things, period = flight.site, state.site, flight.scenario.control_period
+    site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
     counts, travel = site.slides[held], flight.telescope
-    near = met(things.watch.found, counts, state.steering, abs(telescope) * travel.rate, period)
+    near = met(worksite.watch.found, counts, state.steering, abs(telescope) * travel.rate, period)
     if near == 0.0:
         return telescope
-    found = touches(things.watch, counts, site.cargo[held].name, near, period, OUT)
+    found = touches(worksite.watch, counts, site.cargo[held].name, near, period, OUT)
     telescope *= _room(found, -telescope * travel.rate)
     height = state.plant.stand.after(travel, telescope, period)
     rules = state.rules
-    commanded, last = state.steering.copy(), things.frames[site.last_joint]
+    commanded, last = state.steering.copy(), worksite.frames[site.last_joint]
     for turning in (1.0, 0.0):
         state.steering[:] = commanded
         slid(rules, site.arm.joints, last, height, turning, found, state.steering)
         after = frames_after(flight, state, state.steering[RATES : RATES + 6], telescope)
-        if deeper(things.watch, counts, after) <= INTO:
+        if deeper(worksite.watch, counts, after) <= INTO:
             return telescope
     return None
 

@@ -13,10 +13,10 @@ TASKS = {ACQUISITION: "acquisition", EXTRACTION: "extraction", MANOEUVRING: "man
 
 def change_task(flight: Flight, state: State) -> None:
     """Set the report's mode from the present state, and log a change."""
-    things = state.site
+    worksite = state.worksite
     now = _task(flight, state)
-    if now != things.task:
-        things.task = now
+    if now != worksite.task:
+        worksite.task = now
         log(flight, state, "task", "info", f"MODE {now}: {TASKS[now]}")
 
 
@@ -26,11 +26,11 @@ def _task(flight: Flight, state: State) -> int:
     ACQUISITION: no payload of the worksite is held. DOCKED: held and fixed at a port. EXTRACTION: held with a vertex
     inside the bay. MANOEUVRING: held elsewhere.
     """
-    site, things = flight.site, state.site
-    held = things.held
+    site, worksite = flight.site, state.worksite
+    held = worksite.held
     if held is None:
         return ACQUISITION
-    seat = things.cargo[held].seat
+    seat = worksite.cargo[held].seat
     if seat and site.seat(seat).kind == "port":
         return DOCKED
     return EXTRACTION if in_bay(flight, state, held) else MANOEUVRING
@@ -41,4 +41,4 @@ def in_bay(flight: Flight, state: State, k: int) -> bool:
     site = flight.site
     if site.bay is None:
         return False
-    return any_inside(state.site.watch.placed, site.bodies[k], site.scene, site.bay[0], site.bay[1])
+    return any_inside(state.worksite.watch.placed, site.bodies[k], site.scene, site.bay[0], site.bay[1])

@@ -20,7 +20,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import composed, inverted, scene_in_l
 from aftdeck.simulation.constants.site import site_of
 from aftdeck.simulation.survey.poses import bodies, inside_soft_stops, placed, stops, told
-from aftdeck.worksite.conditions import shown
+from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.file.check import depth_in
 
 Tried = tuple[Array, float, float]
@@ -148,7 +148,7 @@ def _held(scenario: Scenario, cameras: list[Camera], around: Parts, how: str) ->
 
 
 def _problem(scenario: Scenario, camera: Camera, part: str, depth: float, how: str) -> Problem:
-    deep = shown(depth, "m", scenario.arm.model.units)
+    deep = quantity_text(depth, "m", scenario.arm.model.units)
     return Problem(("worksite",), f"camera {camera.name} is {deep} inside {part} {how}")
 
 

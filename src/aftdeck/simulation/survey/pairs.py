@@ -18,7 +18,7 @@ from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.survey.cameras import cameras
 from aftdeck.simulation.survey.poses import bodies, placed, stops
 from aftdeck.simulation.survey.reach import reach
-from aftdeck.worksite.conditions import shown
+from aftdeck.worksite.conditions import quantity_text
 
 
 def survey(scenario: Scenario) -> list[Problem]:
@@ -42,7 +42,7 @@ def _starts(scenario: Scenario) -> Iterator[Problem]:
     for where, inputs in starts:
         for contact in sim.step(inputs).work.contacts:
             if not contact.essential and contact.clearance < -TOLERANCE:
-                depth = shown(-contact.clearance, "m", units)
+                depth = quantity_text(-contact.clearance, "m", units)
                 yield Problem(where, f"{contact.a} is {depth} inside {contact.b}")
 
 
@@ -69,4 +69,4 @@ def _folded(scenario: Scenario) -> Iterator[Problem]:
             elif depth > max(usual[pair] + TOLERANCE, worst.get(pair, (0.0, ""))[0]):
                 worst[pair] = depth, how
     for (a, b), (depth, how) in worst.items():
-        yield Problem(("arm",), f"{a} is {shown(depth, 'm', model.units)} inside {b} {how}")
+        yield Problem(("arm",), f"{a} is {quantity_text(depth, 'm', model.units)} inside {b} {how}")

@@ -5,14 +5,14 @@ from __future__ import annotations
 from aftdeck.kinematics.singular import NAMES
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation import frame as sim
-from aftdeck.simulation.log import spoken
+from aftdeck.simulation.log import joint_label
 from aftdeck.station.messages.frame import FlightLamp, Lamp
 from aftdeck.worksite.report import Work
 
 
 def lamps(scenario: Scenario, frame: sim.Frame) -> tuple[Lamp, ...]:
     """Return the lit lamps, each with its cause."""
-    joints = [spoken(name) for name in scenario.arm.joints]
+    joints = [joint_label(name) for name in scenario.arm.joints]
     lit = []
     if frame.singular:
         shown = ", ".join(

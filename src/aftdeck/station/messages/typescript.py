@@ -15,10 +15,10 @@ import typing
 import msgspec
 
 from aftdeck import shapes
+from aftdeck.field_meta import comments
 from aftdeck.recording.hints import apart, is_object, names
 from aftdeck.simulation import frame as sim
 from aftdeck.station.messages import frame, from_page, kinds, playback, to_page, welcome
-from aftdeck.told import comments
 from aftdeck.worksite import report
 
 HEADER = """\

@@ -12,7 +12,7 @@ _OFF = ("pin off axis", "palm along bar")
 """Capture conditions (of the snares, of the prong) that measure how far off centre the end effector is."""
 
 
-class Captured(NamedTuple):
+class CaptureMisalignment(NamedTuple):
     """Misalignment and speed of the end effector relative to the payload at capture.
 
     Attributes:
@@ -26,10 +26,10 @@ class Captured(NamedTuple):
     rate: float = 0.0
 
 
-def captured(before: Frame, cargo: Cargo) -> Captured:
+def capture_misalignment(before: Frame, cargo: Cargo) -> CaptureMisalignment:
     """Return the misalignment from the frame before a capture and the cargo in that frame."""
     conditions = before.work.conditions
-    return Captured(
+    return CaptureMisalignment(
         next((abs(c.value) for c in conditions if c.name in _OFF), None),
         max((abs(c.value) for c in conditions if c.unit == "rad"), default=None),
         math.dist(before.twist[3:], cargo.velocity),

@@ -9,7 +9,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.station.messages.curves import Quantity
 from aftdeck.station.messages.frame import Lamp
 from aftdeck.station.messages.playback import Measure
-from aftdeck.station.playback.captured import Captured, captured
+from aftdeck.station.playback.captured import CaptureMisalignment, capture_misalignment
 from aftdeck.station.playback.strips import worst_rate
 from aftdeck.worksite.watch.alarm import Level
 
@@ -18,7 +18,7 @@ _AXES = ("X", "Y", "Z", "roll", "pitch", "yaw")
 _RANK: dict[Level, int] = {"info": 0, "caution": 1, "warning": 2}
 
 
-class Measures:
+class RunMetrics:
     """Figures of a run, collected frame by frame."""
 
     def __init__(self, period_s: float) -> None:
@@ -36,7 +36,7 @@ class Measures:
         self._used: dict[str, ControllerRecord] = {}
         self._nearest: tuple[float, str, float] | None = None
         self._captures = 0
-        self._captured = Captured()
+        self._captured = CaptureMisalignment()
         self._brakes = self._cameras = 0
         self._monitors: dict[int, tuple[str, ...]] = {}
 
@@ -82,7 +82,7 @@ class Measures:
         for was, now in zip(before.work.cargo, frame.work.cargo, strict=True):
             if now.held and not was.held:
                 self._captures += 1
-                self._captured = captured(before, was)
+                self._captured = capture_misalignment(before, was)
 
     def _sticks(self, frame: Frame) -> None:
         axes = (*frame.translation, *frame.rotation)

@@ -22,7 +22,7 @@ import msgspec
 from aftdeck.errors import RecordingError
 from aftdeck.station.built import STATIC, built_page
 from aftdeck.station.messages.playback import BLOCK
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from aftdeck.station.playback.verdict import verdict
 
 LIMIT = 4_950_000
@@ -52,7 +52,7 @@ def write_html(path: Path, out: Path) -> None:
     page = _whole_page(built_page())
     if out.exists():
         raise RecordingError(f"{out}: exists already, and is not written over; give another name")
-    with Reel(path) as reel:
+    with PlaybackStore(path) as reel:
         text = _fitting(page, reel, path)
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
@@ -62,7 +62,7 @@ def write_html(path: Path, out: Path) -> None:
         raise RecordingError(f"{out}: cannot be written: {error.strerror or error}") from None
 
 
-def _fitting(page: str, reel: Reel, path: Path) -> str:
+def _fitting(page: str, reel: PlaybackStore, path: Path) -> str:
     """Return the file's text, with as many frames as fit into `LIMIT`."""
     found = verdict(path)
     index = _packed(msgspec.to_builtins(reel.index(found)))
@@ -84,7 +84,7 @@ def _fitting(page: str, reel: Reel, path: Path) -> str:
     raise RecordingError(f"{path}: does not fit into {LIMIT} bytes")
 
 
-def _blocks(reel: Reel, stride: int) -> Iterator[str]:
+def _blocks(reel: PlaybackStore, stride: int) -> Iterator[str]:
     moments = reel.moments(stride)
     while block := tuple(itertools.islice(moments, BLOCK)):
         yield _packed(msgspec.to_builtins(block))

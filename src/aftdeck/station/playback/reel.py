@@ -30,7 +30,7 @@ from aftdeck.station.conversion.lamps import lamps
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
 from aftdeck.station.playback.lanes import Lanes
-from aftdeck.station.playback.measures import Measures
+from aftdeck.station.playback.measures import RunMetrics
 from aftdeck.station.playback.strips import Strips, readings, worst_joint
 from aftdeck.station.playback.verdict import CHECKING
 
@@ -41,7 +41,7 @@ _encoder = msgspec.msgpack.Encoder()
 _records = msgspec.msgpack.Decoder(tuple[FrameRecord, ...])
 
 
-class Reel:
+class PlaybackStore:
     """Recording ready for playback; close it after use."""
 
     def __init__(self, path: Path) -> None:
@@ -62,7 +62,7 @@ class Reel:
             self._index = self._read(recording)
             self._opened = opened.pop_all()
 
-    def __enter__(self) -> Reel:
+    def __enter__(self) -> PlaybackStore:
         """Return the reel itself."""
         return self
 
@@ -113,7 +113,7 @@ class Reel:
     def _read(self, recording: Recording) -> PlaybackIndex:
         opening = recording.opening
         period = opening.control_period_s
-        lanes, strips, measures = Lanes(period), Strips(self._scenario, period), Measures(period)
+        lanes, strips, measures = Lanes(period), Strips(self._scenario, period), RunMetrics(period)
         events: list[Event] = []
         pictures: list[Pictured] = []
         waiting: list[FrameRecord] = []

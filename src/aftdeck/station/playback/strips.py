@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame, Six
-from aftdeck.simulation.log import spoken
+from aftdeck.simulation.log import joint_label
 from aftdeck.station.messages.curves import Curve, Quantity, Strip
 
 BUCKETS = 1000
@@ -182,7 +182,7 @@ def worst_rate(rates: Six, limits: Six) -> tuple[float, int]:
 def worst_joint(frame: Frame, scenario: Scenario) -> str:
     """Return the name, for display, of the joint nearest to its rate limit; empty at rest."""
     _, joint = worst_rate(frame.rates, frame.rate_limits)
-    return spoken(scenario.arm.joints[joint]) if joint >= 0 else ""
+    return joint_label(scenario.arm.joints[joint]) if joint >= 0 else ""
 
 
 def _singularity(i: int, name: str) -> Source:

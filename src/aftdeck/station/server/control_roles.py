@@ -26,7 +26,7 @@ P = TypeVar("P")
 
 
 @dataclass(frozen=True)
-class Asked(Generic[P]):
+class ControlRequest(Generic[P]):
     """Request of a page for the sticks."""
 
     page: P
@@ -34,18 +34,18 @@ class Asked(Generic[P]):
     """Time at which the request expires [s], on the clock of `time.monotonic`."""
 
 
-class Seats(Generic[P]):
+class ControlRoles(Generic[P]):
     """Pages of one station, each with its number and the name of its user; one of them is in control.
 
     Attributes:
-        flier: the page in control; None if there is none.
+        operator: the page in control; None if there is none.
     """
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
-        self.flier: P | None = None
+        self.operator: P | None = None
         self._numbers: dict[P, int] = {}
         self._names: dict[P, str] = {}
-        self._asked: Asked[P] | None = None
+        self._asked: ControlRequest[P] | None = None
         self._clock = clock
 
     def __len__(self) -> int:
@@ -77,17 +77,17 @@ class Seats(Generic[P]):
             shown = {number: f"{name} {number}" if name in alike else name for number, name in shown.items()}
         return list(shown.items())
 
-    def called(self, page: P) -> str:
+    def display_name(self, page: P) -> str:
         """Return the name of a page for use in a sentence; ``page 1`` for a page without a name."""
         number = self._numbers[page]
         return dict(self.named()).get(number, f"page {number}")
 
-    def come(self, page: P) -> None:
+    def join(self, page: P) -> None:
         """Add a page; it takes control if no page is in control."""
         taken = set(self._numbers.values())
         self._numbers[page] = next(n for n in range(1, len(taken) + 2) if n not in taken)
-        if self.flier is None:
-            self.flier = page
+        if self.operator is None:
+            self.operator = page
 
     def leave(self, page: P) -> None:
         """Remove a page; if it was in control, the page that has been here longest takes control."""
@@ -95,8 +95,8 @@ class Seats(Generic[P]):
         self._names.pop(page, None)
         if self.asking == page:
             self._asked = None
-        if self.flier == page:
-            self.flier = next(iter(self._numbers), None)
+        if self.operator == page:
+            self.operator = next(iter(self._numbers), None)
             self._asked = None
 
     @property
@@ -112,11 +112,11 @@ class Seats(Generic[P]):
         Raises:
             CommandError: the page has the sticks already, or another page is asking.
         """
-        if page == self.flier:
+        if page == self.operator:
             raise CommandError("you fly: there is nobody to ask for the sticks")
         if self.asking not in (None, page):
-            raise CommandError(f"{self.called(self.who_asks())} has asked for the sticks already")
-        self._asked = Asked(page, self._clock() + ANSWER_WITHIN)
+            raise CommandError(f"{self.display_name(self.pending_request())} has asked for the sticks already")
+        self._asked = ControlRequest(page, self._clock() + ANSWER_WITHIN)
 
     def answer(self, gives: bool) -> None:
         """Give the sticks to the page that asks, or keep them.
@@ -124,11 +124,11 @@ class Seats(Generic[P]):
         Raises:
             CommandError: no page asks for the sticks, or the request has expired.
         """
-        page, self._asked = self.who_asks(), None
+        page, self._asked = self.pending_request(), None
         if gives:
-            self.flier = page
+            self.operator = page
 
-    def who_asks(self) -> P:
+    def pending_request(self) -> P:
         """Return the page that asks for the sticks.
 
         Raises:

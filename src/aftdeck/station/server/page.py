@@ -90,7 +90,7 @@ class Page:
         if len(self.pages.seats) + len(self.pages.windows) >= MOST_PAGES:
             return await goodbye(self.socket, f"{MOST_PAGES} pages are connected already")
         await self._send(self.welcomed.welcome)
-        self.pages.come(self)
+        self.pages.join(self)
         sender = asyncio.create_task(self._send_news())
         try:
             self.pages.wake()
@@ -138,7 +138,7 @@ class Page:
                 return self.pages.name(self, message.name)
             except (CommandError, InputError) as error:
                 return await self.refuse(message.seq, str(error), counts=False)
-        if self.pages.seats.flier is not self:
+        if self.pages.seats.operator is not self:
             return await self.refuse(message.seq, "you watch; another page flies", counts=False)
         try:
             self._do(message)

@@ -12,8 +12,8 @@ from typing import Protocol
 
 from aftdeck.errors import AftdeckError
 from aftdeck.station.messages import to_page
-from aftdeck.station.server.control_roles import ANSWER_WITHIN, Seats
-from aftdeck.station.server.scenario_list import Choice
+from aftdeck.station.server.control_roles import ANSWER_WITHIN, ControlRoles
+from aftdeck.station.server.scenario_list import ScenarioList
 from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.session import Session
 
@@ -37,8 +37,8 @@ class Pages:
 
     def __init__(self, session: Session, notify: Callable[[], None]) -> None:
         self.driver, self._notify = Driver(session), notify
-        self.choice = Choice(session.scenario)
-        self.seats: Seats[Connected] = Seats()
+        self.choice = ScenarioList(session.scenario)
+        self.seats: ControlRoles[Connected] = ControlRoles()
         self.windows: set[Connected] = set()
         self.fresh = asyncio.Event()
         self.change: asyncio.Task[None] | None = None
@@ -92,22 +92,22 @@ class Pages:
             await asyncio.wait([self.change])
         self.driver.close()
 
-    def come(self, page: Connected) -> None:
+    def join(self, page: Connected) -> None:
         """Add a page; a page that only shows the run gets no seat."""
         if page.shows:
             self.windows.add(page)
         else:
-            self.seats.come(page)
+            self.seats.join(page)
 
     def leave(self, page: Connected, cause: str = "page gone") -> None:
         """Remove a page, for one of `unattended.CAUSES`; if it was in control, the sticks go to zero."""
         if page.shows:
             self.windows.remove(page)
             return
-        flew = page is self.seats.flier
+        flew = page is self.seats.operator
         self.seats.leave(page)
         if flew:
-            self.session.let_go(cause if self.seats.flier is None else f"{cause}, another flies")
+            self.session.let_go(cause if self.seats.operator is None else f"{cause}, another flies")
 
     def reseat(self, page: Connected, *, seated: bool) -> None:
         """Give a seat to a page that has become wide enough to take control, or take it from a too narrow one."""
@@ -115,23 +115,23 @@ class Pages:
             return  # nothing changes
         self.leave(page, "page narrow")
         page.shows = not seated
-        self.come(page)
+        self.join(page)
         self.wake()
 
     def role(self, page: Connected) -> to_page.Role:
         """Return the message that tells a page its role, and which page is in control."""
-        seats = self.seats
+        roles = self.seats
         number, flier, asking = (
-            0 if one is None or one.shows else seats.number(one) for one in (page, seats.flier, seats.asking)
+            0 if one is None or one.shows else roles.number(one) for one in (page, roles.operator, roles.asking)
         )
         return to_page.Role(
-            flying=page is seats.flier,
-            watchers=max(0, len(seats) - 1),
+            flying=page is roles.operator,
+            watchers=max(0, len(roles) - 1),
             number=number,
             flier=flier,
             asking=asking,
-            name=seats.name(page),
-            names=tuple(to_page.NamedPage(*named) for named in seats.named()),
+            name=roles.name(page),
+            names=tuple(to_page.NamedPage(*named) for named in roles.named()),
         )
 
     def name(self, page: Connected, name: str) -> None:
@@ -160,11 +160,11 @@ class Pages:
             CommandError: no page asks for control, or a stick is not centred.
         """
         seats = self.seats
-        asked = seats.who_asks()
-        assert seats.flier is not None, "it is the page that flies that answers"
-        flier = seats.called(seats.flier)
+        asked = seats.pending_request()
+        assert seats.operator is not None, "it is the page that flies that answers"
+        flier = seats.display_name(seats.operator)
         if gives:
-            self.session.hand_over(f"{flier} gives the sticks to {seats.called(asked)}")
+            self.session.hand_over(f"{flier} gives the sticks to {seats.display_name(asked)}")
         else:
             asked.answers.append(to_page.Refused(asked.seq, f"{flier} keeps the sticks"))
         seats.answer(gives)

@@ -9,7 +9,7 @@ from pathlib import Path
 from starlette.applications import Starlette
 
 from aftdeck.station.built import built_page
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from aftdeck.station.server.own import keep_to_own
 from aftdeck.station.server.player import Player
 from aftdeck.station.server.serve import address_of, listen, make_server, run_server
@@ -28,7 +28,7 @@ def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> 
     built_page()
     if path.is_file() and path.stat().st_size > LARGE:
         print(f"Reading {path.name}.", flush=True)
-    with listen(host, port) as listener, Reel(path) as reel:
+    with listen(host, port) as listener, PlaybackStore(path) as reel:
         address = address_of(listener, host)
         print(f"Aftdeck replay: {address}", flush=True)
         print(f"Playing {path.name}. End with Ctrl+C.", flush=True)
@@ -36,7 +36,7 @@ def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> 
         run_server(server, listener, address if open_browser else None)
 
 
-def replay_app(reel: Reel, path: Path, host: str = "127.0.0.1") -> Starlette:
+def replay_app(reel: PlaybackStore, path: Path, host: str = "127.0.0.1") -> Starlette:
     """Return the web app that serves a recording."""
     player = Player(reel, path)
 

@@ -12,7 +12,7 @@ from starlette.routing import BaseRoute, Mount, Route
 from starlette.staticfiles import StaticFiles
 
 from aftdeck.station.built import STATIC, built_page
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING, verdict
 
 WHERE = '<meta name="recording" content="recording/" />'
@@ -24,7 +24,7 @@ FLYING = '<meta name="flying" content="../../" />'
 class Player:
     """Server side of one recording that a page plays."""
 
-    def __init__(self, reel: Reel, path: Path, told: str = WHERE) -> None:
+    def __init__(self, reel: PlaybackStore, path: Path, told: str = WHERE) -> None:
         """Serve `reel`, read from `path`; `told` is the HTML elements to add to the page's head."""
         self._reel, self._path, self._told = reel, path, told
         self._found = CHECKING

@@ -16,7 +16,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from aftdeck.errors import RecordingError
 from aftdeck.station.messages.playback import Recorded
-from aftdeck.station.playback.reel import Reel
+from aftdeck.station.playback.reel import PlaybackStore
 from aftdeck.station.server.player import FLYING, WHERE, Player
 
 MOST_LISTED = 50
@@ -88,7 +88,7 @@ class Recordings:
             known = [key for key in self._open if key[0] == file]
             if known and (not fresh or known[-1][1] == size):
                 return self._open[known[-1]][1]
-            player = Player(Reel(path), path, f"{WHERE}\n{FLYING}")
+            player = Player(PlaybackStore(path), path, f"{WHERE}\n{FLYING}")
             for key in [*known, *list(self._open)[: max(0, len(self._open) + 1 - MOST_OPEN)]]:
                 if key in self._open:
                     self._open.pop(key)[0].close()

@@ -11,7 +11,7 @@ FIRST = ("tutorial", "first-flight")
 """Scenarios for newcomers, listed first; the others follow in alphabetical order."""
 
 
-class Choice:
+class ScenarioList:
     """List of scenarios from which the operator chooses.
 
     Attributes:

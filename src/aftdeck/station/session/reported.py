@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from aftdeck.recording.tape import Tape
+from aftdeck.recording.tape import SessionRecorder
 from aftdeck.scenario.light import Lighting
 from aftdeck.station.messages import kinds
 
@@ -28,7 +28,7 @@ class Reported:
         self.lit: Lighting | None = None
         self._monitors_recorded: tuple[kinds.Monitor, ...] = ()
 
-    def record(self, tape: Tape, time_s: float) -> str:
+    def record(self, tape: SessionRecorder, time_s: float) -> str:
         """Record monitors and lighting from a step on, if they have changed.
 
         Args:

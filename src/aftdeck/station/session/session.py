@@ -16,7 +16,7 @@ import msgspec
 from aftdeck.errors import CommandError
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
-from aftdeck.recording.tape import Tape
+from aftdeck.recording.tape import SessionRecorder
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import CameraDrive
@@ -43,7 +43,7 @@ from aftdeck.station.session.log import Log
 from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInputs
 from aftdeck.station.session.recent import RecentFlight
 from aftdeck.station.session.reported import Reported
-from aftdeck.station.session.unattended import left_alone
+from aftdeck.station.session.unattended import safe_inputs
 
 LOOK_EVERY = 10
 """Steps from one look-ahead to the next."""
@@ -95,7 +95,7 @@ class Session:
         self.welcome = welcome_of(scenario, demo=demo)
         warm_up(scenario)
         self._displays.frame(Simulation(scenario, seed).step(Inputs()), -1)  # compiles its laws too
-        self._tape = Tape(record, Index(), live, trial)
+        self._tape = SessionRecorder(record, Index(), live, trial)
         self.log = Log()
         self.newest = b""
         self._lock = threading.Lock()
@@ -261,7 +261,7 @@ class Session:
         if text := self._reported.record(self._tape, frame.time_s):
             self._note("light", text)
         self._tape.step(inputs, frame, self._reported.latency_ms)
-        for text in self._tape.complaints():
+        for text in self._tape.take_errors():
             self._note("recording", text, "warning")
         if frame.tick % LOOK_EVERY == 1:
             self._axis = _deflected(frame) or self._axis
@@ -283,7 +283,7 @@ class Session:
     def _left_alone(self, inputs: Inputs, cause: str, now: float) -> Inputs:
         """Return inputs that put the arm into a safe state, and log the cause."""
         frame = self._sim.frame
-        inputs, text = left_alone(inputs, frame, cause, under_way=now < self._cancelled_until)
+        inputs, text = safe_inputs(inputs, frame, cause, under_way=now < self._cancelled_until)
         if inputs.rate_hold and frame is not None and frame.rate_hold:
             self._cancelled_until = now + self.scenario.delay * self.scenario.control_period + SILENCE
         if text:

@@ -21,7 +21,7 @@ CAUSES = {
 """Causes for which the controls are unattended, and their texts in the log."""
 
 
-def left_alone(inputs: Inputs, frame: Frame | None, cause: str, *, under_way: bool) -> tuple[Inputs, str]:
+def safe_inputs(inputs: Inputs, frame: Frame | None, cause: str, *, under_way: bool) -> tuple[Inputs, str]:
     """Return inputs that cancel RATE HOLD and set POSITION HOLD, and the text for the log.
 
     A sequence is stopped too, if there is no page in control that could stop it. The text is empty if nothing changes.

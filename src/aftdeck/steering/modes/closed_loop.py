@@ -20,7 +20,7 @@ from aftdeck.steering.layout import (
     ARRIVED,
     DISTANCE,
     DT,
-    GO,
+    MOTION_ACTIVE,
     NEAR,
     NEAR_TURN,
     PLAN,
@@ -45,7 +45,7 @@ def demand(rules: Array, command: Array, tip: Tip, report: Array) -> Twist:
     profile = vclose(rules, aim.distance, aim.angle)
     report[DISTANCE], report[ANGLE], report[REMAINING] = aim.distance, aim.angle, profile.remaining
     report[TURN_REMAINING] = profile.turn_remaining
-    w, v = profile.turn * command[GO], profile.speed * command[GO]
+    w, v = profile.turn * command[MOTION_ACTIVE], profile.speed * command[MOTION_ACTIVE]
     return Twist(w * aim.ax, w * aim.ay, w * aim.az, v * aim.ux, v * aim.uy, v * aim.uz)
 
 

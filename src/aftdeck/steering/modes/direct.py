@@ -11,7 +11,7 @@ from __future__ import annotations
 from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.law import law
-from aftdeck.steering.layout import ANGLES, CAUSE, CULPRIT, DRIVE, DT, HIGH, JOINT, LOW, RATE
+from aftdeck.steering.layout import ANGLES, CAUSE, DRIVE, DT, HIGH, JOINT, LIMITING_JOINT, LOW, RATE
 from aftdeck.steering.limiters import BY_HARD_STOP
 
 
@@ -23,7 +23,7 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     room = rules[HIGH + joint] - state[ANGLES + joint] if asked > 0.0 else state[ANGLES + joint] - rules[LOW + joint]
     most = max(room, 0.0) / rules[DT]
     if abs(asked) > most:
-        report[CAUSE], report[CULPRIT] = BY_HARD_STOP, joint
+        report[CAUSE], report[LIMITING_JOINT] = BY_HARD_STOP, joint
         asked = most if asked > 0.0 else -most
     return Rates(
         asked if joint == 0 else 0.0,

@@ -15,7 +15,7 @@ from __future__ import annotations
 from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Rates
 from aftdeck.law import law
-from aftdeck.steering.layout import ANGLES, ARRIVED, CAUSE, CULPRIT, DT, HIGH, LOW, MASTER, RATE, RATE_UP, RATES
+from aftdeck.steering.layout import ANGLES, ARRIVED, CAUSE, DT, HIGH, LIMITING_JOINT, LOW, MASTER, RATE, RATE_UP, RATES
 from aftdeck.steering.limiters import BY_STOP, braked
 from aftdeck.steering.ramp import ramped, rate_towards
 
@@ -39,7 +39,7 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
         rate = ramped(rules, state, report, rate_towards(rules, state, goal, i), i, BY_STOP)
         left = abs(goal - state[ANGLES + i])
         if goal != command[MASTER + i] and braked(left, rules[RATE_UP + i], rules[DT]) < rules[RATE + i]:
-            report[CAUSE], report[CULPRIT] = BY_STOP, i
+            report[CAUSE], report[LIMITING_JOINT] = BY_STOP, i
         if left > THERE or abs(rate) * rules[DT] > THERE:
             there = 0.0
         state[RATES + i] = rate

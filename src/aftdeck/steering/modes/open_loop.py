@@ -21,12 +21,12 @@ from aftdeck.steering.layout import (
     ANGLES,
     ARRIVED,
     CLOCK,
+    CLOCK_RATE,
     DT,
-    GO,
-    PACE,
+    MOTION_ACTIVE,
     PLAN,
     REMAINING,
-    RISE,
+    SHOULDER_OFFSET,
     STRICT,
     TARGET,
     TURN_REMAINING,
@@ -48,14 +48,14 @@ def plan(rules: Array, command: Array, state: Array) -> None:
         state[ANGLES + 4],
         state[ANGLES + 5],
     )
-    aim = latraj(lifted(tip(rules, a), state[RISE]), command[TARGET:PLAN])
+    aim = latraj(lifted(tip(rules, a), state[SHOULDER_OFFSET]), command[TARGET:PLAN])
     profile = vtopen(rules, aim.distance, aim.angle)
     v, w = profile.speed, profile.turn
     command[_VELOCITY], command[_VELOCITY + 1], command[_VELOCITY + 2] = v * aim.ux, v * aim.uy, v * aim.uz
     command[_TURNING], command[_TURNING + 1], command[_TURNING + 2] = w * aim.ax, w * aim.ay, w * aim.az
     command[_ETA], command[_T_V1], command[_T_W1] = profile.eta, profile.t_v1, profile.t_w1
     command[_ETAP] = profile.etap
-    state[CLOCK], state[PACE] = 0.0, 1.0
+    state[CLOCK], state[CLOCK_RATE] = 0.0, 1.0
 
 
 @law
@@ -70,13 +70,13 @@ def _share(time: float, eta: float, ramp: float) -> float:
 def demand(rules: Array, command: Array, state: Array, report: Array) -> Twist:
     """Return the twist in L that mode 3 demands at this phase time; zero until the motion has started."""
     eta = command[_ETA]
-    ahead = 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT] * state[PACE]
+    ahead = 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT] * state[CLOCK_RATE]
     time = state[CLOCK] + ahead
-    v = command[GO] * _share(time, eta, command[_T_V1])
-    w = command[GO] * _share(time, eta, command[_T_W1])
+    v = command[MOTION_ACTIVE] * _share(time, eta, command[_T_V1])
+    w = command[MOTION_ACTIVE] * _share(time, eta, command[_T_W1])
     report[REMAINING] = max(eta - state[CLOCK], 0.0)
     report[TURN_REMAINING] = max(command[_ETAP] - state[CLOCK], 0.0)
-    report[ARRIVED] = 1.0 if command[GO] != 0.0 and state[CLOCK] >= eta - 1e-9 else 0.0
+    report[ARRIVED] = 1.0 if command[MOTION_ACTIVE] != 0.0 and state[CLOCK] >= eta - 1e-9 else 0.0
     return Twist(
         w * command[_TURNING],
         w * command[_TURNING + 1],

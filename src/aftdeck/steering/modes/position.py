@@ -23,10 +23,10 @@ from aftdeck.steering.layout import (
     ANGLES,
     ARRIVED,
     CLOCK,
+    CLOCK_RATE,
     DT,
-    GO,
     MEASURED,
-    PACE,
+    MOTION_ACTIVE,
     PLAN,
     RATE,
     REMAINING,
@@ -56,7 +56,7 @@ def plan(rules: Array, command: Array, state: Array) -> None:
         full, eta = 1.0 / ramp, 2.0 * ramp
     command[_ETA] = eta if moves else 0.0
     command[_RAMP], command[_FULL] = ramp, full
-    state[CLOCK], state[PACE] = 0.0, 1.0
+    state[CLOCK], state[CLOCK_RATE] = 0.0, 1.0
 
 
 @law
@@ -94,7 +94,7 @@ def _when(command: Array, made: float) -> float:
 @law
 def clock_after(command: Array, time: float, factor: float, period: float) -> float:
     """Return the phase time [s] at which the plan has the joints after a step of which only a factor was flown."""
-    if factor >= 1.0 or command[GO] == 0.0:
+    if factor >= 1.0 or command[MOTION_ACTIVE] == 0.0:
         return time + factor * period
     here = _made(command, time)
     return max(time, _when(command, here + factor * (_made(command, time + period) - here)))
@@ -103,7 +103,7 @@ def clock_after(command: Array, time: float, factor: float, period: float) -> fl
 @law
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     """Return mode 1's joint rates [rad/s] for this step; until the motion starts, ramp all joints to rest together."""
-    if command[GO] != 0.0:
+    if command[MOTION_ACTIVE] != 0.0:
         time = state[CLOCK]
         k = (_made(command, time + rules[DT]) - _made(command, time)) / rules[DT]
         report[REMAINING] = max(command[_ETA] - time, 0.0)

@@ -18,8 +18,8 @@ from typing import Literal, NamedTuple
 
 import msgspec
 
-from aftdeck.worksite.conditions import Condition, all_hold, reasons
-from aftdeck.worksite.log_line import Said, refused
+from aftdeck.worksite.conditions import Condition, all_hold, failure_text
+from aftdeck.worksite.log_line import LogLine, rejection
 
 Mode = Literal["AUTO", "OFF", "MAN"]
 Part = Literal["ring", "carriage", "tension"]
@@ -88,7 +88,7 @@ class Moved(NamedTuple):
     """Result of a step."""
 
     snare: Snare
-    said: tuple[Said, ...]
+    said: tuple[LogLine, ...]
 
 
 def flags(snare: Snare) -> Flags:
@@ -116,9 +116,9 @@ def advance(
         conditions: conditions of capture at the step's end, from `grapple.in_envelope`; empty if no fixture is near.
             They matter only while the ring is closing.
     """
-    said: list[Said] = []
+    said: list[LogLine] = []
     if command.trigger and (why := _refuses(snare, command)):
-        said.append(refused(f"{command.trigger.upper()} refused: {why}"))
+        said.append(rejection(f"{command.trigger.upper()} refused: {why}"))
     elif command.trigger:
         snare = msgspec.structs.replace(snare, motion=command.trigger, met=snare.met and snare.ring > 0.0)
     left = dt
@@ -211,23 +211,23 @@ def _inside(conditions: Sequence[Condition]) -> bool:
 
 def _reached(
     snare: Snare, part: Part, target: float, conditions: Sequence[Condition]
-) -> tuple[Snare, tuple[Said, ...]]:
+) -> tuple[Snare, tuple[LogLine, ...]]:
     """Return the state and the log lines after a part has reached its end position."""
     change = msgspec.structs.replace
     match part, target:
         case "ring", 1.0 if snare.captured:
             return snare, ()
         case "ring", 1.0 if _inside(conditions):
-            return change(snare, captured=True, drawn=0.0), (Said("captured", "info", "CAPTURE: pin in the snares"),)
+            return change(snare, captured=True, drawn=0.0), (LogLine("captured", "info", "CAPTURE: pin in the snares"),)
         case "ring", 1.0:
             return change(snare, motion=""), (
-                Said("missed", "caution", f"snares closed empty: {_why(snare, conditions)}"),
+                LogLine("missed", "caution", f"snares closed empty: {_why(snare, conditions)}"),
             )
         case "ring", 0.0 if snare.captured:
             freed = change(snare, captured=False, drawn=0.0)
-            return freed, (Said("released", "info", "RELEASE: snares open, pin free"),)
+            return freed, (LogLine("released", "info", "RELEASE: snares open, pin free"),)
         case "tension", 1.0:
-            return snare, (Said("rigid", "info", "end effector rigid"),)
+            return snare, (LogLine("rigid", "info", "end effector rigid"),)
     return snare, ()
 
 
@@ -235,5 +235,5 @@ def _why(snare: Snare, conditions: Sequence[Condition]) -> str:
     """Return why the snares closed without capturing the pin."""
     if not conditions:
         return "no grapple fixture was near"
-    why = reasons(conditions)
+    why = failure_text(conditions)
     return f"the pin left the envelope while they closed: {why}" if snare.met else why

@@ -2,7 +2,7 @@
 
 Positions are in the axes of the body that a table belongs to. The first body's axes are those of the scene: x aft,
 y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. Rules that types cannot express are
-checked where the parts are made (`solids`, `seats`, `cargo`) and in `check`.
+checked where the parts are made (`solids`, `roles`, `cargo`) and in `check`.
 """
 
 from __future__ import annotations

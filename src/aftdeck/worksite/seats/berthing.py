@@ -167,7 +167,7 @@ def over(
         seat: (12,) pose in L of the frame in which the guides are given.
         payload: (12,) pose of the payload's frame in L.
         trunnions: (n, 3) centres of the trunnions in the payload's frame, in the order of the guides [m].
-        seats: `Guides.seats`.
+        seats: `Guides.roles`.
         axes: `Guides.axes`: along, across and up.
         opening: `Guides.opening`.
         throat: `Guides.throat`.

@@ -10,8 +10,8 @@ from typing import Literal, NamedTuple
 
 import msgspec
 
-from aftdeck.worksite.conditions import Condition, all_hold, refusal
-from aftdeck.worksite.log_line import Said, refused
+from aftdeck.worksite.conditions import Condition, all_hold, rejection_text
+from aftdeck.worksite.log_line import LogLine, rejection
 
 _THERE = 1e-9
 """Remaining travel that counts as none [1]: it is due to rounding."""
@@ -41,7 +41,7 @@ class Moved(NamedTuple):
     """Result of a step."""
 
     latches: Latches
-    said: tuple[Said, ...]
+    said: tuple[LogLine, ...]
 
 
 def advance(
@@ -62,9 +62,9 @@ def advance(
         conditions: conditions of latching, from `berthing.ready_to_latch`; empty if no payload is near. They matter
             only for LATCH on released latches.
     """
-    said: list[Said] = []
+    said: list[LogLine] = []
     if command and (why := _refusal(latches, command, conditions)):
-        said.append(refused(why))
+        said.append(rejection(why))
     elif command:
         latches = msgspec.structs.replace(latches, motion=command)
     if not latches.motion:
@@ -76,7 +76,9 @@ def advance(
         closed = latches.closed + (travel if way > 0.0 else -travel)
         return Moved(_put(latches, closed), tuple(said))
     if way:
-        said.append(Said("latched", "info", "latched") if target else Said("unlatched", "info", "latches released"))
+        said.append(
+            LogLine("latched", "info", "latched") if target else LogLine("unlatched", "info", "latches released")
+        )
     return Moved(msgspec.structs.replace(_put(latches, target), motion=""), tuple(said))
 
 
@@ -92,4 +94,4 @@ def _refusal(latches: Latches, command: Literal["", "latch", "unlatch"], conditi
         return "LATCH refused: latched already"
     if latches.hold or (conditions and all_hold(conditions)):
         return ""
-    return refusal("LATCH", conditions) or "LATCH refused: no payload is at the latches"
+    return rejection_text("LATCH", conditions) or "LATCH refused: no payload is at the latches"

@@ -8,7 +8,7 @@ from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.hexahedron import NX, NY, NZ, SIDES, VERTICES, D, X, Y, Z
 from aftdeck.law import law
 from aftdeck.worksite.sliding.projection import LEAST, OUTWARD, POINT, TOUCH
-from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.found import CLEARANCE, NORMAL, POINT_A, POINT_B, WHICH
 
 _EACH = VERTICES + 1
@@ -87,7 +87,7 @@ def _over(wall: Array, body: Array, v: int, reach: float, period: float, out: fl
     return 1
 
 
-def touches(watch: Watch, counts: Mask, slides: str, reach: float, period: float, out: float) -> Array:
+def touches(watch: ClearanceMonitor, counts: Mask, slides: str, reach: float, period: float, out: float) -> Array:
     """Return the touches (k, 7) of a frame that slides along walls, with rows as in `worksite.slide`.
 
     Args:

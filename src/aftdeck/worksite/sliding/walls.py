@@ -16,11 +16,11 @@ from aftdeck.kinematics.jacobian import Rates, Twist, erates, jacobi
 from aftdeck.kinematics.linkage import place, sines
 from aftdeck.kinematics.rates import rmsrat
 from aftdeck.law import law
-from aftdeck.steering.layout import ANGLES, DT, RATES, RISE, TWIST
+from aftdeck.steering.layout import ANGLES, DT, RATES, SHOULDER_OFFSET, TWIST
 from aftdeck.steering.limiters import ratlmt
 from aftdeck.steering.msteer import NEAR_FLOOR, cut, feed_back, scaled
 from aftdeck.worksite.sliding.projection import LEAST, OUTWARD, POINT, slide
-from aftdeck.worksite.watch.clearance_monitor import nearest_group
+from aftdeck.worksite.watch.clearance_monitor import minimum_clearance_group
 from aftdeck.worksite.watch.found import CLEARANCE
 
 REACH_S = 2.0
@@ -51,7 +51,7 @@ def met(found: Array, counts: Mask, steering: Array, stand: float, period: float
         turn += abs(steering[TWIST + k])
         speed += abs(steering[TWIST + 3 + k])
     near: float = max(REACH_S * (speed + SIZE * turn) * period, LEAST_REACH)
-    wall = nearest_group(found, counts)
+    wall = minimum_clearance_group(found, counts)
     return near if wall >= 0 and found[wall, CLEARANCE] <= near else 0.0
 
 
@@ -73,7 +73,7 @@ def slid(
     q = ANGLES
     a = sines(rules, steering[q], steering[q + 1], steering[q + 2], steering[q + 3], steering[q + 4], steering[q + 5])
     x, y, z = place(rules, a)
-    z -= steering[RISE]
+    z -= steering[SHOULDER_OFFSET]
     q = RATES
     rates = Rates(steering[q], steering[q + 1], steering[q + 2], steering[q + 3], steering[q + 4], steering[q + 5])
     twist = erates(a, jacobi(rules, a), rates)

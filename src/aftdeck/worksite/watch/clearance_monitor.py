@@ -284,7 +284,7 @@ def way_apart(a: Array, b: Array, row: Array) -> None:
 
 
 @law
-def nearest_group(found: Array, counts: Mask) -> int:
+def minimum_clearance_group(found: Array, counts: Mask) -> int:
     """Return the group of least clearance among those with a 1 in `counts` (g,); -1 if none of them was measured."""
     best, least = -1, np.inf
     for g in range(len(found)):
@@ -293,7 +293,7 @@ def nearest_group(found: Array, counts: Mask) -> int:
     return best
 
 
-class Watch(Cache):
+class ClearanceMonitor(Cache):
     """Clearance monitor: measures the groups of a layout, and keeps data that make the next measurement faster.
 
     The measurements depend only on the positions of the frames, not on the kept data.
@@ -332,7 +332,7 @@ class Watch(Cache):
         self.bound[:] = -np.inf
         self.at[:] = np.nan
 
-    def look(self, before: Array, now: Array, period: float) -> None:
+    def update(self, before: Array, now: Array, period: float) -> None:
         """Measure all active groups and write the results into `found`; the clearances of the others become inf.
 
         Args:
@@ -352,7 +352,7 @@ class Watch(Cache):
 
     def nearest(self, counts: Mask) -> int:
         """Return the group of least clearance among those with a 1 in `counts` (g,); -1 if none was measured."""
-        return nearest_group(self.found, counts)
+        return minimum_clearance_group(self.found, counts)
 
     def copied(self) -> Self:
         """Return a copy of the watch with the same measurements and remembered data."""

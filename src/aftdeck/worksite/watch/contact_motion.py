@@ -20,7 +20,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
-from aftdeck.worksite.watch.clearance_monitor import Watch
+from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
 from aftdeck.worksite.watch.contact_trial import DEEPEST, GAINED, LESSENED, MADE, SLID, STEP, WORST, trials_of
 
 DEEPER = 1e-12
@@ -44,7 +44,7 @@ ASIDE = 0.05
 """Depth that a step that leads out may add to a contact for each metre of sliding [1]: a normal a few degrees off."""
 
 
-def relieves(watch: Watch, counts: Mask, harmful: Mask, after: Array) -> bool:
+def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array) -> bool:
     """Return whether an inhibited arm may make a step's motion.
 
     Args:
@@ -56,7 +56,7 @@ def relieves(watch: Watch, counts: Mask, harmful: Mask, after: Array) -> bool:
     return bool(_relief(trials_of(watch, counts, harmful, after[None]))[0] > 0.0)
 
 
-def leads_out(watch: Watch, counts: Mask, harmful: Mask, afters: Array, ahead: Sequence[Array]) -> Array:
+def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array, ahead: Sequence[Array]) -> Array:
     """Return how far each of several motions takes the parts out of each other when it is continued for many steps.
 
     Args:
@@ -82,25 +82,25 @@ def leads_out(watch: Watch, counts: Mask, harmful: Mask, afters: Array, ahead: S
     return np.where(may, won, 0.0)
 
 
-def worsened(watch: Watch, counts: Mask, after: Array) -> int:
+def worst_new_contact(watch: ClearanceMonitor, counts: Mask, after: Array) -> int:
     """Return the group of the contact that a step deepens most or makes; -1 if none. Arguments as of `relieves`."""
     worst, which = trials_of(watch, counts, counts, after[None])[0, :GAINED].tolist()
     return int(which) if worst < -DEEPER else -1
 
 
-def deeper(watch: Watch, counts: Mask, after: Array) -> float:
+def deeper(watch: ClearanceMonitor, counts: Mask, after: Array) -> float:
     """Return the greatest increase of a depth in a step [m]; 0 or less if there is none. Arguments as of `relieves`."""
     return float(trials_of(watch, counts, counts, after[None])[0, DEEPEST])
 
 
-def looked_at(watch: Watch, frames: Array) -> Watch:
+def looked_at(watch: ClearanceMonitor, frames: Array) -> ClearanceMonitor:
     """Return a copy of a watch, updated for other frames (F, 12) and measured to the range of one step, `STEP`."""
     copy = watch.copied()
     copy.look_near(frames, frames, 1.0, np.zeros_like(watch.active), STEP)
     return copy
 
 
-def ways_out(watch: Watch, counts: Mask, harmful: Mask, afters: Array) -> Array:
+def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array) -> Array:
     """Return how far a step of each of several motions leads out of the present contacts.
 
     Args:

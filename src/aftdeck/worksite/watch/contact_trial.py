@@ -17,7 +17,7 @@ from aftdeck.bodies.pair import CONTACT
 from aftdeck.bodies.repeated_test import measure
 from aftdeck.law import law
 from aftdeck.worksite.watch.clearance_monitor import (
-    Watch,
+    ClearanceMonitor,
     copy_pair,
     nearest_pair,
     not_nearer,
@@ -30,10 +30,10 @@ from aftdeck.worksite.watch.found import CLEARANCE, FOUND, NORMAL, POINT_A, POIN
 STEP = 1.0
 """Distance beyond which two solids cannot come into contact within a step [m]."""
 WORST, GROUP, GAINED, SLID, DEEPEST, LESSENED, MADE = range(7)
-"""Indices of the fields of `Trial` in a row."""
+"""Indices of the fields of `PredictedContacts` in a row."""
 
 
-class Trial(NamedTuple):
+class PredictedContacts(NamedTuple):
     """Effect of a motion on the contacts.
 
     Attributes:
@@ -57,7 +57,7 @@ class Trial(NamedTuple):
 
 
 @law
-def tried(
+def predict_contacts(
     solids: Array,
     frame: Indices,
     pairs: Indices,
@@ -73,7 +73,7 @@ def tried(
     likely: Indices,
     memory: Array,
     found: Array,
-) -> Trial:
+) -> PredictedContacts:
     """Return the effect of a motion on the contacts of the groups that count.
 
     Args:
@@ -123,7 +123,7 @@ def tried(
         deeper = max(deeper, min(before, 0.0) - clearance)
         if before > CONTACT or harmful[g] == 0:
             lessened += min(clearance, 0.0) - min(before, 0.0)
-    return Trial(worst, which, gained if touching else np.inf, slid, deeper, lessened, made)
+    return PredictedContacts(worst, which, gained if touching else np.inf, slid, deeper, lessened, made)
 
 
 @law
@@ -200,9 +200,9 @@ def tried_many(
     found: Array,
     trials: Array,
 ) -> None:
-    """Write `tried` of each of several motions, afters (k, F, 12), into trials (k, 7); `at` and `placed` are copied."""
+    """Write the prediction for each of several motions, afters (k, F, 12), into trials (k, 7); copy `at`, `placed`."""
     for k in range(len(afters)):
-        t = tried(
+        t = predict_contacts(
             solids, frame, pairs, begins, between, reach, counts, harmful, afters[k],
             at.copy(), placed.copy(), bound, likely, memory, found,
         )  # fmt: skip
@@ -211,9 +211,9 @@ def tried_many(
         trials[k, LESSENED], trials[k, MADE] = t.lessened, 1.0 if t.made else 0.0
 
 
-def trials_of(watch: Watch, counts: Mask, harmful: Mask, afters: Array) -> Array:
-    """Return the effects (k, 7) of several motions, afters (k, F, 12), rows as `Trial`; arguments as of `tried`."""
-    own, trials = watch.layout, np.empty((len(afters), len(Trial._fields)))
+def trials_of(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array) -> Array:
+    """Return the `PredictedContacts`, as rows (k, 7), of several motions, afters (k, F, 12); see `predict_contacts`."""
+    own, trials = watch.layout, np.empty((len(afters), len(PredictedContacts._fields)))
     tried_many(
         *own.packed,
         counts & watch.active,

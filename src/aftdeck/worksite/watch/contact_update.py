@@ -8,7 +8,7 @@ from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import compose
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.law import law
-from aftdeck.worksite.watch.clearance_monitor import nearest_group, watch
+from aftdeck.worksite.watch.clearance_monitor import minimum_clearance_group, watch
 from aftdeck.worksite.watch.contacts import count_frames
 from aftdeck.worksite.watch.groups import POSE
 
@@ -58,8 +58,8 @@ def place_everything(
             row[i] += frames[space, i] - scene[i]
 
 
-class Around(NamedTuple):
-    """Result of `look_around`.
+class ContactUpdate(NamedTuple):
+    """Result of `update_contacts`.
 
     Attributes:
         touching: at least one group is in contact.
@@ -73,7 +73,7 @@ class Around(NamedTuple):
 
 
 @law
-def look_around(
+def update_contacts(
     joints: Array,
     scene: Array,
     axes: Array,
@@ -102,7 +102,7 @@ def look_around(
     memory: Array,
     found: Array,
     count: Mask,
-) -> Around:
+) -> ContactUpdate:
     """Run `place_everything`, `watch` and `count_frames`; the arguments are those of these three laws.
 
     On entry `now` holds the frames of the last step. They are copied to `before`, and `now` receives the new frames.
@@ -114,7 +114,7 @@ def look_around(
         at, placed, bound, likely, memory, found,
     )  # fmt: skip
     counted = count_frames(found, count)
-    return Around(counted.touching, counted.changed, nearest_group(found, counts))
+    return ContactUpdate(counted.touching, counted.changed, minimum_clearance_group(found, counts))
 
 
 @law

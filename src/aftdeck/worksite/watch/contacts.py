@@ -20,7 +20,7 @@ from aftdeck.arrays import Array, Mask
 from aftdeck.bodies.pair import CONTACT
 from aftdeck.law import law
 from aftdeck.state_part import StatePart
-from aftdeck.worksite.conditions import Units, shown
+from aftdeck.worksite.conditions import Units, quantity_text
 from aftdeck.worksite.watch.found import CLEARANCE
 from aftdeck.worksite.watch.groups import Layout
 
@@ -131,7 +131,7 @@ class Contacts(StatePart):
     count: Mask
     inhibit: Inhibit = Inhibit(arm=False, finger=False, changed=False)
 
-    def look(self, found: Array, prong: Mask, mode: int) -> Inhibit:
+    def update(self, found: Array, prong: Mask, mode: int) -> Inhibit:
         """Count the contacts of one more step, from the result of `Watch.look` (g, 15), and return `judge` of them."""
         counted = count_frames(found, self.count)
         return self.judge(counted.touching, counted.changed, prong, mode)
@@ -176,5 +176,5 @@ def told(a: str, b: str, depth: float, essential: bool, units: Units) -> str:
         >>> told("prong", "receptacle", 0.0, True, "SI")
         'prong touches receptacle, as it is made to'
     """
-    deep = f": {shown(depth, 'm', units)} deep" if depth >= _TOLD else ""
+    deep = f": {quantity_text(depth, 'm', units)} deep" if depth >= _TOLD else ""
     return f"{a} touches {b}{', as it is made to' if essential else ''}{deep}"

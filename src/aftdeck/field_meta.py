@@ -15,7 +15,7 @@ DECIMALS = 9
 """Default number of decimals to which a number is recorded: nanometres and nanoradians."""
 
 
-def told(what: str, unit: str = "", frame: str = "", decimals: int = DECIMALS) -> msgspec.Meta:
+def field_meta(what: str, unit: str = "", frame: str = "", decimals: int = DECIMALS) -> msgspec.Meta:
     """Return a field's metadata: description, unit, the axes of its components, and the decimals recorded."""
     return msgspec.Meta(description=what, extra={"unit": unit, "frame": frame, "decimals": decimals})
 
