@@ -24,7 +24,7 @@ ROOMS = (
         "frames",
         "shapes",
         "state_part",
-        "told",
+        "field_meta",
         "toml_lines",
         "version",
     ),

@@ -118,8 +118,14 @@ class Flight:
         self.page.get_by_role("button", name=name, exact=True).click()
 
     def until_logged(self, text: str) -> None:
-        """Waits for a line of the log, which a longer one beside it may leave no room."""
+        """Waits for an entry of the log: newer ones may have pushed it off the three lines, so that all are opened."""
+        more = self.page.locator(".events .more")
+        opened = more.get_attribute("aria-expanded") == "false"
+        if opened:
+            more.dispatch_event("click")  # without the pointer and the focus
         self.page.locator(".log").get_by_text(text).first.wait_for(state="attached")
+        if opened:
+            more.dispatch_event("click")
 
     def pad_buttons(self, *pressed: int) -> None:
         """Holds these buttons of the test pad, and no others; the page sees the others go, and each before the next."""

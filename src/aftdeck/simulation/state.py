@@ -154,7 +154,7 @@ class State(StatePart):
 
     def replace_with(self, other: State) -> None:
         """Replace this state by another of the same run; keep the tick, the script, the events and delayed inputs."""
-        for name in ("panel", "carried", "plant", "site", "steering", "views", "command", "report", "checking"):
+        for name in ("panel", "carried", "plant", "worksite", "steering", "views", "command", "report", "checking"):
             setattr(self, name, getattr(other, name))
 
     def measure(self) -> None:

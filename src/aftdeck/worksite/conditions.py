@@ -120,8 +120,8 @@ def quantity_text(value: float, unit: Unit, units: Units, figures: int = _FIGURE
     """Return the text of a value [unit] in the operator's units.
 
     Examples:
-        >>> shown(0.0635, "m", "ft-in"), shown(0.0635, "m", "SI"), shown(3.81, "m", "ft-in"), shown(0.02, "rad", "SI")
-        ('2.5 in', '63.5 mm', '12.5 ft', '1.15°')
+        >>> [quantity_text(0.0635, "m", units) for units in ("ft-in", "SI")], quantity_text(0.02, "rad", "SI")
+        (['2.5 in', '63.5 mm'], '1.15°')
     """
     per, suffix = _scale(abs(value), unit, units)
     return _digits(value * per, figures) + suffix
