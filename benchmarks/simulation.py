@@ -45,13 +45,13 @@ def worksites() -> list[Figure]:
     figures = []
     for name, promised in (("concept-1972-script", 2.5), ("srms-berth", None), ("free-flyer", None)):
         scenario = load_scenario(name)
-        (ticks, bare), (_, tallied), (_, told) = (_flown(scenario, how) for how in (_bare, _tallied, _told))
+        (ticks, bare), (_, tallied), (_, framed) = (_flown(scenario, how) for how in (_bare, _tallied, _framed))
         flown, pairs = ticks * scenario.control_period, len(Simulation(scenario).watched())
         said = f"{flown:g} s flown, {pairs} watched pairs of parts, {PIECE} steps at a time, best of {FLIGHTS}"
         figures += [
             Figure(f"{name}, a whole frame", bare / ticks * 1e6, "us", 80.0, said),
             Figure(f"{name}, the same sealed", tallied / ticks * 1e6, "us", None, "with its hash and the summary"),
-            Figure(f"{name}, the same told", told / ticks * 1e6, "us", None, "with its Frame, for a page or a file"),
+            Figure(f"{name}, the same with frames", framed / ticks * 1e6, "us", None, "with its Frame, for a page or a file"),
             Figure(f"{name}, computing for 10 minutes flown", tallied / flown * 600.0, "s", promised, "sealed"),
         ]
     return figures
@@ -71,7 +71,7 @@ def _tallied(sim: Simulation, tally: Tally) -> None:
     tally.take(sim._state, sim.seal())
 
 
-def _told(sim: Simulation, tally: Tally) -> None:
+def _framed(sim: Simulation, tally: Tally) -> None:
     sim.step()
     tally.take(sim._state, sim.seal())
 
@@ -106,16 +106,16 @@ def _steps(scenario: Scenario, how: How) -> Iterator[None]:
         yield
 
 
-def told() -> list[Figure]:
+def with_frame() -> list[Figure]:
     """The median step of every built-in scenario, bare and with its frame; without a script a stick is deflected."""
     figures = []
     for name in built_in():
         scenario = load_scenario(name)
         inputs = None if scenario.phases else Inputs(translation=(0.1, 0.0, 0.0))
-        bare, with_frame = (min(_median(scenario, inputs, how) for _ in range(3)) for how in ("advance", "step"))
+        bare, framed = (min(_median(scenario, inputs, how) for _ in range(3)) for how in ("advance", "step"))
         figures += [
             Figure(f"{name}, advance", bare, "us", None, f"median of {STEPS} steps, best of 3 runs"),
-            Figure(f"{name}, step", with_frame, "us", 100.0, "the same with its frame"),
+            Figure(f"{name}, step", framed, "us", 100.0, "the same with its frame"),
         ]
     return figures
 
