@@ -1,0 +1,175 @@
+import { expect, test } from 'vitest';
+import { drawnGap } from '../src/cameras/pictures';
+import { KEYS } from '../src/input/active-device';
+import type { ClosestPoints, Frame, Near, Objective, WayOut } from '../src/link/protocol';
+import { ConditionBars } from '../src/panel/clearance/condition-bar';
+import { figures, shortened, whatNow } from '../src/panel/clearance/conditions';
+import { linesOf } from '../src/panel/clearance/contacts';
+import { contactIn, FARTHEST, NEAREST, placeOf } from '../src/panel/clearance/gap-scale';
+import { Places } from '../src/panel/clearance/places';
+import { SPAN_S, Trend } from '../src/panel/clearance/trend';
+import { wayParts } from '../src/panel/clearance/way-to-fixture';
+import { condition, FEET, near, SI, work } from './worksite';
+
+test('the gauge is logarithmic between its ends, and stays on itself', () => {
+  expect([placeOf(NEAREST), placeOf(FARTHEST)]).toEqual([0, 1]);
+  expect([placeOf(-0.1), placeOf(0), placeOf(50)]).toEqual([0, 0, 1]);
+  expect(placeOf(Math.sqrt(NEAREST * FARTHEST))).toBeCloseTo(0.5);
+});
+
+test('time to contact is told only while the gap closes', () => {
+  expect(contactIn(0.4, 0.02)).toBeCloseTo(20);
+  expect(contactIn(0.4, 0)).toBeNull();
+  expect(contactIn(0.4, -0.02)).toBeNull();
+  expect(contactIn(0, 0.02)).toBeNull();
+  expect(contactIn(5, 0.002)).toBeNull();
+});
+
+test('the last minute runs from the left to now, and forgets what is older', () => {
+  const trend = new Trend();
+  for (let time = 0; time <= 100; time += 0.5) trend.add(time, time / 100);
+  const path = trend.path(100, 1);
+  expect(path.startsWith('M0.0000 0.6000L')).toBe(true);
+  expect(path.endsWith('L1.0000 0.0000')).toBe(true);
+  expect(trend.greatest).toBe(1);
+  expect(path.match(/[ML]/g)).toHaveLength(2 * SPAN_S + 1);
+});
+
+test('where nothing is watched the curve has a gap, and a restart begins it anew', () => {
+  const trend = new Trend();
+  for (const [time, value] of [
+    [0, 1],
+    [1, null],
+    [2, 1],
+    [3, 0.5],
+  ] as const)
+    trend.add(time, value);
+  expect(trend.path(3, 2).match(/M/g)).toHaveLength(2);
+  trend.add(0.02, 1);
+  expect(trend.path(0.02, 2)).toBe('M1.0000 0.5000');
+});
+
+test('what inhibits stands above what is made to touch, the deepest contact first', () => {
+  const way: WayOut = {
+    cause: 'contact',
+    text: '',
+    stick: 'translation',
+    axis: 2,
+    sign: -1,
+    position: '',
+  };
+  const touching = work({
+    contacts: [
+      near({ a: 'prong', essential: true, clearance: 0 }),
+      near({ a: 'wrist', b: 'payload top', clearance: -0.01 }),
+      near({ b: 'payload top', clearance: -0.02 }),
+    ],
+  });
+  const lines = linesOf({ work: touching, ways_out: [way] }, [], SI, KEYS);
+  expect(lines.map(({ level }) => level)).toEqual(['warning', 'warning', 'caution', 'info']);
+  expect(lines[0]?.text).toBe('Palm touches payload top, 2.0 cm deep');
+  expect(lines[2]?.text).toBe('Way out: THC −Z (Q)');
+  expect(lines[3]?.text).toBe('Made to touch: prong – bar');
+});
+
+test('conditions that all find room keep the order given, whatever holds', () => {
+  const places = new Places(3);
+  const names = (...margins: number[]) =>
+    places
+      .order(margins.map((margin, i) => condition({ name: 'abc'.charAt(i), margin })))
+      .map(({ name }) => name);
+  expect(names(0.1, -0.9, 0)).toEqual(['a', 'b', 'c']);
+  expect(names(0.1, -0.1, -0.9)).toEqual(['a', 'b', 'c']);
+  expect(names(0.1, 0.1)).toEqual(['a', 'b']);
+});
+
+test('where not all find room what fails is shown, and takes the place of one that holds alone', () => {
+  const places = new Places(3);
+  const shown = (failing: string) =>
+    places
+      .order([...'abcde'].map((name) => condition({ name, margin: failing.includes(name) ? -1 : 1 })))
+      .map(({ name }) => name)
+      .join('');
+  expect(shown('ce')).toBe('ace');
+  expect(shown('ace')).toBe('ace');
+  expect(shown('cde')).toBe('dce');
+  expect(shown('')).toBe('dce');
+  expect(shown('bc')).toBe('bce');
+  expect(shown('abcde')).toBe('bce');
+  expect(shown('acde')).toBe('ace');
+});
+
+test('a condition’s limit is at the middle of its bar, what holds is short of it', () => {
+  const bars = new ConditionBars();
+  const part = (value: number, limit: number) => {
+    const one = condition({ value, limit, margin: limit - value });
+    bars.learn([one]);
+    return bars.part(one);
+  };
+  expect(part(0.05, 0.1)).toBeCloseTo(0.25);
+  expect(part(0.1, 0.1)).toBeCloseTo(0.5);
+  expect(part(0.15, 0.1)).toBeCloseTo(0.75);
+  expect(part(5, 0.1)).toBe(1);
+});
+
+test('a window’s bar does not leap where the nearer bound changes', () => {
+  const bars = new ConditionBars();
+  const within = (value: number) => {
+    const [limit, margin] = value > 0.05 ? [0.1, 0.1 - value] : [0, value];
+    const one = condition({ value, limit, margin });
+    bars.learn([one]);
+    return bars.part(one);
+  };
+  within(0.2);
+  expect(within(0.0501)).toBeCloseTo(within(0.0499), 2);
+});
+
+test('the way to the pin names the stick and the key that shorten it', () => {
+  expect(wayParts([1.99, 0.3, -0.254], FEET, KEYS)).toEqual([
+    { stick: '+X', handle: 'W', value: '78' },
+    { stick: '+Y', handle: 'D', value: '12' },
+    { stick: '−Z', handle: 'Q', value: '10' },
+  ]);
+  expect(wayParts([0.004, -0.05, 0], SI, KEYS)).toEqual([
+    { stick: 'X', handle: '', value: '0.4' },
+    { stick: '−Y', handle: 'A', value: '5.0' },
+    { stick: 'Z', handle: '', value: '0.0' },
+  ]);
+});
+
+test('figures are in the operator’s small units', () => {
+  expect(figures(condition({ value: 0.0635 }), FEET)).toEqual({ value: '2.5', unit: 'in' });
+  expect(figures(condition({ value: 1.2 }), SI)).toEqual({ value: '120', unit: 'cm' });
+  expect(figures(condition({ value: 0.1, unit: 'rad' }), SI)).toEqual({ value: '5.7', unit: '°' });
+  expect(figures(condition({ value: 0.03, unit: 'm/s' }), SI)).toEqual({ value: '3.0', unit: 'cm/s' });
+  expect(figures(condition({ value: null as never }), SI).value).toBe('–');
+});
+
+test('once all is met the title says what to do, or nothing where it happens by itself', () => {
+  const now = (action: Objective['action']) => whatNow(work({ objective: { action, text: '' } }), KEYS);
+  expect(now('capture')).toBe(': squeeze, hold G');
+  expect(now('acquire')).toBe('');
+  expect(now('berth')).toBe(': latch, hold T');
+  expect(now('insert')).toBe(': let go, hold R');
+  expect(now('dock')).toBe('');
+});
+
+test('a cell holds the words that tell a trunnion from a latch, and each from the others', () => {
+  const guides = ['forward port', 'forward starboard', 'aft port', 'aft starboard', 'keel'];
+  const names = guides.flatMap((guide) => [`${guide} trunnion in guide`, `${guide} latch ready`]);
+  const shown = names.map(shortened);
+  expect(new Set(shown).size).toBe(names.length);
+  expect(shown[2]).toBe('fwd stbd in guide');
+  expect(Math.max(...shown.map((name) => name.length))).toBeLessThan(21);
+});
+
+test('a wide gap is not drawn, nor one that is closed', () => {
+  const gap = {} as ClosestPoints;
+  const drawn = (nearest: Near | null) => drawnGap({ work: { nearest }, display: { gap } } as Frame);
+  expect(drawn(near({ clearance: 0.4 }))).toBe(gap);
+  expect([drawn(null), drawn(near({ clearance: 5 })), drawn(near({ clearance: -0.01 }))]).toEqual([
+    null,
+    null,
+    null,
+  ]);
+});

@@ -1,0 +1,59 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { Hold } from '../src/input/hold';
+import { working } from '../src/panel/controllers/key-map';
+import { isMoving } from '../src/panel/desk/orbiter';
+import { counted } from '../src/panel/spine/spine';
+
+beforeEach(() => {
+  vi.useFakeTimers();
+});
+
+afterEach(() => {
+  vi.useRealTimers();
+});
+
+test('the master alarm counts warnings and cautions apart, and nothing else', () => {
+  const lit = (...levels: ('info' | 'caution' | 'warning')[]) => counted(levels.map((level) => ({ level })));
+  expect(lit()).toBe('');
+  expect(lit('info')).toBe('');
+  expect(lit('caution', 'info')).toBe('1 caution');
+  expect(lit('caution', 'warning', 'caution')).toBe('1 warning, 2 cautions');
+});
+
+test('a switch that is held acts once, after its time', () => {
+  const acted = vi.fn();
+  const hold = new Hold(0.3, acted);
+  hold.press(1000);
+  expect(hold.tick(1150)).toBeCloseTo(0.5);
+  expect(acted).not.toHaveBeenCalled();
+  hold.tick(1310);
+  hold.tick(1900);
+  hold.lift(2000);
+  expect(acted).toHaveBeenCalledTimes(1);
+  hold.press(3000);
+  hold.lift(3200);
+  expect(acted).toHaveBeenCalledTimes(1);
+});
+
+test('a switch held long enough acts though nobody looked meanwhile', () => {
+  const acted = vi.fn();
+  const hold = new Hold(0.3, acted);
+  hold.press(1000);
+  hold.lift(1400);
+  expect(acted).toHaveBeenCalledTimes(1);
+});
+
+test('the orbiter rests below a tenth of a millimetre a second', () => {
+  expect(isMoving({ orbiter_velocity: [0, 5e-5, 0] })).toBe(false);
+  expect(isMoving({ orbiter_velocity: [0, 0, -0.01] })).toBe(true);
+});
+
+test('the key map lists what this arm has, and no more', () => {
+  const told = (hand: 'prong' | 'snares', stand: object | null) =>
+    working({ work: { hand, stand } } as Parameters<typeof working>[0])
+      .map(([, does]) => does)
+      .join();
+  expect(told('snares', null)).not.toMatch(/prong|telescope/);
+  expect(told('prong', {})).toMatch(/prong.*telescope/);
+  expect(told('prong', {})).not.toMatch(/capture/);
+});

@@ -1,0 +1,46 @@
+import { expect, test } from 'vitest';
+import type { Cargo, Frame } from '../src/link/protocol';
+import { whereIs } from '../src/panel/effector/cargo';
+import { graspWords } from '../src/panel/effector/effector';
+import { isMoving as onItsWay } from '../src/panel/effector/prong';
+import { seatNow } from '../src/panel/effector/seat';
+import { SI } from './worksite';
+
+const CARGO = { name: 'payload', held: false, seat: '' } as Cargo;
+
+test('a payload is in the grasp, in a seat, both, or free', () => {
+  expect(whereIs(false, '')).toBe('free');
+  expect(whereIs(false, 'Cargo bay')).toBe('Cargo bay');
+  expect(whereIs(true, '')).toBe('held');
+  expect(whereIs(true, 'Cargo bay')).toBe('held, fixed');
+});
+
+test('the end effector says what it holds, how heavy that is and how fast it may go; else how far the next is', () => {
+  const payloads = [
+    { id: 0, mass: 0, translation: [0.6, 0.1] },
+    { id: 2, mass: 1000, translation: [0.06, 0.03] },
+  ] as const;
+  const words = (cargo: readonly Cargo[], fixture: number | null, rate: Frame['rate'] = 'coarse') =>
+    graspWords({ work: { cargo }, display: { fixture, payload_id: 2 }, rate }, payloads, SI);
+  const beacon = { ...CARGO, name: 'beacon', held: true };
+  expect(words([CARGO, beacon], null)).toBe('beacon, 1000 kg, to 0.060 m/s');
+  expect(words([CARGO, beacon], null, 'vernier')).toBe('beacon, 1000 kg, to 0.030 m/s');
+  expect(words([CARGO], 4.2)).toBe('empty, fixture 420 cm away');
+  expect(words([CARGO], 2.9)).toBe('empty');
+  expect(words([CARGO], null)).toBe('empty');
+  expect(words([], null)).toBe('');
+});
+
+test('the prong is on its way until it is where its switch sends it', () => {
+  expect(onItsWay({ switch: 'stop', opening: 0.4 })).toBe(false);
+  expect(onItsWay({ switch: 'close', opening: 0.4 })).toBe(true);
+  expect(onItsWay({ switch: 'close', opening: 0 })).toBe(false);
+  expect(onItsWay({ switch: 'open', opening: 0 })).toBe(true);
+  expect(onItsWay({ switch: 'open', opening: 1 })).toBe(false);
+});
+
+test('the latch speaks of what is held, else of what is in a seat', () => {
+  const seated = { ...CARGO, seat: 'bay' };
+  expect(seatNow({ cargo: [seated, { ...CARGO, held: true }] })).toBe('');
+  expect(seatNow({ cargo: [CARGO, seated] })).toBe('bay');
+});

@@ -1,0 +1,29 @@
+/** Values of the worksite that tests make, with only what they are about. */
+
+import type { Condition, Near, Work } from '../src/link/protocol';
+import { unitsOf } from '../src/words/units';
+
+export const [FEET, SI] = [unitsOf('ft-in'), unitsOf('SI')];
+
+export function near(parts: Partial<Near>): Near {
+  return { a: 'palm', b: 'bar', clearance: 0.3, closing: 0, essential: false, ...parts } as Near;
+}
+
+export function condition(parts: Partial<Condition>): Condition {
+  const given = {
+    name: 'palm height',
+    unit: 'm' as const,
+    value: 0,
+    limit: 0.1,
+    margin: 0.1,
+    text: '',
+    words: '',
+    numbers: [],
+    ...parts,
+  };
+  return { ...given, holds: given.margin >= 0 };
+}
+
+export function work(parts: Partial<Work>): Work {
+  return { contacts: [], inhibits: [], conditions: [], cargo: [], objective: null, ...parts } as Work;
+}
