@@ -51,7 +51,13 @@ def worksites() -> list[Figure]:
         figures += [
             Figure(f"{name}, a whole frame", bare / ticks * 1e6, "us", 80.0, said),
             Figure(f"{name}, the same sealed", tallied / ticks * 1e6, "us", None, "with its hash and the summary"),
-            Figure(f"{name}, the same with frames", framed / ticks * 1e6, "us", None, "with its Frame, for a page or a file"),
+            Figure(
+                f"{name}, the same with frames",
+                framed / ticks * 1e6,
+                "us",
+                None,
+                "with its Frame, for a page or a file",
+            ),
             Figure(f"{name}, computing for 10 minutes flown", tallied / flown * 600.0, "s", promised, "sealed"),
         ]
     return figures
