@@ -25,7 +25,7 @@ NAMES = {
     "headless": "simulation.headless",
     "worksites": "simulation.worksites",
     "frame": "simulation.frame",
-    "frame": "simulation.with_frame",
+    "with-frame": "simulation.with_frame",
     "help": "station.help_page",
     "first-use": "station.first_use",
     "start": "station.start",
