@@ -32,6 +32,8 @@ WAIT_S = 60.0
 LATE_S = 0.5
 """A stretch of frames may come this late [s]."""
 STILL = (0.0, 0.0, 0.0)
+OBSERVES = "you watch; another page flies"
+"""Reason for rejecting a command of a page that is not in control."""
 
 _messages: msgspec.json.Decoder[to_page.FromServer] = msgspec.json.Decoder(to_page.FromServer)
 _M = TypeVar("_M", bound=msgspec.Struct)

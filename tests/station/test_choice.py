@@ -19,7 +19,7 @@ from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
 from aftdeck.station.server.scenario_list import ScenarioList
 from aftdeck.station.session.session import Session
-from tests.station.pages import WAIT_S, Page, Station, scenario, served
+from tests.station.pages import OBSERVES, WAIT_S, Page, Station, scenario, served
 from tests.station.test_recording import ended, files
 
 OTHER = "singular"
@@ -129,7 +129,7 @@ def test_what_cannot_be_flown_is_refused_and_the_flight_steps(
 ) -> None:
     with station.page() as page, station.page() as watcher:
         watcher.say(from_page.FlyScenario(watcher.next_seq(), 0))
-        assert watcher.refusal() == "you watch; another page flies"
+        assert watcher.refusal() == OBSERVES
         told = page.wait_for(to_page.Scenarios)
         page.say(from_page.FlyScenario(page.next_seq(), len(told.scenarios)))
         assert page.refusal() == f"scenarios are numbered 0 to {len(told.scenarios) - 1}, got {len(told.scenarios)}"

@@ -11,7 +11,7 @@ from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.server import page as station_page
 from aftdeck.station.server.page import MOST_PAGES, MOST_WRONG
-from tests.station.pages import STILL, Station, closing, text_of
+from tests.station.pages import STILL, Page, Station, closing, text_of
 
 
 def test_page_is_welcomed_and_gets_frames(shared: Station) -> None:
@@ -22,40 +22,49 @@ def test_page_is_welcomed_and_gets_frames(shared: Station) -> None:
         assert len(frame.display.poses) == 7 * len(welcome.bodies)
 
 
-@pytest.mark.parametrize(
-    ("first", "sentence"),
-    [
-        (
-            '{"type":"hello","protocol":99}',
-            f"this page speaks protocol 99, the station {kinds.PROTOCOL}: reload the page",
-        ),
-        ('{"type":"proceed","seq":1}', "the first message must be a hello"),
-        ("hello", "the first message must be a hello"),
-        ("", "the first message must be a hello"),
-        ('{"type":"hello"}', "the first message must be a hello"),
-        ('{"type":"hello","protocol":"2"}', "the first message must be a hello"),
-        ('{"type":"hello","protocol":2,"more":2}', "the first message must be a hello"),
-        ('{"x":' + "[" * 3000, "the first message must be a hello"),
-        ('{"type":"hello","' + "é" * 1000 + '":1}', "the first message must be a hello"),
-        (b"\x00\xff", "the first message must be a hello"),
-    ],
-    ids=["protocol", "no hello", "no JSON", "empty", "no number", "text", "field", "deep", "long", "binary"],
-)
-def test_wrong_first_message_ends_the_connection(shared: Station, first: str | bytes, sentence: str) -> None:
+NO_HELLO = {
+    "no hello": '{"type":"proceed","seq":1}',
+    "no JSON": "hello",
+    "empty": "",
+    "no number": '{"type":"hello"}',
+    "text": '{"type":"hello","protocol":"2"}',
+    "field": '{"type":"hello","protocol":2,"more":2}',
+    "deep": '{"x":' + "[" * 3000,
+    "long": '{"type":"hello","' + "é" * 1000 + '":1}',
+    "binary": b"\x00\xff",
+}
+
+
+@pytest.mark.parametrize("first", NO_HELLO.values(), ids=NO_HELLO)
+def test_wrong_first_message_ends_the_connection(shared: Station, first: str | bytes) -> None:
     with shared.stranger() as page:
         page.say(first)
-        assert sentence in page.refusal()
-        closed = closing(page)
-        assert closed.rcvd is not None
-        assert closed.rcvd.code == 1008
-        assert sentence.startswith(closed.rcvd.reason[:20])
+        assert "must be a hello" in ended(page)
     shared.is_unhurt()
+
+
+def test_page_of_another_protocol_is_disconnected(shared: Station) -> None:
+    with shared.stranger() as page:
+        page.say('{"type":"hello","protocol":99}')
+        text = ended(page)
+        assert "99" in text and str(kinds.PROTOCOL) in text
+    shared.is_unhurt()
+
+
+def ended(page: Page) -> str:
+    """The reason with which the server ends a connection, as a message and, as far as it fits, as the close's own."""
+    text = page.refusal()
+    closed = closing(page)
+    assert closed.rcvd is not None
+    assert closed.rcvd.code == 1008
+    assert closed.rcvd.reason and text.startswith(closed.rcvd.reason[:20])
+    return text
 
 
 def test_page_without_a_hello_is_disconnected(shared: Station, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(station_page, "HELLO_WITHIN", 0.1)
     with shared.stranger() as page:
-        assert page.refusal() == "no hello came within 0.1 s"
+        assert "0.1 s" in page.refusal()
         closing(page)
     shared.is_unhurt()
 
@@ -127,32 +136,32 @@ def test_invalid_message_is_rejected_and_the_page_stays(shared: Station, text: s
 def test_binary_message_is_rejected(shared: Station) -> None:
     with shared.page() as page:
         page.say(text_of(from_page.Proceed(0)).encode())
-        assert page.refusal() == "messages are JSON text; this one was binary"
+        assert "binary" in page.refusal()
     shared.is_unhurt()
 
 
 REFUSED = {
-    "a stick past its travel": (from_page.Sticks(0, (0.0, 1.0000001, 0.0), STILL, 0.0), "sticks lie between -1 and 1"),
-    "a huge stick": (from_page.Sticks(0, STILL, (0.0, 0.0, -1e308), 0.0), "sticks lie between -1 and 1"),
-    "a huge drive": (from_page.Sticks(0, STILL, STILL, 7.0), "sticks lie between -1 and 1"),
-    "a joint too many": (from_page.SelectJoint(0, 6), "joints are numbered 0 to 5, got 6"),
-    "a joint below the first": (from_page.SelectJoint(0, -1), "joints are numbered 0 to 5, got -1"),
-    "a mode that is none": (from_page.EnterMode(0, "WARP"), "no mode 'WARP' can be entered here: there are OPR CMD"),
-    "a mode with signs": (from_page.EnterMode(0, "\x00\n<b>é"), "no mode '\\x00\\n<b>é' can be entered here"),
-    "a target at infinity": (from_page.SetTarget(0, (1e308, 1e308, -1e308), STILL), "a target lies within 1000 m"),
-    "a target that whirls": (from_page.SetTarget(0, STILL, (1e300, 0.0, 0.0)), "is turned by 100 rad at most"),
+    "a stick past its travel": (from_page.Sticks(0, (0.0, 1.0000001, 0.0), STILL, 0.0), "sticks", "-1", "1"),
+    "a huge stick": (from_page.Sticks(0, STILL, (0.0, 0.0, -1e308), 0.0), "sticks", "-1", "1"),
+    "a huge drive": (from_page.Sticks(0, STILL, STILL, 7.0), "sticks", "-1", "1"),
+    "a joint too many": (from_page.SelectJoint(0, 6), "0 to 5", "got 6"),
+    "a joint below the first": (from_page.SelectJoint(0, -1), "0 to 5", "got -1"),
+    "a mode that is none": (from_page.EnterMode(0, "WARP"), "mode 'WARP'", "OPR CMD", "ORB LD"),
+    "a mode with signs": (from_page.EnterMode(0, "\x00\n<b>é"), "mode '\\x00\\n<b>é'", "OPR CMD"),
+    "a target at infinity": (from_page.SetTarget(0, (1e308, 1e308, -1e308), STILL), "1000 m", "1e+308"),
+    "a target that whirls": (from_page.SetTarget(0, STILL, (1e300, 0.0, 0.0)), "100 rad", "1e+300"),
 }
 
 
-@pytest.mark.parametrize(("message", "sentence"), REFUSED.values(), ids=REFUSED)
+@pytest.mark.parametrize(("message", "parts"), [(m, parts) for m, *parts in REFUSED.values()], ids=REFUSED)
 def test_rejected_command_names_what_was_given_and_what_is_allowed(
-    shared: Station, message: from_page.FromPage, sentence: str
+    shared: Station, message: from_page.FromPage, parts: list[str]
 ) -> None:
     with shared.page() as page:
         page.say(message)
         refused = page.wait_for(to_page.Refused)
         assert refused.seq == 0
-        assert sentence in refused.text
+        assert all(part in refused.text for part in parts), refused.text
     shared.is_unhurt()
 
 
@@ -164,8 +173,8 @@ def test_commands_that_the_simulation_rejects_are_logged(shared: Station) -> Non
         while len(texts) < 2:
             events = page.wait_for(to_page.Events).events
             texts += [event.text for event in events if event.kind in ("check", "refused")]
-        assert texts[0].startswith("CMD CK FAIL: the arm cannot reach this pose: its wrist is ")
-        assert texts[1] == "PROCEED does nothing in ORB UNL: enter OPR CMD or AUTO 1-4 first"
+        assert texts[0].startswith("CMD CK FAIL")
+        assert texts[1].startswith("PROCEED") and "ORB UNL" in texts[1]
     shared.is_unhurt()
 
 
@@ -174,8 +183,9 @@ def test_message_out_of_order_is_not_executed(station: Station) -> None:
         page.say(from_page.SelectJoint(7, 1))
         page.say(from_page.SelectJoint(6, 2))
         page.say(from_page.SelectJoint(7, 3))
-        assert page.refusal() == "message 6 came after message 7; it was not taken"
-        assert page.refusal() == "message 7 came after message 7; it was not taken"
+        for number in (6, 7):
+            text = page.refusal()
+            assert f"message {number} " in text and "after message 7" in text
         first = page.wait_for(Frame)
         assert page.wait_for(Frame, lambda frame: frame.tick > first.tick + 4).joint == 1
     station.is_unhurt()

@@ -11,7 +11,7 @@ from aftdeck.station.messages.frame import Frame
 from aftdeck.station.server.page import MOST_WRONG
 from aftdeck.station.session import page_inputs
 from aftdeck.station.session.page_inputs import SILENCE
-from tests.station.pages import Station, until
+from tests.station.pages import OBSERVES, Station, until
 
 
 def test_secondary_window_is_neither_operator_nor_observer(station: Station) -> None:
@@ -22,7 +22,7 @@ def test_secondary_window_is_neither_operator_nor_observer(station: Station) -> 
             assert page.wait_for(to_page.Role) == to_page.Role(True, 0, 1, 1, asking=0, name="", names=())
             assert page.flown(page.push((1.0, 0.0, 0.0))).translation == (1.0, 0.0, 0.0)
         window.push((1.0, 0.0, 0.0))
-        assert window.refusal() == "you watch; another page flies"
+        assert window.refusal() == OBSERVES
 
 
 def test_narrow_page_loses_its_seat_and_rejoins_behind_the_others(station: Station) -> None:
@@ -36,7 +36,7 @@ def test_narrow_page_loses_its_seat_and_rejoins_behind_the_others(station: Stati
         )
         assert narrow.wait_for(Frame, lambda frame: frame.position_hold).translation == (0.0, 0.0, 0.0)
         narrow.say(from_page.AskSticks(narrow.next_seq()))
-        assert narrow.refusal() == "you watch; another page flies"
+        assert narrow.refusal() == OBSERVES
         other.wait_for(to_page.Role, lambda role: role.flying)
         narrow.say(from_page.TakeSeat(narrow.next_seq()))
         assert narrow.wait_for(to_page.Role, lambda role: role.number == 1).flier == 2, "whoever flies goes on"
@@ -73,7 +73,7 @@ def test_observer_may_not_fly(shared: Station) -> None:
     with shared.page(), shared.page() as watcher:
         for _ in range(MOST_WRONG + 5):  # a watcher is not ended for trying
             watcher.push(translation=(1.0, 0.0, 0.0))
-            assert watcher.refusal() == "you watch; another page flies"
+            assert watcher.refusal() == OBSERVES
     shared.is_unhurt()
 
 
@@ -86,28 +86,28 @@ def test_control_goes_to_the_page_that_asks_with_centred_sticks(station: Station
         flier.push(translation=(1.0, 0.0, 0.0))
         flier.wait_for(Frame, lambda frame: frame.translation[0] == 1.0)
         flier.say(from_page.GiveSticks(flier.next_seq()))
-        assert flier.refusal() == "let go of the sticks first: they are given at rest"
+        assert "at rest" in flier.refusal()
         flier.flown(flier.push())
         flier.say(from_page.GiveSticks(flier.next_seq()))
         assert other.wait_for(to_page.Role, lambda role: role.flying).flier == 2
         assert not flier.wait_for(to_page.Role, lambda role: role.flier == 2).flying
         flier.push(translation=(1.0, 0.0, 0.0))
-        assert flier.refusal() == "you watch; another page flies"
+        assert flier.refusal() == OBSERVES
         assert other.flown(other.push(rotation=(0.0, 0.0, 0.5))).rotation == (0.0, 0.0, 0.5)
-    texts = [event.text for event in station.session.log.since(0)]
-    assert "page 1 gives the sticks to page 2" in texts
+    (line,) = [event.text for event in station.session.log.since(0) if event.kind == "hand-over"]
+    assert "page 1" in line and "page 2" in line
 
 
 def test_operator_keeps_control_when_the_request_is_declined(station: Station) -> None:
     with station.page() as flier, station.page() as other:
         flier.say(from_page.AskSticks(flier.next_seq()))
-        assert flier.refusal() == "you fly: there is nobody to ask for the sticks"
+        assert flier.refusal().startswith("you fly")
         flier.say(from_page.GiveSticks(flier.next_seq()))
-        assert flier.refusal() == "nobody asks for the sticks, or no longer"
+        assert flier.refusal().startswith("nobody asks")
         other.say(from_page.AskSticks(other.next_seq()))
         flier.wait_for(to_page.Role, lambda role: role.asking == 2)
         flier.say(from_page.KeepSticks(flier.next_seq()))
-        assert other.refusal() == "page 1 keeps the sticks"
+        assert other.refusal().startswith("page 1 keeps")
         assert flier.wait_for(to_page.Role, lambda role: role.asking == 0).flying
 
 
@@ -159,4 +159,4 @@ def test_secondary_window_has_no_name(station: Station) -> None:
     with station.page(), station.stranger() as window:
         window.say(from_page.Hello(kinds.PROTOCOL, shows=True))
         window.say(from_page.SetName(window.next_seq(), "Anna"))
-        assert window.refusal() == "you watch; another page flies"
+        assert window.refusal() == OBSERVES

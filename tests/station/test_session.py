@@ -12,8 +12,15 @@ from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session import page_inputs
 from aftdeck.station.session.page_inputs import LOST, MOST_WAITING, SILENCE
 from aftdeck.station.session.session import Session
+from aftdeck.station.session.unattended import CAUSES
 from tests.station.flying import comes, flying, shown, steps
 from tests.station.pages import STILL, scenario
+
+
+def left(session: Session) -> list[str]:
+    """The causes for which the controls were unattended, in the order of the log."""
+    texts = [event.text for event in session.log.since(0) if event.kind == "hands off"]
+    return [next(cause for cause, text in CAUSES.items() if said.startswith(f"{text}: ")) for said in texts]
 
 
 def sticks(seq: int, forward: float = 0.0) -> from_page.Sticks:
@@ -85,11 +92,10 @@ def test_whoever_leaves_leaves_the_arm_holding_its_position() -> None:
         frame = comes(session, lambda frame: not frame.rate_hold, "RATE HOLD let go")
         assert frame.position_hold and frame.translation == STILL
         comes(session, lambda frame: max(abs(rate) for rate in frame.rates) < 1e-6, "it rests")
-        text = [event.text for event in session.log.since(0) if event.kind == "hands off"]
-        assert text == ["the page that flew is gone: sticks at zero"]
+        assert left(session) == ["page gone"]
         session.let_go()
         steps(session, 3)
-        assert len([event for event in session.log.since(0) if event.kind == "hands off"]) == 1
+        assert left(session) == ["page gone"]
 
 
 @pytest.mark.parametrize("cause", ["page hidden", "device lost"])
@@ -107,7 +113,7 @@ def test_a_page_that_says_so_is_left_alone_and_its_sequence_steps(
         assert frame.sequence == "in progress"
         session.let_go()  # now nobody could stop it
         comes(session, lambda frame: frame.sequence != "in progress", "STOP")
-        assert "the page that flew is gone: sticks at zero" in [event.text for event in session.log.since(0)]
+        assert left(session)[-1] == "page gone"
 
 
 def test_a_demonstration_steps_when_nobody_looks() -> None:
@@ -159,8 +165,8 @@ def test_a_hidden_page_that_falls_silent_lets_a_held_rate_go_once(monkeypatch: p
         session.now += 1.1 * SILENCE
         comes(session, lambda frame: not frame.rate_hold, "it is let go")
         steps(session, 60)
-        told = [event for event in session.log.since(0) if event.kind in ("hands off", "refused")]
-        assert [event.text for event in told] == ["the page that flies is hidden: sticks at zero"]
+        assert left(session) == ["page hidden"]
+        assert not [event for event in session.log.since(0) if event.kind == "refused"]
 
 
 def test_letting_go_forgets_the_commands_that_wait() -> None:
@@ -189,7 +195,7 @@ def test_sticks_that_were_lost_are_flown_again_once_they_were_at_rest(monkeypatc
         comes(session, lambda frame: frame.translation[0] == 1.0, "the sticks")
         session.now += max(1.02 * SILENCE, 1.02 * LOST)
         comes(session, lambda frame: frame.translation == STILL and frame.position_hold, "nobody flies")
-        with pytest.raises(CommandError, match="the sticks were silent: let go of them first"):
+        with pytest.raises(CommandError, match="silent"):
             session.steer(sticks(5, forward=1.0))
         session.steer(sticks(6, forward=1.0))  # told once
         comes(session, lambda frame: frame.display.stick_seq == 6, "heard")
@@ -217,7 +223,7 @@ def test_a_demonstration_flies_until_a_stick_moves() -> None:
         assert steps(session, 5).by == "script"
         session.steer(sticks(1, forward=0.2))
         assert comes(session, lambda frame: frame.by == "hand", "the hand").phase == ""
-        assert "you have the sticks" in [event.text for event in session.log.since(0)]
+        assert "hand" in [event.kind for event in session.log.since(0)]
 
 
 def test_a_demonstration_ends_with_its_script() -> None:
@@ -245,6 +251,6 @@ def test_more_commands_than_may_wait_are_refused() -> None:
     session = Session(scenario())
     for seq in range(MOST_WAITING):
         session.command(from_page.SelectJoint(seq, 1))
-    with pytest.raises(CommandError, match="32 commands are waiting already; this one was not taken"):
+    with pytest.raises(CommandError, match=f"{MOST_WAITING} commands"):
         session.command(from_page.SelectJoint(99, 1))
     session.command(from_page.Stop(100))
