@@ -32,9 +32,9 @@ LOW, HIGH = MOST_UP + 6, MOST_UP + 12
 """(6,) stops in force [rad]: soft ones in computed modes, hard ones in mode 8 and DIRECT."""
 MOUNT = HIGH + 6
 """(9,) rotation from orbiter to L, row by row: T_LB."""
-HAND = MOUNT + 9
+HAND_COSINE, HAND_SINE = MOUNT + 9, MOUNT + 10
 """Cosine and sine of the end effector's roll against frame 7."""
-HELD = HAND + 2
+HELD = HAND_SINE + 1
 """(9,) rotation from payload axes to frame 7, row by row: T_78."""
 OFFSET = HELD + 9
 """(3,) vector from the tip to the point of resolution, in frame 7 [m]; zero if the tip is that point."""

@@ -49,6 +49,7 @@ from aftdeck.steering.limiters import BY_RATE, NEAREST, avclmt, joint_ratio, rat
 from aftdeck.steering.modes import closed_loop, direct, manual, master, open_loop, position, single_joint
 from aftdeck.steering.one_factor import one_factor
 from aftdeck.steering.turn import from_hand
+from aftdeck.steering.views import put_rates, put_twist, rates_at, twist_at
 
 NEAR_FLOOR = 0.5 * NEAREST
 """Minimum normalised distance from a singularity in the guarded rate law, for an arm that starts nearer."""
@@ -91,14 +92,15 @@ def measured(angles: Array, rates: Array, rise: float, state: Array) -> None:
 @law
 def _sines_at(rules: Array, state: Array, ahead: float) -> Sines:
     """Return sines and cosines of the joint angles after a time `ahead` [s] at the measured rates."""
+    q, r = rates_at(state, ANGLES), rates_at(state, MEASURED)
     return sines(
         rules,
-        state[ANGLES] + ahead * state[MEASURED],
-        state[ANGLES + 1] + ahead * state[MEASURED + 1],
-        state[ANGLES + 2] + ahead * state[MEASURED + 2],
-        state[ANGLES + 3] + ahead * state[MEASURED + 3],
-        state[ANGLES + 4] + ahead * state[MEASURED + 4],
-        state[ANGLES + 5] + ahead * state[MEASURED + 5],
+        q.r1 + ahead * r.r1,
+        q.r2 + ahead * r.r2,
+        q.r3 + ahead * r.r3,
+        q.r4 + ahead * r.r4,
+        q.r5 + ahead * r.r5,
+        q.r6 + ahead * r.r6,
     )
 
 
@@ -119,7 +121,7 @@ def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: 
     else:
         rates = single_joint.rates(rules, command, state, report)
     twist = erates(a, j, rates)
-    _note_demand(report, twist)
+    put_twist(report, DEMAND, twist)
     feed_back(state, rates, twist, 0.0)
 
 
@@ -147,7 +149,7 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
     """Steer in modes 2 to 7, which command a twist of the point of resolution."""
     here = lifted(tip(rules, _sines_at(rules, state, 0.0)), state[SHOULDER_OFFSET])
     wanted = _wanted(rules, command, state, report, here)
-    _note_demand(report, wanted)
+    put_twist(report, DEMAND, wanted)
     offset = rules[OFFSET] != 0.0 or rules[OFFSET + 1] != 0.0 or rules[OFFSET + 2] != 0.0
     x, y, z = 0.0, 0.0, 0.0
     if offset:
@@ -186,13 +188,6 @@ def _steer_point(rules: Array, command: Array, state: Array, report: Array, a: S
 
 
 @law
-def _note_demand(report: Array, t: Twist) -> None:
-    """Write the twist that the mode demands into the report."""
-    report[DEMAND], report[DEMAND + 1], report[DEMAND + 2] = t.wx, t.wy, t.wz
-    report[DEMAND + 3], report[DEMAND + 4], report[DEMAND + 5] = t.vx, t.vy, t.vz
-
-
-@law
 def _below_limit(rules: Array, r: Rates, k: float, joint: int) -> bool:
     """Return whether a joint is well below its rate limit."""
     below: bool = abs(k * r[joint]) < 0.999 * rules[RATE + joint]
@@ -222,26 +217,21 @@ def _present(rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x:
     the arm under constant rates is then not an error to be limited. (x, y, z) is the point's position from the tip,
     in L.
     """
-    actual = Rates(
-        state[MEASURED], state[MEASURED + 1], state[MEASURED + 2],
-        state[MEASURED + 3], state[MEASURED + 4], state[MEASURED + 5],
-    )  # fmt: skip
+    actual, commanded = rates_at(state, MEASURED), rates_at(state, RATES)
     was = state[POINT] != 0.0
     if rules[STRICT] != 0.0:
         return _carried(erates(a, j, actual), x, y, z)
     if was and not offset:  # the payload's point is no longer used: the tip's own velocity follows from the joint rates
         return erates(a, j, actual)
     beside = Rates(
-        actual.r1 - state[RATES], actual.r2 - state[RATES + 1], actual.r3 - state[RATES + 2],
-        actual.r4 - state[RATES + 3], actual.r5 - state[RATES + 4], actual.r6 - state[RATES + 5],
+        actual.r1 - commanded.r1, actual.r2 - commanded.r2, actual.r3 - commanded.r3,
+        actual.r4 - commanded.r4, actual.r5 - commanded.r5, actual.r6 - commanded.r6,
     )  # fmt: skip
     more = erates(a, j, beside)
     if was:  # the commanded twist is the point's already
         more = _carried(more, x, y, z)
-    last = Twist(
-        state[TWIST] + more.wx, state[TWIST + 1] + more.wy, state[TWIST + 2] + more.wz,
-        state[TWIST + 3] + more.vx, state[TWIST + 4] + more.vy, state[TWIST + 5] + more.vz,
-    )  # fmt: skip
+    t = twist_at(state, TWIST)
+    last = Twist(t.wx + more.wx, t.wy + more.wy, t.wz + more.wz, t.vx + more.vx, t.vy + more.vy, t.vz + more.vz)
     return _carried(last, x, y, z) if offset and not was else last
 
 
@@ -274,13 +264,14 @@ def scaled(t: Twist, k: float) -> Twist:
 @law
 def cut(rules: Array, r: Rates, k: float) -> Rates:
     """Return rates times RATIO, without the rounding error that could exceed a limit."""
+    most = rates_at(rules, RATE)
     return Rates(
-        _within(k * r.r1, rules[RATE]),
-        _within(k * r.r2, rules[RATE + 1]),
-        _within(k * r.r3, rules[RATE + 2]),
-        _within(k * r.r4, rules[RATE + 3]),
-        _within(k * r.r5, rules[RATE + 4]),
-        _within(k * r.r6, rules[RATE + 5]),
+        _within(k * r.r1, most.r1),
+        _within(k * r.r2, most.r2),
+        _within(k * r.r3, most.r3),
+        _within(k * r.r4, most.r4),
+        _within(k * r.r5, most.r5),
+        _within(k * r.r6, most.r6),
     )
 
 
@@ -292,8 +283,6 @@ def _within(value: float, most: float) -> float:
 @law
 def feed_back(state: Array, r: Rates, t: Twist, point: float) -> None:
     """Store the commanded rates and twist for the next step's AVCLMT."""
-    state[RATES], state[RATES + 1], state[RATES + 2] = r.r1, r.r2, r.r3
-    state[RATES + 3], state[RATES + 4], state[RATES + 5] = r.r4, r.r5, r.r6
-    state[TWIST], state[TWIST + 1], state[TWIST + 2] = t.wx, t.wy, t.wz
-    state[TWIST + 3], state[TWIST + 4], state[TWIST + 5] = t.vx, t.vy, t.vz
+    put_rates(state, RATES, r)
+    put_twist(state, TWIST, t)
     state[POINT] = point

@@ -14,7 +14,8 @@ from aftdeck.steering.layout import (
     AS_FLOWN,
     DT,
     GUARDED,
-    HAND,
+    HAND_COSINE,
+    HAND_SINE,
     HELD,
     HIGH,
     LOW,
@@ -67,7 +68,7 @@ def rules_of(
     shared[SPEED_UP], shared[TURN_UP] = por.acceleration, por.angular_acceleration
     shared[MOST_UP : MOST_UP + 6] = arm.rates.acceleration
     shared[MOUNT : MOUNT + 9] = arm.mount.rotation.T.ravel()
-    shared[HAND], shared[HAND + 1] = math.cos(arm.end_effector_roll), math.sin(arm.end_effector_roll)
+    shared[HAND_COSINE], shared[HAND_SINE] = math.cos(arm.end_effector_roll), math.sin(arm.end_effector_roll)
     shared[NEAR], shared[NEAR_TURN] = near, near_turn
     shared[HELD : HELD + 9] = np.eye(3).ravel() if payload is None else payload.rotation.ravel()
     share = min(por.translation[0] / arm.por_limits(0.0).translation[0], 1.0)

@@ -14,10 +14,11 @@ from aftdeck.kinematics.linkage import Sines, Tip, sines, tip
 from aftdeck.kinematics.rates import rmsrat
 from aftdeck.kinematics.singular import distances
 from aftdeck.law import law
-from aftdeck.steering.layout import ANGLES, STICKS
+from aftdeck.steering.layout import STICKS
 from aftdeck.steering.limiters import closing, ratlmt
 from aftdeck.steering.modes import manual
 from aftdeck.steering.msteer import NEAR_FLOOR, carried_to_tip
+from aftdeck.steering.views import sines_of
 
 DIRECTIONS = 12
 """Stick directions tried: + and - of roll, pitch, yaw, X, Y, Z, in that order."""
@@ -40,15 +41,7 @@ def way_out(
         inward: +1 or -1: the joint's direction in which `tried` is positive.
         tried: (12,) output; positive leads away.
     """
-    a = sines(
-        rules,
-        state[ANGLES],
-        state[ANGLES + 1],
-        state[ANGLES + 2],
-        state[ANGLES + 3],
-        state[ANGLES + 4],
-        state[ANGLES + 5],
-    )
+    a = sines_of(rules, state)
     here = tip(rules, a)
     for k in range(DIRECTIONS):
         rates = _stick_rates(rules, command, a, here, k)
@@ -72,15 +65,7 @@ def _stick_rates(rules: Array, command: Array, a: Sines, here: Tip, k: int) -> R
 @law
 def stick_rates(rules: Array, command: Array, state: Array, tried: Array) -> None:
     """Compute each stick direction's limited joint rates into `tried` (12, 6) [rad/s]; arguments as in `way_out`."""
-    a = sines(
-        rules,
-        state[ANGLES],
-        state[ANGLES + 1],
-        state[ANGLES + 2],
-        state[ANGLES + 3],
-        state[ANGLES + 4],
-        state[ANGLES + 5],
-    )
+    a = sines_of(rules, state)
     here = tip(rules, a)
     for k in range(DIRECTIONS):
         rates = _stick_rates(rules, command, a, here, k)

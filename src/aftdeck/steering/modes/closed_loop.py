@@ -33,6 +33,7 @@ from aftdeck.steering.layout import (
     TWIST,
 )
 from aftdeck.steering.profiles import vclose
+from aftdeck.steering.views import twist_at
 
 SLOW = 1.5
 """Speed up to which the arm counts as at rest in the end sphere, in steps of its acceleration [1]."""
@@ -52,8 +53,9 @@ def demand(rules: Array, command: Array, tip: Tip, report: Array) -> Twist:
 @law
 def note_arrival(rules: Array, state: Array, report: Array) -> None:
     """Write into the report whether the tip is inside the end sphere and slow; under `strict`, whether time is up."""
-    w = math.sqrt(state[TWIST] ** 2 + state[TWIST + 1] ** 2 + state[TWIST + 2] ** 2)
-    v = math.sqrt(state[TWIST + 3] ** 2 + state[TWIST + 4] ** 2 + state[TWIST + 5] ** 2)
+    t = twist_at(state, TWIST)
+    w = math.sqrt(t.wx**2 + t.wy**2 + t.wz**2)
+    v = math.sqrt(t.vx**2 + t.vy**2 + t.vz**2)
     near = report[DISTANCE] <= rules[NEAR] and report[ANGLE] <= rules[NEAR_TURN]
     if rules[STRICT] != 0.0:  # in the source the phase ends when VCLOSE's time has run out
         report[ARRIVED] = 1.0 if report[REMAINING] == 0.0 else 0.0

@@ -13,19 +13,17 @@ from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.law import law
-from aftdeck.steering.layout import HAND, SPEED, STICKS, STRICT, TURN
+from aftdeck.steering.layout import HAND_COSINE, HAND_SINE, STRICT
 from aftdeck.steering.turn import from_hand
+from aftdeck.steering.views import stick_twist
 
 
 @law
 def demand(rules: Array, command: Array, tip: Tip) -> Twist:
     """Return the twist in L that the sticks demand: VOTRAN, end effector specified."""
     strict = rules[STRICT] != 0.0
-    c = 1.0 if strict else rules[HAND]
-    s = 0.0 if strict else rules[HAND + 1]
-    w, v = rules[TURN], rules[SPEED]
-    b, d = w * command[STICKS + 1], w * command[STICKS + 2]
-    y, z = v * command[STICKS + 4], v * command[STICKS + 5]
-    ax, ay, az = from_hand(tip, w * command[STICKS], c * b - s * d, s * b + c * d)
-    ux, uy, uz = from_hand(tip, v * command[STICKS + 3], c * y - s * z, s * y + c * z)
+    cosine, sine = (1.0, 0.0) if strict else (rules[HAND_COSINE], rules[HAND_SINE])
+    s = stick_twist(rules, command)
+    ax, ay, az = from_hand(tip, s.wx, cosine * s.wy - sine * s.wz, sine * s.wy + cosine * s.wz)
+    ux, uy, uz = from_hand(tip, s.vx, cosine * s.vy - sine * s.vz, sine * s.vy + cosine * s.vz)
     return Twist(ax, ay, az, ux, uy, uz)

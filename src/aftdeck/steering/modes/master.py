@@ -18,6 +18,7 @@ from aftdeck.law import law
 from aftdeck.steering.layout import ANGLES, ARRIVED, CAUSE, DT, HIGH, LIMITING_JOINT, LOW, MASTER, RATE, RATE_UP, RATES
 from aftdeck.steering.limiters import BY_STOP, braked
 from aftdeck.steering.ramp import ramped, rate_towards
+from aftdeck.steering.views import rates_at
 
 THERE = 1e-9
 """Distance from the master's angle up to which a joint at rest has arrived [rad]."""
@@ -44,6 +45,4 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
             there = 0.0
         state[RATES + i] = rate
     report[ARRIVED] = there
-    return Rates(
-        state[RATES], state[RATES + 1], state[RATES + 2], state[RATES + 3], state[RATES + 4], state[RATES + 5]
-    )  # fmt: skip
+    return rates_at(state, RATES)

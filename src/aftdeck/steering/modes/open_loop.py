@@ -14,11 +14,10 @@ from __future__ import annotations
 
 from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
-from aftdeck.kinematics.linkage import lifted, sines, tip
+from aftdeck.kinematics.linkage import lifted, tip
 from aftdeck.law import law
 from aftdeck.steering.aim import latraj
 from aftdeck.steering.layout import (
-    ANGLES,
     ARRIVED,
     CLOCK,
     CLOCK_RATE,
@@ -32,6 +31,7 @@ from aftdeck.steering.layout import (
     TURN_REMAINING,
 )
 from aftdeck.steering.profiles import vtopen
+from aftdeck.steering.views import sines_of
 
 _VELOCITY, _TURNING, _ETA, _T_V1, _T_W1, _ETAP = PLAN, PLAN + 3, PLAN + 6, PLAN + 7, PLAN + 8, PLAN + 9
 
@@ -39,16 +39,7 @@ _VELOCITY, _TURNING, _ETA, _T_V1, _T_W1, _ETAP = PLAN, PLAN + 3, PLAN + 6, PLAN 
 @law
 def plan(rules: Array, command: Array, state: Array) -> None:
     """Plan mode 3 (OPERIN): LATRAJ and VTOPEN once, from the arm's present pose; reset the clock."""
-    a = sines(
-        rules,
-        state[ANGLES],
-        state[ANGLES + 1],
-        state[ANGLES + 2],
-        state[ANGLES + 3],
-        state[ANGLES + 4],
-        state[ANGLES + 5],
-    )
-    aim = latraj(lifted(tip(rules, a), state[SHOULDER_OFFSET]), command[TARGET:PLAN])
+    aim = latraj(lifted(tip(rules, sines_of(rules, state)), state[SHOULDER_OFFSET]), command[TARGET:PLAN])
     profile = vtopen(rules, aim.distance, aim.angle)
     v, w = profile.speed, profile.turn
     command[_VELOCITY], command[_VELOCITY + 1], command[_VELOCITY + 2] = v * aim.ux, v * aim.uy, v * aim.uz

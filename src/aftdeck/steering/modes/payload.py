@@ -13,14 +13,14 @@ from aftdeck.arrays import Array
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.kinematics.linkage import Tip
 from aftdeck.law import law
-from aftdeck.steering.layout import SPEED, STICKS, TURN
 from aftdeck.steering.turn import from_payload
+from aftdeck.steering.views import stick_twist
 
 
 @law
 def demand(rules: Array, command: Array, tip: Tip) -> Twist:
     """Return the twist in L that the sticks demand: VOTRAN, payload specified."""
-    w, v = rules[TURN], rules[SPEED]
-    a, b, c = from_payload(rules, tip, w * command[STICKS], w * command[STICKS + 1], w * command[STICKS + 2])
-    x, y, z = from_payload(rules, tip, v * command[STICKS + 3], v * command[STICKS + 4], v * command[STICKS + 5])
+    s = stick_twist(rules, command)
+    a, b, c = from_payload(rules, tip, s.wx, s.wy, s.wz)
+    x, y, z = from_payload(rules, tip, s.vx, s.vy, s.vz)
     return Twist(a, b, c, x, y, z)

@@ -17,6 +17,7 @@ from aftdeck.law import law
 from aftdeck.steering.layout import DRIVE, JOINT, KEPT, RATE, RATES
 from aftdeck.steering.limiters import BY_HARD_STOP
 from aftdeck.steering.ramp import ramped, rate_towards
+from aftdeck.steering.views import rates_at
 
 
 @law
@@ -27,6 +28,4 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
         driven = command[DRIVE] * rules[RATE + i]
         asked = driven if i == selected else rate_towards(rules, state, command[KEPT + i], i)
         state[RATES + i] = ramped(rules, state, report, asked, i, BY_HARD_STOP)
-    return Rates(
-        state[RATES], state[RATES + 1], state[RATES + 2], state[RATES + 3], state[RATES + 4], state[RATES + 5]
-    )  # fmt: skip
+    return rates_at(state, RATES)

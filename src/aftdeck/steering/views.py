@@ -1,0 +1,52 @@
+"""Values of the packed arrays (`steering.layout`) by name, for use inside the laws.
+
+A law makes these tuples in compiled code, where they cost nothing; passed from Python they would cost microseconds.
+"""
+
+from __future__ import annotations
+
+from aftdeck.arrays import Array
+from aftdeck.kinematics.jacobian import Rates, Twist
+from aftdeck.kinematics.linkage import Sines, sines
+from aftdeck.law import law
+from aftdeck.steering.layout import ANGLES, SPEED, STICKS, TURN
+
+
+@law
+def rates_at(values: Array, at: int) -> Rates:
+    """Return six values from an index on, one for each joint."""
+    return Rates(values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5])
+
+
+@law
+def put_rates(values: Array, at: int, r: Rates) -> None:
+    """Write six values, one for each joint, from an index on."""
+    values[at], values[at + 1], values[at + 2] = r.r1, r.r2, r.r3
+    values[at + 3], values[at + 4], values[at + 5] = r.r4, r.r5, r.r6
+
+
+@law
+def twist_at(values: Array, at: int) -> Twist:
+    """Return the twist that begins at an index."""
+    return Twist(values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5])
+
+
+@law
+def put_twist(values: Array, at: int, t: Twist) -> None:
+    """Write a twist from an index on."""
+    values[at], values[at + 1], values[at + 2] = t.wx, t.wy, t.wz
+    values[at + 3], values[at + 4], values[at + 5] = t.vx, t.vy, t.vz
+
+
+@law
+def stick_twist(rules: Array, command: Array) -> Twist:
+    """Return the twist that the sticks command in their own axes: full deflection is the limit of the POR."""
+    w, v, s = rules[TURN], rules[SPEED], twist_at(command, STICKS)
+    return Twist(w * s.wx, w * s.wy, w * s.wz, v * s.vx, v * s.vy, v * s.vz)
+
+
+@law
+def sines_of(rules: Array, state: Array) -> Sines:
+    """Return the sines and cosines of the measured joint angles."""
+    q = rates_at(state, ANGLES)
+    return sines(rules, q.r1, q.r2, q.r3, q.r4, q.r5, q.r6)
