@@ -104,10 +104,10 @@ class Progress:
         bar.start()
         task = bar.add_task(self._title, total=1.0)
 
-        def told(share: float) -> None:
+        def update(share: float) -> None:
             bar.update(task, completed=share)
 
-        return told
+        return update
 
     def __exit__(self, *_: object) -> None:
         if self._bar is not None:

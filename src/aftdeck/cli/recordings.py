@@ -100,8 +100,8 @@ def _verify(file: Path, words: Path | None, as_json: bool) -> None:
             from aftdeck.cli.words import writing
 
             stepped = open_while_flying.enter_context(writing(scenario_of(recording.opening), words))
-        told = open_while_flying.enter_context(Progress(recording.opening.title))
-        verdict = verify(file, told, stepped)
+        progress = open_while_flying.enter_context(Progress(recording.opening.title))
+        verdict = verify(file, progress, stepped)
     if as_json:
         print_json(verdict, indent=2)
     else:
@@ -156,8 +156,8 @@ def _rerun(file: Path, changes: tuple[str, ...], out: Path | None, as_json: bool
     from aftdeck.recording.changed import rerun
     from aftdeck.recording.index import Index
 
-    with Progress("with " + ", ".join(changes)) as told:
-        outcome = rerun(file, changes, out, progress=told, index=Index())
+    with Progress("with " + ", ".join(changes)) as progress:
+        outcome = rerun(file, changes, out, progress=progress, index=Index())
     if as_json:
         print_json(outcome, indent=2)
     else:

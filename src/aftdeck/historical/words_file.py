@@ -68,10 +68,10 @@ class WordsWriter:
         self.steps += 1
         self.unsaid.update(line.unsaid)
         time = round(state.tick * flight.scenario.control_period, 9)
-        told = {"time_s": time, "volts": line.volts, "words": [f"{word:08o}" for word in line.words]}
+        row = {"time_s": time, "volts": line.volts, "words": [f"{word:08o}" for word in line.words]}
         if line.unsaid:
-            told["unsaid"] = line.unsaid
-        self._file.write(json.dumps(told) + "\n")
+            row["unsaid"] = line.unsaid
+        self._file.write(json.dumps(row) + "\n")
 
 
 def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line:

@@ -26,8 +26,8 @@ def inputs_of(record: Input) -> Inputs | None:
 
 def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> FrameRecord:
     """Return the record of a frame with exact values; `codec.encode` rounds them."""
-    told = {name: getattr(frame, name) for name in Frame.__struct_fields__}
-    return FrameRecord(**{**told, "sha256": frame.sha256[:DIGITS]}, wall_s=wall_s, latency_ms=latency_ms)
+    fields = {name: getattr(frame, name) for name in Frame.__struct_fields__}
+    return FrameRecord(**{**fields, "sha256": frame.sha256[:DIGITS]}, wall_s=wall_s, latency_ms=latency_ms)
 
 
 def light_record(time_s: float, lighting: Lighting) -> LightRecord:

@@ -44,7 +44,7 @@ class SessionRecorder:
         self._recorder: Recorder | None = None
         self._ending: list[Recorder] = []
         self._complaints: list[str] = []
-        self._told: set[str] = set()
+        self._errors: set[str] = set()
         self._period = 0.0
 
     @property
@@ -105,14 +105,14 @@ class SessionRecorder:
     def take_errors(self) -> list[str]:
         """Return the errors since the last call, one sentence each."""
         self._look()
-        told, self._complaints = self._complaints, []
-        return told
+        errors, self._complaints = self._complaints, []
+        return errors
 
     def _look(self) -> None:
         """Collect new errors from all recorders, and print them."""
         for recorder in (*self._ending, *([self._recorder] if self._recorder else [])):
             for text in (recorder.failure, recorder.unlisted):
-                if text and text not in self._told:
+                if text and text not in self._errors:
                     self._complain(text)
 
     def end(self, ended: Ended) -> None:
@@ -131,7 +131,7 @@ class SessionRecorder:
         self._ending.clear()
 
     def _complain(self, text: str) -> None:
-        self._told.add(text)
+        self._errors.add(text)
         self._complaints.append(text)
         print(f"aftdeck: {text}", file=sys.stderr, flush=True)
 

@@ -114,20 +114,20 @@ def _outside(
             yield g
         else:
             if of not in known:
-                told = any(other.group == nearest for other in site.meetings if (other.cargo, other.relation) == of)
-                known[of] = _lined_up(site, frames, meeting, told=told)
+                reported = any(other.group == nearest for other in site.meetings if (other.cargo, other.relation) == of)
+                known[of] = _lined_up(site, frames, meeting, reported=reported)
             if not known[of]:
                 yield g
 
 
-def _lined_up(site: Site, frames: Array, meeting: Meeting, *, told: bool) -> bool:
+def _lined_up(site: Site, frames: Array, meeting: Meeting, *, reported: bool) -> bool:
     """Return whether the two parts would touch inside their relation if they went on straight towards each other.
 
-    If the nearest group until now is of this cargo and relation (`told`), the parts have to touch inside by the
+    If the nearest group until now is of this cargo and relation (`reported`), the parts have to touch inside by the
     relation's depth, so that no lamp flickers. A hand is lined up with all of a payload at once; the caller finds that.
     """
     k, depth = meeting.cargo, meeting.depth
-    inside = depth if told else 0.0
+    inside = depth if reported else 0.0
     match meeting.relation:
         case "docking":
             ports = (berth for berth in site.berths[k] if berth.port is not None)

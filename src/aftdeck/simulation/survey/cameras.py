@@ -19,7 +19,7 @@ from aftdeck.scenario.fit import TOLERANCE, Parts, hands, parts_at
 from aftdeck.scenario.model import Scenario
 from aftdeck.scenario.relative import composed, inverted, scene_in_l
 from aftdeck.simulation.constants.site import site_of
-from aftdeck.simulation.survey.poses import bodies, inside_soft_stops, placed, stops, told
+from aftdeck.simulation.survey.poses import bodies, inside_soft_stops, joints_text, placed, stops
 from aftdeck.worksite.conditions import quantity_text
 from aftdeck.worksite.file.check import depth_in
 
@@ -69,7 +69,7 @@ def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Proble
     for k, camera, part, depth in _met(scenario, tried, np.array(points).reshape(-1, 3)):
         if (camera, part) not in found and not _seen_in_a_run(scenario, bodies(scenario, placed(scenario, *tried[k]))):
             found.add((camera, part))
-            yield _problem(scenario, fixed[camera], part, depth, told(tried[k][0]))
+            yield _problem(scenario, fixed[camera], part, depth, joints_text(tried[k][0]))
 
 
 def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> list[Tried]:

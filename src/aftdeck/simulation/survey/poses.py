@@ -30,7 +30,7 @@ def stops(scenario: Scenario) -> Iterator[tuple[str, Array, float, float]]:
     turns = np.where(high - low < 2.0 * math.pi, high, 0.5 * (low + high))
     for joints in product(*zip(low, turns, strict=True)):
         for end in ends:
-            yield told(np.array(joints)), np.array(joints), end, prong
+            yield joints_text(np.array(joints)), np.array(joints), end, prong
 
 
 def placed(scenario: Scenario, angles: Array, stand: float, prong: float) -> dict[str, Pose]:
@@ -50,7 +50,7 @@ def bodies(scenario: Scenario, frames: dict[str, Pose]) -> Parts:
     return found
 
 
-def told(angles: Array) -> str:
+def joints_text(angles: Array) -> str:
     """Return a text that describes a pose by its joint angles."""
     return f"at joint angles {', '.join(f'{math.degrees(angle):.0f}' for angle in angles.tolist())} deg"
 

@@ -137,5 +137,5 @@ _fields = attrgetter(*sim.Frame.__struct_fields__)
 
 def with_display(frame: sim.Frame, display: Display) -> Frame:
     """Return a frame of the simulation as a message to a page."""
-    told: tuple[Any, ...] = (*_fields(frame), display)
-    return Frame(*told)
+    values: tuple[Any, ...] = (*_fields(frame), display)
+    return Frame(*values)

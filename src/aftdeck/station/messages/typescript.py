@@ -109,19 +109,19 @@ class _Writer:
 
     def interface(self, struct: type[msgspec.Struct]) -> str:
         hints, said = typing.get_type_hints(struct), comments(struct)
-        told = typing.get_type_hints(struct, include_extras=True)
+        hints = typing.get_type_hints(struct, include_extras=True)
         lines = [*_comment(inspect.getdoc(struct), ""), f"export interface {struct.__name__} {{"]
         config = struct.__struct_config__
         if config.tag_field is not None:
             lines.append(f"  readonly {config.tag_field}: {_literal(config.tag)};")
         for field, wire in zip(struct.__struct_fields__, struct.__struct_encode_fields__, strict=True):
-            lines += _comment(_described(apart(told[field])[1]) or said.get(field), "  ")
+            lines += _comment(_described(apart(hints[field])[1]) or said.get(field), "  ")
             lines.append(f"  readonly {wire}: {self.name(hints[field])};")
         return "\n".join([*lines, "}", ""])
 
 
 def _described(meta: msgspec.Meta | None) -> str:
-    """Return a told field's description, with its unit and axes."""
+    """Return a field's description, with its unit and axes."""
     if meta is None or meta.description is None:
         return ""
     extra = meta.extra or {}

@@ -36,7 +36,7 @@ def make_app(
         coming: preparation of the first session.
         host: address that the server listens on.
         record: folder into which the runs are recorded; None: they are not recorded.
-        failed: called in the server's loop if the preparation fails, after the pages that wait were told.
+        failed: called in the server's loop if the preparation fails, after the waiting pages were informed.
     """
     waiting = Waiting(coming, failed)
     recordings = Recordings(record, lambda: waiting.pages.session.file if waiting.pages else None) if record else None

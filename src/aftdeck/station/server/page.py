@@ -184,7 +184,7 @@ class Page:
         """
         session = self.welcomed
         scenarios, role, lines, sent = None, None, 0, b""
-        told: Mark | None = None
+        mark: Mark | None = None
         while self.pages.driver.phase is not Phase.CLOSED:
             fresh = self.pages.fresh  # read before the news, so that no later change is missed
             if session is not self.pages.session:
@@ -202,9 +202,9 @@ class Page:
             if news := session.log.since(lines):
                 lines += len(news)
                 await self._send(to_page.Events(news))
-            recent = session.recent.news(told) if self.strips else None
+            recent = session.recent.news(mark) if self.strips else None
             if recent:
-                message, told = recent
+                message, mark = recent
                 await self._send(message)
             if (frame := session.newest) is not sent and (recent or not self.strips):
                 sent = frame

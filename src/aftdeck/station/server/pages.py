@@ -181,11 +181,11 @@ async def _abandonable(make: Callable[[], Session]) -> Session:
 
     def run() -> None:
         try:
-            told = functools.partial(made.set_result, make())
+            deliver = functools.partial(made.set_result, make())
         except Exception as error:
-            told = functools.partial(made.set_exception, error)
+            deliver = functools.partial(made.set_exception, error)
         with contextlib.suppress(RuntimeError):  # the loop is closed
-            loop.call_soon_threadsafe(lambda: None if made.done() else told())
+            loop.call_soon_threadsafe(lambda: None if made.done() else deliver())
 
     Thread(target=run, name="making ready", daemon=True).start()
     return await made

@@ -24,9 +24,9 @@ FLYING = '<meta name="flying" content="../../" />'
 class Player:
     """Server side of one recording that a page plays."""
 
-    def __init__(self, reel: PlaybackStore, path: Path, told: str = WHERE) -> None:
-        """Serve `reel`, read from `path`; `told` is the HTML elements to add to the page's head."""
-        self._reel, self._path, self._told = reel, path, told
+    def __init__(self, reel: PlaybackStore, path: Path, head: str = WHERE) -> None:
+        """Serve `reel`, read from `path`; `head` is the HTML elements to add to the page's head."""
+        self._reel, self._path, self._head = reel, path, head
         self._found = CHECKING
         self._encode = msgspec.json.Encoder().encode
 
@@ -53,7 +53,7 @@ class Player:
         self._found = verdict(self._path)
 
     def _page(self, _: Request) -> Response:
-        return HTMLResponse(built_page().replace("</head>", f"{self._told}\n</head>", 1))
+        return HTMLResponse(built_page().replace("</head>", f"{self._head}\n</head>", 1))
 
     def _index(self, _: Request) -> Response:
         return _json(self._encode(self._reel.index(self._found)))

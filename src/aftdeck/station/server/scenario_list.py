@@ -22,12 +22,12 @@ class ScenarioList:
 
     def __init__(self, given: Scenario) -> None:
         names = sorted(built_in(), key=lambda name: (name not in FIRST, FIRST.index(name) if name in FIRST else 0))
-        told = [to_page.ScenarioInfo(name, *about(name)[:2], given=False) for name in names]
+        infos = [to_page.ScenarioInfo(name, *about(name)[:2], given=False) for name in names]
         own = given.name in names and about(given.name).file == given.text
         self._given = None if own else given
         if not own:
-            told.insert(0, to_page.ScenarioInfo(given.name, given.title, given.description, given=True))
-        self.scenarios = tuple(told)
+            infos.insert(0, to_page.ScenarioInfo(given.name, given.title, given.description, given=True))
+        self.scenarios = tuple(infos)
         self.flown = names.index(given.name) if own else 0
         self.coming: int | None = None
 

@@ -61,7 +61,7 @@ def serve(
     Raises:
         StationError: the page was not built, or the server cannot listen on the address.
         RecordingError: the viewers' port cannot be opened.
-        AftdeckError: what `load` or the session raises; a page that waits has been told.
+        AftdeckError: what `load` or the session raises; a page that waits has been informed.
     """
     built_page()
     listener = listen(host, port)

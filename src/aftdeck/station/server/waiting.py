@@ -38,12 +38,12 @@ class Waiting:
         """Start the preparation, unless the session is made already."""
         loop = asyncio.get_running_loop()
 
-        def told() -> None:
+        def notify() -> None:
             with contextlib.suppress(RuntimeError):  # the loop is closing
                 loop.call_soon_threadsafe(self._changed)
 
         if self._coming.session is None:
-            self._coming.start(told)
+            self._coming.start(notify)
         else:
             self._changed()
 
@@ -52,11 +52,11 @@ class Waiting:
         loop, session = asyncio.get_running_loop(), self._coming.session
         if session is not None and self.pages is None:
 
-            def told() -> None:
+            def notify() -> None:
                 with contextlib.suppress(RuntimeError):  # the loop is closing
                     loop.call_soon_threadsafe(pages.wake)
 
-            pages = self.pages = Pages(session, told)
+            pages = self.pages = Pages(session, notify)
             pages.start()
         self._fresh.set()
         self._fresh = asyncio.Event()

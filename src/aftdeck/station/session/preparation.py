@@ -26,7 +26,7 @@ class Preparation:
         self.session: Session | None = None
         self.error: Exception | None = None
         self._make = make
-        self._told: Callable[[], None] = lambda: None
+        self._notify: Callable[[], None] = lambda: None
 
     @property
     def failure(self) -> str:
@@ -35,12 +35,12 @@ class Preparation:
             return "" if self.error is None else str(self.error)
         return f"the station cannot start: {self.error!r}"
 
-    def start(self, told: Callable[[], None]) -> None:
-        """Start the preparation; its thread calls `told` after each line of progress and at its end.
+    def start(self, notify: Callable[[], None]) -> None:
+        """Start the preparation; its thread calls `notify` after each line of progress and at its end.
 
         The end of the process does not wait for that thread.
         """
-        self._told = told
+        self._notify = notify
         Thread(target=self._run, name="preparation", daemon=True).start()
 
     def _run(self) -> None:
@@ -48,11 +48,11 @@ class Preparation:
             self.session = self._make(self._say)
         except Exception as error:  # any error must reach the pages and the terminal
             self.error = error
-        self._told()
+        self._notify()
 
     def _say(self, text: str) -> None:
         self.text = text
-        self._told()
+        self._notify()
 
 
 def ready(session: Session) -> Preparation:

@@ -70,23 +70,23 @@ class RecentFlight:
             self._samples.append(to_page.Sample(frame.time_s, rounded, worst_joint(frame, self._scenario)))
             self._count += 1
 
-    def news(self, told: Mark | None) -> tuple[to_page.Recent, Mark] | None:
+    def news(self, sent: Mark | None) -> tuple[to_page.Recent, Mark] | None:
         """Return what a page has not received yet, and the mark for the next call.
 
         Args:
-            told: mark that the last call returned; None: the page has received nothing.
+            sent: mark that the last call returned; None: the page has received nothing.
 
         Returns:
             Message and new mark; None if there is no new sample.
         """
         with self._lock:
-            begins = told is None or told.flight is not self
-            known = 0 if begins or told is None else told.samples
+            begins = sent is None or sent.flight is not self
+            known = 0 if begins or sent is None else sent.samples
             if known == self._count:
                 return None
             new = min(self._count - known, len(self._samples))
             samples = tuple(islice(self._samples, len(self._samples) - new, None))
-            changed = told is None or begins or told.begun != self._lanes.begun
+            changed = sent is None or begins or sent.begun != self._lanes.begun
             lanes = self._lanes.lanes() if changed else ()
             mark = Mark(self, self._count, self._lanes.begun)
             return to_page.Recent(self._strips if begins else (), samples, lanes), mark

@@ -110,7 +110,7 @@ def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
 
 @law
 def nearest_pair(
-    placed: Array, pairs: Indices, memory: Array, begin: int, end: int, first: int, limit: float, told: Array
+    placed: Array, pairs: Indices, memory: Array, begin: int, end: int, first: int, limit: float, measures: Array
 ) -> int:
     """Return the pair of solids of a group that has the least clearance; of equal pairs, the first.
 
@@ -122,7 +122,7 @@ def nearest_pair(
         end: index after the group's last pair.
         first: the pair that probably has the least clearance.
         limit: pairs that are not nearer than this are ignored [m].
-        told: (17,) output: packed measurements of the pair.
+        measures: (17,) output: packed measurements of the pair.
 
     Returns:
         Index of the pair; -1 if no pair is below the limit.
@@ -143,7 +143,7 @@ def nearest_pair(
             memory[k] = own
         if clearance < least or (clearance == least and k < best):
             best, least = k, clearance
-            told[:] = own
+            measures[:] = own
     return best
 
 
@@ -197,15 +197,15 @@ def watch(
         m = motion(before[f], now[f], period)
         for k in range(6):
             motions[f, k] = m[k]
-    told = np.empty(packed.PAIR)
+    measures = np.empty(packed.PAIR)
     least, nearest, lowest = np.inf, -1, np.inf
     for g in range(len(active)):
         bound[g] -= ways[between[g, 0]] + ways[between[g, 1]]
         near = active[g] != 0 and not bound[g] >= within
         if near:
-            near = _measured(placed, pairs, begins, g, bound, likely, memory, told) < within
+            near = _measured(placed, pairs, begins, g, bound, likely, memory, measures) < within
         if near:
-            _tell(placed, frame, pairs, now, motions, likely[g], told, found[g])
+            _tell(placed, frame, pairs, now, motions, likely[g], measures, found[g])
         elif found[g, CLEARANCE] < np.inf:
             found[g, CLEARANCE], found[g, SPEED:] = np.inf, 0.0
         if active[g] != 0 and counts[g] != 0:
@@ -216,38 +216,45 @@ def watch(
         return
     # take the first of equal groups, wherever the search begins
     best = nearest
-    least = _measured(placed, pairs, begins, best, bound, likely, memory, told)
+    least = _measured(placed, pairs, begins, best, bound, likely, memory, measures)
     other = np.empty(packed.PAIR)
     for g in range(len(active)):
         if active[g] != 0 and counts[g] != 0 and bound[g] < least and g != nearest:
             clearance = _measured(placed, pairs, begins, g, bound, likely, memory, other)
             if clearance < least or (clearance == least and g < best):
                 best, least = g, clearance
-                told[:] = other
-    _tell(placed, frame, pairs, now, motions, likely[best], told, found[best])
+                measures[:] = other
+    _tell(placed, frame, pairs, now, motions, likely[best], measures, found[best])
 
 
 @law
 def _measured(
-    placed: Array, pairs: Indices, begins: Indices, g: int, bound: Array, likely: Indices, memory: Array, told: Array
+    placed: Array,
+    pairs: Indices,
+    begins: Indices,
+    g: int,
+    bound: Array,
+    likely: Indices,
+    memory: Array,
+    measures: Array,
 ) -> float:
-    """Return the clearance of group g [m], write its nearest pair into `told` (17,), and update `bound` and `likely`.
+    """Return the clearance of group g [m], write its nearest pair into `measures` (17,), update `bound` and `likely`.
 
     The bound is slightly lower than the clearance, so that rounding cannot make the group nearer than its bound.
     """
-    likely[g] = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], np.inf, told)
-    clearance: float = told[packed.CLEARANCE]
+    likely[g] = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], np.inf, measures)
+    clearance: float = measures[packed.CLEARANCE]
     bound[g] = clearance - _SLACK
     return clearance
 
 
 @law
 def _tell(
-    placed: Array, frame: Indices, pairs: Indices, now: Array, motions: Array, k: int, told: Array, row: Array
+    placed: Array, frame: Indices, pairs: Indices, now: Array, motions: Array, k: int, measures: Array, row: Array
 ) -> None:
-    """Write the latest measurements of pair k, told (17,), into its group's row (15,)."""
+    """Write the latest measurements of pair k, measures (17,), into its group's row (15,)."""
     i, j = pairs[k, 0], pairs[k, 1]
-    copy_pair(told, row)
+    copy_pair(measures, row)
     row[WHICH] = k
     if row[CLEARANCE] <= CONTACT:
         way_apart(placed[i], placed[j], row)

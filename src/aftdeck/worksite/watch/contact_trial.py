@@ -93,7 +93,7 @@ def predict_contacts(
         memory: (m, 17) the watch's array, updated; its content does not affect the result.
         found: (g, 15) the watch's measurements before the motion.
     """
-    ways, was, told = np.empty(len(after)), np.full(len(memory), np.inf), np.empty(packed.PAIR)
+    ways, was, measures = np.empty(len(after)), np.full(len(memory), np.inf), np.empty(packed.PAIR)
     slid, touching = 0.0, False
     for g in range(len(counts)):
         if counts[g] != 0 and harmful[g] != 0 and found[g, CLEARANCE] <= CONTACT:
@@ -114,9 +114,9 @@ def predict_contacts(
         elif harmful[g] != 0:
             won = _won(placed, pairs, begins[g], begins[g + 1], was)
             gained, lessened = gained + won[0], lessened + won[1]
-        if nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], limit, told) < 0:
+        if nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], limit, measures) < 0:
             continue
-        clearance = told[packed.CLEARANCE]
+        clearance = measures[packed.CLEARANCE]
         if clearance - before < worst and (before <= CONTACT or clearance <= CONTACT):
             worst, which = clearance - before, g
         made = made or (before > CONTACT and clearance <= CONTACT)

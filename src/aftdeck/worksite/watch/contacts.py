@@ -164,16 +164,16 @@ class Contacts(StatePart):
         depth = max(0.0, -float(found[group, CLEARANCE]))
         essential = bool(self.essential[group])
         inhibits = not essential and bool(self.arm[group]) and bool(self.count[group] == FRAMES)
-        return Contact(group, a, b, depth, essential, inhibits, told(a, b, depth, essential, units))
+        return Contact(group, a, b, depth, essential, inhibits, contact_text(a, b, depth, essential, units))
 
 
-def told(a: str, b: str, depth: float, essential: bool, units: Units) -> str:
+def contact_text(a: str, b: str, depth: float, essential: bool, units: Units) -> str:
     """Return a contact as a sentence.
 
     Examples:
-        >>> told("lower boom", "bay wall port", 0.0213, False, "ft-in")
+        >>> contact_text("lower boom", "bay wall port", 0.0213, False, "ft-in")
         'lower boom touches bay wall port: 0.839 in deep'
-        >>> told("prong", "receptacle", 0.0, True, "SI")
+        >>> contact_text("prong", "receptacle", 0.0, True, "SI")
         'prong touches receptacle, as it is made to'
     """
     deep = f": {quantity_text(depth, 'm', units)} deep" if depth >= _TOLD else ""
