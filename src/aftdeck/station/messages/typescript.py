@@ -109,13 +109,13 @@ class _Writer:
 
     def interface(self, struct: type[msgspec.Struct]) -> str:
         hints, said = typing.get_type_hints(struct), comments(struct)
-        hints = typing.get_type_hints(struct, include_extras=True)
+        declared = typing.get_type_hints(struct, include_extras=True)
         lines = [*_comment(inspect.getdoc(struct), ""), f"export interface {struct.__name__} {{"]
         config = struct.__struct_config__
         if config.tag_field is not None:
             lines.append(f"  readonly {config.tag_field}: {_literal(config.tag)};")
         for field, wire in zip(struct.__struct_fields__, struct.__struct_encode_fields__, strict=True):
-            lines += _comment(_described(apart(hints[field])[1]) or said.get(field), "  ")
+            lines += _comment(_described(apart(declared[field])[1]) or said.get(field), "  ")
             lines.append(f"  readonly {wire}: {self.name(hints[field])};")
         return "\n".join([*lines, "}", ""])
 
