@@ -55,9 +55,9 @@ def compare(path: Path) -> str:
     for flown, before in recording.steps():
         sim.advance(inputs_of(flown))
         count += 1
-        found = first_difference(before, recording.retold(sim.look()))
+        found = first_difference(before, recording.as_recorded(sim.look()))
         fields.update(change.field for change in found.fields)
-        if not first and (found.fields or before.events != recording.retold(sim.look()).events):
+        if not first and (found.fields or before.events != recording.as_recorded(sim.look()).events):
             first = (
                 "; ".join(f"{change.field} {change.before} -> {change.after}" for change in found.fields) or "events"
             )

@@ -27,7 +27,7 @@ from aftdeck.worksite.capture.acquisition import (
     acquisition,
     grasp,
 )
-from aftdeck.worksite.conditions import all_hold, failing, rejection_text
+from aftdeck.worksite.conditions import all_hold, condition_text, failing, rejection_text
 from tests.bodies.shapes import rotations, skewed
 from tests.worksite.grips import BAR, TOLERANCES, bar, found_at, over, over_face
 
@@ -45,7 +45,7 @@ def anywhere(seed: int, bodies: list[Array]) -> list[Array]:
 def names(bodies: list[Array]) -> set[str]:
     """What fails."""
     _, found = found_at(bodies)
-    return {condition.name for condition in failing(acquisition(found, TOLERANCES, "ft-in"))}
+    return {condition.name for condition in failing(acquisition(found, TOLERANCES))}
 
 
 @settings(max_examples=60, deadline=None)
@@ -71,7 +71,7 @@ def test_the_conditions_are_those_of_plain_half_spaces(seed: int) -> None:
     }
     for k, value in expected.items():
         assert found[k] == pytest.approx(value, abs=1e-12)
-    conditions = acquisition(found, TOLERANCES, "ft-in")
+    conditions = acquisition(found, TOLERANCES)
     assert taken == all_hold(conditions)
     held_by = [
         expected[PALM] >= 0.0,
@@ -198,19 +198,19 @@ def test_the_side_of_the_prong_is_the_same_in_any_frame(seed: int) -> None:
 def test_beyond_their_distance_the_fingers_are_not_tested() -> None:
     taken, found = found_at([*over(height=8.5), bar()])
     assert not taken
-    conditions = {condition.name: condition for condition in acquisition(found, TOLERANCES, "ft-in")}
+    conditions = {condition.name: condition for condition in acquisition(found, TOLERANCES)}
     assert conditions["palm over bar"].holds
     assert not conditions["prong beside bar"].holds
-    assert conditions["prong beside bar"].text == (
+    assert condition_text(conditions["prong beside bar"], "ft-in") == (
         "prong not tested with the palm 8.5 ft from the bar, at most 8 ft allowed"
     )
-    near = acquisition(found_at([*over(height=7.9), bar()])[1], TOLERANCES, "ft-in")
+    near = acquisition(found_at([*over(height=7.9), bar()])[1], TOLERANCES)
     assert {condition.name for condition in failing(near)} == {"palm height"}
 
 
 def test_a_refusal_says_what_is_wrong() -> None:
     _, found = found_at([*over(height=2.5 / 12.0, along=1.3, spacing=1.6), bar()])
-    assert rejection_text("CAPTURE", acquisition(found, TOLERANCES, "ft-in")) == (
+    assert rejection_text("CAPTURE", acquisition(found, TOLERANCES), "ft-in") == (
         "CAPTURE refused: fingers 19.2 in apart, at most 9.6 in allowed; palm 2.5 in above the bar, 0 to 0.75 in "
         "allowed; palm 15.6 in from the bar's middle to its rear, at most 12 in allowed"
     )
@@ -224,7 +224,7 @@ def test_lowering_onto_the_bar_and_closing_acquires_it() -> None:
         time = tick * 0.02
         height, spacing = max(0.03, 4.0 - 0.5 * time), 1.625 - 0.25 * max(0.0, time - down)
         taken, found = found_at([*over(0.3, 0.06, height, spacing=spacing), bar()])
-        for condition in acquisition(found, TOLERANCES, "ft-in"):
+        for condition in acquisition(found, TOLERANCES):
             if condition.holds:
                 held.setdefault(condition.name, time)
             else:

@@ -14,7 +14,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, rotation_x, rotation_y, rotation_z
 from aftdeck.units import INCH
-from aftdeck.worksite.conditions import Condition, all_hold, failing, rejection_text
+from aftdeck.worksite.conditions import Condition, all_hold, condition_text, failing, rejection_text
 from aftdeck.worksite.log_line import LogLine
 from aftdeck.worksite.seats.berthing import (
     Guide,
@@ -47,7 +47,7 @@ def payload(offset: tuple[float, float, float] = (0.0, 0.0, 0.0), turn: Array | 
 
 def ready(offset: tuple[float, float, float] = (0.0, 0.0, 0.0), turn: Array | None = None) -> tuple[Condition, ...]:
     trunnions, left = payload(offset, turn)
-    return ready_to_latch(trunnions, left, GUIDES, TOLERANCES, "SI")
+    return ready_to_latch(trunnions, left, GUIDES, TOLERANCES)
 
 
 # --- guides
@@ -57,7 +57,7 @@ def ready(offset: tuple[float, float, float] = (0.0, 0.0, 0.0), turn: Array | No
 @given(st.floats(-0.2, 0.8), st.floats(-0.4, 0.4), st.floats(-0.1, 0.1))
 def test_a_trunnion_is_in_its_guide_where_the_v_has_room_for_it(up: float, along: float, across: float) -> None:
     trunnions, _ = payload((along, across, up))
-    found = in_guides(trunnions, GUIDES, "SI")
+    found = in_guides(trunnions, GUIDES)
     in_v = 0.0 <= up <= HEIGHT and abs(across) <= PLAY and abs(along) <= THROAT + max(up, 0.0) * tan(HALF_ANGLE)
     keel = 0.0 <= up <= HEIGHT and abs(along) <= PLAY and abs(across) <= THROAT + max(up, 0.0) * tan(HALF_ANGLE)
     edge = min(abs(condition.margin) for condition in found)
@@ -67,12 +67,15 @@ def test_a_trunnion_is_in_its_guide_where_the_v_has_room_for_it(up: float, along
 
 def test_what_is_told_of_a_guide_is_what_is_tightest() -> None:
     trunnions, _ = payload((0.15, 0.0, 0.1))
-    texts = [condition.text for condition in failing(in_guides(trunnions, GUIDES, "SI"))]
+    texts = [condition_text(condition, "SI") for condition in failing(in_guides(trunnions, GUIDES))]
     room = THROAT + 0.1 * tan(HALF_ANGLE)
     assert texts[0] == f"forward port trunnion 150 mm from its guide's middle, at most {room * 1e3:.3g} mm allowed"
     assert texts[2] == "keel trunnion 150 mm from its guide, along the trunnion, at most 50 mm allowed"
     below, _ = payload((0.0, 0.0, -0.01))
-    assert in_guides(below, GUIDES, "SI")[0].text == "forward port trunnion 10 mm below its seat, 0 to 610 mm allowed"
+    assert (
+        condition_text(in_guides(below, GUIDES)[0], "SI")
+        == "forward port trunnion 10 mm below its seat, 0 to 610 mm allowed"
+    )
 
 
 def test_a_guide_with_crooked_directions_is_refused() -> None:
@@ -99,15 +102,15 @@ def test_ready_is_every_trunnion_on_its_seat_and_the_turn_within_a_degree(
 
 def test_a_switch_that_shows_nothing_keeps_the_latches_open() -> None:
     trunnions, left = payload()
-    found = ready_to_latch(trunnions, left, GUIDES, TOLERANCES, "SI", frozenset({"keel B"}))
-    assert rejection_text("LATCH", found) == "LATCH refused: keel latch: switch B shows nothing"
+    found = ready_to_latch(trunnions, left, GUIDES, TOLERANCES, frozenset({"keel B"}))
+    assert rejection_text("LATCH", found, "SI") == "LATCH refused: keel latch: switch B shows nothing"
     assert switches(trunnions, GUIDES, TOLERANCES, frozenset({"keel B"})) == ((True, True), (True, True), (True, False))
 
 
 @settings(deadline=None)
 @given(st.floats(0.0, 0.1), st.floats(0.0, 0.03))
 def test_a_payload_let_go_near_its_stowed_pose_is_retained(distance: float, angle: float) -> None:
-    found = retained(Pose(np.array([0.0, 0.6 * distance, -0.8 * distance]), rotation_y(angle)), TOLERANCES, "SI")
+    found = retained(Pose(np.array([0.0, 0.6 * distance, -0.8 * distance]), rotation_y(angle)), TOLERANCES)
     if min(abs(distance - 0.05), abs(angle - radians(1.0))) > 1e-9:
         assert all_hold(found) == (distance <= 0.05 and angle <= radians(1.0))
 
@@ -120,7 +123,7 @@ def fly(
 ) -> tuple[Latches, list[LogLine]]:
     said: list[LogLine] = []
     for k in range(round(seconds / dt)):
-        latches, more = advance(latches, 30.0, command if k == 0 else "", dt, conditions)  # type: ignore[arg-type]
+        latches, more = advance(latches, 30.0, command if k == 0 else "", dt, conditions, "SI")  # type: ignore[arg-type]
         said += more
     return latches, said
 
@@ -133,7 +136,7 @@ def test_latching_takes_its_time_whatever_the_step(dt: float) -> None:
         said: tuple[LogLine, ...] = ()
         pressed = command
         while not said:
-            latches, said = advance(latches, 30.0, pressed, dt, seated)  # type: ignore[arg-type]
+            latches, said = advance(latches, 30.0, pressed, dt, seated, "SI")  # type: ignore[arg-type]
             pressed, elapsed = "", elapsed + dt
         assert [line.kind for line in said] == [kind]
         assert 30.0 - 1e-6 <= elapsed < 30.0 + dt + 1e-6
@@ -182,7 +185,7 @@ def test_latches_close_only_on_what_is_ready(steps: list[tuple[str, float, bool]
     latches = Latches()
     for command, dt, near in steps:
         conditions = ready() if near else ready((0.0, 0.0, 0.08))
-        after, said = advance(latches, 30.0, command, dt, conditions)  # type: ignore[arg-type]
+        after, said = advance(latches, 30.0, command, dt, conditions, "SI")  # type: ignore[arg-type]
         if after.hold and not latches.hold:
             assert command == "latch" or latches.motion == "latch"
             assert near or latches.motion == "latch"

@@ -9,20 +9,32 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from aftdeck.units import FOOT, INCH
-from aftdeck.worksite.conditions import Units, all_hold, failing, quantity_text, rejection_text, tightest, within
+from aftdeck.worksite.conditions import (
+    Unit,
+    Units,
+    all_hold,
+    condition_text,
+    failing,
+    quantity_text,
+    rejection_text,
+    tightest,
+    within,
+)
 
 HEIGHT = ("palm {} above the bar", "palm {} below the bar")
+PAST = ("bar {} clear of the palm", "bar {} past the palm's face")
+TURNED = ("turned {}", "turned back {}")
 NUMBERS = st.floats(-50.0, 50.0)
 
 
 @settings(deadline=None)
-@given(NUMBERS, NUMBERS, st.floats(0.0, 20.0), st.sampled_from(["ft-in", "SI"]))
-@example(0.01905 + 1e-9, 0.0, 0.01905, "ft-in")
+@given(NUMBERS, NUMBERS, st.floats(0.0, 20.0))
+@example(0.01905 + 1e-9, 0.0, 0.01905)
 def test_a_condition_holds_between_its_bounds_and_its_margin_leads_to_the_nearer(
-    value: float, least: float, wide: float, units: Units
+    value: float, least: float, wide: float
 ) -> None:
     greatest = least + wide
-    found = within("palm height", value, least, greatest, "m", units, HEIGHT)
+    found = within("palm height", value, least, greatest, "m", HEIGHT)
     assert found.holds == (least <= value <= greatest) == (found.margin >= 0.0)
     assert found.limit in (least, greatest)
     assert abs(found.margin) == pytest.approx(abs(value - found.limit), abs=0.0)
@@ -32,14 +44,14 @@ def test_a_condition_holds_between_its_bounds_and_its_margin_leads_to_the_nearer
 @settings(deadline=None)
 @given(NUMBERS)
 def test_one_bound_alone_is_the_one_that_counts(value: float) -> None:
-    most = within("spacing", value, -math.inf, 1.0, "m", "SI", ("{}", "−{}"))
+    most = within("spacing", value, -math.inf, 1.0, "m", ("{}", "−{}"))
     assert (most.margin, most.limit) == (1.0 - value, 1.0)
-    least = within("clear", value, 0.0, math.inf, "m", "SI", ("{}", "−{}"))
+    least = within("clear", value, 0.0, math.inf, "m", ("{}", "−{}"))
     assert (least.margin, least.limit) == (value, 0.0)
 
 
 def test_what_is_no_number_holds_nowhere() -> None:
-    assert not within("palm height", math.nan, -1.0, 1.0, "m", "SI", HEIGHT).holds
+    assert not within("palm height", math.nan, -1.0, 1.0, "m", HEIGHT).holds
 
 
 @pytest.mark.parametrize(
@@ -56,36 +68,42 @@ def test_what_is_no_number_holds_nowhere() -> None:
     ],
 )
 def test_it_speaks_the_operators_units(value: float, units: Units, text: str) -> None:
-    assert within("palm height", value, 0.0, 0.75 * INCH, "m", units, HEIGHT).text == text
+    assert condition_text(within("palm height", value, 0.0, 0.75 * INCH, "m", HEIGHT), units) == text
 
 
-def test_what_is_allowed_is_said_as_people_would() -> None:
-    says = ("bar {} clear of the palm", "bar {} past the palm's face")
-    assert within("a", 0.1, 0.0, math.inf, "m", "SI", says).text == "bar 100 mm clear of the palm"
-    assert within("a", -0.1, 0.0, math.inf, "m", "SI", says).text == "bar 100 mm past the palm's face, none allowed"
-    turned = ("turned {}", "turned back {}")
-    assert within("a", -0.1, -0.05, 0.05, "rad", "SI", turned).text == "turned back 5.73°, at most 2.86° allowed"
-    assert within("a", 2.0, 3.0, math.inf, "s", "SI", ("{} held", "")).text == "2 s held, at least 3 s allowed"
+@pytest.mark.parametrize(
+    ("value", "least", "greatest", "unit", "templates", "text"),
+    [
+        (0.1, 0.0, math.inf, "m", PAST, "bar 100 mm clear of the palm"),
+        (-0.1, 0.0, math.inf, "m", PAST, "bar 100 mm past the palm's face, none allowed"),
+        (-0.1, -0.05, 0.05, "rad", TURNED, "turned back 5.73°, at most 2.86° allowed"),
+        (2.0, 3.0, math.inf, "s", ("{} held", ""), "2 s held, at least 3 s allowed"),
+        (2.0, 3.0, 9.0, "s", ("not tested", ""), "not tested, 3 to 9 s allowed"),
+        (2.0, -1.0, 1.0, "m", ("{port} {} off", ""), "{port} 2 m off, at most 1 m allowed"),
+    ],
+)
+def test_text_names_the_measured_size_and_the_allowed_range(
+    value: float, least: float, greatest: float, unit: Unit, templates: tuple[str, str], text: str
+) -> None:
+    assert condition_text(within("a", value, least, greatest, unit, templates), "SI") == text
 
 
 def test_a_refusal_lists_what_fails_and_only_that() -> None:
-    conditions = [
-        within("palm height", x, 0.0, 0.75 * INCH, "m", "ft-in", HEIGHT) for x in (2.5 * INCH, 0.01, -1.0 * INCH)
-    ]
-    assert rejection_text("CAPTURE", conditions) == (
+    conditions = [within("palm height", x, 0.0, 0.75 * INCH, "m", HEIGHT) for x in (2.5 * INCH, 0.01, -1.0 * INCH)]
+    assert rejection_text("CAPTURE", conditions, "ft-in") == (
         "CAPTURE refused: palm 2.5 in above the bar, 0 to 0.75 in allowed; "
         "palm 1 in below the bar, 0 to 0.75 in allowed"
     )
     assert failing(conditions) == (conditions[0], conditions[2])
     assert not all_hold(conditions)
-    assert rejection_text("CAPTURE", conditions[1:2]) == ""
+    assert rejection_text("CAPTURE", conditions[1:2], "ft-in") == ""
     assert all_hold(conditions[1:2])
 
 
 def test_the_tightest_is_found_among_those_of_one_unit() -> None:
-    wide = within("a", 0.0, -1.0, 1.0, "m", "SI", HEIGHT)
-    tight = within("b", 0.9, -1.0, 1.0, "m", "SI", HEIGHT)
-    angle = within("c", 0.0, -1e-3, 1e-3, "rad", "SI", HEIGHT)
+    wide = within("a", 0.0, -1.0, 1.0, "m", HEIGHT)
+    tight = within("b", 0.9, -1.0, 1.0, "m", HEIGHT)
+    angle = within("c", 0.0, -1e-3, 1e-3, "rad", HEIGHT)
     assert tightest([wide, tight, angle], "m") is tight
     assert tightest([wide, tight, angle], "rad") is angle
     assert tightest([wide, tight], "rad") is None

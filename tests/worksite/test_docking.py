@@ -13,7 +13,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import rotation_x, rotation_y, rotation_z
 from aftdeck.units import FOOT
-from aftdeck.worksite.conditions import all_hold, failing
+from aftdeck.worksite.conditions import all_hold, condition_text, failing
 from aftdeck.worksite.seats.docking import (
     BEFORE,
     DISTANCE,
@@ -134,21 +134,21 @@ def test_all_axes_are_compared_by_default_and_y_alone_as_the_report_did(make: ob
     assert callable(make)
     for angle in (TOLERANCES.angle - 1e-9, TOLERANCES.angle + 1e-9):
         found = found_at(0.1, turn=make(angle))
-        conditions = docking(found, TOLERANCES, "ft-in")
+        conditions = docking(found, TOLERANCES)
         assert all_hold(conditions) == (angle < TOLERANCES.angle)
-        report = docking(found, DockingTolerances(TOLERANCES.distance, TOLERANCES.angle, "y"), "ft-in")
+        report = docking(found, DockingTolerances(TOLERANCES.distance, TOLERANCES.angle, "y"))
         assert all_hold(report) == (angle < TOLERANCES.angle or "y" not in moved)
 
 
 def test_the_tolerances_count_at_their_bounds() -> None:
-    assert all_hold(docking(found_at(0.25 - 1e-9), TOLERANCES, "ft-in"))
-    failed = failing(docking(found_at(0.26), TOLERANCES, "ft-in"))
-    assert [condition.text for condition in failed] == ["probe 3.12 in from the port, at most 3 in allowed"]
-    assert {condition.name for condition in failing(docking(found_at(-0.1), TOLERANCES, "ft-in"))} == {
-        "probe before port"
-    }
-    turned = docking(found_at(0.2, turn=rotation_z(radians(-3.0))), TOLERANCES, "SI")
-    assert [condition.text for condition in failing(turned)] == [
+    assert all_hold(docking(found_at(0.25 - 1e-9), TOLERANCES))
+    failed = failing(docking(found_at(0.26), TOLERANCES))
+    assert [condition_text(condition, "ft-in") for condition in failed] == [
+        "probe 3.12 in from the port, at most 3 in allowed"
+    ]
+    assert {condition.name for condition in failing(docking(found_at(-0.1), TOLERANCES))} == {"probe before port"}
+    turned = docking(found_at(0.2, turn=rotation_z(radians(-3.0))), TOLERANCES)
+    assert [condition_text(condition, "SI") for condition in failing(turned)] == [
         "payload's y axis turned 3° from the port's, at most 2.53° allowed"
     ]
 

@@ -30,8 +30,8 @@ def near(position: tuple[float, float, float] = (0.05, 0.0, 0.0), turn: NDArray[
     return Pose(np.array(position), np.eye(3) if turn is None else turn)
 
 
-INSIDE = in_envelope(near(), ENVELOPE, "ft-in")
-BESIDE = in_envelope(near((0.05, 5.2 * INCH, 0.0)), ENVELOPE, "ft-in")
+INSIDE = in_envelope(near(), ENVELOPE)
+BESIDE = in_envelope(near((0.05, 5.2 * INCH, 0.0)), ENVELOPE)
 
 
 def fly(
@@ -45,7 +45,7 @@ def fly(
     said: list[LogLine] = []
     for k in range(round(seconds / dt)):
         pressed = command if k == 0 else msgspec.structs.replace(command, trigger="")
-        snare, more = advance(snare, TIMES, pressed, dt, conditions)
+        snare, more = advance(snare, TIMES, pressed, dt, conditions, "ft-in")
         said += more
     return snare, said
 
@@ -76,8 +76,8 @@ RIGID_PIN = fly(Snare(), capture(AUTO), 14.0, conditions=INSIDE)[0]
     ],
 )
 def test_the_envelope_ends_at_its_bounds(name: str, inside: Pose, outside: Pose) -> None:
-    assert all_hold(in_envelope(inside, ENVELOPE, "ft-in"))
-    assert [condition.name for condition in failing(in_envelope(outside, ENVELOPE, "ft-in"))] == [name]
+    assert all_hold(in_envelope(inside, ENVELOPE))
+    assert [condition.name for condition in failing(in_envelope(outside, ENVELOPE))] == [name]
 
 
 # --- the sequences
@@ -91,7 +91,7 @@ def test_capture_and_release_take_their_time_whatever_the_step(dt: float) -> Non
         came: dict[str, float] = {}
         time, command = 0.0, SnareCommand("AUTO", trigger=trigger)  # type: ignore[arg-type]
         while snare.motion or command.trigger:
-            snare, said = advance(snare, TIMES, command, dt, INSIDE)
+            snare, said = advance(snare, TIMES, command, dt, INSIDE, "ft-in")
             command, time = AUTO, time + dt
             came |= {line.kind: time for line in said}
         assert came.keys() == ends.keys()
@@ -104,10 +104,10 @@ def test_capture_and_release_take_their_time_whatever_the_step(dt: float) -> Non
 @given(st.floats(0.0, 14.0), st.integers(1, 400), st.sampled_from(["capture", "release"]))
 def test_where_the_parts_are_depends_on_the_time_alone(time: float, steps: int, trigger: str) -> None:
     start = Snare() if trigger == "capture" else RIGID_PIN
-    once = advance(start, TIMES, SnareCommand("AUTO", trigger=trigger), time, INSIDE).snare  # type: ignore[arg-type]
-    many = advance(start, TIMES, SnareCommand("AUTO", trigger=trigger), 0.0, INSIDE).snare  # type: ignore[arg-type]
+    once = advance(start, TIMES, SnareCommand("AUTO", trigger=trigger), time, INSIDE, "ft-in").snare  # type: ignore[arg-type]
+    many = advance(start, TIMES, SnareCommand("AUTO", trigger=trigger), 0.0, INSIDE, "ft-in").snare  # type: ignore[arg-type]
     for _ in range(steps):
-        many = advance(many, TIMES, AUTO, time / steps, INSIDE).snare
+        many = advance(many, TIMES, AUTO, time / steps, INSIDE, "ft-in").snare
     if trigger == "capture":
         ring, carriage, tension = (np.clip((time - a) / (b - a), 0, 1) for a, b in ((0, 2.5), (2.5, 9.5), (9.5, 13.5)))
     else:
@@ -231,7 +231,7 @@ def test_no_order_of_switches_takes_or_loses_a_pin_otherwise_than_by_the_snares(
 ) -> None:
     snare = Snare()
     for command, dt, inside in steps:
-        after, said = advance(snare, TIMES, command, dt, INSIDE if inside else BESIDE)
+        after, said = advance(snare, TIMES, command, dt, INSIDE if inside else BESIDE, "ft-in")
         if after.captured and not snare.captured:
             assert inside and after.ring == 1.0 and "captured" in [line.kind for line in said]
         if snare.captured and not after.captured:

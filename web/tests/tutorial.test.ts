@@ -36,7 +36,6 @@ function condition(name: string, holds: boolean, value = 0): Condition {
     limit: 0.1,
     unit: 'm',
     margin: 0,
-    text: '',
     words: `${name} fails`,
     numbers: [],
   };

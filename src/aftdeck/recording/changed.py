@@ -87,7 +87,7 @@ def rerun(
                 recorder.wait_for_room()
             if progress is not None and frame.tick % 256 == 0:
                 progress(recording.share)
-            yield recording.retold(frame)
+            yield recording.as_recorded(frame)
 
     recorded = Recording(path)
     comparison = Comparison(opening.joints)

@@ -10,8 +10,8 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from aftdeck.recording.records import FrameRecord
-from aftdeck.simulation.frame import Check
+from aftdeck.simulation.frame import Check, Frame
+from aftdeck.worksite.conditions import Units, condition_text
 from aftdeck.worksite.watch.alarm import CLEAR, Level, level_of
 
 Plain = dict[str, Any]
@@ -42,6 +42,7 @@ _NEAR = {
     "other_m": "point_b",
     "distance_m": "distance",
 }
+_CONDITION = {"text": "words"}
 _HAND = {"spacing_m": "spacing"}
 _CARGO = {"position_m": "position", "rotation": "orientation", "velocity_m_s": "velocity"}
 
@@ -106,6 +107,7 @@ class FramesOf1:
         new["inhibits"] = [text for text in old["inhibits"] if not text.startswith(_WAY_OUT)]
         new["nearest"] = None if old["nearest"] is None else _near(old["nearest"])
         new["contacts"] = [_near(one) for one in old["contacts"]]
+        new["conditions"] = [_renamed(one, _CONDITION) for one in old["conditions"]]
         new["hand"] = _renamed(old["hand"], _HAND)
         new["cargo"] = [_renamed(one, _CARGO) for one in old["cargo"]]
         if old.get("clearance_level") is None:
@@ -117,10 +119,15 @@ class FramesOf1:
         return new
 
 
-def as_told(frame: FrameRecord) -> FrameRecord:
-    """Return a frame without the values that layout 1 does not record: parts of its check and of its conditions."""
+def as_layout_1(frame: Frame, units: Units) -> Frame:
+    """Return a frame with only those values of its check and conditions that layout 1 records.
+
+    The words of a condition are then its text in the operator's units, as `FramesOf1` returns them.
+    """
     check = frame.check and Check(frame.check.good, frame.check.text)
-    conditions = tuple(replace(condition, words="", numbers=()) for condition in frame.work.conditions)
+    conditions = tuple(
+        replace(condition, words=condition_text(condition, units), numbers=()) for condition in frame.work.conditions
+    )
     return replace(frame, check=check, work=replace(frame.work, conditions=conditions))
 
 

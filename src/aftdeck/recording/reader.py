@@ -17,7 +17,7 @@ from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.chunks import MAGIC, DamageError, records
 from aftdeck.recording.codec import as_read, decode, restored
 from aftdeck.recording.convert import frame_record
-from aftdeck.recording.format_1 import FramesOf1, as_told, inputs
+from aftdeck.recording.format_1 import FramesOf1, as_layout_1, inputs
 from aftdeck.recording.message import Message
 from aftdeck.recording.records import (
     CHANNELS,
@@ -30,6 +30,7 @@ from aftdeck.recording.records import (
     Note,
     Opening,
 )
+from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 
 
@@ -72,7 +73,7 @@ class Recording:
             raise self._damaged("it does not begin with what the run started from")
         self.opening = first
         if first.format == 1:
-            self._old = FramesOf1(first.joints, lambda: self._thresholds)
+            self._old = FramesOf1(first.joints, lambda: (self._scenario.caution, self._scenario.warning))
 
     def messages(self) -> Iterator[Message]:
         """Yield all messages in order, as far as the file goes; `ended` or `cut` is known afterwards.
@@ -105,10 +106,11 @@ class Recording:
                     raise self._damaged(f"step {message.tick} has no inputs")
                 yield flown, message
 
-    def retold(self, frame: Frame) -> FrameRecord:
+    def as_recorded(self, frame: Frame) -> FrameRecord:
         """Return a frame as it would be read from this file, but without wall time and latency."""
-        again = as_read(frame_record(frame, 0.0, None))
-        return again if self._old is None else as_told(again)
+        if self._old is not None:
+            frame = as_layout_1(frame, self._scenario.arm.model.units)
+        return as_read(frame_record(frame, 0.0, None))
 
     def notes(self) -> Iterator[Note]:
         """Return an iterator over the lines that the station wrote in the log."""
@@ -165,17 +167,16 @@ class Recording:
             raise self._damaged(f"a message in {topic} is not understood: {error}") from None
 
     @cached_property
-    def _thresholds(self) -> tuple[float, float]:
-        """Clearances of the scenario for caution and warning [m].
+    def _scenario(self) -> Scenario:
+        """Scenario of the run.
 
         Raises:
             RecordingError: this version cannot load the scenario.
         """
         try:
-            scenario = scenario_of(self.opening)
+            return scenario_of(self.opening)
         except AftdeckError as error:
             raise RecordingError(f"{self.path}: its scenario cannot be loaded: {error}") from None
-        return scenario.caution, scenario.warning
 
     def _check_layout(self, layout: _Layout) -> None:
         if layout.format > FORMAT:

@@ -96,7 +96,7 @@ def _compared(
         frames.update(own)
         count += 1
         if not digests or own.hex()[:DIGITS] != record.sha256:
-            again = recording.retold(sim.look())
+            again = recording.as_recorded(sim.look())
             if digests or not alike(record, again) or record.events != again.events:
                 different += 1
                 first = first or first_difference(record, again)

@@ -38,7 +38,7 @@ def initial_state(flight: Flight) -> State:
     begun = {f"initialise.{part}": _state_at(flight, start) for part, start in scenario.parts.items() if start.grasped}
     for name, at in {"initial": state, **begun}.items():
         k = at.worksite.held
-        if k is not None and (why := failure_text(holding(flight, at, k))):
+        if k is not None and (why := failure_text(holding(flight, at, k), flight.scenario.arm.model.units)):
             problems.append(f"{scenario.name}: {name}.grasped: {flight.site.cargo[k].title} cannot be held so: {why}")
     if problems:
         raise ScenarioError(problems)

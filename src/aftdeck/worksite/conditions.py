@@ -1,14 +1,15 @@
 """Conditions that have to hold before a payload is captured, docked or latched, and their margins.
 
-Each condition compares a measured value with bounds; a value equal to a bound is allowed. The text of a condition is
-for the operator, in the operator's units.
+Each condition compares a measured value with bounds; a value equal to a bound is allowed. A condition carries values
+alone; `condition_text` returns its text in the operator's units.
 """
 
 from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import zip_longest
 from typing import Annotated, Literal, NamedTuple
 
 import msgspec
@@ -31,6 +32,8 @@ Such a value is shown with as many figures as distinguish it from the limit.
 _TINY = 1e-4
 _MOST_DECIMALS = 3
 """Decimals shown of a number smaller than `_SMALLEST`, when the usual number of figures is asked for."""
+_ALLOWED = " allowed"
+"""End of the words of an allowed range."""
 _SMALLEST, _GREATEST = 1e-3, 999.5
 """Range of numbers that are written to significant figures: their text is short and Python adds no exponent."""
 
@@ -49,20 +52,17 @@ class Condition(msgspec.Struct, frozen=True, gc=False):
     ]
     unit: Annotated[Unit, field_meta("unit of value, limit and margin; empty for a count")]
     margin: Annotated[float, field_meta("margin, in `unit`; negative if the condition fails", decimals=5)]
-    text: Annotated[str, field_meta("text for the operator: `palm 2.5 in above the bar, 0 to 0.75 in allowed`")]
-    words: Annotated[str, field_meta("text with `{}` in place of each number; empty in a recording without it")] = ""
+    words: Annotated[
+        str,
+        field_meta(
+            "text for the operator with `{}` in place of each number: `palm {} above the bar, {} to {} allowed`; the "
+            "whole text in a recording of layout 1"
+        ),
+    ]
     numbers: Annotated[tuple[float, ...], field_meta("numbers of the text, in `unit`", decimals=5)] = ()
 
 
-def within(
-    name: str,
-    value: float,
-    least: float,
-    greatest: float,
-    unit: Unit,
-    units: Units,
-    templates: tuple[str, str],
-) -> Condition:
+def within(name: str, value: float, least: float, greatest: float, unit: Unit, templates: tuple[str, str]) -> Condition:
     """Return the condition least <= value <= greatest; one of the bounds may be infinite, but not both.
 
     Args:
@@ -71,20 +71,14 @@ def within(
         least: lower bound.
         greatest: upper bound.
         unit: unit of the value and the bounds.
-        units: the operator's units.
-        templates: two text templates for the value, with braces for its size: the first for a value of 0 or more, the
-            second for a negative value.
+        templates: two text templates for the value, with `{}` for its size or without: the first for a value of 0 or
+            more, the second for a negative value.
     """
     below, above = value - least, greatest - value
     margin, limit = (below, least) if below < above else (above, greatest)
     holds = margin >= 0.0
-    size = quantity_text(abs(value), unit, units)
-    if not holds and abs(margin) < _LIKE * abs(limit) + _TINY:
-        size = _distinct_text(abs(value), abs(limit), unit, units)
-    measured, allowed = templates[value < 0.0], _allowed(least, greatest, unit, units, holds)
-    text, words = measured.format(size) + allowed.text, measured + allowed.words
-    numbers = (abs(value), *allowed.numbers) if "{}" in measured else allowed.numbers
-    return Condition(name, holds, value, limit, unit, margin, text, words, numbers)
+    words, bounds, sized = _worded(templates[value < 0.0], least, greatest, holds)
+    return Condition(name, holds, value, limit, unit, margin, words, (abs(value), *bounds) if sized else bounds)
 
 
 def all_hold(conditions: Iterable[Condition]) -> bool:
@@ -97,17 +91,29 @@ def failing(conditions: Iterable[Condition]) -> tuple[Condition, ...]:
     return tuple(condition for condition in conditions if not condition.holds)
 
 
-def failure_text(conditions: Iterable[Condition]) -> str:
+def condition_text(condition: Condition, units: Units) -> str:
+    """Return the text of a condition in the operator's units.
+
+    For example ``palm 2.5 in above the bar, 0 to 0.75 in allowed``.
+    """
+    words = condition.words
+    end = words.rfind(", ") if words.endswith(_ALLOWED) else len(words)
+    sized = words[:end].count("{}")
+    sizes = [_size_text(condition, size, units) for size in condition.numbers[:sized]]
+    return _filled(words, sizes + _bound_texts(condition.numbers[sized:], condition.unit, units))
+
+
+def failure_text(conditions: Iterable[Condition], units: Units) -> str:
     """Return the texts of all failed conditions, joined by "; "; empty if all hold."""
-    return "; ".join(condition.text for condition in failing(conditions))
+    return "; ".join(condition_text(condition, units) for condition in failing(conditions))
 
 
-def rejection_text(what: str, conditions: Iterable[Condition]) -> str:
+def rejection_text(what: str, conditions: Iterable[Condition], units: Units) -> str:
     """Return the text that rejects a command because of failed conditions; empty if all hold.
 
     For example ``CAPTURE refused: palm 2.5 in above the bar, 0 to 0.75 in allowed; ...``.
     """
-    why = failure_text(conditions)
+    why = failure_text(conditions, units)
     return f"{what} refused: {why}" if why else ""
 
 
@@ -125,6 +131,27 @@ def quantity_text(value: float, unit: Unit, units: Units, figures: int = _FIGURE
     """
     per, suffix = _scale(abs(value), unit, units)
     return _digits(value * per, figures) + suffix
+
+
+def _size_text(condition: Condition, value: float, units: Units) -> str:
+    """Return the text of a condition's measured size; with more figures if the limit would have the same text."""
+    limit = abs(condition.limit)
+    if not condition.holds and abs(condition.margin) < _LIKE * limit + _TINY:
+        return _distinct_text(value, limit, condition.unit, units)
+    return quantity_text(value, condition.unit, units)
+
+
+def _bound_texts(bounds: tuple[float, ...], unit: Unit, units: Units) -> list[str]:
+    """Return the texts of the bounds of a range; two bounds have one scale, and the second alone names it."""
+    per, suffix = _scale(max(map(abs, bounds), default=0.0), unit, units)
+    texts = [_digits(bound * per, _FIGURES) for bound in bounds]
+    return [*texts[:-1], *(text + suffix for text in texts[-1:])]
+
+
+def _filled(words: str, texts: Sequence[str]) -> str:
+    """Return words with texts in place of each `{}`."""
+    parts = words.split("{}")
+    return "".join(part + text for part, text in zip_longest(parts, texts, fillvalue=""))
 
 
 def _distinct_text(value: float, limit: float, unit: Unit, units: Units) -> str:
@@ -171,33 +198,28 @@ def _digits(value: float, figures: int) -> str:
     return text
 
 
-class _Allowed(NamedTuple):
-    """Second half of a condition's text: the allowed range.
+class _Worded(NamedTuple):
+    """Words of a condition.
 
     Attributes:
-        text: the text.
         words: the text with `{}` in place of each number.
-        numbers: those numbers.
+        bounds: numbers of its second half, the allowed range.
+        sized: whether the measured size is the first number.
     """
 
-    text: str
     words: str
-    numbers: tuple[float, ...]
+    bounds: tuple[float, ...]
+    sized: bool
 
 
-@functools.lru_cache(maxsize=256)
-def _allowed(least: float, greatest: float, unit: Unit, units: Units, holds: bool) -> _Allowed:
-    """Return the allowed range; without text if only a negative value is not allowed and the condition holds."""
+@functools.lru_cache(maxsize=1024)
+def _worded(measured: str, least: float, greatest: float, holds: bool) -> _Worded:
+    """Return a condition's words; without the range if only a negative value is not allowed and the condition holds."""
+    sized = "{}" in measured
     if least == 0.0 and greatest == math.inf:
-        text = "" if holds else ", none allowed"
-        return _Allowed(text, text, ())
+        return _Worded(measured if holds else f"{measured}, none{_ALLOWED}", (), sized)
     if least in (-math.inf, -greatest):
-        words, bound = ", at most {} allowed", greatest
-    elif greatest == math.inf:
-        words, bound = ", at least {} allowed", least
-    else:
-        words = ", {} to {} allowed"
-        per, suffix = _scale(max(abs(least), abs(greatest)), unit, units)
-        text = words.format(_digits(least * per, _FIGURES), _digits(greatest * per, _FIGURES) + suffix)
-        return _Allowed(text, words, (least, greatest))
-    return _Allowed(words.format(quantity_text(bound, unit, units)), words, (bound,))
+        return _Worded(f"{measured}, at most {{}}{_ALLOWED}", (greatest,), sized)
+    if greatest == math.inf:
+        return _Worded(f"{measured}, at least {{}}{_ALLOWED}", (least,), sized)
+    return _Worded(f"{measured}, {{}} to {{}}{_ALLOWED}", (least, greatest), sized)

@@ -1048,9 +1048,7 @@ export interface Condition {
   readonly unit: 'm' | 'rad' | 'm/s' | 'rad/s' | 's' | '';
   /** margin, in `unit`; negative if the condition fails */
   readonly margin: number;
-  /** text for the operator: `palm 2.5 in above the bar, 0 to 0.75 in allowed` */
-  readonly text: string;
-  /** text with `{}` in place of each number; empty in a recording without it */
+  /** text for the operator with `{}` in place of each number: `palm {} above the bar, {} to {} allowed`; the whole text in a recording of layout 1 */
   readonly words: string;
   /** numbers of the text, in `unit` */
   readonly numbers: readonly number[];

@@ -13,8 +13,7 @@ const DECIMALS = 3;
 
 /** `palm 4.04 ft above the bar, 0 to 0.75 in allowed` as `palm 123 cm above the bar, 0 to 1.91 cm allowed`. */
 export function conditionText(condition: Condition, units: Units): string {
-  const { words, text, holds } = condition;
-  if (words === '') return text; // an old recording
+  const { words, holds } = condition;
   for (let figures = FIGURES; ; figures += 1) {
     const [value = '', ...limits] = numbersOf(condition, units, figures);
     if (!holds && limits.includes(value) && figures < MOST_FIGURES) continue;

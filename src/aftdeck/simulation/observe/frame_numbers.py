@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.kinematics.observe import observe_link
+from aftdeck.kinematics.observe import CARRIED, observe_link, observe_payload
 from aftdeck.law import law
 from aftdeck.simulation.frame import Rows, Six, Vec3
 from aftdeck.steering.layout import (
@@ -36,6 +36,9 @@ Scalars = tuple[float, float, float, float, float]
 """DRIVE, ratio, remaining time, remaining time of the turn, 1 while an automatic motion is under way."""
 Moving = tuple[Vec3, Rows, Vec3]
 """Position, rows and velocity of a body."""
+
+Carried = tuple[tuple[Vec3, Rows], Vec3, Vec3]
+"""Pose of a payload, position of the point of resolution, and its velocity."""
 
 
 @law
@@ -107,6 +110,14 @@ def frame_numbers(
         ),
         (command[DRIVE], report[RATIO], report[REMAINING], report[TURN_REMAINING], command[MOTION_ACTIVE]),
     )
+
+
+@law
+def carried_numbers(seen: Array, payload: Array) -> Carried:
+    """Return the numbers of a payload in the grasp (`kinematics.observe.observe_payload`, with its arguments)."""
+    carried = np.empty(CARRIED)
+    observe_payload(seen, payload, carried)
+    return (vec3(carried, 0), rows(carried, 3)), vec3(carried, 12), vec3(carried, 15)
 
 
 @law

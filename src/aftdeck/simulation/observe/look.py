@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from aftdeck.frames import Rows, angle_between
-from aftdeck.kinematics.observe import CARRIED, observe_payload
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.frame import Frame, Goal, Placed, Six, Times, Vec3
 from aftdeck.simulation.motion.active_limits import active_limits
-from aftdeck.simulation.observe.frame_numbers import frame_numbers
+from aftdeck.simulation.observe.frame_numbers import carried_numbers, frame_numbers
 from aftdeck.simulation.observe.look_work import work_of
 from aftdeck.simulation.payloads.grasp import packed_in_grasp
 from aftdeck.simulation.state import State
@@ -97,13 +94,11 @@ def _carried(flight: Flight, state: State, position: Vec3, twist: Six) -> tuple[
     held = packed_in_grasp(flight, state)
     if held is None:
         return position, twist, None
-    carried_array = np.empty(CARRIED)
-    observe_payload(state.observed, held, carried_array)
-    x, y, z, a, b, c, d, e, f, g, h, i, px, py, pz, vx, vy, vz = carried_array.tolist()
-    payload = Placed((x, y, z), ((a, b, c), (d, e, f), (g, h, i)))
+    pose, resolution, velocity = carried_numbers(state.observed, held)
+    payload = Placed(*pose)
     if not MODES[state.panel.mode].loaded or flight.scenario.strict:  # the source moves the tip in every mode
         return position, twist, payload
-    return (px, py, pz), (twist[0], twist[1], twist[2], vx, vy, vz), payload
+    return resolution, (*twist[:3], *velocity), payload
 
 
 def _times(flight: Flight, state: State, remaining: float, turn_remaining: float, *, under_way: bool) -> Times:

@@ -77,13 +77,15 @@ def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None
     conditions: tuple[Condition, ...] = ()
     if held is None and (near := nearest_fixture(flight, state, math.inf)) is not None:
         k, fixture = near
-        conditions = in_envelope(pose_of(fixture), snares.envelope, scenario.arm.model.units)
+        conditions = in_envelope(pose_of(fixture), snares.envelope)
     command = SnareCommand(
         "AUTO" if worksite.effector_mode == "auto" else "MAN",
         _TRIGGERS[worksite.switch] if pressed else "",
         _CONTR[worksite.rigid],
     )
-    snare, said = advance(worksite.snare, snares.times, command, scenario.control_period, conditions)
+    snare, said = advance(
+        worksite.snare, snares.times, command, scenario.control_period, conditions, scenario.arm.model.units
+    )
     halted = (
         held is not None and snare.drawn != worksite.snare.drawn and not _draw_in(flight, state, snares, held, snare)
     )

@@ -78,10 +78,8 @@ def packed_in_grasp(flight: Flight, state: State) -> Array | None:
     if k is None:
         own = state.carried.payload
         return None if own is None else own.packed
-    inside, packed = np.empty(POSE), np.zeros(PACKED)
-    payload_in_hand(state.worksite.frames, site.last_joint, site.cargo_row(k), site.hand, inside)
-    packed[:9] = inside[3:]
-    packed[9:12] = inside[3:].reshape(3, 3).T @ inside[:3]
+    packed = np.empty(PACKED)
+    payload_in_hand(state.worksite.frames, site.last_joint, site.cargo_row(k), site.hand, packed)
     return packed
 
 

@@ -10,19 +10,23 @@ from aftdeck.law import law
 
 
 @law
-def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, found: Array) -> None:
-    """Write into `found` (12,) a payload's pose in the hand.
+def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, packed: Array) -> None:
+    """Write a payload's pose in the hand, packed as by `Payload.packed`, with its centre as its point of resolution.
 
     Args:
         frames: (F, 12) poses of all frames in L.
         last_joint: row of the frame that carries the hand.
         row: row of the payload.
         hand: (12,) pose of the hand in the frame that carries it.
-        found: (12,) out.
+        packed: (15,) out.
     """
-    grasp = np.empty(POSE)
+    grasp, inside = np.empty(POSE), np.empty(POSE)
     relative(frames[last_joint], frames[row], grasp)
-    relative(hand, grasp, found)
+    relative(hand, grasp, inside)
+    packed[:9] = inside[3:]
+    for i in range(3):
+        packed[9 + i] = inside[3 + i] * inside[0] + inside[6 + i] * inside[1] + inside[9 + i] * inside[2]
+    packed[12:] = 0.0
 
 
 @law

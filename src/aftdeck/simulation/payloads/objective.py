@@ -21,7 +21,7 @@ Pursued = tuple[Objective | None, tuple[Condition, ...]]
 
 def present_objective(flight: Flight, state: State) -> Pursued:
     """Return the present objective and its conditions; None and () if nothing is near enough."""
-    site, worksite, units = flight.site, state.worksite, flight.scenario.arm.model.units
+    site, worksite = flight.site, state.worksite
     if (k := worksite.held) is not None:
         berth = None if worksite.arm_fixed else nearest_berth(flight, state, k)
         if berth is None:
@@ -33,19 +33,19 @@ def present_objective(flight: Flight, state: State) -> Pursued:
     if site.snares is not None and (near := nearest_fixture(flight, state)) is not None:
         k, fixture = near
         text = f"capture {site.cargo[k].title}"
-        return Objective("capture", text), in_envelope(pose_of(fixture), site.snares.envelope, units)
+        return Objective("capture", text), in_envelope(pose_of(fixture), site.snares.envelope)
     return None, ()
 
 
 def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
     """Return the conditions of capture at the present grasp of cargo k; () if the worksite has no rule for it."""
-    site, units = flight.site, flight.scenario.arm.model.units
+    site = flight.site
     if site.bar is not None and (which := site.bar.which[k]) is not None:
         found = np.empty(FOUND)
         acquire(state.worksite.watch.placed, which, site.bar.packed, found)
-        return acquisition(found, site.bar.tolerances, units)
+        return acquisition(found, site.bar.tolerances)
     if site.snares is not None and (fixture := fixture_in_hand(site, state.worksite.frames, k)) is not None:
-        return in_envelope(pose_of(fixture), site.snares.envelope, units)
+        return in_envelope(pose_of(fixture), site.snares.envelope)
     return ()
 
 
@@ -59,6 +59,6 @@ def _acquisition(flight: Flight, state: State, bar: Bar) -> Pursued:
         acquire(state.worksite.watch.placed, which, bar.packed, found)
         if found[AWAY] < least:
             least = float(found[AWAY])
-            conditions = acquisition(found, bar.tolerances, flight.scenario.arm.model.units)
+            conditions = acquisition(found, bar.tolerances)
             best = Objective("acquire", f"acquire {cargo.title}"), conditions
     return best

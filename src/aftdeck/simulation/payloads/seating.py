@@ -92,7 +92,7 @@ def _brought(flight: Flight, state: State, k: int, pressed: Pressed | None) -> s
     if pressed is None and _beyond(flight, state, k, berth):
         thing.released_from = ""
         return None
-    conditions = conditions_at(flight, state, k, berth)
+    conditions, units = conditions_at(flight, state, k, berth), flight.scenario.arm.model.units
     holds = all_hold(conditions)
     if thing.released_from and not (holds and thing.released_from == berth.seat.name):
         thing.released_from = ""
@@ -101,17 +101,17 @@ def _brought(flight: Flight, state: State, k: int, pressed: Pressed | None) -> s
             thing.released_from = ""
             _fix(flight, state, k, berth, Latches(1.0, 1.0))
             return ""
-        return failure_text(conditions) if pressed == "latch" else None
+        return failure_text(conditions, units) if pressed == "latch" else None
     if pressed != "latch":
         return None
     if berth.is_passive and thing.held:
-        return failure_text(conditions) or f"the {berth.seat.title} keeps what the hand lets go there: RELEASE"
+        return failure_text(conditions, units) or f"the {berth.seat.title} keeps what the hand lets go there: RELEASE"
     if berth.is_passive:
         if holds:
             _fix(flight, state, k, berth, Latches(1.0, 1.0))
             log(flight, state, "latched", "info", f"{flight.site.cargo[k].title} kept by the {berth.seat.title}")
-        return failure_text(conditions)
-    latches, said = advance(Latches(), berth.seat.time, "latch", flight.scenario.control_period, conditions)
+        return failure_text(conditions, units)
+    latches, said = advance(Latches(), berth.seat.time, "latch", flight.scenario.control_period, conditions, units)
     for line in said:
         log(flight, state, line.kind, line.level, line.text)
     if latches.hold:
@@ -143,7 +143,9 @@ def _fixed(flight: Flight, state: State, k: int, pressed: Pressed | None) -> str
     command: Pressed | Literal[""] = pressed or ""
     if opens and not confirmed(flight, state, k, berth.seat.title):
         command = ""
-    after, said = advance(before, berth.seat.time, command, flight.scenario.control_period, ())
+    after, said = advance(
+        before, berth.seat.time, command, flight.scenario.control_period, (), flight.scenario.arm.model.units
+    )
     seated, halted = thing.offset_in_seat, False
     if after.drawn != before.drawn:
         left = np.empty(POSE)
@@ -239,14 +241,13 @@ def approached(berth: Berth, frames: Array, cargo_row: int) -> Array:
 
 def _fitting(flight: Flight, state: State, k: int, berth: Berth) -> tuple[Condition, ...]:
     """Return the conditions on the cargo's pose relative to its place in the seat."""
-    units = flight.scenario.arm.model.units
     if berth.port is not None:
-        return docking(approached(berth, state.worksite.frames, flight.site.cargo_row(k)), berth.docking, units)
+        return docking(approached(berth, state.worksite.frames, flight.site.cargo_row(k)), berth.docking)
     off = _off(flight, state, k, berth)
     if berth.guides is None:
-        return retained(pose_of(off), berth.tolerances, units)
+        return retained(pose_of(off), berth.tolerances)
     inside = np.empty(POSE)
     relative(state.worksite.frames[berth.row], state.worksite.frames[flight.site.cargo_row(k)], inside)
     trunnions = places(flight.site.cargo[k].trunnions, pose_of(inside))
-    guided = in_guides(trunnions, berth.guides, units)
-    return (*guided, *ready_to_latch(trunnions, pose_of(off), berth.guides, berth.tolerances, units))
+    guided = in_guides(trunnions, berth.guides)
+    return (*guided, *ready_to_latch(trunnions, pose_of(off), berth.guides, berth.tolerances))

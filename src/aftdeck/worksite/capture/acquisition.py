@@ -23,7 +23,7 @@ from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.hexahedron import CORNERS, NX, NY, NZ, VERTICES, D, X, Y, Z
 from aftdeck.bodies.planes import least, lesser
 from aftdeck.law import law
-from aftdeck.worksite.conditions import Condition, Units, within
+from aftdeck.worksite.conditions import Condition, within
 
 PALM, FIXED, PRONG = 0, 1, 2
 """Least height of the bar's vertices over face d of the palm, b of the fixed finger, e of the prong [m]."""
@@ -203,23 +203,22 @@ def grasp(found: Array) -> Grasp:
     return Grasp("b" if found[SIDE] < 0.0 else "e", float(found[PITCH]), float(found[ROLL]), float(found[YAW]))
 
 
-def acquisition(found: Array, tolerances: Tolerances, units: Units) -> tuple[Condition, ...]:
+def acquisition(found: Array, tolerances: Tolerances) -> tuple[Condition, ...]:
     """Return the six conditions, in the report's order, from the law's result (12,)."""
     value = found.tolist()
     half = value[HALF]
     return (
-        within("palm over bar", value[PALM], 0.0, inf, "m", units, _PALM_SAYS),
-        _beside("fixed finger", value[FIXED], value[AWAY], tolerances, units, _FIXED_SAYS, _FIXED_FAR),
-        _beside("prong", value[PRONG], value[AWAY], tolerances, units, _PRONG_SAYS, _PRONG_FAR),
-        within("prong closed", value[SPACING], -inf, tolerances.spacing, "m", units, _SPACING_SAYS),
-        within("palm height", value[HEIGHT], 0.0, tolerances.window, "m", units, _HEIGHT_SAYS),
+        within("palm over bar", value[PALM], 0.0, inf, "m", _PALM_SAYS),
+        _beside("fixed finger", value[FIXED], value[AWAY], tolerances, _FIXED_SAYS, _FIXED_FAR),
+        _beside("prong", value[PRONG], value[AWAY], tolerances, _PRONG_SAYS, _PRONG_FAR),
+        within("prong closed", value[SPACING], -inf, tolerances.spacing, "m", _SPACING_SAYS),
+        within("palm height", value[HEIGHT], 0.0, tolerances.window, "m", _HEIGHT_SAYS),
         within(
             "palm along bar",
             value[ALONG],
             tolerances.front - half,
             half - tolerances.rear,
             "m",
-            units,
             _ALONG_SAYS,
         ),
     )
@@ -240,7 +239,6 @@ def _beside(
     height: float,
     away: float,
     tolerances: Tolerances,
-    units: Units,
     says: tuple[str, str],
     far: tuple[str, str],
 ) -> Condition:
@@ -250,5 +248,5 @@ def _beside(
     """
     name = f"{finger} beside bar"
     if away > tolerances.fingers_within:
-        return within(name, away, -inf, tolerances.fingers_within, "m", units, far)
-    return within(name, height, 0.0, inf, "m", units, says)
+        return within(name, away, -inf, tolerances.fingers_within, "m", far)
+    return within(name, height, 0.0, inf, "m", says)

@@ -7,7 +7,7 @@ from math import hypot, inf
 import msgspec
 
 from aftdeck.frames import Pose, oriend
-from aftdeck.worksite.conditions import Condition, Units, within
+from aftdeck.worksite.conditions import Condition, within
 
 
 class CaptureEnvelope(msgspec.Struct, frozen=True):
@@ -27,24 +27,23 @@ class CaptureEnvelope(msgspec.Struct, frozen=True):
     """Limit about axis 1, to either side [rad]."""
 
 
-def in_envelope(fixture: Pose, envelope: CaptureEnvelope, units: Units) -> tuple[Condition, ...]:
+def in_envelope(fixture: Pose, envelope: CaptureEnvelope) -> tuple[Condition, ...]:
     """Return the conditions of capture.
 
     Args:
         fixture: pose of the grapple fixture in the end effector's axes (1 outwards). When rigid, the fixture's axes
             and origin coincide with those of the end effector.
         envelope: the capture envelope.
-        units: the operator's units.
     """
     out, y, z = fixture.position.tolist()
     roll, pitch, yaw = oriend(fixture.rotation)
     radial = hypot(y, z)
     return (
-        within("pin off axis", radial, -inf, envelope.radial, "m", units, _RADIAL_SAYS),
-        within("pin depth", out, envelope.nearest, envelope.farthest, "m", units, _DEPTH_SAYS),
-        within("pitch", pitch, -envelope.pitch, envelope.pitch, "rad", units, ("pitch +{}", "pitch −{}")),
-        within("yaw", yaw, -envelope.yaw, envelope.yaw, "rad", units, ("yaw +{}", "yaw −{}")),
-        within("roll", roll, -envelope.roll, envelope.roll, "rad", units, ("roll +{}", "roll −{}")),
+        within("pin off axis", radial, -inf, envelope.radial, "m", _RADIAL_SAYS),
+        within("pin depth", out, envelope.nearest, envelope.farthest, "m", _DEPTH_SAYS),
+        within("pitch", pitch, -envelope.pitch, envelope.pitch, "rad", ("pitch +{}", "pitch −{}")),
+        within("yaw", yaw, -envelope.yaw, envelope.yaw, "rad", ("yaw +{}", "yaw −{}")),
+        within("roll", roll, -envelope.roll, envelope.roll, "rad", ("roll +{}", "roll −{}")),
     )
 
 

@@ -18,7 +18,7 @@ from typing import Literal, NamedTuple
 
 import msgspec
 
-from aftdeck.worksite.conditions import Condition, all_hold, failure_text
+from aftdeck.worksite.conditions import Condition, Units, all_hold, failure_text
 from aftdeck.worksite.log_line import LogLine, rejection
 
 Mode = Literal["AUTO", "OFF", "MAN"]
@@ -104,7 +104,7 @@ def flags(snare: Snare) -> Flags:
 
 
 def advance(
-    snare: Snare, times: SnareTimes, command: SnareCommand, dt: float, conditions: Sequence[Condition]
+    snare: Snare, times: SnareTimes, command: SnareCommand, dt: float, conditions: Sequence[Condition], units: Units
 ) -> Moved:
     """Return the state of the end effector after a step, with the log lines.
 
@@ -115,6 +115,7 @@ def advance(
         dt: the step's length [s].
         conditions: conditions of capture at the step's end, from `grapple.in_envelope`; empty if no fixture is near.
             They matter only while the ring is closing.
+        units: the operator's units, for the log lines.
     """
     said: list[LogLine] = []
     if command.trigger and (why := _refuses(snare, command)):
@@ -134,7 +135,7 @@ def advance(
             break
         snare = _put(snare, part, target)
         left = max(0.0, left - abs(target - before) / speed)
-        snare, more = _reached(snare, part, target, conditions)
+        snare, more = _reached(snare, part, target, conditions, units)
         snare = _still_going(snare, command.mode)
         said += more
     else:
@@ -210,7 +211,7 @@ def _inside(conditions: Sequence[Condition]) -> bool:
 
 
 def _reached(
-    snare: Snare, part: Part, target: float, conditions: Sequence[Condition]
+    snare: Snare, part: Part, target: float, conditions: Sequence[Condition], units: Units
 ) -> tuple[Snare, tuple[LogLine, ...]]:
     """Return the state and the log lines after a part has reached its end position."""
     change = msgspec.structs.replace
@@ -221,7 +222,7 @@ def _reached(
             return change(snare, captured=True, drawn=0.0), (LogLine("captured", "info", "CAPTURE: pin in the snares"),)
         case "ring", 1.0:
             return change(snare, motion=""), (
-                LogLine("missed", "caution", f"snares closed empty: {_why(snare, conditions)}"),
+                LogLine("missed", "caution", f"snares closed empty: {_why(snare, conditions, units)}"),
             )
         case "ring", 0.0 if snare.captured:
             freed = change(snare, captured=False, drawn=0.0)
@@ -231,9 +232,9 @@ def _reached(
     return snare, ()
 
 
-def _why(snare: Snare, conditions: Sequence[Condition]) -> str:
+def _why(snare: Snare, conditions: Sequence[Condition], units: Units) -> str:
     """Return why the snares closed without capturing the pin."""
     if not conditions:
         return "no grapple fixture was near"
-    why = failure_text(conditions)
+    why = failure_text(conditions, units)
     return f"the pin left the envelope while they closed: {why}" if snare.met else why

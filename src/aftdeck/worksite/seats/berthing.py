@@ -23,7 +23,7 @@ from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.frames import Pose, angle_between
 from aftdeck.law import law
-from aftdeck.worksite.conditions import Condition, Units, within
+from aftdeck.worksite.conditions import Condition, within
 
 Vec3 = tuple[float, float, float]
 
@@ -199,7 +199,7 @@ def _local(trunnions: Array, guides: Guides) -> Array:
     return np.asarray((guides.axes @ (trunnions - guides.seats)[:, :, None])[:, :, 0].T)
 
 
-def in_guides(trunnions: Array, guides: Guides, units: Units) -> tuple[Condition, ...]:
+def in_guides(trunnions: Array, guides: Guides) -> tuple[Condition, ...]:
     """Return for each trunnion the condition that it is in the capture region of its guide.
 
     Each condition reports the tightest of the trunnion's height and its two offsets.
@@ -207,7 +207,6 @@ def in_guides(trunnions: Array, guides: Guides, units: Units) -> tuple[Condition
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
         guides: guides of the seat.
-        units: the operator's units.
     """
     local, opened = _local(trunnions, guides).T.tolist(), guides.opening.tolist()
     found = []
@@ -216,11 +215,11 @@ def in_guides(trunnions: Array, guides: Guides, units: Units) -> tuple[Condition
         height, aside, askew = min(up, guide.height - up), room - abs(along), guide.play - abs(across)
         name = f"{guide.name} trunnion in guide"
         if height <= aside and height <= askew:
-            found.append(within(name, up, 0.0, guide.height, "m", units, says[0]))
+            found.append(within(name, up, 0.0, guide.height, "m", says[0]))
         elif aside <= askew:
-            found.append(within(name, along, -room, room, "m", units, says[1]))
+            found.append(within(name, along, -room, room, "m", says[1]))
         else:
-            found.append(within(name, across, -guide.play, guide.play, "m", units, says[2]))
+            found.append(within(name, across, -guide.play, guide.play, "m", says[2]))
     return tuple(found)
 
 
@@ -229,7 +228,6 @@ def ready_to_latch(
     payload: Pose,
     guides: Guides,
     tolerances: SeatTolerances,
-    units: Units,
     failed: Set[str] = frozenset(),
 ) -> tuple[Condition, ...]:
     """Return the conditions of latching: one for each latch, and one for the payload's attitude.
@@ -241,21 +239,20 @@ def ready_to_latch(
         payload: pose of the payload in the seat's frame, that is, its remaining offset and rotation.
         guides: guides of the seat.
         tolerances: tolerances of the seat.
-        units: the operator's units.
         failed: names of switches that show nothing, for example ``forward port B``.
     """
     off = [math.hypot(x, y, z) for x, y, z in (trunnions - guides.seats).tolist()]
     found = []
     for guide, distance in zip(guides.guides, off, strict=True):
         name, says = f"{guide.name} latch ready", f"{guide.name} trunnion {{}} from its seat"
-        seated = within(name, distance, -inf, tolerances.distance, "m", units, (says, ""))
+        seated = within(name, distance, -inf, tolerances.distance, "m", (says, ""))
         if seated.holds and (dark := [switch for switch in SWITCHES if f"{guide.name} {switch}" in failed]):
             text = f"{guide.name} latch: switch {' and '.join(dark)} shows nothing"
             shows, needed = float(len(SWITCHES) - len(dark)), float(len(SWITCHES))
             found.append(Condition(name, False, shows, needed, "", shows - needed, text))
         else:
             found.append(seated)
-    return (*found, _turn(payload, tolerances, units))
+    return (*found, _turn(payload, tolerances))
 
 
 def switches(
@@ -272,24 +269,23 @@ def switches(
     )
 
 
-def retained(payload: Pose, tolerances: SeatTolerances, units: Units) -> tuple[Condition, ...]:
+def retained(payload: Pose, tolerances: SeatTolerances) -> tuple[Condition, ...]:
     """Return the conditions under which a released payload stays in its place in the concept's bay.
 
     Args:
         payload: pose of the payload in the seat's frame: offset of its centre from the stowed position, and rotation.
         tolerances: tolerances of the seat.
-        units: the operator's units.
     """
     distance = math.hypot(*payload.position.tolist())
     return (
-        within("payload stowed", distance, -inf, tolerances.distance, "m", units, _PLACE_SAYS),
-        _turn(payload, tolerances, units),
+        within("payload stowed", distance, -inf, tolerances.distance, "m", _PLACE_SAYS),
+        _turn(payload, tolerances),
     )
 
 
-def _turn(payload: Pose, tolerances: SeatTolerances, units: Units) -> Condition:
+def _turn(payload: Pose, tolerances: SeatTolerances) -> Condition:
     angle = angle_between(payload.rotation.tolist(), _STOWED)
-    return within("payload's attitude", angle, -inf, tolerances.angle, "rad", units, _TURN_SAYS)
+    return within("payload's attitude", angle, -inf, tolerances.angle, "rad", _TURN_SAYS)
 
 
 _STOWED = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))

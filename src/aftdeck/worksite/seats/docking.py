@@ -20,7 +20,7 @@ import numpy as np
 from aftdeck.arrays import Array
 from aftdeck.errors import InputError
 from aftdeck.law import law
-from aftdeck.worksite.conditions import Condition, Units, within
+from aftdeck.worksite.conditions import Condition, within
 
 BEFORE = 0
 """Least height of the probe's vertices above face c [m]."""
@@ -139,7 +139,7 @@ def approach(probe: Array, face: Array, payload: Array, port: Array, planes: Arr
     found[TURNED + 2] = atan2(sqrt(turn[0, 2] ** 2 + turn[1, 2] ** 2), turn[2, 2])
 
 
-def docking(found: Array, tolerances: DockingTolerances, units: Units) -> tuple[Condition, ...]:
+def docking(found: Array, tolerances: DockingTolerances) -> tuple[Condition, ...]:
     """Return the conditions of docking from the law's result (6,)."""
     value = found.tolist()
     if tolerances.axes == "y":
@@ -148,10 +148,10 @@ def docking(found: Array, tolerances: DockingTolerances, units: Units) -> tuple[
         angle, letter = max(zip(value[TURNED:], "xyz", strict=True))
     says = f"payload's {letter} axis turned {{}} from the port's"
     return (
-        within("probe before port", value[BEFORE], 0.0, inf, "m", units, _BEFORE_SAYS),
-        within("probe in envelope", value[INSIDE], 0.0, inf, "m", units, _INSIDE_SAYS),
-        within("probe at port", value[DISTANCE], -inf, tolerances.distance, "m", units, _DISTANCE_SAYS),
-        within("payload's attitude", angle, -inf, tolerances.angle, "rad", units, (says, says)),
+        within("probe before port", value[BEFORE], 0.0, inf, "m", _BEFORE_SAYS),
+        within("probe in envelope", value[INSIDE], 0.0, inf, "m", _INSIDE_SAYS),
+        within("probe at port", value[DISTANCE], -inf, tolerances.distance, "m", _DISTANCE_SAYS),
+        within("payload's attitude", angle, -inf, tolerances.angle, "rad", (says, says)),
     )
 
 

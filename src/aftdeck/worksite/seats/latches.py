@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 
 import msgspec
 
-from aftdeck.worksite.conditions import Condition, all_hold, rejection_text
+from aftdeck.worksite.conditions import Condition, Units, all_hold, rejection_text
 from aftdeck.worksite.log_line import LogLine, rejection
 
 _THERE = 1e-9
@@ -50,6 +50,7 @@ def advance(
     command: Literal["", "latch", "unlatch"],
     dt: float,
     conditions: Sequence[Condition],
+    units: Units,
 ) -> Moved:
     """Return the state of the latches after a step, with the log lines.
 
@@ -61,9 +62,10 @@ def advance(
         dt: the step's length [s].
         conditions: conditions of latching, from `berthing.ready_to_latch`; empty if no payload is near. They matter
             only for LATCH on released latches.
+        units: the operator's units, for the log lines.
     """
     said: list[LogLine] = []
-    if command and (why := _refusal(latches, command, conditions)):
+    if command and (why := _refusal(latches, command, conditions, units)):
         said.append(rejection(why))
     elif command:
         latches = msgspec.structs.replace(latches, motion=command)
@@ -86,7 +88,9 @@ def _put(latches: Latches, closed: float) -> Latches:
     return msgspec.structs.replace(latches, closed=closed, drawn=max(latches.drawn, closed) if closed else 0.0)
 
 
-def _refusal(latches: Latches, command: Literal["", "latch", "unlatch"], conditions: Sequence[Condition]) -> str:
+def _refusal(
+    latches: Latches, command: Literal["", "latch", "unlatch"], conditions: Sequence[Condition], units: Units
+) -> str:
     """Return why a command is rejected; empty if it is accepted."""
     if command == "unlatch":
         return "" if latches.hold else "UNLATCH refused: the latches are released already"
@@ -94,4 +98,4 @@ def _refusal(latches: Latches, command: Literal["", "latch", "unlatch"], conditi
         return "LATCH refused: latched already"
     if latches.hold or (conditions and all_hold(conditions)):
         return ""
-    return rejection_text("LATCH", conditions) or "LATCH refused: no payload is at the latches"
+    return rejection_text("LATCH", conditions, units) or "LATCH refused: no payload is at the latches"
