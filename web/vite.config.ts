@@ -1,10 +1,27 @@
+import type { AtRule, Plugin } from 'postcss';
 import { defineConfig } from 'vitest/config';
+import { ROOM } from './src/page/room';
 
 // `npm run dev` serves the page with hot reload beside `aftdeck fly --no-browser`, whose socket it passes on.
 const station = 'ws://127.0.0.1:8340';
 
+/** Replaces `(--NAME)` in a container query by the condition of that name. */
+const room: Plugin = {
+  postcssPlugin: 'room',
+  AtRule: {
+    container: (rule: AtRule) => {
+      rule.params = rule.params.replace(/\(--(\w+)\)/g, (_, name: string) => {
+        const condition: string | undefined = (ROOM as Record<string, string>)[name];
+        if (condition === undefined) throw rule.error(`--${name} has no condition in src/page/room.ts`);
+        return condition;
+      });
+    },
+  },
+};
+
 export default defineConfig({
   base: './',
+  css: { postcss: { plugins: [room] } },
   build: {
     outDir: '../src/aftdeck/station/static',
     emptyOutDir: true,

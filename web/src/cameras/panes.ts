@@ -2,7 +2,7 @@
 
 import type { Camera } from '../link/protocol';
 import type { Drawing } from '../page/quality';
-import { inset } from '../page/width';
+import { inset } from '../page/room';
 import type { Matrix } from '../panel/monitors/matrix';
 import type { Picture } from '../panel/monitors/picture';
 import type { Rect } from '../scene/drawn';

@@ -44,9 +44,9 @@ import { Log } from './log';
 import { LOST_MS, Operator } from './operator';
 import type { Drawing } from './quality';
 import { Report } from './report';
+import { TOO_NARROW_WORDS } from './room';
 import { Sounds } from './sounds';
 import { Tones } from './tones';
-import { TOO_NARROW_WORDS } from './width';
 import { WindowLink } from './window-link';
 
 const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'];

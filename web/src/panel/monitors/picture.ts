@@ -4,7 +4,7 @@ import { CameraDrag, type Place } from '../../input/camera-drag';
 import type { Turning } from '../../input/camera-hand';
 import { type Age, isStale } from '../../link/delay-line';
 import type { Camera, Frame, Vec3 } from '../../link/protocol';
-import { inset } from '../../page/width';
+import { inset } from '../../page/room';
 import { timeCode } from '../../words/format';
 import { lensWords } from '../../words/lens';
 import { el, setAttribute, setClass, setText, svg } from '../parts/dom';
