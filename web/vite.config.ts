@@ -29,5 +29,5 @@ export default defineConfig({
   },
   server: { proxy: { '/ws': { target: station, ws: true, changeOrigin: true, rewriteWsOrigin: true } } },
   // What hangs shall fail; a slow machine shall not [ms].
-  test: { include: ['tests/**/*.test.ts'], testTimeout: 60_000 },
+  test: { include: ['tests/**/*.test.ts'], testTimeout: 60_000, css: true },
 });

@@ -12,7 +12,7 @@ and the first of equal pairs is taken. The result therefore equals that of a wat
 from __future__ import annotations
 
 from math import sqrt
-from typing import Self
+from typing import NamedTuple, Self
 
 import numpy as np
 
@@ -38,24 +38,35 @@ from aftdeck.worksite.watch.found import (
     SPEED,
     WHICH,
 )
-from aftdeck.worksite.watch.groups import CENTRE, POSE, RADIUS, SOLID, Layout
+from aftdeck.worksite.watch.groups import CENTRE, POSE, RADIUS, SOLID, Layout, PackedLayout
 from aftdeck.worksite.watch.motion import motion, velocity
 
 _SLACK = 1e-9
 """Margin by which a group's bound is lowered [m]: more than the rounding errors."""
 
 
+class Measured(NamedTuple):
+    """Arrays of a `ClearanceMonitor` that the laws update, under the same names."""
+
+    at: Array
+    placed: Array
+    bound: Array
+    likely: Indices
+    memory: Array
+    found: Array
+
+
 @law
-def place_moved(solids: Array, frame: Indices, frames: Array, at: Array, placed: Array) -> None:
+def place_moved(layout: PackedLayout, frames: Array, at: Array, placed: Array) -> None:
     """Place the solids whose frame has moved.
 
     Args:
-        solids: (n, 52) solids in their own frames.
-        frame: (n,) index of each solid's frame.
+        layout: the solids, in their own frames.
         frames: (F, 12) present poses of the frames, in L.
         at: (F, 12) poses of the frames at which the solids were placed; updated.
         placed: (n, 52) the solids in L; updated.
     """
+    solids, frame = layout.solids, layout.frame
     moved = np.zeros(len(frames), np.bool_)
     for f in range(len(frames)):
         for k in range(POSE):
@@ -109,25 +120,23 @@ def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
 
 
 @law
-def nearest_pair(
-    placed: Array, pairs: Indices, memory: Array, begin: int, end: int, first: int, limit: float, measures: Array
-) -> int:
+def nearest_pair(layout: PackedLayout, own: Measured, g: int, limit: float, measures: Array) -> int:
     """Return the pair of solids of a group that has the least clearance; of equal pairs, the first.
 
     Args:
-        placed: (n, 52) the solids in L.
-        pairs: (m, 2) pairs of the layout.
-        memory: (m, 17) remembered data of each pair, updated; its content does not affect the result.
-        begin: index of the group's first pair.
-        end: index after the group's last pair.
-        first: the pair that probably has the least clearance.
+        layout: the layout.
+        own: arrays of the monitor. The solids are at `placed`, the search begins with the pair in `likely`, and
+            `memory` is updated; neither `likely` nor `memory` affects the result.
+        g: the group.
         limit: pairs that are not nearer than this are ignored [m].
         measures: (17,) output: packed measurements of the pair.
 
     Returns:
         Index of the pair; -1 if no pair is below the limit.
     """
-    best, least, own = -1, limit, np.empty(packed.PAIR)
+    placed, pairs, memory = own.placed, layout.pairs, own.memory
+    begin, end, first = layout.begins[g], layout.begins[g + 1], own.likely[g]
+    best, least, found = -1, limit, np.empty(packed.PAIR)
     for turn in range(begin - 1, end):
         k = first if turn < begin else turn
         if turn == first:
@@ -137,13 +146,13 @@ def nearest_pair(
         beyond = least + _SLACK
         if turn >= begin and (not_nearer(a, b, memory[k], beyond) or measure(a, b, memory[k]) > beyond):
             continue
-        own[:] = 0.0
-        clearance = measure(a, b, own)
+        found[:] = 0.0
+        clearance = measure(a, b, found)
         if turn < begin:
-            memory[k] = own
+            memory[k] = found
         if clearance < least or (clearance == least and k < best):
             best, least = k, clearance
-            measures[:] = own
+            measures[:] = found
     return best
 
 
@@ -153,7 +162,7 @@ def watch(
     frame: Indices,
     pairs: Indices,
     begins: Indices,
-    between: Indices,
+    between_frames: Indices,
     reach: Array,
     active: Mask,
     counts: Mask,
@@ -168,31 +177,39 @@ def watch(
     memory: Array,
     found: Array,
 ) -> None:
+    """Run `measure_groups`; the arrays of its two tuples are separate arguments, which Python passes faster."""
+    layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
+    own = Measured(at, placed, bound, likely, memory, found)
+    measure_groups(layout, own, active, counts, before, now, period, within)
+
+
+@law
+def measure_groups(
+    layout: PackedLayout,
+    own: Measured,
+    active: Mask,
+    counts: Mask,
+    before: Array,
+    now: Array,
+    period: float,
+    within: float,
+) -> None:
     """Measure the active groups that are nearer than `within`, and in any case the nearest of those that count.
 
     Args:
-        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,), between (g, 2), reach (F,): of the layout.
-        frame: see solids.
-        pairs: see solids.
-        begins: see solids.
-        between: see solids.
-        reach: see solids.
+        layout: the layout.
+        own: arrays of the monitor; updated.
         active: (g,) 1 for groups that are measured.
         counts: (g,) 1 for groups among which the nearest is wanted.
         before: (F, 12) the frames a step ago, in L.
         now: (F, 12) the present frames, in L.
         period: time between the two [s].
         within: clearance up to which groups are measured [m]; inf for all groups.
-        at: (F, 12) poses of the frames when placed; updated.
-        placed: (n, 52) the solids in L; updated.
-        bound: (g,) lower bounds of the groups' clearances [m]; updated.
-        likely: (g,) nearest pair of each group at its last measurement; updated.
-        memory: (m, 17) remembered data of each pair; updated.
-        found: (g, 15) output, rows as in `worksite.found`.
     """
+    bound, found, between = own.bound, own.found, layout.between_frames
     ways, motions = np.empty(len(now)), np.empty((len(now), 6))
-    travelled(now, at, reach, ways)
-    place_moved(solids, frame, now, at, placed)
+    travelled(now, own.at, layout.reach, ways)
+    place_moved(layout, now, own.at, own.placed)
     for f in range(len(now)):
         m = motion(before[f], now[f], period)
         for k in range(6):
@@ -203,9 +220,9 @@ def watch(
         bound[g] -= ways[between[g, 0]] + ways[between[g, 1]]
         near = active[g] != 0 and not bound[g] >= within
         if near:
-            near = _measured(placed, pairs, begins, g, bound, likely, memory, measures) < within
+            near = _measure_group(layout, own, g, measures) < within
         if near:
-            _tell(placed, frame, pairs, now, motions, likely[g], measures, found[g])
+            _fill(layout, own, g, now, motions, measures)
         elif found[g, CLEARANCE] < np.inf:
             found[g, CLEARANCE], found[g, SPEED:] = np.inf, 0.0
         if active[g] != 0 and counts[g] != 0:
@@ -216,50 +233,40 @@ def watch(
         return
     # take the first of equal groups, wherever the search begins
     best = nearest
-    least = _measured(placed, pairs, begins, best, bound, likely, memory, measures)
+    least = _measure_group(layout, own, best, measures)
     other = np.empty(packed.PAIR)
     for g in range(len(active)):
         if active[g] != 0 and counts[g] != 0 and bound[g] < least and g != nearest:
-            clearance = _measured(placed, pairs, begins, g, bound, likely, memory, other)
+            clearance = _measure_group(layout, own, g, other)
             if clearance < least or (clearance == least and g < best):
                 best, least = g, clearance
                 measures[:] = other
-    _tell(placed, frame, pairs, now, motions, likely[best], measures, found[best])
+    _fill(layout, own, best, now, motions, measures)
 
 
 @law
-def _measured(
-    placed: Array,
-    pairs: Indices,
-    begins: Indices,
-    g: int,
-    bound: Array,
-    likely: Indices,
-    memory: Array,
-    measures: Array,
-) -> float:
+def _measure_group(layout: PackedLayout, own: Measured, g: int, measures: Array) -> float:
     """Return the clearance of group g [m], write its nearest pair into `measures` (17,), update `bound` and `likely`.
 
     The bound is slightly lower than the clearance, so that rounding cannot make the group nearer than its bound.
     """
-    likely[g] = nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], np.inf, measures)
+    own.likely[g] = nearest_pair(layout, own, g, np.inf, measures)
     clearance: float = measures[packed.CLEARANCE]
-    bound[g] = clearance - _SLACK
+    own.bound[g] = clearance - _SLACK
     return clearance
 
 
 @law
-def _tell(
-    placed: Array, frame: Indices, pairs: Indices, now: Array, motions: Array, k: int, measures: Array, row: Array
-) -> None:
-    """Write the latest measurements of pair k, measures (17,), into its group's row (15,)."""
-    i, j = pairs[k, 0], pairs[k, 1]
+def _fill(layout: PackedLayout, own: Measured, g: int, now: Array, motions: Array, measures: Array) -> None:
+    """Write the latest measurements of a group's nearest pair, measures (17,), into the group's row (15,)."""
+    k, row = own.likely[g], own.found[g]
+    i, j = layout.pairs[k, 0], layout.pairs[k, 1]
     copy_pair(measures, row)
     row[WHICH] = k
     if row[CLEARANCE] <= CONTACT:
-        way_apart(placed[i], placed[j], row)
-    va = velocity(now, motions, frame[i], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
-    vb = velocity(now, motions, frame[j], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
+        way_apart(own.placed[i], own.placed[j], row)
+    va = velocity(now, motions, layout.frame[i], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
+    vb = velocity(now, motions, layout.frame[j], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
     row[SPEED] = row[NORMAL] * (va[0] - vb[0]) + row[NORMAL + 1] * (va[1] - vb[1]) + row[NORMAL + 2] * (va[2] - vb[2])
 
 
@@ -315,7 +322,7 @@ class ClearanceMonitor(Cache):
         at: (F, 12) the frames at the last measurement, in L.
         placed: (n, 52) the solids at these frames, in L.
         bound: (g,) lower bound of each group's clearance at these frames [m].
-        packed: the last six arguments of `watch`, from `at` to `found`.
+        packed: the arrays that the laws update.
     """
 
     def __init__(self, layout: Layout) -> None:
@@ -329,7 +336,7 @@ class ClearanceMonitor(Cache):
         self.bound = np.empty(len(layout.groups))
         self.at = np.empty((len(layout.frames), POSE))
         self.placed = np.zeros((len(layout.solids), SOLID))
-        self.packed = self.at, self.placed, self.bound, self.likely, self.memory, self.found
+        self.packed = Measured(self.at, self.placed, self.bound, self.likely, self.memory, self.found)
         self.forget()
 
     def forget(self) -> None:

@@ -18,6 +18,7 @@ from aftdeck.bodies.repeated_test import measure
 from aftdeck.law import law
 from aftdeck.worksite.watch.clearance_monitor import (
     ClearanceMonitor,
+    Measured,
     copy_pair,
     nearest_pair,
     not_nearer,
@@ -26,6 +27,7 @@ from aftdeck.worksite.watch.clearance_monitor import (
     way_apart,
 )
 from aftdeck.worksite.watch.found import CLEARANCE, FOUND, NORMAL, POINT_A, POINT_B
+from aftdeck.worksite.watch.groups import PackedLayout
 
 STEP = 1.0
 """Distance beyond which two solids cannot come into contact within a step [m]."""
@@ -58,50 +60,28 @@ class PredictedContacts(NamedTuple):
 
 @law
 def predict_contacts(
-    solids: Array,
-    frame: Indices,
-    pairs: Indices,
-    begins: Indices,
-    between: Indices,
-    reach: Array,
-    counts: Mask,
-    harmful: Mask,
-    after: Array,
-    at: Array,
-    placed: Array,
-    bound: Array,
-    likely: Indices,
-    memory: Array,
-    found: Array,
+    layout: PackedLayout, own: Measured, counts: Mask, harmful: Mask, after: Array
 ) -> PredictedContacts:
     """Return the effect of a motion on the contacts of the groups that count.
 
     Args:
-        solids: (n, 52), frame (n,), pairs (m, 2), begins (g + 1,), between (g, 2), reach (F,): of the layout.
-        frame: see solids.
-        pairs: see solids.
-        begins: see solids.
-        between: see solids.
-        reach: see solids.
+        layout: the layout.
+        own: arrays of the monitor before the motion. Its `at` and `placed` are copies and become those after the
+            motion; its `memory` is updated, which does not affect the result.
         counts: (g,) 1 for groups whose contacts count; they have to be active.
         harmful: (g,) 1 for the groups among them whose relief counts.
         after: (F, 12) the frames after the motion, in L.
-        at: (F, 12) and placed (n, 52): copies of the watch's arrays; overwritten.
-        placed: see at.
-        bound: (g,) the watch's array.
-        likely: (g,) the watch's array.
-        memory: (m, 17) the watch's array, updated; its content does not affect the result.
-        found: (g, 15) the watch's measurements before the motion.
     """
-    ways, was, measures = np.empty(len(after)), np.full(len(memory), np.inf), np.empty(packed.PAIR)
+    found, begins, between = own.found, layout.begins, layout.between_frames
+    ways, was, measures = np.empty(len(after)), np.full(len(own.memory), np.inf), np.empty(packed.PAIR)
     slid, touching = 0.0, False
     for g in range(len(counts)):
         if counts[g] != 0 and harmful[g] != 0 and found[g, CLEARANCE] <= CONTACT:
             touching = True
             for k in range(begins[g], begins[g + 1]):
-                slid = max(slid, _slid(placed, frame, at, after, pairs[k], memory, k, was))
-    travelled(after, at, reach, ways)
-    place_moved(solids, frame, after, at, placed)
+                slid = max(slid, _slid(layout, own, after, k, was))
+    travelled(after, own.at, layout.reach, ways)
+    place_moved(layout, after, own.at, own.placed)
     worst, which, gained, deeper, lessened, made = np.inf, -1, 0.0, -np.inf, 0.0, False
     for g in range(len(counts)):
         if counts[g] == 0:
@@ -109,12 +89,12 @@ def predict_contacts(
         before, limit = found[g, CLEARANCE], np.inf
         if before > CONTACT:
             limit = 2.0 * CONTACT
-            if bound[g] - ways[between[g, 0]] - ways[between[g, 1]] >= limit:
+            if own.bound[g] - ways[between[g, 0]] - ways[between[g, 1]] >= limit:
                 continue
         elif harmful[g] != 0:
-            won = _won(placed, pairs, begins[g], begins[g + 1], was)
+            won = _won(own.placed, layout.pairs, begins[g], begins[g + 1], was)
             gained, lessened = gained + won[0], lessened + won[1]
-        if nearest_pair(placed, pairs, memory, begins[g], begins[g + 1], likely[g], limit, measures) < 0:
+        if nearest_pair(layout, own, g, limit, measures) < 0:
             continue
         clearance = measures[packed.CLEARANCE]
         if clearance - before < worst and (before <= CONTACT or clearance <= CONTACT):
@@ -141,27 +121,25 @@ def _won(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tup
 
 
 @law
-def _slid(
-    placed: Array, frame: Indices, at: Array, after: Array, pair: Indices, memory: Array, k: int, was: Array
-) -> float:
-    """Return how far the touching points of two solids move along each other, perpendicular to their way apart [m].
+def _slid(layout: PackedLayout, own: Measured, after: Array, k: int, was: Array) -> float:
+    """Return how far the touching points of pair k move along each other, perpendicular to the way apart [m].
 
     Also write the present clearance of the pair into was[k]; was[k] stays inf if the solids are farther apart than
     `STEP`.
     """
-    i, j = pair[0], pair[1]
-    a, b = placed[i], placed[j]
-    if not_nearer(a, b, memory[k], STEP):
+    i, j = layout.pairs[k, 0], layout.pairs[k, 1]
+    a, b = own.placed[i], own.placed[j]
+    if not_nearer(a, b, own.memory[k], STEP):
         return 0.0
-    own = np.zeros(packed.PAIR)
-    was[k] = measure(a, b, own)
+    pair = np.zeros(packed.PAIR)
+    was[k] = measure(a, b, pair)
     if was[k] > CONTACT:
         return 0.0
     row = np.empty(FOUND)
-    copy_pair(own, row)
+    copy_pair(pair, row)
     way_apart(a, b, row)
-    p = _carried(at[frame[i]], after[frame[i]], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
-    q = _carried(at[frame[j]], after[frame[j]], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
+    p = _carried(own.at[layout.frame[i]], after[layout.frame[i]], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
+    q = _carried(own.at[layout.frame[j]], after[layout.frame[j]], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
     x, y, z = p[0] - q[0], p[1] - q[1], p[2] - q[2]
     out = x * row[NORMAL] + y * row[NORMAL + 1] + z * row[NORMAL + 2]
     return sqrt(max(x * x + y * y + z * z - out * out, 0.0))
@@ -187,7 +165,7 @@ def tried_many(
     frame: Indices,
     pairs: Indices,
     begins: Indices,
-    between: Indices,
+    between_frames: Indices,
     reach: Array,
     counts: Mask,
     harmful: Mask,
@@ -200,12 +178,14 @@ def tried_many(
     found: Array,
     trials: Array,
 ) -> None:
-    """Write the prediction for each of several motions, afters (k, F, 12), into trials (k, 7); copy `at`, `placed`."""
+    """Write the prediction for each of several motions, afters (k, F, 12), into trials (k, 7).
+
+    The arrays of the layout and of the monitor are separate arguments, which Python passes faster.
+    """
+    layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
     for k in range(len(afters)):
-        t = predict_contacts(
-            solids, frame, pairs, begins, between, reach, counts, harmful, afters[k],
-            at.copy(), placed.copy(), bound, likely, memory, found,
-        )  # fmt: skip
+        own = Measured(at.copy(), placed.copy(), bound, likely, memory, found)
+        t = predict_contacts(layout, own, counts, harmful, afters[k])
         trials[k, WORST], trials[k, GROUP], trials[k, GAINED] = t.worst, t.which, t.gained
         trials[k, SLID], trials[k, DEEPEST] = t.slid, t.deeper
         trials[k, LESSENED], trials[k, MADE] = t.lessened, 1.0 if t.made else 0.0

@@ -8,9 +8,9 @@ from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies.pose import compose
 from aftdeck.kinematics.frames import place_frames
 from aftdeck.law import law
-from aftdeck.worksite.watch.clearance_monitor import minimum_clearance_group, watch
+from aftdeck.worksite.watch.clearance_monitor import Measured, measure_groups, minimum_clearance_group
 from aftdeck.worksite.watch.contacts import count_frames
-from aftdeck.worksite.watch.groups import POSE
+from aftdeck.worksite.watch.groups import POSE, PackedLayout
 
 
 @law
@@ -87,7 +87,7 @@ def update_contacts(
     frame: Indices,
     pairs: Indices,
     begins: Indices,
-    between: Indices,
+    between_frames: Indices,
     reach: Array,
     active: Mask,
     counts: Mask,
@@ -103,16 +103,17 @@ def update_contacts(
     found: Array,
     count: Mask,
 ) -> ContactUpdate:
-    """Run `place_everything`, `watch` and `count_frames`; the arguments are those of these three laws.
+    """Run `place_everything`, `measure_groups` and `count_frames`; the arguments are those of these three laws.
+
+    The arrays of a tuple are separate arguments here, which Python passes faster.
 
     On entry `now` holds the frames of the last step. They are copied to `before`, and `now` receives the new frames.
     """
     before[:] = now
     place_everything(joints, scene, axes, orbiter, carrier, rides, angles, stand, prong, now)
-    watch(
-        solids, frame, pairs, begins, between, reach, active, counts, before, now, period, within,
-        at, placed, bound, likely, memory, found,
-    )  # fmt: skip
+    layout = PackedLayout(solids, frame, pairs, begins, between_frames, reach)
+    own = Measured(at, placed, bound, likely, memory, found)
+    measure_groups(layout, own, active, counts, before, now, period, within)
     counted = count_frames(found, count)
     return ContactUpdate(counted.touching, counted.changed, minimum_clearance_group(found, counts))
 

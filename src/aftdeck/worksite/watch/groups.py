@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 from itertools import product
+from typing import NamedTuple
 
 import msgspec
 import numpy as np
@@ -28,6 +29,17 @@ SOLID = BODY + 4
 """Length of a packed solid."""
 _ROOM = 1e-9
 """Margin added to the radius of a bounding sphere [m]: more than rounding loses a kilometre from the origin."""
+
+
+class PackedLayout(NamedTuple):
+    """Arrays of a `Layout` that the laws read, under the same names."""
+
+    solids: Array
+    frame: Indices
+    pairs: Indices
+    begins: Indices
+    between_frames: Indices
+    reach: Array
 
 
 class Layout(msgspec.Struct, frozen=True, eq=False):
@@ -54,9 +66,9 @@ class Layout(msgspec.Struct, frozen=True, eq=False):
     """(F,) greatest distance of a frame's solids from its origin [m]."""
 
     @property
-    def packed(self) -> tuple[Array, Indices, Indices, Indices, Indices, Array]:
-        """Arrays for `watch.watch`: `solids`, `frame`, `pairs`, `begins`, `between_frames`, `reach`."""
-        return self.solids, self.frame, self.pairs, self.begins, self.between_frames, self.reach
+    def packed(self) -> PackedLayout:
+        """Arrays that the laws read."""
+        return PackedLayout(self.solids, self.frame, self.pairs, self.begins, self.between_frames, self.reach)
 
     def named(self, group: int) -> PartPair:
         """Return the names of the two parts of a group."""
