@@ -82,7 +82,7 @@ def test_a_payload_of_any_size_flies_the_whole_problem(dimensions: dict[str, str
 
 def test_the_reports_largest_payload_is_refused_in_the_reports_bay_saying_by_how_much() -> None:
     said = refusal({"payload_length": "60 ft", "payload_width": "15 ft"})
-    assert "payload is 18 in inside aft body" in said and "test.toml:" in said
+    assert re.search("test.toml:.*payload is 18 in .*aft body", said)
 
 
 def flies_clean(made: Scenario) -> bool:
@@ -177,16 +177,16 @@ name = "payload"
 
 def test_a_payload_that_starts_inside_the_cabin_is_refused() -> None:
     said = refusal({}, CONCEPT + 'start = { position = ["-2 ft", "0 ft", "-7 ft"] }\n')
-    assert "test.toml:7: cargo[0]: payload starts where payload is " in said and "inside cabin" in said
+    assert re.search(r"test.toml:7: cargo\[0\]: .*cabin", said)
 
 
 def test_two_payloads_that_start_in_each_other_are_refused() -> None:
     flyer = '[[cargo]]\nname = "free flyer"\nstart = { position = ["28 ft", "0 ft", "-5 ft"] }\n'
-    assert re.search(r"free flyer is [\d.]+ ft inside payload", refusal({}, CONCEPT + flyer))
+    assert re.search(r"free flyer .*[\d.]+ ft .*payload", refusal({}, CONCEPT + flyer))
 
 
 def test_a_seat_under_the_floor_is_refused() -> None:
-    assert "payload is 9 in inside bay floor" in refusal({"payload_floor_room": "-0.75 ft"})
+    assert re.search("payload .*9 in .*bay floor", refusal({"payload_floor_room": "-0.75 ft"}))
 
 
 @pytest.mark.parametrize(
@@ -224,7 +224,7 @@ def test_a_worksite_that_does_not_fit_is_refused(tmp_path: Path, old: str, new: 
 def test_a_telescope_that_is_drawn_into_the_cabin_is_refused(tmp_path: Path) -> None:
     arm = (Path(aftdeck.__file__).parent / "arms" / "concept-1972.toml").read_text(encoding="utf-8")
     (tmp_path / "arm.toml").write_text(arm.replace('value = "9.5 ft"', 'value = "8 ft"'), encoding="utf-8")
-    with pytest.raises(ScenarioError, match=r"telescope is 2\.8 ft inside cabin"):
+    with pytest.raises(ScenarioError, match=r"telescope .*2\.8 ft .*cabin"):
         parse_scenario(CONCEPT.replace('arm = "concept-1972"', 'arm = "arm.toml"'), "t", "t.toml", tmp_path)
 
 
@@ -275,9 +275,7 @@ def test_a_camera_round_an_arm_that_goes_through_it_is_told(tmp_path: Path, part
     (tmp_path / "place.toml").write_text(place.replace(old, f"position = [{x}, {y}, {z}]"))
     text = script().replace('worksite = "concept-1972"', 'worksite = "place.toml"')
     found = [one.what for one in survey(parse_scenario(text, "t", "t.toml", tmp_path))]
-    assert [what for what in found if re.match(r"camera W is \S+ \S+ inside", what) and "at joint angles" in what], (
-        found
-    )
+    assert [what for what in found if re.match(r"camera W .*at joint angles", what)], found
     assert len(found) == len({what.split(" at joint")[0] for what in found}), "each camera and part once"
 
 

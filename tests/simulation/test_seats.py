@@ -41,7 +41,7 @@ def test_a_port_that_holds_a_payload_takes_no_other_and_says_so() -> None:
     assert seated(alone[0]) == "port"
     frames = flown(scenario(AT_PORT, held=True, cargo=FLYER_AT_PORT), [Inputs()] * 5 + [Inputs(latch="latch")])
     assert [seated(frame) for frame in frames] == [""] * 6 and seated(frames[-1], 1) == "port"
-    assert log_of(frames)[-1] == "LATCH refused: Free-flying payload is in it"
+    assert re.match("LATCH refused: Free-flying payload", log_of(frames)[-1])
     (full,) = (condition for condition in frames[-1].work.conditions if not condition.holds)
     assert full.name == "seat empty" and full.margin < 0.0
 
@@ -53,7 +53,7 @@ def test_a_bay_that_holds_a_payload_keeps_no_other() -> None:
 
 
 def test_a_scenario_that_puts_two_payloads_into_one_seat_is_refused() -> None:
-    with pytest.raises(ScenarioError, match=r"the seat 'bay' can hold one cargo, 2 start in it"):
+    with pytest.raises(ScenarioError, match=r"'bay'.* 2 "):
         scenario(cargo='name = "payload"\n[[cargo]]\nname = "free flyer"\nstart = { seat = "bay" }')
 
 
@@ -65,7 +65,7 @@ def test_waiting_for_latches_is_waiting_for_those_of_what_is_held() -> None:
     done = aftdeck.run(made)
     assert done.frames[-1].work.cargo[0].held and done.frames[-1].work.cargo[1].seat == "bay"
     assert done.summary.ended == "fault"
-    assert "not latched within its 0.2 s" in log_of(done.frames)[-1]
+    assert re.search("not latched .*0.2 s", log_of(done.frames)[-1])
 
 
 # --- what is let go at a port is not taken back until it has left ------------------------------------------
