@@ -24,7 +24,6 @@ import './tutorial/tutorial.css';
 import './cameras/all-cameras.css';
 import './replay/replay.css';
 import './replay/timeline.css';
-import './panel/rail/watching.css';
 import './style/night.css';
 import { present } from './basics/assert';
 import { fly } from './link/live';
