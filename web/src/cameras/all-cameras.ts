@@ -23,7 +23,7 @@ export interface Drawn {
   readonly monitors: readonly Showing[];
   /** So often has the page been drawn. */
   readonly count: number;
-  /** Everything is drawn anew. */
+  /** Redraw everything. */
   readonly wiped: boolean;
 }
 

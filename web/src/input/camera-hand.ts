@@ -26,7 +26,7 @@ export interface CameraHandListener {
   hand(): { readonly camera: Camera; readonly slow: boolean };
   /** Why this page may not turn cameras, in a sentence; empty: it may. */
   barred(): string;
-  /** The sentence, told once as the switches are pushed. */
+  /** Sentence that is logged once when the switches are pushed. */
   say(text: string): void;
   send(command: Command): void;
   /** An engineering view moves: to the right and upwards [rad], nearer by a factor. */
@@ -40,7 +40,7 @@ export class CameraHand {
   private pushed = false;
   private last = performance.now();
 
-  /** `read` tells how the switches are pushed now. */
+  /** `read` returns the present positions of the switches. */
   constructor(
     private readonly read: () => Turning,
     private readonly listener: CameraHandListener,

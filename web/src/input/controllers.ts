@@ -12,7 +12,7 @@ import { SpaceMouse } from './spacemouse';
 import { mappingOf, revision } from './store';
 import { TouchSticks } from './touch';
 
-/** Longest name of a device that is told [characters]. */
+/** Longest name of a device that is reported [characters]. */
 const LONGEST_NAME = 80;
 
 /** What the desk shows of the devices. */
@@ -27,7 +27,7 @@ export interface ControllersShown {
   readonly names: Names;
 }
 
-/** As the desk shows a flight that nobody flies here. */
+/** Hand controllers as the desk displays them on a page that has no control. */
 export const NO_CONTROLLERS: ControllersShown = {
   words: '',
   gone: { thc: null, rhc: null },
@@ -91,7 +91,7 @@ export class Controllers {
     return this.paused ? ZERO : sum(keys, others);
   }
 
-  /** Takes control away: keys must be pressed anew, devices seen at zero. */
+  /** Take control away: keys must be pressed again, and devices must be at zero first. */
   release(): void {
     this.keyboard.release();
     this.pads.disarm();
@@ -116,7 +116,7 @@ export class Controllers {
     };
   }
 
-  /** Changes whenever `told` does. */
+  /** Changes whenever `told` changes. */
   get revision(): string {
     return `${revision()} ${this.devices.map(({ kind, name }) => `${kind} ${name}`).join()}`;
   }

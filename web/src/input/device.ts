@@ -103,7 +103,7 @@ export class Device {
     return ZERO;
   }
 
-  /** Takes control away until the device was seen at zero; a button held must be pressed anew. */
+  /** Take control away until the device has been at zero; a held button must be pressed again. */
   disarm(): void {
     if (this.state === 'flying') this.wait();
     for (const [index, use] of this.down) {
@@ -113,7 +113,7 @@ export class Device {
     this.alone = null;
   }
 
-  /** It was put away on purpose: nobody need be told that it is gone. */
+  /** The operator put it away; its absence is not reported. */
   forget(): void {
     this.read(null, 0);
     this.state = 'none';

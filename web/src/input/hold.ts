@@ -14,7 +14,7 @@ export class Hold {
     this.since ??= now;
   }
 
-  /** It came up at `now` [ms]; where nobody looked in time, it may have been held long enough. */
+  /** The key came up at `now` [ms]. If no frame was drawn in time, it may have been held long enough. */
   lift(now: number): void {
     this.tick(now);
     this.since = null;

@@ -16,7 +16,7 @@ export type Relayed =
   /** The window lost the focus: every key is let go. */
   | { readonly kind: 'released' };
 
-/** While keys are held, it is told so often [ms]. */
+/** Interval of the messages while keys are held [ms]. */
 const HOLDING_MS = 100;
 /** A window silent for this long holds no key any more [ms]; as the station has it for sticks. */
 const SILENT_MS = 500;

@@ -56,7 +56,7 @@ export class Keyboard {
     return this.value;
   }
 
-  /** Lets go of every key at once; a key still held must be pressed anew. */
+  /** Release every key at once; a held key acts only when it is pressed again. */
   release(): void {
     const held = [...this.held];
     this.held.clear();

@@ -1,6 +1,6 @@
 /**
  * Everything that a key, a button or an axis can be put to. To add one: a line in `USES`, its key in `defaults.ts`,
- * and for an action its case in `acts.ts`; sheet, saving, rebinding and recording follow from the table.
+ * and for an action its case in `page/commands.ts`; sheet, saving, rebinding and recording follow from the table.
  */
 
 import { AXES } from './deflection';
@@ -125,7 +125,7 @@ const ACTIONS: readonly Use[] = [
   ),
 ];
 
-/** By name, in the order in which people are told of them. */
+/** By name, in the order of the key sheet. */
 export const USES: ReadonlyMap<string, Use> = new Map(
   [...axisUses(), ...ACTIONS].map((use) => [use.name, use]),
 );

@@ -85,7 +85,7 @@ const CAP_AXES: readonly AxisWords[] = [
   ['Cap twist', 'Cap twist ↺', 'Cap twist ↻', '↺', '↻'],
 ];
 
-/** Where the browser tells no layout, what each key wrote as it was pressed; kept for the next time. */
+/** Characters that the keys wrote, for a browser that reports no layout; kept for the next visit. */
 const KEY = 'aftdeck.letters';
 let letters: ReadonlyMap<string, string> = new Map();
 let learned: Map<string, string> | null = null;

@@ -22,7 +22,7 @@ interface Seat {
 }
 
 export class Pads {
-  /** Two devices fly, and nobody has said yet whether each is in the right hand. */
+  /** Two devices fly, and the operator has not yet confirmed which hand each is in. */
   asks = false;
   private seats: Seat[] = [];
   /** What devices not in use showed when they were first seen, by the browser's number. */

@@ -15,7 +15,7 @@ const USAGE = 0x08;
 const FULL = 350;
 const AXES = 6;
 const MOST_BUTTONS = 32;
-/** A deflected cap tells so all the time; after this long without a report it is out of reach [ms]. */
+/** A deflected cap reports continuously; after this time without a report it is out of reach [ms]. */
 const SILENCE_MS = 500;
 /** A look counts for no more than this [ms]: reports wait, too, while the page is busy. */
 const MOST_OF_A_LOOK_MS = 50;

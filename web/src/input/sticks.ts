@@ -1,4 +1,4 @@
-/** The hand controllers as the station is told of them. */
+/** State of the hand controllers as it is sent to the station. */
 
 import type { Latency } from '../link/latency';
 import type { Vec3 } from '../link/protocol';
@@ -88,7 +88,7 @@ export class Sticks {
     if (changed && from !== null) this.latency.sent(seq, from);
   }
 
-  /** Zeroes the sticks at once; held keys must be pressed anew, devices seen at zero. */
+  /** Zero the sticks at once; keys must be pressed again, and devices must be at zero first. */
   zero(): void {
     this.controllers.release();
     this.camera = STILL;

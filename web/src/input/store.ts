@@ -10,7 +10,7 @@ const present = new Map<Kind, Mapping>();
 let changes = 0;
 let troubles: string[] = [];
 
-/** Grows with each change, so that who shows or tells mappings knows when to look again. */
+/** Grows with each change, so that displays of the mappings know when to update. */
 export function revision(): number {
   return changes;
 }
@@ -43,7 +43,7 @@ export function isDefault(kind: Kind): boolean {
   return mappingOf(kind) === DEFAULTS[kind];
 }
 
-/** Reads everything anew; a sentence for each saved mapping that is not used. */
+/** Read everything again. Returns a sentence for each saved mapping that is not used. */
 export function reread(): readonly string[] {
   present.clear();
   troubles = [];

@@ -13,7 +13,7 @@ export class TouchSticks {
   private refused = false;
   private readonly axes: number[] = Array<number>(TOUCH_AXES).fill(0);
 
-  /** A finger was used; whoever has one may want sticks. */
+  /** Offer touch sticks: the screen was touched. */
   touched(): void {
     if (!this.refused) this.shown = true;
   }

@@ -16,7 +16,7 @@ interface Line {
 }
 
 export class Arrivals {
-  /** How often the flight has begun anew. */
+  /** Number of restarts of the run. */
   restarts = 0;
   private newest: Seen | null = null;
   private readonly lines: Readonly<Record<Shows, Line>>;
@@ -30,7 +30,7 @@ export class Arrivals {
     this.lines = { telemetry: line(welcome.telemetry_delay_s), camera: line(welcome.camera_delay_s) };
   }
 
-  /** A frame came at `now` [ms]; true: the flight has begun anew with it. */
+  /** Take a frame that arrived at `now` [ms]; return true if the run restarted with it. */
   put(frame: Frame, now: number): boolean {
     const anew = this.newest !== null && frame.tick < this.newest.frame.tick;
     if (anew) this.restarts += 1;

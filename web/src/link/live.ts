@@ -28,7 +28,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   let scenarios: Scenarios | null = null;
 
   function welcome(message: Welcome): void {
-    // A station that comes back as it was keeps its page, and tells its whole log anew.
+    // A station that comes back unchanged keeps its page, and sends its whole log again.
     if (station && JSON.stringify(message) === JSON.stringify(welcomed)) {
       if (!(station instanceof Display)) station.forgetEvents();
       return;

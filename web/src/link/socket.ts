@@ -37,7 +37,7 @@ export class Link {
   constructor(
     private readonly url: string,
     private readonly listener: LinkListener,
-    /** What it says of itself: it is nobody's hands now, as a second window or too narrow to fly from; it draws strips. */
+    /** State that the page reports: it cannot fly (a secondary window, or too narrow); it draws strips. */
     private readonly itself: () => Pick<Hello, 'shows' | 'strips'>,
   ) {
     listener.state({ kind: 'connecting' });

@@ -11,7 +11,7 @@ export interface DeviceWatchListener {
 }
 
 export class DeviceWatch {
-  /** What the station was told last. */
+  /** Devices that were last reported to the station. */
   private told = '';
   /** The devices that were gone, by name. */
   private lost: ReadonlySet<string> = new Set();
@@ -21,7 +21,7 @@ export class DeviceWatch {
     private readonly listener: DeviceWatchListener,
   ) {}
 
-  /** The station forgot what it was told. */
+  /** Report the devices again: the station has lost its copy. */
   tellAgain(): void {
     this.told = '';
   }

@@ -9,7 +9,7 @@ export interface Hook {
   fps: number;
   /** The last frame that the whole page shows: pictures, lamps and figures. */
   lastFrame: Frame | null;
-  /** How often the flight shown has begun anew; counted from what arrives, so that none is missed. */
+  /** Number of restarts of the displayed run, counted from the messages, so that none is missed. */
   restarts: number;
   /** Stick to picture, 95th percentile of the last 10 s [ms]. */
   latency95: number | null;

@@ -62,7 +62,7 @@ export class Operator {
     this.timer = window.setInterval(() => this.tick(performance.now()), TICK_MS);
   }
 
-  /** Reads the devices; a page that nobody sees or that only watches has its sticks at zero. */
+  /** Read the devices. On a hidden page and on an observer's page the sticks are zero. */
   tick(now: number): void {
     if (this.ticked > 0 && now - this.ticked > LOST_MS) this.sticks.zero();
     this.ticked = now;
@@ -77,7 +77,7 @@ export class Operator {
     return this.flying ? this.sticks.camera : watched;
   }
 
-  /** Zeroes the sticks at once; held keys must be pressed anew. */
+  /** Zero the sticks at once; a held key acts only when it is pressed again. */
   zero(): void {
     this.sticks.zero();
   }

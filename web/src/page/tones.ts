@@ -74,7 +74,7 @@ export class Tones {
     this.master.connect(this.context.destination);
   }
 
-  /** The alarm that nobody has acknowledged yet; called ten times a second. `more`: another one came in. */
+  /** Sound the unacknowledged alarm; called ten times a second. `more`: another alarm has come in. */
   sound(alarm: Alarm, more: boolean): void {
     if (alarm === 'caution' && (this.alarm === 'none' || more)) this.tone(CAUTION.pitch, 0, CAUTION.seconds);
     this.alarm = alarm;

@@ -25,7 +25,7 @@ const VALUES_MS = 100;
 /** A longer pause of the browser's is none of the recording's [s]. */
 const LONGEST_STEP_S = 0.25;
 const VERDICT_MS = 1000;
-/** That a window was kept from opening is said for this long [ms]. */
+/** Time for which a blocked window is reported [ms]. */
 const BLOCKED_MS = 8000;
 /** An event this near to the playhead is the one it stands at [s]. */
 const AT = 1e-3;

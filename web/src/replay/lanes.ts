@@ -105,7 +105,7 @@ export interface Mark {
   readonly text: string;
 }
 
-/** The payload taken and let go, docked and latched; what the log tells twice in a step is one mark. */
+/** Capture, release, docking and latching; two equal log lines of a step are one mark. */
 export function marksOf(events: readonly LogEvent[]): readonly Mark[] {
   const marks: Mark[] = [];
   for (const { kind, time_s, text } of events) {

@@ -20,7 +20,7 @@ export function replayRail(index: PlaybackIndex, flying: string | null, changeUn
   const units = button({ title: 'Units of the read-outs' }, [], changeUnits);
   const fact = (name: string, value: string | HTMLElement, title = '') =>
     el('span', { class: 'fact', title }, `${name} `, typeof value === 'string' ? el('b', {}, value) : value);
-  /** Words of any length, cut off where the rail has no room, told whole as the pointer rests on them. */
+  /** Text of any length, cut off where the rail has no room; the tooltip has the whole text. */
   const words = (name: string, text: string) =>
     text === '' ? [] : [el('span', { class: 'fact words', title: text }, `${name} `, el('b', {}, text))];
   const note = (text: string, title: string, kind = 'note') => el('span', { class: kind, title }, text);

@@ -5,7 +5,7 @@ import type { Block, PlaybackIndex, Verdict } from '../link/protocol';
 export interface Source {
   index(): Promise<PlaybackIndex>;
   block(number: number): Promise<Block>;
-  /** The recomputation's result as far as it is known now; null where nobody works on it. */
+  /** Result of the re-simulation so far; null if none was started. */
   verdict(): Promise<Verdict> | null;
 }
 

@@ -29,7 +29,7 @@ export class Timeline {
   private readonly head = el('div', { class: 'playhead' });
   private readonly slider: HTMLElement;
 
-  /** `duration` of the run [s]; `sought`: the reader puts the playhead, null where nobody does. */
+  /** `duration` of the run [s]; `sought`: called when the playhead is moved, null if it cannot be. */
   constructor(
     private index: Timed,
     private readonly duration: number,
@@ -40,7 +40,7 @@ export class Timeline {
       this.firsts.set(name, first);
       first += curves.length;
     }
-    // What has no end yet is drawn anew at once, over the time that is there.
+    // A lane without an end is redrawn at once, over the time that is available.
     this.span = { from: 0, to: Number.isFinite(this.duration) ? this.duration : 1 };
     this.slider = el(
       'div',

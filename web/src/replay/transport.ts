@@ -97,7 +97,7 @@ export class Transport {
     listener.strips(this.strips.chosen);
   }
 
-  /** `said`: the last line of the log up to the playhead, or why nothing moves. */
+  /** `said`: the last line of the log before the playhead, or the reason why playback stopped. */
   show(said: string, troubled: boolean): void {
     setText(this.toggle, this.player.playing ? 'Pause' : 'Play');
     setPressed(this.toggle, this.player.playing);

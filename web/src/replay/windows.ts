@@ -1,4 +1,4 @@
-/** The windows torn off a page that plays: they are told what it shows and where it is, and act on it. */
+/** Secondary windows of a replay: they receive its pictures and playhead, and control it. */
 
 import type { Pictures } from '../cameras/pictures';
 import { RelayedKeys } from '../input/key-relay';
@@ -29,7 +29,7 @@ export class ReplayWindows {
     this.windows.say({ kind: 'page', monitors, plane, units: this.units(), takesKeys: true });
   }
 
-  /** Where the playhead is, if that has changed since it was told. */
+  /** Position of the playhead, if it has changed since it was last sent. */
   tellHead(): void {
     const { position, speed } = this.player;
     const head = `${position} ${speed}`;

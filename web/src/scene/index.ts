@@ -53,7 +53,7 @@ const EXPOSED = 1.1;
  * waits for all that it has asked to be drawn, which takes long where the processor draws.
  */
 const METERED_MS = { full: 300, low: 1500 } as const;
-/** A fraction of a stop that nobody sees. */
+/** Invisible change of exposure [stops]. */
 const UNSEEN = 50;
 
 /** The orbiter, the arm, the Earth and the light on them, drawn as the cameras see them. */
@@ -150,7 +150,7 @@ export class Scene {
       exposure.follow(time, base, locked.find(({ camera }) => camera === name)?.stops ?? null);
   }
 
-  /** How a camera's picture is exposed: to a fraction of a stop that nobody sees, over that of full sunlight. */
+  /** Exposure of a camera's picture relative to full sunlight, to an invisible fraction of a stop. */
   stops(camera: string): number {
     return Math.round((this.exposures.get(camera)?.exposure.stops ?? 0) * UNSEEN) / UNSEEN;
   }
@@ -215,7 +215,7 @@ export class Scene {
     this.relay?.wipe(ROOM);
   }
 
-  /** Draws these views anew; the others stay as they were drawn. */
+  /** Redraw these views; the others keep their pictures. */
   draw(views: readonly View[]): void {
     const { renderer } = this;
     renderer.setScissorTest(true);

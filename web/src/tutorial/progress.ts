@@ -9,7 +9,7 @@ export interface Progress {
   /** Where the tip was when this step began; null: not seen yet. */
   readonly from: Vec3 | null;
   readonly looked: boolean;
-  /** Gone back to: this step was done before, and ends only once it is done anew. */
+  /** This step was complete before; it ends only when it is repeated. */
   readonly again: boolean;
   /** Steps skipped, and not done since. */
   readonly skipped: ReadonlySet<number>;
@@ -37,7 +37,7 @@ export function isOver({ at }: Progress): boolean {
   return at >= STEPS.length;
 }
 
-/** The next frame; `height` of the payload in it [m]. A flight that has begun anew begins the tutorial anew. */
+/** Take the next frame, with the payload's `height` [m]. A restart of the run restarts the tutorial. */
 export function seen(before: Progress, now: Frame, height: number): Progress {
   if (now.tick < before.tick) return seen(BEGIN, now, height);
   const first = before.tick < 0 && held(now);

@@ -36,7 +36,7 @@ export class LastMinutes {
     this.until = time;
   }
 
-  /** Lines of the log; time that goes back begins a flight anew. */
+  /** Add lines of the log; a time that goes back is a restart. */
   note(events: readonly LogEvent[]): void {
     for (const event of events) {
       const last = this.events.at(-1);
@@ -46,7 +46,7 @@ export class LastMinutes {
     this.forgetEvents((this.events.at(-1)?.time_s ?? 0) - KEPT_S);
   }
 
-  /** The log is told anew. */
+  /** Replace the log by the lines that follow. */
   forget(): void {
     this.events = [];
   }

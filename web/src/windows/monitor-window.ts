@@ -33,7 +33,7 @@ export class Display {
   private readonly line: DelayLine;
   private valuesAt = 0;
   private request = 0;
-  /** Others are not told of what they told. */
+  /** A change that came from another window is not sent back. */
   private hearing = false;
   private units: UnitName;
   private readonly pictures: Pictures;

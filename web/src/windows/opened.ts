@@ -28,7 +28,7 @@ export interface Playhead {
 export type Said =
   | PageState
   | Playhead
-  /** The page is closed, or loaded anew. */
+  /** The page is closed or reloaded. */
   | { readonly kind: 'gone' }
   /** A window asks what its page shows. */
   | { readonly kind: 'ask' }
@@ -49,7 +49,7 @@ const VIEWS: readonly (readonly [string, Torn])[] = [
 /** Names the page that a window was torn off. */
 const OF = 'of';
 
-/** What is said where the browser opens no window. */
+/** Text for a browser that blocks the window. */
 export const BLOCKED = 'Pop-ups are blocked: allow them for this page, then press ↗ again.';
 
 /** The way between one page and its windows; other pages of the browser have their own. */

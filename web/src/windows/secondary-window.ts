@@ -34,7 +34,7 @@ export const PLAYED = { keys: 'Keys play here too', alone: 'No page plays' };
 
 export class Tether {
   readonly rail: HTMLElement;
-  /** What the page told last; null: there is none. */
+  /** State that the page sent last; null before the first. */
   page: PageState | null = null;
   private gone = false;
   private heardAt = performance.now();

@@ -13,7 +13,7 @@ import { wayToFixture } from './way-to-fixture';
 
 /** Cells that there is room for. */
 const MOST = 6;
-/** Words as the flown panels shorten them, so that a cell holds what tells it from the others. */
+/** Abbreviations of the flown panels: a cell keeps the words that distinguish it. */
 const SHORT = { forward: 'fwd', starboard: 'stbd', 'trunnion in guide': 'in guide' } as const;
 /** Length of a bar; its limit stands in the middle. */
 const LENGTH = 100;

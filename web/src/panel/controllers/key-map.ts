@@ -107,7 +107,7 @@ export class KeyMap {
     }
   }
 
-  /** Writes it anew: mappings may have changed. */
+  /** Rewrite the sheet: mappings may have changed. */
   private fill(): void {
     this.caps = new Map();
     this.element.replaceChildren(
@@ -178,7 +178,7 @@ function sources(kind: Kind, use: string): readonly string[] {
   return sourcesOf(mappingOf(kind), use).map((source) => nameOfSource(kind, source));
 }
 
-/** Names one after the other, what they begin with alike said once: `Menu + Cross ↓ ↑`. */
+/** Join names, with a common beginning written once: `Menu + Cross ↓ ↑`. */
 export function together(names: readonly string[]): string {
   const [first = '', ...others] = names;
   if (others.length === 0) return first;

@@ -1,4 +1,4 @@
-/** A cap that tells what a use is put to, and is pressed to change that. */
+/** Key cap that shows the key or button of a use; pressing it changes the assignment. */
 
 import { labelOf } from '../../input/keymap';
 import { nameOfSource } from '../../input/layout';

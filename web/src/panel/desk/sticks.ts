@@ -60,7 +60,7 @@ export function gone(cross: string): {
 /** Three numbers in a row, each after its letter. */
 export function triple(letters: readonly [string, string, string]): {
   element: HTMLElement;
-  /** `first` names the first number anew. */
+  /** `first` renames the first number. */
   set(values: readonly [number, number, number], first?: string): void;
 } {
   const fields = letters.map((text) => ({

@@ -10,7 +10,7 @@ import { standRow } from './stand';
 
 /** Sent no more often than this [ms]. */
 const PERIOD_MS = 50;
-/** The station tells where the master stands; so long after it was moved here, its own word counts again [ms]. */
+/** Time after a change here, after which the station's angles of the master are displayed again [ms]. */
 const OWN_MS = 500;
 
 export interface MasterGroup extends Part {
@@ -86,7 +86,7 @@ export function masterGroup(desk: Desk): MasterGroup {
   };
 }
 
-/** The six angles with one put anew. */
+/** Return the six angles with one replaced. */
 export function replaced([a, b, c, d, e, f]: Six, joint: number, angle: number): Six {
   const put = (old: number, i: number) => (i === joint ? angle : old);
   return [put(a, 0), put(b, 1), put(c, 2), put(d, 3), put(e, 4), put(f, 5)];

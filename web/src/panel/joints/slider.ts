@@ -19,7 +19,7 @@ export interface Slider {
   set(actual: number, commanded: number): void;
 }
 
-/** `moved` is told each angle [rad] that the operator puts. */
+/** `moved` is called with each angle [rad] that the operator sets. */
 export function slider(joint: JointInfo, moved: (angle: number) => void): Slider {
   const thumb = svg('path', { class: 'commanded', d: 'M-5.5 -2 H5.5 L0 8 Z' });
   const bar = jointBar(joint, thumb);

@@ -116,7 +116,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
       ends.forEach((end, i) => {
         setClass(end, 'hidden', !seen[i]);
       });
-      // In a replay that stands still, no picture is drawn that would place it anew.
+      // A paused replay draws no picture that would place it again.
       if (label.textContent.length !== letters && !label.hidden) placeLabel();
     },
   };

@@ -30,7 +30,7 @@ export interface PictureListener {
   taken(): void;
   /** The engineering view was dragged to the right and upwards [rad], round or aside, or brought nearer by a factor. */
   orbited(right: number, upwards: number, nearer: number, aside: boolean): void;
-  /** Cameras can be turned from this page, by whoever flies. */
+  /** True if this page can turn cameras: it is in control. */
   readonly turns: boolean;
 }
 

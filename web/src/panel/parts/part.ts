@@ -12,7 +12,7 @@ export interface View {
   readonly units: Units;
   /** Where this page's own sticks stand. */
   readonly hand: Deflection;
-  /** What is told of the devices that move them. */
+  /** Description of the devices that move them. */
   readonly controllers: ControllersShown;
   /** What the page that flies is called, at the beginning of a sentence; empty: no page flies; null: a recording, which does not tell. */
   readonly flier: string | null;

@@ -1,4 +1,4 @@
-/** The report's INITIALISE: where the problem begins anew, in a list that opens under its key. */
+/** The report's INITIALISE: start points of the problem, in a list under its key. */
 
 import type { ProblemPart } from '../../link/protocol';
 import { button, el } from '../parts/dom';

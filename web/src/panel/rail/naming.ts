@@ -18,7 +18,7 @@ export interface Naming {
   /** Says who flies; pressed, it opens the field. */
   readonly key: HTMLButtonElement;
   say(text: string): void;
-  /** What the station says; where it knows no name of a page with a seat, it is told the one kept. */
+  /** Take the station's list; a page in control without a name sends the stored name. */
   set(role: Role): void;
   /** Whether what the station refused is the name that was typed. */
   refuse(number: number, text: string): boolean;

@@ -15,7 +15,7 @@ export interface ScenarioChoice {
   readonly element: HTMLElement;
   /** Over the monitors: the question, and what is made ready. */
   readonly question: HTMLElement;
-  /** What the station tells of them. */
+  /** Take the station's list of scenarios. */
   set(told: Scenarios): void;
   values(frame: Frame): void;
   /** Flies a scenario by its name; asks first where something was flown. */

@@ -14,12 +14,12 @@ const REFUSAL_MS = 5000;
 export interface Knows {
   /** When something was refused last [ms, as performance.now()]. */
   readonly refusedAt: number;
-  /** So long has the station said nothing [s]. */
+  /** Time since the station's last message [s]. */
   readonly silence: number;
   readonly delays: Delays;
   /** How old the pictures are. */
   readonly pictures: Age;
-  /** Null: nobody could fly with them here. */
+  /** Null on a page that cannot fly. */
   readonly controllers: Pick<Controllers, 'lost' | 'waiting'> | null;
 }
 

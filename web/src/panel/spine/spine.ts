@@ -44,7 +44,7 @@ export class Spine {
     this.show([]);
   }
 
-  /** Lights exactly these lamps; in a test all of them, which alarms nobody. */
+  /** Light exactly these lamps; a lamp test lights all of them without an alarm. */
   show(lamps: readonly SpineLamp[], test = false): void {
     const now = new Map(lamps.map((lamp) => [lamp.name, lamp]));
     for (const [name, lamp] of now) {
@@ -73,7 +73,7 @@ export class Spine {
       );
   }
 
-  /** What nobody has acknowledged yet, and whether another lamp was lit since this was last asked. */
+  /** Unacknowledged lamps, and whether another lamp was lit since the last call. */
   takeAlarm(): { readonly alarm: Alarm; readonly more: boolean } {
     const levels = [...this.unseen].map((name) => this.lit.get(name)?.level);
     const alarm = levels.includes('warning') ? 'warning' : levels.length > 0 ? 'caution' : 'none';

@@ -141,7 +141,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     set(frame, shown) {
       latest = frame;
       if (units && units !== shown) convert(units, shown);
-      // What was typed stays until the station has another target; a refused one is there to be mended.
+      // The typed values stay until the station has another target, so that a rejected one can be corrected.
       const { aim } = frame.display;
       const key = aim ? JSON.stringify([aim.position, aim.attitude]) : '';
       if (!aim && aimed && !edited) follows = true; // begun anew
