@@ -1,4 +1,4 @@
-/** All cameras at once: what each sees, which pair sees most, and the plan of where they stand. */
+/** All cameras at once: the view of each, the pair that sees most, and a plan of their positions. */
 
 import type { Camera, ClosestPoints, Frame } from '../link/protocol';
 import type { Matrix } from '../panel/monitors/matrix';
@@ -16,7 +16,7 @@ export interface Showing {
   readonly cameras: readonly Camera[];
 }
 
-/** The page as it stands when all cameras are shown. */
+/** Parts of the page while all cameras are shown. */
 export interface Drawn {
   readonly frame: Frame;
   readonly gap: ClosestPoints | null;

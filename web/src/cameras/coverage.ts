@@ -24,7 +24,7 @@ export class Survey {
     this.payloads = welcome.bodies.map(({ name }) => name).filter((name) => names.has(name));
   }
 
-  /** Looks through so many cameras more, with the scene as it stands at a frame. */
+  /** Look through so many more cameras, with the scene of a frame. */
   look(frame: Frame, gap: ClosestPoints | null, count: number): void {
     const { cameras } = this.welcome;
     this.at = {
@@ -68,7 +68,7 @@ export class Survey {
   }
 
   /**
-   * What the two monitors show at first: the best pair of those that stand still, as the arm's own cameras look
+   * First cameras of the two monitors: the best pair of those that do not move, as the arm's own cameras look
    * elsewhere once it moves; with an empty hand, the hand's own camera in place of the second, if it sees the payload
    * that is to be taken.
    */

@@ -1,4 +1,4 @@
-/** What stands over a monitor's picture and is of that picture: lens, axes, the narrowest gap, what touches. */
+/** Overlay of a monitor's picture: lens, axes, minimum clearance, contacts. */
 
 import type { ClosestPoints, Frame } from '../link/protocol';
 import type { GapLine, Touch } from '../panel/monitors/gap-overlay';

@@ -89,7 +89,7 @@ function called(
 
 type Read = Pick<Device, 'reading' | 'mapping'>;
 
-/** Whether something of it that has a use is moved; a throttle without one may stand anywhere. */
+/** True if an assigned axis or button is moved; an unassigned throttle may have any position. */
 function isMoved(device: Read): boolean {
   const parts = Object.keys(device.mapping.bindings).flatMap((source) => source.split('+'));
   return parts.some((part) => Math.abs(standing(device, part)) > MOVED);

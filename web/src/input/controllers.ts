@@ -17,7 +17,7 @@ const LONGEST_NAME = 80;
 
 /** What the desk shows of the devices. */
 export interface ControllersShown {
-  /** Who flies, or what stands against it. */
+  /** The device that flies, or the reason why none does. */
   readonly words: string;
   /** Of each hand controller the device that is gone; null: none. */
   readonly gone: Readonly<Record<Hand, string | null>>;
@@ -75,7 +75,7 @@ export class Controllers {
     return this.devices.filter(({ state }) => state === 'waiting');
   }
 
-  /** Where all of them stand at `now` [ms], `dt` [s] after the last look; a loss takes all of them to zero. */
+  /** Return all deflections at `now` [ms], `dt` [s] after the last call; a lost device makes them zero. */
   poll(now: number, dt: number): Deflection {
     const gone = this.lost.length;
     const parts = [this.pads.poll(now), this.readCap(now), this.readScreen(now)];

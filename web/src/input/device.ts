@@ -16,7 +16,7 @@ export interface Reading {
 /** `none`: never seen · `waiting`: not yet seen at zero · `flying` · `lost`: gone while it was ours. */
 export type DeviceState = 'none' | 'waiting' | 'flying' | 'lost';
 
-/** Axes that stand off zero and do not move for this long rest there [ms]. */
+/** Time without motion after which an axis off zero counts as at rest [ms]. */
 const REST_MS = 1500;
 /** A sensor's noise. */
 const STILL = 0.02;
@@ -57,7 +57,7 @@ export class Device {
   name = '';
   /** What it shows now; null: it is not there. */
   reading: Reading | null = null;
-  /** It stands off zero and does not move: a sensor that rests there, not a hand. */
+  /** Off zero without motion: a sensor with an offset, not a deflection. */
   resting = false;
   /** Buttons down, each with the use that it went down for. */
   private readonly down = new Map<number, string | undefined>();

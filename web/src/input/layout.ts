@@ -90,7 +90,7 @@ const KEY = 'aftdeck.letters';
 let letters: ReadonlyMap<string, string> = new Map();
 let learned: Map<string, string> | null = null;
 
-/** What stands on the key at that place, as far as it is known now. */
+/** Return the legend of the key at that place, if known. */
 export function nameOf(code: string): string {
   return (
     NAMES[code] ??
@@ -149,7 +149,7 @@ export async function learnLayout(): Promise<void> {
 
 type Pressed = Pick<KeyboardEvent, 'code' | 'key' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>;
 
-/** A key that was pressed alone has written what stands on it. */
+/** A key that was pressed alone wrote its legend. */
 export function learnLetter({ code, key, shiftKey, ctrlKey, altKey, metaKey }: Pressed): void {
   if (shiftKey || ctrlKey || altKey || metaKey || !/^Key[A-Z]$/.test(code) || !/^\S$/u.test(key)) return;
   if (letters.size > 0 || pressed().get(code) === key.toLowerCase()) return;

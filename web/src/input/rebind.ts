@@ -54,7 +54,7 @@ export function keyRefusal(
 /**
  * A mapping with a use put to what was pressed or moved.
  *
- * Throws an Error whose sentence says what stands against it.
+ * Throws an Error with the reason for a rejection.
  */
 export function bind(kind: Kind, mapping: Mapping, use: string, { source, sign }: Source): Mapping {
   const does = USES.get(use)?.does;
@@ -94,9 +94,9 @@ export function movers(mapping: Mapping, use: string): readonly Source[] {
 }
 
 /**
- * A mapping in which the axes are at zero where they stand.
+ * Return a mapping in which the present positions of the axes are zero.
  *
- * Throws an Error whose sentence says which one stands too far off.
+ * Throws an Error that names an axis too far from its centre.
  */
 export function zeroed(kind: Kind, mapping: Mapping, axes: readonly number[]): Mapping {
   const centres = axes.map((value, axis) => {

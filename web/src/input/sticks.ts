@@ -46,7 +46,7 @@ export class Sticks {
     private readonly send: (command: Command) => number,
   ) {}
 
-  /** Where the sticks stand, as last sent. */
+  /** Deflections as last sent. */
   get value(): Deflection {
     return this.sent;
   }

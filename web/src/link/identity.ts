@@ -4,7 +4,7 @@ const KEY = 'aftdeck page';
 
 let own: string | null = null;
 
-/** The page's name. The browser holds it only while the page is away: what is copied of a page that stands has none. */
+/** The page's name. The browser holds it only during a reload, so that a duplicated page gets a name of its own. */
 export function pageName(): string {
   if (own !== null) return own;
   const name = kept(() => sessionStorage.getItem(KEY)) ?? Math.random().toString(36).slice(2);

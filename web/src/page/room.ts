@@ -7,7 +7,7 @@ export const ROOM = {
   upright: '(width < 956px)',
   /** The arm is watched, not flown. */
   watching: '(width < 720px)',
-  /** Lamps stand two beside each other. */
+  /** Lamps are in two columns. */
   low: '((height < 860px) or ((width < 956px) and (height < 1020px)))',
   /** Of a replay's figures and log, one is shown. */
   short: '(height <= 870px)',

@@ -27,7 +27,7 @@ const LONGEST_STEP_S = 0.25;
 const VERDICT_MS = 1000;
 /** Time for which a blocked window is reported [ms]. */
 const BLOCKED_MS = 8000;
-/** An event this near to the playhead is the one it stands at [s]. */
+/** Greatest time between the playhead and its event [s]. */
 const AT = 1e-3;
 
 /** Fills the page with a recording, or says why it cannot be played. */
@@ -182,7 +182,7 @@ class Replay {
     }
   }
 
-  /** Whether the pictures differ from those that stand: another frame, camera, or window. */
+  /** True if the pictures have to change: another frame, camera, or window. */
   private isNew(frame: Frame): boolean {
     const { canvas, monitors, showsPlane, matrixOpen, moved } = this.pictures;
     const { clientWidth, clientHeight } = canvas;

@@ -38,7 +38,7 @@ export function stretchAt(stretches: readonly Stretch[], position: number): numb
   return low;
 }
 
-/** Where a stretch is drawn to, so that the next one stands apart. */
+/** End of a stretch as drawn, with a gap before the next one. */
 function endOf({ start_s, end_s }: Stretch, span: Span): number {
   return end_s - Math.min(GAP * lengthOf(span), GAP_OF_STRETCH * (end_s - start_s));
 }

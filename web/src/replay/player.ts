@@ -74,7 +74,7 @@ export class Player {
     this.fetch();
   }
 
-  /** Goes frames on or back, and stands. */
+  /** Step forwards or back by frames, and pause. */
   step(frames: number): void {
     const { period_s, stride } = this.extent;
     this.pause();

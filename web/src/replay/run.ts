@@ -33,7 +33,7 @@ export class RunColumn {
     const table = el('table', {}, el('tbody', {}, ...this.figures.map(({ row }) => row)));
     const [figures, log] = [group('measures', 'This run', table), group('run-log', 'Log', this.log)];
     this.element = el('aside', { class: 'run' }, figures, log);
-    // Where the window is too low for both, one stands for the other.
+    // If the window is too low for both, one replaces the other.
     const turn = (from: HTMLElement, to: HTMLElement, name: string, showsLog: boolean) => {
       const key = button({ class: 'more' }, [name], () => {
         setClass(this.element, 'shows-log', showsLog);

@@ -10,7 +10,7 @@ export interface Span {
 export const LEAST_S = 2;
 /** One step in or out makes the span so many times shorter or longer. */
 export const STEP = 2;
-/** Where the playhead stands in a span that had to move on with it, from the end that it came from. */
+/** Position of the playhead in a span that moved with it, from the end that it came from. */
 const AHEAD = 0.1;
 
 export function lengthOf({ from, to }: Span): number {

@@ -9,7 +9,7 @@ import { partOf, type Span } from './span';
 
 /** Room above and below the curves, as a part of their range. */
 const MARGIN = 0.08;
-/** Half as high as what the curve's value stands in, which stays within its strip. */
+/** Half the height of the curve's value, which stays within its strip. */
 const HALF_TAG = '0.6rem';
 
 export interface StripRow {

@@ -1,4 +1,4 @@
-/** Play, pause, speed, time, and what stands below: strips by choice, or the desk as flown. */
+/** Play, pause, speed, time, and the choice of what is below: strips, or the desk as flown. */
 
 import type { PlaybackIndex } from '../link/protocol';
 import { button, el, setAttribute, setClass, setPressed, setText } from '../panel/parts/dom';

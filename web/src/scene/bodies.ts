@@ -24,7 +24,7 @@ const turn = new Quaternion();
 /** Before the sky, which is behind everything. */
 const LAST = 0.5;
 
-/** A lamp and where it stands in its body's frame. */
+/** A lamp and its pose in its body's frame. */
 export interface PlacedLight {
   readonly light: Light;
   readonly place: Matrix4;
@@ -86,7 +86,7 @@ export class Body {
     }
   }
 
-  /** Draws this body after all others: what stands before it spares its pixels. */
+  /** Draw this body after all others: its hidden pixels then cost nothing. */
   drawLast(): void {
     for (const mesh of this.group.children) mesh.renderOrder = LAST;
   }
@@ -99,7 +99,7 @@ export class Body {
     this.group.updateMatrixWorld(true);
   }
 
-  /** Its name, the triangles that draw it, and where its frame stands in the scene. */
+  /** Its name, its triangles, and the pose of its frame in the scene. */
   get drawn(): DrawnBody {
     const triangles = this.group.children.reduce(
       (sum, child) => sum + (child instanceof Mesh ? (child.geometry.index?.count ?? 0) / 3 : 0),

@@ -5,7 +5,7 @@ import type { Body } from './bodies';
 import { Orbit } from './orbit';
 import { settingOf, type View, viewOf } from './view';
 
-/** Nothing nearer is drawn [m]; behind a window, what stands before its pane. */
+/** Near plane [m]; behind a window, beyond its pane. */
 const NEAR = 0.01;
 const FAR = 400;
 const ORIGIN = new Vector3();
@@ -103,7 +103,7 @@ export class Cameras {
     });
   }
 
-  /** Where a camera's drives stand, or would: pan, tilt, horizontal field of view [rad]. */
+  /** Settings of a camera's drives, or those commanded: pan, tilt, horizontal field of view [rad]. */
   setting(name: string): Vec3 {
     return this.one(name).setting;
   }
@@ -136,7 +136,7 @@ export class Cameras {
     this.one(name).look(orbit.view);
   }
 
-  /** The camera as it stands now, for a picture of this width over height. */
+  /** The camera at present, for a picture of this width over height. */
   at(name: string, aspect: number): PerspectiveCamera {
     return this.one(name).at(aspect);
   }

@@ -4,9 +4,9 @@
 export const RANGE = 2;
 /** It comes nearer by e in this time [s]. */
 export const TIME_CONSTANT_S = 0.8;
-/** The light that stands right at no stops: four tenths of what a white blanket in sunlight gives off. */
+/** Light that is exposed right at 0 stops: four tenths of what a white blanket in sunlight reflects. */
 export const KEY = 0.4;
-/** After so long a pause, or a jump back in time, it stands at once where the next picture calls for it [s]. */
+/** Pause after which, as after a jump back in time, the exposure changes at once [s]. */
 const PAUSE_S = 2;
 
 /**
@@ -41,7 +41,7 @@ export class Exposure {
     return !this.anew;
   }
 
-  /** The light is another: it stands at once where the next picture calls for it. */
+  /** The light has changed: set the exposure at once when the next picture is measured. */
   renew(): void {
     this.anew = true;
   }
@@ -61,7 +61,7 @@ export class Exposure {
     }
   }
 
-  /** Takes what its picture called for; the first time, it stands there at once. */
+  /** Take the exposure that its picture asks for; the first time, set it at once. */
   meter(wanted: number | null): void {
     if (wanted !== null) this.wanted = wanted;
     if (this.anew) this.now = this.held(wanted ?? this.base);

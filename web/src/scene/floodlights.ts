@@ -28,7 +28,7 @@ export function isSpot({ cone }: Light): boolean {
   return cone <= Math.PI / 2;
 }
 
-/** Where a lamp stands in the scene, and along what it looks. */
+/** Position of a lamp in the scene, and its direction. */
 export function standing({ body, place }: Lamp, at: Vector3, along: Vector3): void {
   at.setFromMatrixPosition(place).applyMatrix4(body.group.matrixWorld);
   along.set(1, 0, 0).transformDirection(place).transformDirection(body.group.matrixWorld);

@@ -165,7 +165,7 @@ export class Scene {
     this.cameras.put(views);
   }
 
-  /** Where a camera's drives stand, or would: pan, tilt, horizontal field of view [rad]. */
+  /** Settings of a camera's drives, or those commanded: pan, tilt, horizontal field of view [rad]. */
   setting(camera: string): Vec3 {
     return this.cameras.setting(camera);
   }
@@ -204,7 +204,7 @@ export class Scene {
     this.ghost.set(poses, performance.now());
   }
 
-  /** Wipes the canvas, whose pictures stand in other places from now on. */
+  /** Clear the canvas; its pictures have new positions from now on. */
   wipe(): void {
     const { renderer } = this;
     this.fit();

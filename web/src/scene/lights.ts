@@ -12,7 +12,7 @@ import { isSpot, type Lamp, PENUMBRA } from './floodlights';
 
 /** Half the side of the square round the bay that casts shadows [m]. */
 const SHADOWED = 15;
-/** How far up the sun's shadow camera stands [m]. */
+/** Height of the sun's shadow camera [m]. */
 const HEIGHT = 40;
 /** Of a lamp's light with distance. */
 const DECAY = 1.8;

@@ -20,7 +20,7 @@ export class Orbit {
   private heading: number;
   private rise: number;
 
-  /** Begins as the camera stands, which looks at a point over the origin of its body. */
+  /** Start from the camera's pose; it looks at a point over the origin of its body. */
   constructor(private readonly camera: Camera) {
     const eye = new Vector3(...camera.position);
     const look = way.set(...camera.boresight).normalize();

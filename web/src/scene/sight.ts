@@ -1,4 +1,4 @@
-/** What a camera sees: points of the scene that lie in its picture and that nothing stands before. */
+/** Visibility from a camera: points of the scene that are in its picture and that nothing hides. */
 
 import { type Intersection, type Mesh, type PerspectiveCamera, Raycaster, Vector3 } from 'three';
 import type { Camera, Vec3 } from '../link/protocol';
@@ -54,7 +54,7 @@ export class Sight {
     });
   }
 
-  /** Of each end of a line of the scene, whether nothing stands before it. */
+  /** For each end of a line of the scene, whether it is visible. */
   ends(camera: Camera, a: Vec3, b: Vec3): readonly [boolean, boolean] {
     const [, ...near] = ALONG;
     const [first = false, last = false] = near.map((part) => this.clear(camera, between(a, b, part), null));
@@ -72,7 +72,7 @@ export class Sight {
     });
   }
 
-  /** Where its lens stands in the scene. */
+  /** Position of its lens in the scene. */
   lens({ name }: Camera): Vec3 {
     const { x, y, z } = lens.setFromMatrixPosition(this.cameras.at(name, ASPECT).matrixWorld);
     return [x, y, z];
@@ -92,7 +92,7 @@ export class Sight {
     return Math.abs(x) <= wide * pane.width && Math.abs(y) <= wide * pane.height;
   }
 
-  /** Nothing but `own` stands between the lens and a place. */
+  /** True if nothing but `own` is between the lens and a point. */
   private clear(camera: Camera, place: Vec3, own: Body | null): boolean {
     const seen = this.cameras.at(camera.name, ASPECT);
     lens.setFromMatrixPosition(seen.matrixWorld);
@@ -103,7 +103,7 @@ export class Sight {
     return !first || first.object.parent === own?.group;
   }
 
-  /** What stands on the way from the lens, beyond the near plane and up to a distance [m]. */
+  /** Obstacle on the way from the lens, beyond the near plane and up to a distance [m]. */
   private cast(seen: PerspectiveCamera, distance: number): Intersection[] {
     axis.set(0, 0, -1).transformDirection(seen.matrixWorld);
     ray.set(lens, way);

@@ -33,7 +33,7 @@ export function viewOf(camera: Camera, [pan, tilt, angle]: Vec3): View {
   };
 }
 
-/** Where the drives stand at the start. */
+/** Settings of the drives at the start. */
 export function settingOf(camera: Camera): Vec3 {
   axes(camera);
   boresight.set(...camera.boresight);

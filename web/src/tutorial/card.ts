@@ -64,7 +64,7 @@ export class Card {
     );
   }
 
-  /** `words`: of the present step as the flight stands; `astray`: the mode, where it is another one. */
+  /** `words`: text of the present step; `astray`: the entered mode if the step needs another one. */
   set(progress: Progress, words: string, title: string, astray: string): void {
     const { at, skipped } = progress;
     const over = isOver(progress);

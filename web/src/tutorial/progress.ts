@@ -67,7 +67,7 @@ export function back(before: Progress): Progress {
   return { ...enter(before, Math.max(0, before.at - 1)), again: true };
 }
 
-/** The time stands once all steps are behind and the payload is free. */
+/** The time stops once all steps are complete and the payload is free. */
 function ended(progress: Progress, now: Frame): Progress {
   const { flown } = progress;
   return flown === null && isOver(progress) && isFree(now) ? { ...progress, flown: now.time_s } : progress;

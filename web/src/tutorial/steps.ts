@@ -21,7 +21,7 @@ export interface Since {
 export interface Step {
   readonly name: string;
   readonly title: string;
-  /** What to do, as the flight stands now. */
+  /** Instruction for the present state. */
   words(now: Frame, units: Units): string;
   /** Uses that matter now, and what each does here. */
   caps(now: Frame): readonly Cap[];
@@ -34,7 +34,7 @@ export type Cap = readonly [use: string, does: string];
 
 /** The tip has moved when it has come this far [m]. */
 export const MOVED = 0.3;
-/** The payload is lifted when it stands so high above its seat [m]. */
+/** Height above its seat from which on the payload counts as lifted [m]. */
 export const LIFTED = 1;
 /** Lined up means as near to the axis as this part of what capture allows. */
 export const MIDDLE = 0.5;
@@ -188,7 +188,7 @@ function besides(now: Frame): string {
   return met(now) ? ' The panel offers to latch it again: not now.' : '';
 }
 
-/** What stands against a capture, in the panel's own words. */
+/** Condition that prevents a capture, as the panel displays it. */
 function wanting({ work: { conditions } }: Frame, units: Units): string {
   const fails = ({ holds, name }: Condition) => !holds && name !== 'pin depth';
   const first = conditions.find(fails) ?? conditions.find(({ holds }) => !holds);

@@ -95,7 +95,7 @@ function goingOn({ name, stretches }: Lane, span: Span, now: number): Lane {
   return { name, stretches: until.filter(({ end_s }) => end_s >= span.from) };
 }
 
-/** A strip with its samples' values, which stand in them from `first`. */
+/** A strip with its samples' values; `first` is the index of the first one. */
 function drawn(strip: Strip, samples: readonly Sample[], first: number, units: Units): Strip {
   const times_s = samples.map(({ time_s }) => time_s);
   let [low, high] = strip.rests ? [0, strip.caution ?? 0] : [Infinity, -Infinity];

@@ -6,7 +6,7 @@ import { degrees } from './format';
 /** An angle this near to the end of its travel is at its stop: what the wire's rounding leaves [rad]. */
 const AT_STOP = 2e-6;
 
-/** `PAN −8.6  TILT +6.8` over `ZOOM 22 %  FOV 62.0°`; what stands at its stop says so. */
+/** `PAN −8.6  TILT +6.8` over `ZOOM 22 %  FOV 62.0°`; a value at its stop is marked. */
 export function lensWords(camera: Camera, setting: Vec3 | null): string {
   const { drive, kind } = camera;
   if (kind === 'engineering') return 'FREE VIEW  drag or arrows';

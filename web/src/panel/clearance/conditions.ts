@@ -15,7 +15,7 @@ import { wayToFixture } from './way-to-fixture';
 const MOST = 6;
 /** Abbreviations of the flown panels: a cell keeps the words that distinguish it. */
 const SHORT = { forward: 'fwd', starboard: 'stbd', 'trunnion in guide': 'in guide' } as const;
-/** Length of a bar; its limit stands in the middle. */
+/** Length of a bar; its limit is in the middle. */
 const LENGTH = 100;
 
 export function conditionsGroup(): Part {
@@ -26,7 +26,7 @@ export function conditionsGroup(): Part {
     'Conditions',
     el('ol', { class: 'cells' }, ...cells.map((each) => each.element), way.element),
   );
-  // What it is done to stands in the title whole, or not at all.
+  // The title has the object's whole name or none.
   const [deed, object] = [el('span'), el('span')];
   const title = element.querySelector('h2 b');
   title?.replaceChildren(deed, object);

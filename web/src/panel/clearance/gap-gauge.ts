@@ -11,7 +11,7 @@ const LENGTH = 200;
 
 export interface GapGauge {
   readonly element: HTMLElement;
-  /** Where the clearance [m] stands; null: there is none. */
+  /** Display the clearance [m]; null if none is measured. */
   point(clearance: number | null): void;
   setUnits(units: Units): void;
 }

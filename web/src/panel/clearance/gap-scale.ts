@@ -1,4 +1,4 @@
-/** Where a clearance stands on the gauge's scale, and how soon it is used up. */
+/** Position of a clearance on the gauge's scale, and the time until it is zero. */
 
 /** The gauge's ends [m]: logarithmic, as the last centimetres count most. */
 export const NEAREST = 0.05;

@@ -1,4 +1,4 @@
-/** Where conditions stand: each keeps its place while they are the same ones. */
+/** Places of conditions: each keeps its place while they are the same ones. */
 
 import type { Condition } from '../../link/protocol';
 

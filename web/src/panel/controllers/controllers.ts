@@ -108,7 +108,7 @@ export class ControllersSheet {
     return true;
   }
 
-  /** Shows where everything stands now. */
+  /** Display all present positions. */
   tick(): void {
     if (!this.element.open) return;
     const device = this.device;

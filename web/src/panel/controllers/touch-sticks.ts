@@ -8,7 +8,7 @@ const TRAVEL = 3;
 
 interface Knob {
   readonly element: HTMLElement;
-  /** Draws it where it stands. */
+  /** Draw it at its present deflection. */
   draw(): void;
 }
 

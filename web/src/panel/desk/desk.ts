@@ -1,4 +1,4 @@
-/** The desk's groups, flown and replayed: which stand where, and which give way to others. */
+/** The desk's groups, flown and replayed: their places, and which replace others. */
 
 import type { GripAction } from '../../input/keymap';
 import { clearanceGroup } from '../clearance/clearance';
@@ -80,7 +80,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   cargo.element.hidden = desk.welcome.work.cargo.length === 0;
   setClass(resting, 'alone', cargo.element.hidden);
 
-  /** Each of these stands in the other's place, where it is the one that matters. */
+  /** Each of these replaces the other while it is the one that matters. */
   function give(view: View): void {
     const kind = (position: string) => desk.welcome.modes.find((each) => each.position === position)?.kind;
     const entered = kind(view.frame.mode);

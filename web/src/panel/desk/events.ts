@@ -19,7 +19,7 @@ export class EventsGroup {
   private open = false;
   private keptTo: { readonly name: string; readonly kinds: readonly string[] } | null = null;
 
-  /** `hints` stand under the oldest line. */
+  /** `hints` are under the oldest line. */
   constructor(private readonly hints: readonly string[]) {
     this.more = button({ class: 'more', 'aria-expanded': 'false' }, ['more'], () => this.toggle());
     this.all = button({ class: 'all', hidden: '' }, ['show all'], () => this.keepTo('', []));

@@ -1,4 +1,4 @@
-/** Look ahead: what the sticks as they stand would do in some seconds, in figures; the ghost is the same, drawn. */
+/** Look-ahead: result of the present stick command after some seconds, in figures; the ghost shows the same. */
 
 import type { Ahead } from '../../link/protocol';
 import { small } from '../../words/format';

@@ -1,4 +1,4 @@
-/** A joint's bar: its limit zones at both ends, and where it stands between them. */
+/** A joint's bar: its limit zones at both ends, and its angle between them. */
 
 import type { JointInfo } from '../../link/protocol';
 import { degrees } from '../../words/format';

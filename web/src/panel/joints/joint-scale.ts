@@ -1,4 +1,4 @@
-/** Where an angle stands on a joint's bar. */
+/** Position of an angle on a joint's bar. */
 
 import type { JointInfo } from '../../link/protocol';
 
@@ -9,7 +9,7 @@ const PLACES = [0, ZONE, 2 * ZONE, BAR - 2 * ZONE, BAR - ZONE, BAR] as const;
 
 type Limits = Pick<JointInfo, 'hard' | 'soft' | 'reach'>;
 
-/** The angles that stand at `PLACES` [rad]. */
+/** Angles at `PLACES` [rad]. */
 function angles({ hard, soft, reach }: Limits): readonly number[] {
   return [hard[0], soft[0], reach[0], reach[1], soft[1], hard[1]];
 }
@@ -24,7 +24,7 @@ export function angleAt(joint: Limits, at: number): number {
   return between(PLACES, angles(joint), at);
 }
 
-/** The value that stands in `to` where `at` stands in `from`; both grow, and end at their ends. */
+/** Interpolate: the value in `to` that corresponds to `at` in `from`; both increase, and clamp at their ends. */
 function between(from: readonly number[], to: readonly number[], at: number): number {
   const above = from.findIndex((each) => at < each);
   if (above === 0) return to[0] ?? 0;

@@ -27,7 +27,7 @@ export function masterGroup(desk: Desk): MasterGroup {
     own = { angles, at: performance.now() };
     out.put(angles);
   };
-  /** The master stands where it was put last, here or as the station has it; in other modes, as the arm does. */
+  /** Angles of the master: as last set, here or at the station; in other modes, those of the arm. */
   const master = (frame: Frame): Six => {
     if (own && performance.now() - own.at > OWN_MS) own = null;
     return own?.angles ?? frame.work.master ?? frame.angles;

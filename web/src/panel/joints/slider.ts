@@ -15,7 +15,7 @@ const MARGIN = 3;
 
 export interface Slider {
   readonly element: HTMLElement;
-  /** Where the joint and its slider stand [rad]. */
+  /** Angles of the joint and of its slider [rad]. */
   set(actual: number, commanded: number): void;
 }
 

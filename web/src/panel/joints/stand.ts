@@ -1,4 +1,4 @@
-/** The telescope that the arm stands on: one more row under the joints. */
+/** The telescope under the arm: one more row under the joints. */
 
 import { keyOf } from '../../input/layout';
 import type { StandInfo } from '../../link/protocol';
@@ -9,7 +9,7 @@ import { BAR } from './joint-scale';
 
 export interface StandRow {
   readonly element: HTMLElement;
-  /** Where it stands [m], at picture rate. */
+  /** Its length [m], at picture rate. */
   point(length: number): void;
   set(length: number, units: Units): void;
 }

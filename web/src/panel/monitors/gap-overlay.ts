@@ -24,7 +24,7 @@ export interface GapOverlay {
   readonly elements: readonly [SVGSVGElement, HTMLElement];
   /** At picture rate; `line` null: no gap is seen here. */
   show(line: GapLine | null, touches: readonly Touch[], picture: Size): void;
-  /** How wide the gap is, and of each end whether nothing stands before it. */
+  /** Width of the gap, and for each end whether it is visible. */
   setText(text: string, seen: readonly [boolean, boolean]): void;
 }
 

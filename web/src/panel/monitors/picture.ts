@@ -96,7 +96,7 @@ export class Picture {
     setClass(this.element, 'window', camera.kind === 'window');
   }
 
-  /** What the camera's drives stand at, or would: pan, tilt, field of view [rad]. At picture rate. */
+  /** Settings of the camera's drives, or those commanded: pan, tilt, field of view [rad]. At picture rate. */
   setLens(setting: Vec3, { width }: Size): void {
     setText(this.lens, lensWords(this.shown, setting));
     fitPane(this.pane, this.shown, width);

@@ -1,4 +1,4 @@
-/** The plan view: where each camera stands and which way it looks, over the place as seen from above. */
+/** Plan view: position and direction of each camera, over the worksite as seen from above. */
 
 import type { Camera, Vec3 } from '../../link/protocol';
 import { el, setAttribute, setClass, svg } from '../parts/dom';

@@ -1,4 +1,4 @@
-/** Making and changing elements; nothing is written to the document that stands there already. */
+/** Create and change elements; the document is written only if something changes. */
 
 type Child = Node | string;
 type Attributes = Readonly<Record<string, string>>;

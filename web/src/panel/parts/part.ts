@@ -10,7 +10,7 @@ import type { Units } from '../../words/units';
 export interface View {
   readonly frame: Frame;
   readonly units: Units;
-  /** Where this page's own sticks stand. */
+  /** Deflections of this page's own sticks. */
   readonly hand: Deflection;
   /** Description of the devices that move them. */
   readonly controllers: ControllersShown;

@@ -1,4 +1,4 @@
-/** Every lamp of the spine: where it stands, which lines of the log it speaks of, and where on the desk its cause is. */
+/** Every lamp of the spine: its place, the log lines that belong to it, and the desk's group with its cause. */
 
 import type { FlightLamp, Lamp } from '../../link/protocol';
 
@@ -38,7 +38,7 @@ const NONE: Concern = {
   group: '.events',
 };
 
-/** In the order in which they stand. A lamp without a place does not compile. */
+/** In display order. A lamp without a place does not compile. */
 export const LAMPS: Readonly<Record<LampName, Concern & { readonly row: Row }>> = {
   SINGULAR: { row: 'arm', kinds: ['singular'], elements: '.distance.caution', group: '.singularity' },
   'REACH LIM': { row: 'arm', kinds: ['limit'], elements: '.joints tr.reach', group: '.joints' },
