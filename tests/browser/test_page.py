@@ -75,7 +75,7 @@ def test_a_second_page_watches(flight: Flight, open_page: OpenPage) -> None:
 def test_units_change_on_demand(flight: Flight) -> None:
     unit = "document.querySelector('.resolution tbody th i').textContent"
     before = flight.script(unit)
-    flight.page.get_by_title("Units of the read-outs").click()
+    flight.page.get_by_title("Change the units of the read-outs").click()
     flight.until(f"{unit} !== '{before}'")
 
 

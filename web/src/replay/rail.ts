@@ -17,7 +17,7 @@ const THINNED = 'So that the file stays small; lanes, strips and log are complet
 /** `flying`: address of the station that plays; null: it does nothing else. */
 export function replayRail(index: PlaybackIndex, flying: string | null, changeUnits: () => void): ReplayRail {
   const verdict = el('b', { role: 'status' });
-  const units = button({ title: 'Units of the read-outs' }, [], changeUnits);
+  const units = button({ title: 'Change the units of the read-outs' }, [], changeUnits);
   const fact = (name: string, value: string | HTMLElement, title = '') =>
     el('span', { class: 'fact', title }, `${name} `, typeof value === 'string' ? el('b', {}, value) : value);
   /** Text of any length, cut off where the rail has no room; the tooltip has the whole text. */

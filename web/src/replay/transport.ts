@@ -50,19 +50,21 @@ export class Transport {
         }),
       };
     });
-    this.desk = button({ title: 'The desk as it was flown: D' }, ['Desk'], () => listener.desk());
-    this.asFlown = button({ title: 'The monitors show what they showed in flight: A' }, ['As flown'], () =>
-      listener.asFlown(),
+    this.desk = button({ title: 'Show the desk as flown: D' }, ['Desk'], () => listener.desk());
+    this.asFlown = button(
+      { title: 'Show the cameras that the monitors showed in flight: A' },
+      ['As flown'],
+      () => listener.asFlown(),
     );
-    this.wider = button({ 'aria-label': 'Wider', title: 'More of the run: −' }, ['−'], () =>
+    this.wider = button({ 'aria-label': 'Wider', title: 'Show more of the run: −' }, ['−'], () =>
       listener.zoom(-1),
     );
     this.element = el(
       'div',
       { class: 'transport', role: 'group', 'aria-label': 'Playing' },
-      button({ title: 'The event before: [' }, ['« event'], () => listener.event(-1)),
+      button({ title: 'Go to the previous event: [' }, ['« event'], () => listener.event(-1)),
       this.toggle,
-      button({ title: 'The event after: ]' }, ['event »'], () => listener.event(1)),
+      button({ title: 'Go to the next event: ]' }, ['event »'], () => listener.event(1)),
       el('span', { class: 'clock' }, this.time, ` of ${minutes(player.duration, 2)}`),
       el(
         'div',
@@ -76,7 +78,7 @@ export class Transport {
         'div',
         { class: 'zoom', role: 'group', 'aria-label': 'Time axis' },
         this.wider,
-        button({ 'aria-label': 'Closer', title: 'Less of the run, about the playhead: +' }, ['+'], () =>
+        button({ 'aria-label': 'Closer', title: 'Show less of the run, around the playhead: +' }, ['+'], () =>
           listener.zoom(1),
         ),
       ),
@@ -86,10 +88,10 @@ export class Transport {
       el(
         'div',
         { class: 'own-windows', role: 'group', 'aria-label': 'Own window' },
-        button({ title: 'All cameras in a window of their own' }, ['Cameras ↗'], () =>
+        button({ title: 'Open all cameras in a secondary window' }, ['Cameras ↗'], () =>
           listener.tearOff('matrix'),
         ),
-        button({ title: 'Lanes and strips in a window of their own' }, ['Strips ↗'], () =>
+        button({ title: 'Open lanes and strips in a secondary window' }, ['Strips ↗'], () =>
           listener.tearOff('strips'),
         ),
       ),

@@ -143,7 +143,7 @@ export function farewell(flown: number | null): readonly [title: string, words: 
   if (flown === null)
     return [
       'To be flown yet',
-      'That was the whole way, but the payload still stands in the bay. Go back to where you left off, or put everything ' +
+      'That was the whole way, but the payload is still in the bay. Go back to where you left off, or put everything ' +
         'back with *Restart* and fly it from the start.',
     ];
   const [minutes, seconds] = [Math.floor(flown / 60), Math.floor(flown % 60)];

@@ -27,8 +27,8 @@ export class StripWindow {
   constructor(timed: Timed, duration: number, listener: StripWindowListener) {
     this.timeline = new Timeline(timed, duration, listener.sought);
     this.choice = new StripChoice(timed.strips, MOST_STRIPS, (names) => this.timeline.choose(names));
-    this.wider = button({ 'aria-label': 'Wider', title: 'More time' }, ['−'], () => listener.zoom(-1));
-    this.closer = button({ 'aria-label': 'Closer', title: 'Less time' }, ['+'], () => listener.zoom(1));
+    this.wider = button({ 'aria-label': 'Wider', title: 'Show more time' }, ['−'], () => listener.zoom(-1));
+    this.closer = button({ 'aria-label': 'Closer', title: 'Show less time' }, ['+'], () => listener.zoom(1));
     this.element = el(
       'main',
       { class: 'band', 'aria-label': 'Strips' },

@@ -40,7 +40,7 @@ export class ControllersSheet {
     (expo) => this.change({ expo }),
   );
   private readonly zero = button(
-    { title: 'Takes where the axes stand now as zero' },
+    { title: 'Set the present positions of the axes as zero' },
     ['Zero where it rests'],
     () => this.zeroNow(),
   );

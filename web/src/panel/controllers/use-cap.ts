@@ -23,7 +23,7 @@ export function useCap(kind: Kind, use: string, ask: (use: string) => void): Use
     class: 'cap',
     'data-use': use,
     'aria-label': `${labelOf(use)}: ${names.join(', ') || 'nothing'}`,
-    ...(fixed ? { disabled: '', title: 'Always this key' } : { title: `${labelOf(use)}: press to change` }),
+    ...(fixed ? { disabled: '', title: 'This key is fixed' } : { title: `${labelOf(use)}: press to change` }),
   };
   const element = button(attributes, [text], () => ask(use));
   setClass(element, 'none', names.length === 0);

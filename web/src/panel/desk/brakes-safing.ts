@@ -36,7 +36,7 @@ export function standing(desk: Desk): Standing {
   const safing = button(
     {
       class: 'safing',
-      title: 'Commands zero joint rates, until it is cancelled',
+      title: 'Command zero joint rates until cancelled',
       'aria-label': 'Safing',
     },
     [el('b', {}, 'Safing'), safingKey],
@@ -45,7 +45,7 @@ export function standing(desk: Desk): Standing {
   const positionHold = button(
     {
       class: 'hold',
-      title: 'Keeps place and attitude while the sticks rest',
+      title: 'Hold position and attitude while the sticks are centred',
       'aria-label': 'Position hold',
     },
     [el('b', {}, 'Pos hold'), holdKey],

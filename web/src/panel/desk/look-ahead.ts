@@ -12,7 +12,7 @@ const DEGREES = 180 / Math.PI;
 
 export function lookAhead(desk: Desk): Part {
   let seconds = 5;
-  const time = button({ class: 'more', title: 'How far to look ahead' }, [], () =>
+  const time = button({ class: 'more', title: 'Change the prediction time' }, [], () =>
     desk.send({ type: 'look_ahead', seconds: next(seconds) }),
   );
   const [clear, stop, joint] = [el('b'), el('b'), el('b')];

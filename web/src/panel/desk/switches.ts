@@ -31,7 +31,7 @@ export function switches(desk: Desk, proceed: () => void): Switches {
   );
   const law = el('div', { class: 'switch plain', role: 'group', 'aria-label': 'Law' }, ...laws);
   const axes = button(
-    { class: 'axes', title: 'Mode 7; off: orbiter axes, mode 4' },
+    { class: 'axes', title: 'Rotate in payload axes, mode 7; off: in orbiter axes, mode 4' },
     ['Rotate in payload axes'],
     () => desk.send({ type: 'payload_axes', on: !inPayloadAxes }),
   );

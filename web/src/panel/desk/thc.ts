@@ -19,12 +19,14 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
   const coarse = button({}, ['Coarse'], () => desk.send({ type: 'select_rate', rate: 'coarse' }));
   const vernier = button({}, ['Vernier'], () => desk.send({ type: 'select_rate', rate: 'vernier' }));
   const hold = button(
-    { class: 'hold', title: 'Keeps the present rates when the sticks let go' },
+    { class: 'hold', title: 'Keep the present rates when the sticks are released' },
     ['Rate hold'],
     () => desk.send({ type: 'rate_hold' }),
   );
   const arm = button({}, ['Arm'], () => flyOrbiter(false));
-  const orbiter = button({ title: 'The THC translates the orbiter' }, ['Orbiter'], () => flyOrbiter(true));
+  const orbiter = button({ title: 'Translate the orbiter with the THC' }, ['Orbiter'], () =>
+    flyOrbiter(true),
+  );
   const flies = el('div', { class: 'switch flies', role: 'group', 'aria-label': 'THC flies' }, arm, orbiter);
   flies.hidden = desk.welcome.work.cargo.length === 0;
   const reading = orbiterReading();

@@ -18,10 +18,8 @@ export function prong(desk: Desk): Hand {
   const put = (position: EffectorSwitch) => desk.send({ type: 'effector', switch: position });
   const close = holdButton('Close', 'close', CLOSE_S, () => put('close'));
   const open = holdButton('Open', 'open', OPEN_S, () => put('open'));
-  const stop = button(
-    { title: 'Stops the prong; so does pressing either key while it moves' },
-    ['Stop'],
-    () => put('stop'),
+  const stop = button({ title: 'Stop the prong; either key does the same while it moves' }, ['Stop'], () =>
+    put('stop'),
   );
   const keys = { close: close.element, stop, open: open.element };
   const value = el('b');

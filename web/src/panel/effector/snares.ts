@@ -26,7 +26,7 @@ export function snares(desk: Desk): Hand {
   );
   let rigid: HandState['rigid'] = 'off';
   const carriage = CARRIAGE.map((way) =>
-    button({ title: 'The carriage alone; pressed again: off' }, [way], () =>
+    button({ title: 'Move the carriage alone; press again to switch off' }, [way], () =>
       desk.send({ type: 'rigid', rigid: rigid === way ? 'off' : way }),
     ),
   );

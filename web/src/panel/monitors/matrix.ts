@@ -69,7 +69,7 @@ export class Matrix {
     const views = group('views', 'Views', this.views);
     if (tearOff) {
       const off = button(
-        { class: 'more', title: 'All cameras in a window of their own' },
+        { class: 'more', title: 'Open all cameras in a secondary window' },
         ['Own window'],
         tearOff,
       );

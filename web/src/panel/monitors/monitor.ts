@@ -61,16 +61,20 @@ export class Monitor {
       }),
     );
     this.hand = button({ class: 'hand' }, [label, el('em', {}, 'in hand')], () => listener.taken(this.half));
-    this.splitKey = button({ title: `Two cameras beside each other: ${nameOf('KeyZ')}` }, ['Split'], () => {
-      listener.taken(this.half);
-      listener.split();
-    });
+    this.splitKey = button(
+      { title: `Show two cameras beside each other: ${nameOf('KeyZ')}` },
+      ['Split'],
+      () => {
+        listener.taken(this.half);
+        listener.split();
+      },
+    );
     this.slowKey = button({ class: 'slow' }, [], () => listener.slow());
     const { tearOff } = listener;
     const off = tearOff
       ? [
           button(
-            { class: 'off', title: `${label} in a window of its own`, 'aria-label': 'Own window' },
+            { class: 'off', title: `${label} in a secondary window`, 'aria-label': 'Own window' },
             ['↗'],
             tearOff,
           ),

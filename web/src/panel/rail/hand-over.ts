@@ -23,10 +23,10 @@ export function handOver(send: (command: Command) => void): HandOver {
     'section',
     { class: 'swap hand-over', 'aria-label': 'Hand-over', hidden: '' },
     asked,
-    button({ title: 'The other page flies from now on' }, ['Give'], () => send({ type: 'give_sticks' })),
-    button({ title: 'You go on flying' }, ['Keep'], () => send({ type: 'keep_sticks' })),
+    button({ title: 'Give control to the other page' }, ['Give'], () => send({ type: 'give_sticks' })),
+    button({ title: 'Keep control' }, ['Keep'], () => send({ type: 'keep_sticks' })),
   );
-  const ask = button({ title: 'Asks the page that flies to give you its sticks', hidden: '' }, ['Ask'], () =>
+  const ask = button({ title: 'Ask the page in control to hand over', hidden: '' }, ['Ask'], () =>
     send({ type: 'ask_sticks' }),
   );
   let before = { flier: 0, first: '' };

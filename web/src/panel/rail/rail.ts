@@ -70,7 +70,7 @@ export function rail(
   const lag = el('b');
   const met = el('b');
   const recorded = recordings();
-  const units = button({ title: 'Units of the read-outs' }, [], () => listener.units());
+  const units = button({ title: 'Change the units of the read-outs' }, [], () => listener.units());
   const dim = button({ title: DIM }, ['Dim'], () => appearance.set({ night: !appearance.night }));
   const [delayed, takes] = [el('span'), el('b')];
   const delay = el('span', { class: 'delay', title: DELAY }, delayed, takes);
@@ -92,14 +92,12 @@ export function rail(
       'div',
       { class: 'rail-keys' },
       units,
-      button({ class: 'fliers', title: 'Puts the scenario back to its first instant' }, ['Restart'], () =>
-        listener.restart(),
-      ),
+      button({ class: 'fliers', title: 'Restart the scenario' }, ['Restart'], () => listener.restart()),
       parts.element,
       light.element,
       dim,
       tutorial,
-      button({ title: 'The devices that fly, their keys and axes' }, ['Controllers'], () =>
+      button({ title: 'Show the devices that fly, their keys and axes' }, ['Controllers'], () =>
         listener.controllers(),
       ),
       button({ class: 'keys' }, ['Keys ?'], () => listener.keys()),

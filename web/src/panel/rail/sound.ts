@@ -9,8 +9,10 @@ export interface Sound {
 }
 
 export function sound(tones: Tones): Sound {
-  const mute = button({ class: 'mute', title: 'Tones of alarms, captures and modes' }, [], () =>
-    tones.set({ muted: !tones.muted }),
+  const mute = button(
+    { class: 'mute', title: 'Switch the tones of alarms, captures and modes on or off' },
+    [],
+    () => tones.set({ muted: !tones.muted }),
   );
   const volume = el('input', {
     type: 'range',

@@ -58,8 +58,8 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     el(
       'div',
       { class: 'switch' },
-      button({ title: 'Writes the present point into the fields' }, ['Present'], copyPresent),
-      button({ title: 'Takes the fields as the target' }, ['Key in'], () => keyIn()),
+      button({ title: 'Copy the present point into the fields' }, ['Present'], copyPresent),
+      button({ title: 'Set the fields as the target' }, ['Key in'], () => keyIn()),
     ),
   );
 
