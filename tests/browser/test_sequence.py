@@ -24,7 +24,7 @@ def test_proceed_flies_the_tour_to_its_pause_point(flight: Flight) -> None:
     flight.until("Number(document.querySelectorAll('.route dd')[2].textContent) > 0")
     flight.until(f"frame.point > 1 && {POINT} === `Point ${{frame.point}} of 4`", TOUR_MS)
     flight.until("frame.sequence === 'ready' && frame.point === 4", TOUR_MS)
-    flight.until("/PROCEED goes on/.test(document.querySelector('.route .to-go').textContent)")
+    flight.until("/PROCEED continues/.test(document.querySelector('.route .to-go').textContent)")
     flight.until("/GOOD/.test(document.querySelector('.check.good')?.textContent ?? '')")
     flight.until_logged("pause point: PROCEED goes on")
 

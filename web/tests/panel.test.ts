@@ -192,7 +192,7 @@ test('a sequence starts at its next point, and from the first where it is comple
 
 test('leaving a flight says what is kept of it', () => {
   expect(leaving('First flight', 'Tutorial', true)).toBe(
-    'Leave “First flight” for “Tutorial”? Its recording is finished and kept.',
+    'Leave “First flight” for “Tutorial”? Its recording is complete and kept.',
   );
-  expect(leaving('First flight', 'Tutorial', false)).toContain('nothing of it is kept');
+  expect(leaving('First flight', 'Tutorial', false)).toContain('not recorded');
 });

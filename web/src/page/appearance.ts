@@ -7,7 +7,7 @@ const KEPT = 'aftdeck.appearance';
 export interface Looks {
   /** Television of the early flights: black and white, with noise. */
   readonly early: boolean;
-  /** For a dark room: the page at 55 % of its lightness, pictures at 75 %. */
+  /** Dim for a dark room: the page at 55 %, pictures at 75 % of their brightness. */
   readonly night: boolean;
 }
 

@@ -135,7 +135,7 @@ export class Station {
       barred: () => {
         if (!this.operator.flying) return 'Observing: only the operator can move cameras.';
         return this.arrivals.telemetry?.by === 'script'
-          ? 'The script flies: take the sticks, then the cameras turn, too.'
+          ? 'The script flies: take control to turn cameras.'
           : '';
       },
       say: (text) => this.log.say(text),

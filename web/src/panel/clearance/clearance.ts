@@ -60,7 +60,7 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
     },
     values({ frame, units, controllers }) {
       const { nearest, clearance_level, arm_inhibit, finger_inhibit } = frame.work;
-      setAttribute(planeKey, 'title', `The plane that separates the two: ${keyOf('plane')}`);
+      setAttribute(planeKey, 'title', `Show the plane that separates the two parts: ${keyOf('plane')}`);
       setClass(element, 'caution', clearance_level === 'caution');
       setClass(element, 'warning', clearance_level === 'warning');
       setText(number, nearest ? small(nearest.clearance, units.gap) : '–');

@@ -85,7 +85,7 @@ export class AxisTable {
         ? [`${nameOfSource(device.kind, `a${i}`)} ${fixed(value, 2)}`]
         : [],
     );
-    setText(this.unused, free.length > 0 ? `Moves nothing: ${free.join(', ')}` : '');
+    setText(this.unused, free.length > 0 ? `Not assigned: ${free.join(', ')}` : '');
   }
 }
 

@@ -14,7 +14,7 @@ import { Choices } from './choices';
 import { UseTable } from './use-table';
 
 const NOTHING_FLIES =
-  'The sticks rest while this sheet is open; STOP and BRAKES work. Press a cap to put another key, button or axis there.';
+  'Sticks are centred while this sheet is open; STOP and BRAKES work. Press a cap to assign another key, button or axis.';
 
 export class ControllersSheet {
   readonly element: HTMLDialogElement;
@@ -165,9 +165,9 @@ export class ControllersSheet {
     this.asked.capture.look(this.device?.reading ?? null);
     this.axes.ask(use);
     this.uses.ask(use);
-    const what = this.kind === 'keyboard' ? 'Press the key' : 'Press or move what shall be';
+    const what = this.kind === 'keyboard' ? 'Press the key' : 'Press or move the control for';
     const words = this.kind === 'keyboard' ? `for “${labelOf(use)}”` : `“${labelOf(use)}”`;
-    setText(this.told, `${what} ${words}. Delete: nothing. Esc: as it was.`);
+    setText(this.told, `${what} ${words}. Delete: no assignment. Esc: unchanged.`);
   }
 
   private take(source: Source): void {
@@ -187,7 +187,7 @@ export class ControllersSheet {
     if (!this.asked) return;
     const { use } = this.asked;
     save(this.kind, unbind(mappingOf(this.kind), use));
-    this.answer(`Nothing does “${labelOf(use)}” here any more.`);
+    this.answer(`“${labelOf(use)}” is no longer assigned on this device.`);
   }
 
   private answer(text: string): void {
@@ -203,7 +203,7 @@ export class ControllersSheet {
 
   private toDefault(): void {
     restore(this.kind);
-    this.answer('Everything is here as it came.');
+    this.answer('All assignments are the defaults already.');
   }
 
   private zeroNow(): void {
@@ -211,7 +211,7 @@ export class ControllersSheet {
     if (!reading) return;
     try {
       save(this.kind, zeroed(this.kind, mappingOf(this.kind), reading.axes));
-      this.answer('Where the axes stand now is zero.');
+      this.answer('The present positions of the axes are now zero.');
     } catch (error) {
       setText(this.told, error instanceof Error ? error.message : String(error));
     }
@@ -243,7 +243,7 @@ const STATES = {
 } as const;
 
 function stateWords(kind: Kind, device: Device | null, { spaceMouse }: Controllers): string {
-  if (kind === 'keyboard') return 'Keyboard: keys by their place.';
+  if (kind === 'keyboard') return 'Keyboard: keys by their position.';
   if (kind === 'spacemouse' && !spaceMouse.possible)
     return 'This browser has no WebHID, which a SpaceMouse needs; Chrome and Edge have it.';
   if (kind === 'spacemouse' && spaceMouse.problem) return spaceMouse.problem;
@@ -253,5 +253,5 @@ function stateWords(kind: Kind, device: Device | null, { spaceMouse }: Controlle
   }
   if (kind === 'touch') return 'Touch sticks appear when the screen is touched.';
   if (kind === 'spacemouse') return 'No SpaceMouse is connected.';
-  return 'No pad is seen: press one of its buttons.';
+  return 'No pad is connected: press one of its buttons.';
 }

@@ -119,7 +119,7 @@ export class KeyMap {
         el('h3', {}, 'End effector, worksite, panel'),
         this.table(working(this.welcome)),
         el('p', {}, 'MASTER: arrows move the slider in focus by half a degree, Page up, down by five.'),
-        el('p', {}, 'Keys go by their place. In a text field, keys type and do not fly.'),
+        el('p', {}, 'Keys are assigned by position. In a text field, keys type and do not fly.'),
         el(
           'div',
           { class: 'close' },

@@ -78,11 +78,11 @@ export function standing(desk: Desk): Standing {
       setText(holdKey, keyOf('position hold'));
       setClass(brakes.element, 'caution', on);
       setClass(safing, 'caution', safed);
-      setAttribute(brakes.element, 'title', on ? `Hold ${OFF_S} s to let go` : 'Every joint stands at once');
+      setAttribute(brakes.element, 'title', on ? `Hold ${OFF_S} s to release` : 'Stop every joint at once');
     },
   };
 }
 
 /** By whom; a recording does not tell. */
 const flown = (flier: string | null) =>
-  flier === '' ? 'Nobody flies' : flier === null ? '' : `${flier} flies`;
+  flier === '' ? 'Unattended' : flier === null ? '' : `${flier} flies`;

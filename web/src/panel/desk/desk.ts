@@ -127,7 +127,7 @@ function pageKey(pressed: () => void): HTMLElement {
 }
 
 function stripsKey(pressed: () => void): HTMLElement {
-  const title = 'The last minutes as strips, in a window of their own';
+  const title = 'Open strips of the last minutes in a secondary window';
   return button(
     { class: 'more', title, 'aria-label': 'Strips ↗' },
     [el('span', {}, 'Strips '), '↗'],

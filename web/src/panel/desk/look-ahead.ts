@@ -56,7 +56,7 @@ export function lookAhead(desk: Desk): Part {
   };
 }
 
-const ABOUT = 'What holding the sticks does; the blue arm in the pictures is where the arm is then';
+const ABOUT = 'Prediction with the present stick command; the blue arm in the pictures is the predicted arm';
 
 /** Whose look it is. */
 export function about({ held, moves }: Pick<Ahead, 'held' | 'moves'>): string {

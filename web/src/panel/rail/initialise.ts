@@ -25,7 +25,7 @@ export function initialise({ welcome, send }: Desk): Initialise {
     }),
   );
   const list = el('div', { class: 'choices', role: 'group', 'aria-label': 'Part of the problem' }, ...parts);
-  const drop = dropDown('Initialise', 'Begins a part of the problem anew', list);
+  const drop = dropDown('Initialise', 'Restart at a part of the problem', list);
   drop.element.hidden = parts.length === 0;
   return { element: drop.element, close: () => drop.open(false) };
 }

@@ -69,8 +69,8 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
     element: drop.element,
     values(frame) {
       lighting = frame.display.lighting;
-      setAttribute(drop.key, 'title', `Sun, lamps and exposure: ${keyOf('light')}`);
-      setAttribute(lockKey, 'title', `The exposure of the picture in hand: ${keyOf('lock exposure')}`);
+      setAttribute(drop.key, 'title', `Set sun, lamps and exposure: ${keyOf('light')}`);
+      setAttribute(lockKey, 'title', `Lock the exposure of the selected picture: ${keyOf('lock exposure')}`);
       conditions.forEach((each, i) => {
         setPressed(each, welcome.conditions[i]?.name === lighting.condition);
       });
@@ -95,7 +95,7 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
   };
 }
 
-const EARLY = 'Black and white, with noise: all television cameras, on this browser';
+const EARLY = 'Show all television cameras in black and white, with noise, in this browser';
 
 /** The lamps that are on, in the order of all, after one is switched. */
 export function toggled(all: readonly string[], on: readonly string[], name: string): readonly string[] {

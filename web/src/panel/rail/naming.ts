@@ -102,5 +102,5 @@ export function naming(keeper: Keeper, send: (command: Command) => number): Nami
 }
 
 const ABOUT =
-  'The other pages, and the log where sticks are given, call you by it; a recording keeps its log. ' +
-  'Without a name you are a number. This browser remembers it.';
+  'Other pages and the log of hand-overs display this name; a recording contains the log. ' +
+  'Without a name you have a number. This browser stores the name.';

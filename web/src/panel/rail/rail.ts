@@ -147,8 +147,9 @@ function linkWords(link: LinkState): string | null {
   return link.kind === 'preparing' ? link.text : null;
 }
 
-const SOFTWARE = 'This browser draws without a graphics card; add ?quality=full to the address to insist.';
+const SOFTWARE =
+  'This browser draws without a graphics card; add ?quality=full to the address for full detail.';
 const DELAY =
-  'CMD: from a stick to the frame that has flown it. TLM: how old figures, lamps and log are. CAM: how old pictures are. ' +
-  'As the scenario sets them; in brackets as they were in the last 10 s, where that differs.';
-const DIM = 'For a dark room: the page at 55 % of its lightness, pictures at 75 %';
+  'CMD: delay from a stick to the arm. TLM: age of figures, lamps and log. CAM: age of pictures. ' +
+  'Values of the scenario; in brackets the values of the last 10 s if they differ.';
+const DIM = 'Dim for a dark room: the page at 55 %, pictures at 75 % of their brightness';

@@ -56,5 +56,5 @@ function row({ file, changed, now }: Recorded): HTMLElement {
   );
 }
 
-const TITLE = 'This flight is recorded. Press for a replay of it, or of one before';
-const SO_FAR = 'The flight goes on meanwhile, with nobody at the sticks';
+const TITLE = 'This flight is recorded. Open a replay of it, or of an earlier one';
+const SO_FAR = 'The flight continues meanwhile, unattended';

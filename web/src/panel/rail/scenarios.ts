@@ -78,7 +78,7 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
       const coming = now.coming === null ? undefined : now.scenarios[now.coming];
       question.hidden = !coming;
       for (const key of [fly, stay]) key.hidden = coming !== undefined;
-      if (coming) setText(words, `Making “${coming.title}” ready. ${FIRST_TIME}`);
+      if (coming) setText(words, `Preparing “${coming.title}”. ${FIRST_TIME}`);
     },
     values(frame) {
       recorded = frame.display.recording_s !== null;
@@ -101,12 +101,10 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
 }
 
 const FIRST_TIME =
-  'Its first flight on this machine takes half a minute or so to prepare; the arm rests meanwhile.';
+  'Its first flight on this machine takes about half a minute to prepare; the arm stops meanwhile.';
 
 /** What is asked before a flight is left that was flown already. */
 export function leaving(left: string, next: string, recorded: boolean): string {
-  const kept = recorded
-    ? 'Its recording is finished and kept.'
-    : 'It is not recorded, so nothing of it is kept.';
+  const kept = recorded ? 'Its recording is complete and kept.' : 'It is not recorded.';
   return `Leave “${left}” for “${next}”? ${kept}`;
 }

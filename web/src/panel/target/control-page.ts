@@ -127,7 +127,9 @@ export class ControlPage {
     this.keyed.set(frame, units);
     this.check.set(frame);
     this.checked.hidden = this.check.element.hidden;
-    const none = this.keyed.follows() ? 'None keyed in: this is the present point.' : remaining(frame, units);
+    const none = this.keyed.follows()
+      ? 'No target keyed in: this is the present point.'
+      : remaining(frame, units);
     setText(this.togo, this.keyed.edited() ? 'Not keyed in yet.' : none);
     this.points.set(frame, units);
     this.payloads.set(frame, units);

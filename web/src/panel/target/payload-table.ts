@@ -51,7 +51,7 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
       el('small', {}, 'limits: coarse / vernier; joints in °/s, as SINGLE, DIRECT and MASTER turn them'),
     ),
     el('table', {}, el('thead', {}, head), el('tbody', {}, ...rows.map(({ row }) => row))),
-    el('p', {}, `Computed modes hold the joints to their servos’ greatest rates instead: ${most} °/s.`),
+    el('p', {}, `Computed modes limit the joints to the servos’ greatest rates instead: ${most} °/s.`),
   );
   return {
     element,

@@ -48,8 +48,8 @@ export function route(): Route {
 /** What PROCEED and STOP would do now, in a sentence. */
 export function whatNext({ sequence, point, points, goal, check }: Frame): string {
   if (points === 0) return 'Nothing to fly in this position.';
-  if (sequence === 'in progress') return 'Flies on to its next pause point; STOP or Space halts it.';
+  if (sequence === 'in progress') return 'Moves to the next pause point; STOP or Space stops it.';
   if (check && !check.good) return 'Fly clear, then enter it again.';
   if (point === 1) return 'PROCEED starts the sequence.';
-  return goal ? 'Waits here; PROCEED goes on.' : 'Sequence complete; PROCEED begins it again.';
+  return goal ? 'Paused; PROCEED continues.' : 'Sequence complete; PROCEED repeats it.';
 }
