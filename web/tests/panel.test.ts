@@ -162,7 +162,7 @@ test('AUTO says what PROCEED would do', () => {
     whatNext(frameOf({ points: 4, point: 1, sequence: 'ready', goal: {}, ...parts }));
   expect(at({})).toContain('starts');
   expect(at({ sequence: 'in progress' })).toContain('pause point');
-  expect(at({ point: 4 })).toContain('goes on');
+  expect(at({ point: 4 })).toContain('continues');
   expect(at({ point: 4, sequence: 'idle', goal: null })).toContain('complete');
   expect(at({ point: 2, sequence: 'idle', check: { good: false, text: '' } })).toContain('clear');
 });
