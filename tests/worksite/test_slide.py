@@ -10,6 +10,7 @@ from scipy.optimize import nnls
 
 from aftdeck.arrays import Array
 from aftdeck.bodies.solid import Solid
+from aftdeck.bodies.vector import Vector
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.worksite.sliding.projection import SLACK, slide
 from aftdeck.worksite.sliding.touches import touches
@@ -32,7 +33,7 @@ def contacts(rng: np.random.Generator, count: int) -> Array:
 
 def slid(rows: Array, tip: Array, wanted: Array) -> Array:
     """(6,) the twist that `slide` leaves."""
-    return np.array(slide(rows, tip[0], tip[1], tip[2], Twist(*wanted)))
+    return np.array(slide(rows, Vector(*tip.tolist()), Twist(*wanted)))
 
 
 def outward(rows: Array, tip: Array, twist: Array) -> Array:

@@ -13,8 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.hexahedron import X, Y, Z
+from aftdeck.bodies.hexahedron import vertex
 from aftdeck.bodies.planes import lowest
+from aftdeck.bodies.vector import ZERO, Vector, cross, dot, minus, moved_along, opposite, times
 from aftdeck.law import law
 
 AGREED = 1e-13
@@ -28,11 +29,9 @@ MOST_STEPS = 64
 
 
 class Corner(NamedTuple):
-    """Corner of the Minkowski difference: a vertex of a minus a vertex of b [m], and both numbers, from zero."""
+    """Corner of the Minkowski difference: vertex a of a body minus vertex b of another [m], both numbered from zero."""
 
-    x: float
-    y: float
-    z: float
+    at: Vector
     a: int
     b: int
 
@@ -47,9 +46,7 @@ class Simplex(NamedTuple):
     p: Corner
     q: Corner
     r: Corner
-    x: float
-    y: float
-    z: float
+    point: Vector
 
 
 class Nearest(NamedTuple):
@@ -61,32 +58,31 @@ class Nearest(NamedTuple):
 
 
 @law
-def corner(a: Array, b: Array, i: int, j: int, x: float, y: float, z: float) -> Corner:
-    """Return vertex i of a, moved by (x, y, z) [m], minus vertex j of b."""
-    return Corner(a[X + i] - b[X + j] + x, a[Y + i] - b[Y + j] + y, a[Z + i] - b[Z + j] + z, i, j)
+def corner(a: Array, b: Array, i: int, j: int, moved: Vector) -> Corner:
+    """Return vertex i of a, moved by a vector [m], minus vertex j of b."""
+    p, q = vertex(a, i), vertex(b, j)
+    return Corner(Vector(p.x - q.x + moved.x, p.y - q.y + moved.y, p.z - q.z + moved.z), i, j)
 
 
 @law
 def on_segment(p: Corner, q: Corner) -> Simplex:
     """Return the simplex of the point of a segment that is nearest to the origin."""
-    ex, ey, ez = q.x - p.x, q.y - p.y, q.z - p.z
-    along = -(p.x * ex + p.y * ey + p.z * ez)
-    square = ex * ex + ey * ey + ez * ez
+    e = minus(q.at, p.at)
+    along = -dot(p.at, e)
+    square = dot(e, e)
     if along <= 0.0:
-        return Simplex(1, p, p, p, p.x, p.y, p.z)
+        return Simplex(1, p, p, p, p.at)
     if along >= square:
-        return Simplex(1, q, q, q, q.x, q.y, q.z)
-    t = along / square
-    x, y, z = p.x + t * ex, p.y + t * ey, p.z + t * ez
+        return Simplex(1, q, q, q, q.at)
+    point = moved_along(p.at, along / square, e)
     # Remove the component that rounding left along the segment: near contact it is the larger component.
-    t = (x * ex + y * ey + z * ez) / square
-    return Simplex(2, p, q, q, x - t * ex, y - t * ey, z - t * ez)
+    return Simplex(2, p, q, q, moved_along(point, -(dot(point, e) / square), e))
 
 
 @law
 def nearer(s: Simplex, t: Simplex) -> Simplex:
     """Return the simplex whose point is nearer to the origin; s if both are equally near."""
-    if s.x * s.x + s.y * s.y + s.z * s.z <= t.x * t.x + t.y * t.y + t.z * t.z:
+    if dot(s.point, s.point) <= dot(t.point, t.point):
         return s
     return t
 
@@ -94,26 +90,19 @@ def nearer(s: Simplex, t: Simplex) -> Simplex:
 @law
 def on_triangle(p: Corner, q: Corner, r: Corner) -> Simplex:
     """Return the simplex of the point of a triangle that is nearest to the origin."""
-    ex, ey, ez = q.x - p.x, q.y - p.y, q.z - p.z
-    fx, fy, fz = r.x - p.x, r.y - p.y, r.z - p.z
-    nx, ny, nz = ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx
-    pq = nx * (p.y * q.z - p.z * q.y) + ny * (p.z * q.x - p.x * q.z) + nz * (p.x * q.y - p.y * q.x)
-    qr = nx * (q.y * r.z - q.z * r.y) + ny * (q.z * r.x - q.x * r.z) + nz * (q.x * r.y - q.y * r.x)
-    rp = nx * (r.y * p.z - r.z * p.y) + ny * (r.z * p.x - r.x * p.z) + nz * (r.x * p.y - r.y * p.x)
+    n = cross(minus(q.at, p.at), minus(r.at, p.at))
+    pq, qr, rp = dot(n, cross(p.at, q.at)), dot(n, cross(q.at, r.at)), dot(n, cross(r.at, p.at))
     if pq > 0.0 and qr > 0.0 and rp > 0.0:
-        h = (nx * p.x + ny * p.y + nz * p.z) / (nx * nx + ny * ny + nz * nz)
-        return Simplex(3, p, q, r, h * nx, h * ny, h * nz)
+        return Simplex(3, p, q, r, times(dot(n, p.at) / dot(n, n), n))
     return nearer(nearer(on_segment(p, q), on_segment(q, r)), on_segment(r, p))
 
 
 @law
 def outside(p: Corner, q: Corner, r: Corner, s: Corner) -> bool:
     """Return whether the origin is not strictly on the same side of the plane of p, q, r as s."""
-    ex, ey, ez = q.x - p.x, q.y - p.y, q.z - p.z
-    fx, fy, fz = r.x - p.x, r.y - p.y, r.z - p.z
-    nx, ny, nz = ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx
-    origin = -(nx * p.x + ny * p.y + nz * p.z)
-    other = nx * (s.x - p.x) + ny * (s.y - p.y) + nz * (s.z - p.z)
+    n = cross(minus(q.at, p.at), minus(r.at, p.at))
+    origin = -dot(n, p.at)
+    other = dot(n, minus(s.at, p.at))
     return origin * other <= 0.0
 
 
@@ -123,7 +112,7 @@ def on_tetrahedron(p: Corner, q: Corner, r: Corner, s: Corner) -> Simplex:
 
     The face p, q, r is not tested: the nearest point is on a face with corner s, unless the origin is inside.
     """
-    best, found = Simplex(ENCLOSED, p, q, r, 0.0, 0.0, 0.0), False
+    best, found = Simplex(ENCLOSED, p, q, r, ZERO), False
     for _ in range(3):
         if outside(s, p, q, r):
             face = on_triangle(s, p, q)
@@ -146,37 +135,35 @@ def shortest(s: Simplex, w: Corner) -> Simplex:
 def spanned(size: int, p: Corner, q: Corner, r: Corner) -> Simplex:
     """Return the simplex of the point nearest to the origin, for one to three corners."""
     if size == 1:
-        return Simplex(1, p, p, p, p.x, p.y, p.z)
+        return Simplex(1, p, p, p, p.at)
     if size == 2:
         return on_segment(p, q)
     return on_triangle(p, q, r)
 
 
 @law
-def nearest(a: Array, b: Array, x: float, y: float, z: float, start: Simplex, enough: float) -> Nearest:
-    """Search the Minkowski difference of a, moved by (x, y, z), and b for its point nearest to the origin.
+def nearest(a: Array, b: Array, moved: Vector, start: Simplex, enough: float) -> Nearest:
+    """Search the Minkowski difference of a, moved by a vector, and b for its point nearest to the origin.
 
     Args:
         a: packed body.
         b: packed body.
-        x: a's displacement, with y and z [m].
-        y: see x.
-        z: see x.
+        moved: displacement of a [m].
         start: simplex from which the search starts.
         enough: gap above which the search ends at once [m].
     """
     s, gap = start, -np.inf
-    square = s.x * s.x + s.y * s.y + s.z * s.z
+    square = dot(s.point, s.point)
     distance = sqrt(square)
     for _ in range(MOST_STEPS):
         if s.size == ENCLOSED or distance <= NOTHING:
             break
-        w = corner(a, b, lowest(a, s.x, s.y, s.z), lowest(b, -s.x, -s.y, -s.z), x, y, z)
-        gap = (s.x * w.x + s.y * w.y + s.z * w.z) / distance
+        w = corner(a, b, lowest(a, s.point), lowest(b, opposite(s.point)), moved)
+        gap = dot(s.point, w.at) / distance
         if distance - gap <= AGREED or gap > enough:
             break
         t = shortest(s, w)
-        below = t.x * t.x + t.y * t.y + t.z * t.z
+        below = dot(t.point, t.point)
         if t.size < ENCLOSED and below >= square:
             break
         s, square = t, below
@@ -187,17 +174,14 @@ def nearest(a: Array, b: Array, x: float, y: float, z: float, start: Simplex, en
 @law
 def weights(s: Simplex) -> tuple[float, float, float]:
     """Return the weights of a simplex's corners in its point; they add up to 1."""
-    p, q, r = s.p, s.q, s.r
     if s.size == 1:
         return 1.0, 0.0, 0.0
-    ex, ey, ez = q.x - p.x, q.y - p.y, q.z - p.z
+    e, h = minus(s.q.at, s.p.at), minus(s.point, s.p.at)
     if s.size == 2:
-        t = ((s.x - p.x) * ex + (s.y - p.y) * ey + (s.z - p.z) * ez) / (ex * ex + ey * ey + ez * ez)
+        t = dot(h, e) / dot(e, e)
         return 1.0 - t, t, 0.0
-    fx, fy, fz = r.x - p.x, r.y - p.y, r.z - p.z
-    hx, hy, hz = s.x - p.x, s.y - p.y, s.z - p.z
-    nx, ny, nz = ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx
-    per = 1.0 / (nx * nx + ny * ny + nz * nz)
-    t = (nx * (hy * fz - hz * fy) + ny * (hz * fx - hx * fz) + nz * (hx * fy - hy * fx)) * per
-    u = (nx * (ey * hz - ez * hy) + ny * (ez * hx - ex * hz) + nz * (ex * hy - ey * hx)) * per
+    f = minus(s.r.at, s.p.at)
+    n = cross(e, f)
+    per = 1.0 / dot(n, n)
+    t, u = dot(n, cross(h, f)) * per, dot(n, cross(e, h)) * per
     return 1.0 - t - u, t, u

@@ -11,8 +11,9 @@ from math import sqrt
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
-from aftdeck.bodies.hexahedron import BESIDE, ENDS, NX, NY, NZ, SIDES, X, Y, Z
+from aftdeck.bodies.hexahedron import BESIDE, ENDS, SIDES, face_normal, vertex
 from aftdeck.bodies.planes import sides
+from aftdeck.bodies.vector import Vector, cross, dot, minus, opposite, times
 from aftdeck.law import law
 
 PARALLEL = 1e-24
@@ -23,27 +24,25 @@ class Separation(NamedTuple):
     """Unit normal from a to b, and the separation of the bodies along it, negative if they overlap [m]."""
 
     apart: float
-    x: float
-    y: float
-    z: float
+    normal: Vector
 
 
 @law
-def along(a: Array, b: Array, x: float, y: float, z: float) -> Separation:
+def along(a: Array, b: Array, normal: Vector) -> Separation:
     """Return the separation along a unit normal, from all vertices of both bodies."""
-    found = sides(a, b, x, y, z)
-    return Separation(found.b - found.a, x, y, z)
+    found = sides(a, b, normal)
+    return Separation(found.b - found.a, normal)
 
 
 @law
 def by_faces(a: Array, b: Array) -> Separation:
     """Return the greatest separation along the face normals of both bodies."""
-    best = along(a, b, a[NX], a[NY], a[NZ])
+    best = along(a, b, face_normal(a, 0))
     for f in range(1, SIDES):
-        found = along(a, b, a[NX + f], a[NY + f], a[NZ + f])
+        found = along(a, b, face_normal(a, f))
         best = found if found.apart > best.apart else best
     for f in range(SIDES):
-        found = along(a, b, -b[NX + f], -b[NY + f], -b[NZ + f])
+        found = along(a, b, opposite(face_normal(b, f)))
         best = found if found.apart > best.apart else best
     return best
 
@@ -62,7 +61,7 @@ def greatest(a: Array, b: Array, above_b: Array, above_a: Array) -> Separation:
     for e in range(len(ENDS)):
         i, j = ENDS[e, 0], ENDS[e, 1]
         a1, a2 = BESIDE[e, 0], BESIDE[e, 1]
-        ex, ey, ez = a[X + j] - a[X + i], a[Y + j] - a[Y + i], a[Z + j] - a[Z + i]
+        edge_a = minus(vertex(a, j), vertex(a, i))
         for g in range(len(ENDS)):
             k, m = ENDS[g, 0], ENDS[g, 1]
             b1, b2 = BESIDE[g, 0], BESIDE[g, 1]
@@ -71,14 +70,13 @@ def greatest(a: Array, b: Array, above_b: Array, above_a: Array) -> Separation:
             q1, q2 = above_b[b1, j] - above_b[b1, i], above_b[b2, j] - above_b[b2, i]
             if p1 * p2 >= 0.0 or q1 * q2 >= 0.0 or p1 * q1 <= 0.0:
                 continue
-            fx, fy, fz = b[X + m] - b[X + k], b[Y + m] - b[Y + k], b[Z + m] - b[Z + k]
-            nx, ny, nz = ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx
-            square = nx * nx + ny * ny + nz * nz
-            if square <= PARALLEL * (ex * ex + ey * ey + ez * ez) * (fx * fx + fy * fy + fz * fz):
+            edge_b = minus(vertex(b, m), vertex(b, k))
+            normal = cross(edge_a, edge_b)
+            square = dot(normal, normal)
+            if square <= PARALLEL * dot(edge_a, edge_a) * dot(edge_b, edge_b):
                 continue
-            per = (1.0 if p1 > 0.0 else -1.0) / sqrt(square)
-            nx, ny, nz = nx * per, ny * per, nz * per
-            if nx * (b[X + k] - a[X + i]) + ny * (b[Y + k] - a[Y + i]) + nz * (b[Z + k] - a[Z + i]) > best.apart:
-                found = along(a, b, nx, ny, nz)
+            unit = times((1.0 if p1 > 0.0 else -1.0) / sqrt(square), normal)
+            if dot(unit, minus(vertex(b, k), vertex(a, i))) > best.apart:
+                found = along(a, b, unit)
                 best = found if found.apart > best.apart else best
     return best

@@ -15,6 +15,7 @@ from itertools import combinations
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.vector import Vector
 from aftdeck.law import law
 
 VERTICES, SIDES = 8, 6
@@ -74,6 +75,18 @@ def pack(vertices: Array) -> Array:
 def unpack(body: Array) -> Array:
     """Return the vertices (8, 3) [m] of a packed body."""
     return body[:NX].reshape(3, VERTICES).T.copy()
+
+
+@law
+def vertex(body: Array, v: int) -> Vector:
+    """Return a vertex of a packed body, numbered from zero [m]."""
+    return Vector(body[X + v], body[Y + v], body[Z + v])
+
+
+@law
+def face_normal(body: Array, f: int) -> Vector:
+    """Return the outward unit normal of a face of a packed body, numbered from zero [1]."""
+    return Vector(body[NX + f], body[NY + f], body[NZ + f])
 
 
 @law

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.vector import Vector, opposite
 from aftdeck.law import law
 
 
@@ -26,8 +27,9 @@ def lesser(p: float, q: float) -> float:
 
 
 @law
-def least(body: Array, x: float, y: float, z: float) -> float:
-    """Return the least dot product of a packed body's vertices with (x, y, z)."""
+def least(body: Array, v: Vector) -> float:
+    """Return the least dot product of a packed body's vertices with a vector."""
+    x, y, z = v.x, v.y, v.z
     p = lesser(x * body[0] + y * body[8] + z * body[16], x * body[4] + y * body[12] + z * body[20])
     q = lesser(x * body[1] + y * body[9] + z * body[17], x * body[5] + y * body[13] + z * body[21])
     r = lesser(x * body[2] + y * body[10] + z * body[18], x * body[6] + y * body[14] + z * body[22])
@@ -36,8 +38,9 @@ def least(body: Array, x: float, y: float, z: float) -> float:
 
 
 @law
-def lowest(body: Array, x: float, y: float, z: float) -> int:
-    """Return the vertex of a packed body, numbered from zero, that lies lowest along (x, y, z)."""
+def lowest(body: Array, v: Vector) -> int:
+    """Return the vertex of a packed body, numbered from zero, with the least dot product with a vector."""
+    x, y, z = v.x, v.y, v.z
     p0 = x * body[0] + y * body[8] + z * body[16]
     p1 = x * body[1] + y * body[9] + z * body[17]
     p2 = x * body[2] + y * body[10] + z * body[18]
@@ -56,6 +59,6 @@ def lowest(body: Array, x: float, y: float, z: float) -> int:
 
 
 @law
-def sides(a: Array, b: Array, x: float, y: float, z: float) -> Sides:
-    """Return the greatest coordinate of packed body a and the least of packed body b along (x, y, z)."""
-    return Sides(-least(a, -x, -y, -z), least(b, x, y, z))
+def sides(a: Array, b: Array, normal: Vector) -> Sides:
+    """Return the greatest coordinate of packed body a and the least of packed body b along a normal."""
+    return Sides(-least(a, opposite(normal)), least(b, normal))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.vector import Vector
 from aftdeck.frames import Pose
 from aftdeck.law import law
 
@@ -56,3 +57,33 @@ def relative(frame: Array, body: Array, out: Array) -> None:
         out[i] = a * x + b * y + c * z
         for j in range(3):
             out[3 + 3 * i + j] = a * body[3 + j] + b * body[6 + j] + c * body[9 + j]
+
+
+@law
+def turned(pose: Array, v: Vector) -> Vector:
+    """Return a vector, given in the frame of a pose (12,), in the axes in which that pose is given."""
+    return Vector(
+        pose[3] * v.x + pose[4] * v.y + pose[5] * v.z,
+        pose[6] * v.x + pose[7] * v.y + pose[8] * v.z,
+        pose[9] * v.x + pose[10] * v.y + pose[11] * v.z,
+    )
+
+
+@law
+def turned_back(pose: Array, v: Vector) -> Vector:
+    """Return a vector in the axes of the frame of a pose (12,); the vector and the pose are given in the same axes."""
+    return Vector(
+        pose[3] * v.x + pose[6] * v.y + pose[9] * v.z,
+        pose[4] * v.x + pose[7] * v.y + pose[10] * v.z,
+        pose[5] * v.x + pose[8] * v.y + pose[11] * v.z,
+    )
+
+
+@law
+def moved(pose: Array, p: Vector) -> Vector:
+    """Return a point, given in the frame of a pose (12,), in the frame in which that pose is given [m]."""
+    return Vector(
+        pose[0] + pose[3] * p.x + pose[4] * p.y + pose[5] * p.z,
+        pose[1] + pose[6] * p.x + pose[7] * p.y + pose[8] * p.z,
+        pose[2] + pose[9] * p.x + pose[10] * p.y + pose[11] * p.z,
+    )

@@ -14,7 +14,7 @@ from aftdeck.arrays import Array, Indices
 from aftdeck.bodies.closest import ENCLOSED, Nearest, Simplex, corner, nearest, spanned, weights
 from aftdeck.bodies.depth import greatest
 from aftdeck.bodies.edges import piercing_edge
-from aftdeck.bodies.hexahedron import CORNERS, ENDS, SIDES, VERTICES, X, Y, Z
+from aftdeck.bodies.hexahedron import CORNERS, ENDS, SIDES, VERTICES, vertex
 from aftdeck.bodies.location_words import deepest, heights, location_words
 from aftdeck.bodies.pair import (
     CLEARANCE,
@@ -30,6 +30,7 @@ from aftdeck.bodies.pair import (
     WHOLE,
 )
 from aftdeck.bodies.planes import lowest, sides
+from aftdeck.bodies.vector import ZERO, dot, minus, moved_along, opposite, plus, put_vector, times, vector_at
 from aftdeck.law import law
 
 EDGE_BITS = (1 << ENDS).sum(axis=1)
@@ -43,7 +44,7 @@ that a point beside the nearest one is measurably farther."""
 @law
 def verified(a: Array, b: Array, pair: Array) -> bool:
     """Return whether the pair's last normal still separates packed bodies a and b; if so, centre its plane."""
-    found = sides(a, b, pair[NORMAL], pair[NORMAL + 1], pair[NORMAL + 2])
+    found = sides(a, b, vector_at(pair, NORMAL))
     if found.b - found.a <= CONTACT:
         return False
     pair[DISTANCE] = 0.5 * (found.a + found.b)
@@ -60,7 +61,7 @@ def verdict(a: Array, b: Array, pair: Array) -> bool:
     pair[CLEARANCE : POINT_B + 3] = np.nan
     if verified(a, b, pair):
         return False
-    near = nearest(a, b, 0.0, 0.0, 0.0, _start(a, b, pair), CONTACT)
+    near = nearest(a, b, ZERO, _start(a, b, pair), CONTACT)
     _remember(pair, near.simplex)
     if near.gap > CONTACT:
         _put_plane(a, b, pair, near.simplex)
@@ -73,7 +74,7 @@ def verdict(a: Array, b: Array, pair: Array) -> bool:
 @law
 def measure(a: Array, b: Array, pair: Array) -> float:
     """Return the clearance of packed bodies a and b [m], and fill the whole pair."""
-    near = nearest(a, b, 0.0, 0.0, 0.0, _start(a, b, pair), np.inf)
+    near = nearest(a, b, ZERO, _start(a, b, pair), np.inf)
     _remember(pair, near.simplex)
     if near.gap <= CONTACT:
         return _touching(a, b, pair, near)
@@ -104,15 +105,13 @@ def _touching(a: Array, b: Array, pair: Array, near: Nearest) -> float:
     if best.apart > 0.0 and near.simplex.size < ENCLOSED:
         s, clearance = near.simplex, near.distance
     else:
-        way = best.apart - ASIDE
-        x, y, z = way * best.x, way * best.y, way * best.z
-        i, j = lowest(a, -best.x, -best.y, -best.z), lowest(b, best.x, best.y, best.z)
-        w = corner(a, b, i, j, x, y, z)
-        s, clearance = nearest(a, b, x, y, z, spanned(1, w, w, w), np.inf).simplex, best.apart
+        moved = times(best.apart - ASIDE, best.normal)
+        w = corner(a, b, lowest(a, opposite(best.normal)), lowest(b, best.normal), moved)
+        s, clearance = nearest(a, b, moved, spanned(1, w, w, w), np.inf).simplex, best.apart
     _put_points(a, b, pair, s)
     pair[CLEARANCE] = clearance
     if clearance > CONTACT:
-        pair[NORMAL], pair[NORMAL + 1], pair[NORMAL + 2] = best.x, best.y, best.z
+        put_vector(pair, NORMAL, best.normal)
         verified(a, b, pair)
     else:
         _penetrates(a, b, pair)
@@ -159,19 +158,15 @@ def _start(a: Array, b: Array, pair: Array) -> Simplex:
     size = int(pair[SIZE])
     if size == 0:
         # Vertices 1 and 8 are opposite.
-        x, y, z = (
-            a[X] + a[X + 7] - b[X] - b[X + 7],
-            a[Y] + a[Y + 7] - b[Y] - b[Y + 7],
-            a[Z] + a[Z + 7] - b[Z] - b[Z + 7],
-        )
-        w = corner(a, b, lowest(a, x, y, z), lowest(b, -x, -y, -z), 0.0, 0.0, 0.0)
+        to_a = minus(minus(plus(vertex(a, 0), vertex(a, 7)), vertex(b, 0)), vertex(b, 7))
+        w = corner(a, b, lowest(a, to_a), lowest(b, opposite(to_a)), ZERO)
         return spanned(1, w, w, w)
     p, q, r = int(pair[SIMPLEX]), int(pair[SIMPLEX + 1]), int(pair[SIMPLEX + 2])
     return spanned(
         size,
-        corner(a, b, p >> 3, p & 7, 0.0, 0.0, 0.0),
-        corner(a, b, q >> 3, q & 7, 0.0, 0.0, 0.0),
-        corner(a, b, r >> 3, r & 7, 0.0, 0.0, 0.0),
+        corner(a, b, p >> 3, p & 7, ZERO),
+        corner(a, b, q >> 3, q & 7, ZERO),
+        corner(a, b, r >> 3, r & 7, ZERO),
     )
 
 
@@ -187,8 +182,7 @@ def _remember(pair: Array, s: Simplex) -> None:
 @law
 def _put_plane(a: Array, b: Array, pair: Array, s: Simplex) -> None:
     """Store the plane perpendicular to the shortest line from a to b, halfway along it (subroutine SPTSG)."""
-    per = -1.0 / sqrt(s.x * s.x + s.y * s.y + s.z * s.z)
-    pair[NORMAL], pair[NORMAL + 1], pair[NORMAL + 2] = s.x * per, s.y * per, s.z * per
+    put_vector(pair, NORMAL, times(-1.0 / sqrt(dot(s.point, s.point)), s.point))
     verified(a, b, pair)
 
 
@@ -197,12 +191,10 @@ def _put_points(a: Array, b: Array, pair: Array, s: Simplex) -> None:
     """Store the points of a and b that make up the simplex's point, and the features on which they lie."""
     p, q, r = weights(s)
     i, j, k = s.p.a, s.q.a, s.r.a
-    pair[POINT_A] = p * a[X + i] + q * a[X + j] + r * a[X + k]
-    pair[POINT_A + 1] = p * a[Y + i] + q * a[Y + j] + r * a[Y + k]
-    pair[POINT_A + 2] = p * a[Z + i] + q * a[Z + j] + r * a[Z + k]
+    point = moved_along(moved_along(times(p, vertex(a, i)), q, vertex(a, j)), r, vertex(a, k))
+    put_vector(pair, POINT_A, point)
     pair[FEATURE_A] = 1 << i | 1 << j | 1 << k
     i, j, k = s.p.b, s.q.b, s.r.b
-    pair[POINT_B] = p * b[X + i] + q * b[X + j] + r * b[X + k]
-    pair[POINT_B + 1] = p * b[Y + i] + q * b[Y + j] + r * b[Y + k]
-    pair[POINT_B + 2] = p * b[Z + i] + q * b[Z + j] + r * b[Z + k]
+    point = moved_along(moved_along(times(p, vertex(b, i)), q, vertex(b, j)), r, vertex(b, k))
+    put_vector(pair, POINT_B, point)
     pair[FEATURE_B] = 1 << i | 1 << j | 1 << k

@@ -20,8 +20,9 @@ import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array, Indices
-from aftdeck.bodies.hexahedron import CORNERS, NX, NY, NZ, VERTICES, D, X, Y, Z
+from aftdeck.bodies.hexahedron import CORNERS, VERTICES, D, X, Y, Z, face_normal, vertex
 from aftdeck.bodies.planes import least, lesser
+from aftdeck.bodies.vector import Vector, cross, dot, minus, times
 from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, within
 
@@ -88,17 +89,11 @@ class Grasp(NamedTuple):
     yaw: float
 
 
-class _Vector(NamedTuple):
-    x: float
-    y: float
-    z: float
-
-
 @law
-def _middle(body: Array, f: int) -> _Vector:
+def _middle(body: Array, f: int) -> Vector:
     """Return the mean of a face's four vertices."""
     p, q, r, s = CORNERS[f, 0], CORNERS[f, 1], CORNERS[f, 2], CORNERS[f, 3]
-    return _Vector(
+    return Vector(
         0.25 * (body[X + p] + body[X + q] + body[X + r] + body[X + s]),
         0.25 * (body[Y + p] + body[Y + q] + body[Y + r] + body[Y + s]),
         0.25 * (body[Z + p] + body[Z + q] + body[Z + r] + body[Z + s]),
@@ -106,29 +101,13 @@ def _middle(body: Array, f: int) -> _Vector:
 
 
 @law
-def _normal(body: Array, f: int) -> _Vector:
-    """Return a face's outward unit normal."""
-    return _Vector(body[NX + f], body[NY + f], body[NZ + f])
-
-
-@law
-def _cross(p: _Vector, q: _Vector) -> _Vector:
-    return _Vector(p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x)
-
-
-@law
-def _dot(p: _Vector, q: _Vector) -> float:
-    return p.x * q.x + p.y * q.y + p.z * q.z
-
-
-@law
-def _over(body: Array, f: int, p: _Vector) -> float:
+def _over(body: Array, f: int, p: Vector) -> float:
     """Return the height of a point above a face's plane."""
-    return _dot(_normal(body, f), p) - float(body[D + f])
+    return dot(face_normal(body, f), p) - float(body[D + f])
 
 
 @law
-def _turn(bar: Array, body: Array, f: int, centre: _Vector, axis: _Vector) -> float:
+def _turn(bar: Array, body: Array, f: int, centre: Vector, axis: Vector) -> float:
     """Return the tangent of half the turn about an axis that brings the first vertex of the bar into a face's plane.
 
     After a turn t of the plane, the height of a vertex over the plane is B sin t + A cos t - d. The vertex reaches the
@@ -136,16 +115,16 @@ def _turn(bar: Array, body: Array, f: int, centre: _Vector, axis: _Vector) -> fl
     root of smaller size, with the sign of h, and is the least over all vertices; infinite if no turn brings a vertex
     into the plane.
     """
-    n = _normal(body, f)
-    along = _dot(n, axis)
-    swept = _cross(axis, n)
-    away = body[D + f] - _dot(n, centre)
+    n = face_normal(body, f)
+    along = dot(n, axis)
+    swept = cross(axis, n)
+    away = body[D + f] - dot(n, centre)
     best = np.inf
     for v in range(VERTICES):
-        r = _Vector(bar[X + v] - centre.x, bar[Y + v] - centre.y, bar[Z + v] - centre.z)
-        height = _dot(n, r) - away
-        side = _dot(swept, r)
-        total = height + 2.0 * (away - along * _dot(axis, r))
+        r = minus(vertex(bar, v), centre)
+        height = dot(n, r) - away
+        side = dot(swept, r)
+        total = height + 2.0 * (away - along * dot(axis, r))
         square = side * side + total * height
         reached = abs(side) + sqrt(max(square, 0.0))
         if square >= 0.0 and reached > 0.0:
@@ -166,22 +145,22 @@ def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
         found: (12,) output: measured values and remaining turns.
     """
     palm, fixed, prong, bar = bodies[which[0]], bodies[which[1]], bodies[which[2]], bodies[which[3]]
-    x2, y2 = _normal(palm, _D), _normal(prong, _E)
-    z2 = _cross(x2, y2)
+    x2, y2 = face_normal(palm, _D), face_normal(prong, _E)
+    z2 = cross(x2, y2)
     centre = _middle(palm, _D)
     front, rear, top = _middle(bar, _A), _middle(bar, _F), _middle(bar, _C)
-    length = sqrt((rear.x - front.x) ** 2 + (rear.y - front.y) ** 2 + (rear.z - front.z) ** 2)
-    per = 1.0 / length
-    axis = _Vector((rear.x - front.x) * per, (rear.y - front.y) * per, (rear.z - front.z) * per)
-    found[PALM] = least(bar, palm[NX + _D], palm[NY + _D], palm[NZ + _D]) - palm[D + _D]
-    found[FIXED] = least(bar, fixed[NX + _B], fixed[NY + _B], fixed[NZ + _B]) - fixed[D + _B]
-    found[PRONG] = least(bar, prong[NX + _E], prong[NY + _E], prong[NZ + _E]) - prong[D + _E]
+    to_rear, from_top = minus(rear, front), minus(centre, top)
+    length = sqrt(dot(to_rear, to_rear))
+    axis = times(1.0 / length, to_rear)
+    found[PALM] = least(bar, x2) - palm[D + _D]
+    found[FIXED] = least(bar, face_normal(fixed, _B)) - fixed[D + _B]
+    found[PRONG] = least(bar, y2) - prong[D + _E]
     found[SPACING] = _over(fixed, _B, _middle(prong, _E))
     found[HEIGHT] = _over(bar, _C, centre)
     found[HALF] = 0.5 * length
-    found[ALONG] = _dot(axis, centre) - 0.5 * (_dot(axis, front) + _dot(axis, rear))
-    found[AWAY] = sqrt((centre.x - top.x) ** 2 + (centre.y - top.y) ** 2 + (centre.z - top.z) ** 2)
-    found[SIDE] = _dot(z2, axis)
+    found[ALONG] = dot(axis, centre) - 0.5 * (dot(axis, front) + dot(axis, rear))
+    found[AWAY] = sqrt(dot(from_top, from_top))
+    found[SIDE] = dot(z2, axis)
     roll = lesser(_turn(bar, palm, _D, centre, z2), _turn(bar, fixed, _B, centre, z2))
     yaw = lesser(_turn(bar, fixed, _B, centre, x2), _turn(bar, prong, _E, centre, x2))
     found[PITCH] = 2.0 * atan(_turn(bar, palm, _D, centre, y2))

@@ -18,6 +18,8 @@ import msgspec
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.pose import POSE, moved, relative
+from aftdeck.bodies.vector import Vector, dot, vector_at
 from aftdeck.errors import InputError
 from aftdeck.law import law
 from aftdeck.worksite.conditions import Condition, within
@@ -111,32 +113,28 @@ def approach(probe: Array, face: Array, payload: Array, port: Array, planes: Arr
         planes: (k, 4) the envelope in the port's frame, the plane of face c first.
         found: (6,) output.
     """
-    x, y, z = payload[0] - port[0], payload[1] - port[1], payload[2] - port[2]
-    px = port[3] * x + port[6] * y + port[9] * z
-    py = port[4] * x + port[7] * y + port[10] * z
-    pz = port[5] * x + port[8] * y + port[11] * z
-    turn = np.empty((3, 3))  # the payload's axes in the port's, as columns
-    for i in range(3):
-        for j in range(3):
-            turn[i, j] = port[3 + i] * payload[3 + j] + port[6 + i] * payload[6 + j] + port[9 + i] * payload[9 + j]
+    pose = np.empty(POSE)  # the payload's pose in the port's frame
+    relative(port, payload, pose)
     before = inside = np.inf
     for v in range(len(probe)):
-        a, b, c = probe[v, 0], probe[v, 1], probe[v, 2]
-        x = px + turn[0, 0] * a + turn[0, 1] * b + turn[0, 2] * c
-        y = py + turn[1, 0] * a + turn[1, 1] * b + turn[1, 2] * c
-        z = pz + turn[2, 0] * a + turn[2, 1] * b + turn[2, 2] * c
-        before = min(before, planes[0, 3] - planes[0, 0] * x - planes[0, 1] * y - planes[0, 2] * z)
+        p = moved(pose, vector_at(probe[v], 0))
+        before = min(before, _below(planes[0], p))
         for k in range(1, len(planes)):
-            inside = min(inside, planes[k, 3] - planes[k, 0] * x - planes[k, 1] * y - planes[k, 2] * z)
+            inside = min(inside, _below(planes[k], p))
     found[BEFORE], found[INSIDE] = before, inside
-    a, b, c = face[0], face[1], face[2]
-    x = px + turn[0, 0] * a + turn[0, 1] * b + turn[0, 2] * c
-    y = py + turn[1, 0] * a + turn[1, 1] * b + turn[1, 2] * c
-    z = pz + turn[2, 0] * a + turn[2, 1] * b + turn[2, 2] * c
-    found[DISTANCE] = sqrt(x * x + y * y + z * z)
+    centre = moved(pose, vector_at(face, 0))
+    found[DISTANCE] = sqrt(dot(centre, centre))
+    turn = pose[3:].reshape(3, 3)  # the payload's axes in the port's, as columns
     found[TURNED] = atan2(sqrt(turn[1, 0] ** 2 + turn[2, 0] ** 2), turn[0, 0])
     found[TURNED + 1] = atan2(sqrt(turn[0, 1] ** 2 + turn[2, 1] ** 2), turn[1, 1])
     found[TURNED + 2] = atan2(sqrt(turn[0, 2] ** 2 + turn[1, 2] ** 2), turn[2, 2])
+
+
+@law
+def _below(plane: Array, p: Vector) -> float:
+    """Return how far a point is inside a plane of the envelope [m]; negative outside."""
+    inside: float = plane[3] - plane[0] * p.x - plane[1] * p.y - plane[2] * p.z
+    return inside
 
 
 def docking(found: Array, tolerances: DockingTolerances) -> tuple[Condition, ...]:

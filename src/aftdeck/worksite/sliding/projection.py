@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.vector import Vector, cross, dot, minus, moved_along, put_vector, vector_at
 from aftdeck.kinematics.jacobian import Twist
 from aftdeck.law import law
 
@@ -33,21 +34,17 @@ _PARALLEL = 1e-8
 class Velocity(NamedTuple):
     """The tip's velocity, and its difference from the wanted one, inf if there is no velocity [m/s]."""
 
-    x: float
-    y: float
-    z: float
+    v: Vector
     off: float
 
 
 @law
-def slide(touches: Array, x: float, y: float, z: float, wanted: Twist) -> Twist:
+def slide(touches: Array, tip: Vector, wanted: Twist) -> Twist:
     """Return the twist of the tip that is nearest to the wanted one and moves no touching point into its wall.
 
     Args:
         touches: (k, 7) contacts, in L.
-        x: x of the tip's position, in L; likewise y and z [m].
-        y: see x.
-        z: see x.
+        tip: position of the tip, in L [m].
         wanted: wanted twist of the tip, in L.
 
     Returns:
@@ -57,78 +54,76 @@ def slide(touches: Array, x: float, y: float, z: float, wanted: Twist) -> Twist:
     """
     walls, least = np.empty((len(touches), 3)), np.empty(len(touches))
     for share in (1.0, 0.0):
-        wx, wy, wz = share * wanted.wx, share * wanted.wy, share * wanted.wz
+        w = Vector(share * wanted.wx, share * wanted.wy, share * wanted.wz)
         count = 0
         for row in touches:
-            nx, ny, nz = row[OUTWARD], row[OUTWARD + 1], row[OUTWARD + 2]
-            rx, ry, rz = row[POINT] - x, row[POINT + 1] - y, row[POINT + 2] - z
-            turned = nx * (wy * rz - wz * ry) + ny * (wz * rx - wx * rz) + nz * (wx * ry - wy * rx)
-            count = _add(walls, least, count, nx, ny, nz, row[LEAST] - turned)
-        v = _kept_off(walls[:count], least[:count], wanted.vx, wanted.vy, wanted.vz)
-        if v.off < np.inf:
-            return Twist(wx, wy, wz, v.x, v.y, v.z)
+            n = vector_at(row, OUTWARD)
+            by_turn = dot(n, cross(w, minus(vector_at(row, POINT), tip)))
+            count = _add(walls, least, count, n, row[LEAST] - by_turn)
+        best = _kept_off(walls[:count], least[:count], Vector(wanted.vx, wanted.vy, wanted.vz))
+        if best.off < np.inf:
+            return Twist(w.x, w.y, w.z, best.v.x, best.v.y, best.v.z)
     return Twist(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @law
-def _add(walls: Array, least: Array, count: int, nx: float, ny: float, nz: float, speed: float) -> int:
+def _add(walls: Array, least: Array, count: int, normal: Vector, speed: float) -> int:
     """Add a wall that the tip has to leave at a least speed [m/s], or raise that of an equal wall; return the count."""
     for i in range(count):
-        dx, dy, dz = nx - walls[i, 0], ny - walls[i, 1], nz - walls[i, 2]
-        if dx * dx + dy * dy + dz * dz <= _SAME:
+        d = minus(normal, vector_at(walls[i], 0))
+        if dot(d, d) <= _SAME:
             least[i] = max(least[i], speed)
             return count
-    walls[count, 0], walls[count, 1], walls[count, 2] = nx, ny, nz
+    put_vector(walls[count], 0, normal)
     least[count] = speed
     return count + 1
 
 
 @law
-def _kept_off(walls: Array, least: Array, x: float, y: float, z: float) -> Velocity:
-    """Return the velocity nearest to (x, y, z) that leaves every wall at its least speed or faster.
+def _kept_off(walls: Array, least: Array, wanted: Vector) -> Velocity:
+    """Return the velocity nearest to the wanted one that leaves every wall at its least speed or faster.
 
     At the solution none, one, two or three walls are left at exactly their least speed. All these cases are tried, and
     each candidate is checked against every wall.
     """
-    best = _judged(walls, least, Velocity(np.inf, np.inf, np.inf, np.inf), x, y, z, x, y, z)
+    best = _judged(walls, least, Velocity(wanted, np.inf), wanted, wanted)
     if best.off == 0.0:
         return best
     for i in range(len(walls)):
-        ix, iy, iz = walls[i]
-        by = least[i] - (ix * x + iy * y + iz * z)
-        x1, y1, z1 = x + by * ix, y + by * iy, z + by * iz
-        best = _judged(walls, least, best, x, y, z, x1, y1, z1)
+        n = vector_at(walls[i], 0)
+        v1 = moved_along(wanted, least[i] - dot(n, wanted), n)
+        best = _judged(walls, least, best, wanted, v1)
         for j in range(i + 1, len(walls)):
-            jx, jy, jz = walls[j]
+            m = vector_at(walls[j], 0)
             # along wall i, perpendicular to the line common to both walls
-            cosine = ix * jx + iy * jy + iz * jz
-            tx, ty, tz = jx - cosine * ix, jy - cosine * iy, jz - cosine * iz
-            square = tx * tx + ty * ty + tz * tz
+            t = moved_along(m, -dot(n, m), n)
+            square = dot(t, t)
             if square < _PARALLEL * _PARALLEL:
                 continue
-            by = (least[j] - (jx * x1 + jy * y1 + jz * z1)) / square
-            x2, y2, z2 = x1 + by * tx, y1 + by * ty, z1 + by * tz
-            best = _judged(walls, least, best, x, y, z, x2, y2, z2)
-            ux, uy, uz = iy * jz - iz * jy, iz * jx - ix * jz, ix * jy - iy * jx
+            v2 = moved_along(v1, (least[j] - dot(m, v1)) / square, t)
+            best = _judged(walls, least, best, wanted, v2)
+            common = cross(n, m)
             for k in range(j + 1, len(walls)):
-                along = walls[k, 0] * ux + walls[k, 1] * uy + walls[k, 2] * uz
+                wall = vector_at(walls[k], 0)
+                along = dot(wall, common)
                 if abs(along) < _PARALLEL * sqrt(square):
                     continue
-                by = (least[k] - (walls[k, 0] * x2 + walls[k, 1] * y2 + walls[k, 2] * z2)) / along
-                best = _judged(walls, least, best, x, y, z, x2 + by * ux, y2 + by * uy, z2 + by * uz)
+                v3 = moved_along(v2, (least[k] - dot(wall, v2)) / along, common)
+                best = _judged(walls, least, best, wanted, v3)
     return best
 
 
 @law
-def _judged(
-    walls: Array, least: Array, best: Velocity, x: float, y: float, z: float, vx: float, vy: float, vz: float
-) -> Velocity:
-    """Return the velocity v if it is nearer to (x, y, z) than `best` and leaves every wall fast enough, else `best`."""
-    dx, dy, dz = vx - x, vy - y, vz - z
-    off = sqrt(dx * dx + dy * dy + dz * dz)
+def _judged(walls: Array, least: Array, best: Velocity, wanted: Vector, v: Vector) -> Velocity:
+    """Return the velocity v if it is nearer to the wanted one than `best` and leaves every wall fast enough.
+
+    Otherwise return `best`.
+    """
+    d = minus(v, wanted)
+    off = sqrt(dot(d, d))
     if off >= best.off:
         return best
     for i in range(len(walls)):
-        if walls[i, 0] * vx + walls[i, 1] * vy + walls[i, 2] * vz < least[i] - SLACK:
+        if dot(vector_at(walls[i], 0), v) < least[i] - SLACK:
             return best
-    return Velocity(vx, vy, vz, off)
+    return Velocity(v, off)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array, Indices, Mask
-from aftdeck.bodies.hexahedron import NX, NY, NZ, SIDES, VERTICES, D, X, Y, Z
+from aftdeck.bodies.hexahedron import SIDES, VERTICES, D, face_normal, vertex
+from aftdeck.bodies.vector import dot, put_vector
 from aftdeck.law import law
 from aftdeck.worksite.sliding.projection import LEAST, OUTWARD, POINT, TOUCH
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
@@ -73,16 +74,16 @@ def _least(clearance: float, period: float, out: float) -> float:
 @law
 def _over(wall: Array, body: Array, v: int, reach: float, period: float, out: float, row: Array) -> int:
     """Write the touch of vertex v of a body and return 1 if a wall's face is within reach of it; else return 0."""
-    x, y, z = body[X + v], body[Y + v], body[Z + v]
+    p = vertex(body, v)
     face, height = 0, -np.inf
     for f in range(SIDES):
-        above = wall[NX + f] * x + wall[NY + f] * y + wall[NZ + f] * z - wall[D + f]
+        above = dot(face_normal(wall, f), p) - wall[D + f]
         if above > height:
             face, height = f, above
     if height > reach:
         return 0
-    row[POINT], row[POINT + 1], row[POINT + 2] = x, y, z
-    row[OUTWARD], row[OUTWARD + 1], row[OUTWARD + 2] = wall[NX + face], wall[NY + face], wall[NZ + face]
+    put_vector(row, POINT, p)
+    put_vector(row, OUTWARD, face_normal(wall, face))
     row[LEAST] = _least(height, period, out)
     return 1
 

@@ -10,15 +10,17 @@ from __future__ import annotations
 import numpy as np
 
 from aftdeck.arrays import Array, Mask
-from aftdeck.bodies.pose import POSE
+from aftdeck.bodies.pose import POSE, moved, turned_back
+from aftdeck.bodies.vector import Vector, dot, minus, vector_at
 from aftdeck.kinematics.frames import place_frames
-from aftdeck.kinematics.jacobian import Rates, Twist, erates, jacobi
-from aftdeck.kinematics.linkage import place, sines
+from aftdeck.kinematics.jacobian import Twist, erates, jacobi
+from aftdeck.kinematics.linkage import place
 from aftdeck.kinematics.rates import rmsrat
 from aftdeck.law import law
 from aftdeck.steering.layout import ANGLES, DT, RATES, SHOULDER_OFFSET, TWIST
 from aftdeck.steering.limiters import ratlmt
 from aftdeck.steering.msteer import NEAR_FLOOR, cut, feed_back, scaled
+from aftdeck.steering.views import rates_at, sines_of
 from aftdeck.worksite.sliding.projection import LEAST, OUTWARD, POINT, slide
 from aftdeck.worksite.watch.clearance_monitor import minimum_clearance_group
 from aftdeck.worksite.watch.found import CLEARANCE
@@ -70,21 +72,19 @@ def slid(
         found: (k, 7) touches of the held payload.
         steering: state of the steering; rates and twist are changed if they go into a wall.
     """
-    q = ANGLES
-    a = sines(rules, steering[q], steering[q + 1], steering[q + 2], steering[q + 3], steering[q + 4], steering[q + 5])
+    a = sines_of(rules, steering)
     x, y, z = place(rules, a)
-    z -= steering[SHOULDER_OFFSET]
-    q = RATES
-    rates = Rates(steering[q], steering[q + 1], steering[q + 2], steering[q + 3], steering[q + 4], steering[q + 5])
+    tip = Vector(x, y, z - steering[SHOULDER_OFFSET])
+    rates = rates_at(steering, RATES)
     twist = erates(a, jacobi(rules, a), rates)
     wanted = Twist(turning * twist.wx, turning * twist.wy, turning * twist.wz, twist.vx, twist.vy, twist.vz)
     asked = found.copy()
     for k in range(PASSES):
         if turning == 1.0 or k > 0:
-            lacking, changed = _asked(rules, joints, last, height, found, steering, twist, x, y, z, asked)
+            lacking, changed = _asked(rules, joints, last, height, found, steering, twist, tip, asked)
             if lacking <= EXACT and (changed <= EXACT or k == 0):
                 return
-        twist = slide(asked, x, y, z, wanted)
+        twist = slide(asked, tip, wanted)
         rates = rmsrat(rules, a, twist, NEAR_FLOOR)
         ratio = ratlmt(rules, steering, a, rates).ratio
         twist = scaled(twist, ratio)
@@ -100,9 +100,7 @@ def _asked(
     found: Array,
     steering: Array,
     twist: Twist,
-    x: float,
-    y: float,
-    z: float,
+    tip: Vector,
     asked: Array,
 ) -> tuple[float, float]:
     """Correct the least speeds in `asked` (k, 7), touches as `found`, for the curvature of the step.
@@ -121,20 +119,16 @@ def _asked(
     now, lacking, changed = rows[6], -np.inf, 0.0
     for k in range(len(found)):
         row = found[k]
-        rx, ry, rz = row[POINT] - x, row[POINT + 1] - y, row[POINT + 2] - z
-        vx = twist.vx + twist.wy * rz - twist.wz * ry
-        vy = twist.vy + twist.wz * rx - twist.wx * rz
-        vz = twist.vz + twist.wx * ry - twist.wy * rx
-        straight = row[OUTWARD] * vx + row[OUTWARD + 1] * vy + row[OUTWARD + 2] * vz
-        dx, dy, dz = row[POINT] - last[0], row[POINT + 1] - last[1], row[POINT + 2] - last[2]
-        px = last[3] * dx + last[6] * dy + last[9] * dz
-        py = last[4] * dx + last[7] * dy + last[10] * dz
-        pz = last[5] * dx + last[8] * dy + last[11] * dz
-        true = 0.0
-        for i in range(3):
-            to = now[i] + now[3 + 3 * i] * px + now[4 + 3 * i] * py + now[5 + 3 * i] * pz
-            true += row[OUTWARD + i] * (to - row[POINT + i])
-        true /= rules[DT]
+        point, outward = vector_at(row, POINT), vector_at(row, OUTWARD)
+        r = minus(point, tip)
+        v = Vector(
+            twist.vx + twist.wy * r.z - twist.wz * r.y,
+            twist.vy + twist.wz * r.x - twist.wx * r.z,
+            twist.vz + twist.wx * r.y - twist.wy * r.x,
+        )
+        straight = dot(outward, v)
+        p = turned_back(last, minus(point, vector_at(last, 0)))
+        true = dot(outward, minus(moved(now, p), point)) / rules[DT]
         least = row[LEAST] + straight - true
         lacking, changed = max(lacking, row[LEAST] - true), max(changed, abs(least - asked[k, LEAST]))
         asked[k, LEAST] = least

@@ -23,7 +23,9 @@ from aftdeck.bodies.hexahedron import SIDES, VERTICES, place
 from aftdeck.bodies.location_words import heights
 from aftdeck.bodies.pair import CONTACT, PAIR
 from aftdeck.bodies.planes import sides
+from aftdeck.bodies.pose import turned
 from aftdeck.bodies.repeated_test import measure
+from aftdeck.bodies.vector import dot, minus, plus, put_vector, vector_at
 from aftdeck.law import law
 from aftdeck.state_part import Cache
 from aftdeck.worksite.watch.found import (
@@ -77,12 +79,8 @@ def place_moved(layout: PackedLayout, frames: Array, at: Array, placed: Array) -
         f = frame[i]
         if not moved[f]:
             continue
-        r = frames[f, 3:].reshape(3, 3)
-        place(solids[i], frames[f], r, placed[i])
-        x, y, z = solids[i, CENTRE], solids[i, CENTRE + 1], solids[i, CENTRE + 2]
-        placed[i, CENTRE] = r[0, 0] * x + r[0, 1] * y + r[0, 2] * z + frames[f, 0]
-        placed[i, CENTRE + 1] = r[1, 0] * x + r[1, 1] * y + r[1, 2] * z + frames[f, 1]
-        placed[i, CENTRE + 2] = r[2, 0] * x + r[2, 1] * y + r[2, 2] * z + frames[f, 2]
+        place(solids[i], frames[f], frames[f, 3:].reshape(3, 3), placed[i])
+        put_vector(placed[i], CENTRE, plus(turned(frames[f], vector_at(solids[i], CENTRE)), vector_at(frames[f], 0)))
         placed[i, RADIUS] = solids[i, RADIUS]
 
 
@@ -109,11 +107,11 @@ def travelled(frames: Array, at: Array, reach: Array, ways: Array) -> None:
 @law
 def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
     """Return whether spheres or the pair's last normal prove that two solids are not nearer than `best` [m]."""
-    x, y, z = b[CENTRE] - a[CENTRE], b[CENTRE + 1] - a[CENTRE + 1], b[CENTRE + 2] - a[CENTRE + 2]
+    centres = minus(vector_at(b, CENTRE), vector_at(a, CENTRE))
     reach = best + a[RADIUS] + b[RADIUS]
-    if reach < 0.0 or x * x + y * y + z * z > reach * reach:
+    if reach < 0.0 or dot(centres, centres) > reach * reach:
         return True
-    along = sides(a, b, pair[packed.NORMAL], pair[packed.NORMAL + 1], pair[packed.NORMAL + 2])
+    along = sides(a, b, vector_at(pair, packed.NORMAL))
     apart = along.b - along.a
     # a pair without a normal has a zero vector, for which `apart` is 0
     return apart > 0.0 and apart > best
@@ -265,19 +263,18 @@ def _fill(layout: PackedLayout, own: Measured, g: int, now: Array, motions: Arra
     row[WHICH] = k
     if row[CLEARANCE] <= CONTACT:
         way_apart(own.placed[i], own.placed[j], row)
-    va = velocity(now, motions, layout.frame[i], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
-    vb = velocity(now, motions, layout.frame[j], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
-    row[SPEED] = row[NORMAL] * (va[0] - vb[0]) + row[NORMAL + 1] * (va[1] - vb[1]) + row[NORMAL + 2] * (va[2] - vb[2])
+    va = velocity(now, motions, layout.frame[i], vector_at(row, POINT_A))
+    vb = velocity(now, motions, layout.frame[j], vector_at(row, POINT_B))
+    row[SPEED] = dot(vector_at(row, NORMAL), minus(va, vb))
 
 
 @law
 def copy_pair(pair: Array, row: Array) -> None:
     """Copy the measurements of a pair, packed (17,), into its group's row (15,)."""
     row[CLEARANCE] = pair[packed.CLEARANCE]
-    for c in range(3):
-        row[POINT_A + c] = pair[packed.POINT_A + c]
-        row[POINT_B + c] = pair[packed.POINT_B + c]
-        row[NORMAL + c] = pair[packed.NORMAL + c]
+    put_vector(row, POINT_A, vector_at(pair, packed.POINT_A))
+    put_vector(row, POINT_B, vector_at(pair, packed.POINT_B))
+    put_vector(row, NORMAL, vector_at(pair, packed.NORMAL))
     row[DISTANCE] = pair[packed.DISTANCE]
     row[FEATURE_A], row[FEATURE_B] = pair[packed.FEATURE_A], pair[packed.FEATURE_B]
 
@@ -288,13 +285,9 @@ def way_apart(a: Array, b: Array, row: Array) -> None:
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)
     heights(b, a, above_a)
-    out = greatest(a, b, above_b, above_a)
-    row[NORMAL], row[NORMAL + 1], row[NORMAL + 2] = out.x, out.y, out.z
-    row[DISTANCE] = 0.5 * (
-        out.x * (row[POINT_A] + row[POINT_B])
-        + out.y * (row[POINT_A + 1] + row[POINT_B + 1])
-        + out.z * (row[POINT_A + 2] + row[POINT_B + 2])
-    )
+    out = greatest(a, b, above_b, above_a).normal
+    put_vector(row, NORMAL, out)
+    row[DISTANCE] = 0.5 * dot(out, plus(vector_at(row, POINT_A), vector_at(row, POINT_B)))
 
 
 @law

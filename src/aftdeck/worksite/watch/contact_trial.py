@@ -14,7 +14,9 @@ import numpy as np
 from aftdeck.arrays import Array, Indices, Mask
 from aftdeck.bodies import pair as packed
 from aftdeck.bodies.pair import CONTACT
+from aftdeck.bodies.pose import turned_back
 from aftdeck.bodies.repeated_test import measure
+from aftdeck.bodies.vector import Vector, dot, minus, vector_at
 from aftdeck.law import law
 from aftdeck.worksite.watch.clearance_monitor import (
     ClearanceMonitor,
@@ -138,24 +140,22 @@ def _slid(layout: PackedLayout, own: Measured, after: Array, k: int, was: Array)
     row = np.empty(FOUND)
     copy_pair(pair, row)
     way_apart(a, b, row)
-    p = _carried(own.at[layout.frame[i]], after[layout.frame[i]], row[POINT_A], row[POINT_A + 1], row[POINT_A + 2])
-    q = _carried(own.at[layout.frame[j]], after[layout.frame[j]], row[POINT_B], row[POINT_B + 1], row[POINT_B + 2])
-    x, y, z = p[0] - q[0], p[1] - q[1], p[2] - q[2]
-    out = x * row[NORMAL] + y * row[NORMAL + 1] + z * row[NORMAL + 2]
-    return sqrt(max(x * x + y * y + z * z - out * out, 0.0))
+    p = _displacement(own.at[layout.frame[i]], after[layout.frame[i]], vector_at(row, POINT_A))
+    q = _displacement(own.at[layout.frame[j]], after[layout.frame[j]], vector_at(row, POINT_B))
+    moved = minus(p, q)
+    out = dot(moved, vector_at(row, NORMAL))
+    return sqrt(max(dot(moved, moved) - out * out, 0.0))
 
 
 @law
-def _carried(at: Array, after: Array, x: float, y: float, z: float) -> tuple[float, float, float]:
+def _displacement(at: Array, after: Array, point: Vector) -> Vector:
     """Return the displacement of a point carried by a frame that moves from one pose (12,) to another [m]."""
-    x, y, z = x - at[0], y - at[1], z - at[2]
-    px = at[3] * x + at[6] * y + at[9] * z
-    py = at[4] * x + at[7] * y + at[10] * z
-    pz = at[5] * x + at[8] * y + at[11] * z
-    return (
-        after[0] - at[0] + after[3] * px + after[4] * py + after[5] * pz - x,
-        after[1] - at[1] + after[6] * px + after[7] * py + after[8] * pz - y,
-        after[2] - at[2] + after[9] * px + after[10] * py + after[11] * pz - z,
+    r = minus(point, vector_at(at, 0))
+    p = turned_back(at, r)
+    return Vector(
+        after[0] - at[0] + after[3] * p.x + after[4] * p.y + after[5] * p.z - r.x,
+        after[1] - at[1] + after[6] * p.x + after[7] * p.y + after[8] * p.z - r.y,
+        after[2] - at[2] + after[9] * p.x + after[10] * p.y + after[11] * p.z - r.z,
     )
 
 

@@ -6,6 +6,7 @@ from math import atan2, sqrt, tan
 from typing import NamedTuple
 
 from aftdeck.arrays import Array
+from aftdeck.bodies.vector import Vector, cross, dot, minus, times, vector_at
 from aftdeck.law import law
 from aftdeck.worksite.watch.groups import POSE
 
@@ -37,28 +38,29 @@ def motion(before: Array, now: Array, period: float) -> Motion:
         return Motion(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     r, q = now[3:], before[3:]
     # axis times sine of the rotation R Qᵀ, from its antisymmetric part; the cosine below is from its trace
-    x = 0.5 * (_dot(r, q, 6, 3) - _dot(r, q, 3, 6))
-    y = 0.5 * (_dot(r, q, 0, 6) - _dot(r, q, 6, 0))
-    z = 0.5 * (_dot(r, q, 3, 0) - _dot(r, q, 0, 3))
-    sine = sqrt(x * x + y * y + z * z)
+    axis = Vector(
+        0.5 * (_dot(r, q, 6, 3) - _dot(r, q, 3, 6)),
+        0.5 * (_dot(r, q, 0, 6) - _dot(r, q, 6, 0)),
+        0.5 * (_dot(r, q, 3, 0) - _dot(r, q, 0, 3)),
+    )
+    sine = sqrt(dot(axis, axis))
     angle = atan2(sine, 0.5 * (_dot(r, q, 0, 0) + _dot(r, q, 3, 3) + _dot(r, q, 6, 6) - 1.0))
-    scale = angle / sine if sine > 0.0 else 1.0
-    x, y, z = scale * x, scale * y, scale * z
-    dx, dy, dz = now[0] - before[0], now[1] - before[1], now[2] - before[2]
+    turn = times(angle / sine if sine > 0.0 else 1.0, axis)
+    d = minus(vector_at(now, 0), vector_at(before, 0))
     # The displacement d is a chord of the screw motion: the velocity at its end is along V^-1 d + turn x d, where V is
     # the matrix of the exponential map that takes a constant velocity to the displacement.
-    ux, uy, uz = y * dz - z * dy, z * dx - x * dz, x * dy - y * dx
-    wx, wy, wz = y * uz - z * uy, z * ux - x * uz, x * uy - y * ux
+    u = cross(turn, d)
+    w = cross(turn, u)
     square = angle * angle
     share = (1.0 - 0.5 * angle / tan(0.5 * angle)) / square if angle > _SMALL else 1.0 / 12.0 + square / 720.0
     per = 1.0 / period
     return Motion(
-        x * per,
-        y * per,
-        z * per,
-        (dx + 0.5 * ux + share * wx) * per,
-        (dy + 0.5 * uy + share * wy) * per,
-        (dz + 0.5 * uz + share * wz) * per,
+        turn.x * per,
+        turn.y * per,
+        turn.z * per,
+        (d.x + 0.5 * u.x + share * w.x) * per,
+        (d.y + 0.5 * u.y + share * w.y) * per,
+        (d.z + 0.5 * u.z + share * w.z) * per,
     )
 
 
@@ -70,11 +72,7 @@ def _dot(r: Array, q: Array, i: int, j: int) -> float:
 
 
 @law
-def velocity(frames: Array, motions: Array, f: int, x: float, y: float, z: float) -> tuple[float, float, float]:
-    """Return the velocity [m/s] of the point (x, y, z) that moves with frame f; poses (F, 12), motions (F, 6)."""
-    x, y, z = x - frames[f, 0], y - frames[f, 1], z - frames[f, 2]
-    return (
-        motions[f, 3] + motions[f, 1] * z - motions[f, 2] * y,
-        motions[f, 4] + motions[f, 2] * x - motions[f, 0] * z,
-        motions[f, 5] + motions[f, 0] * y - motions[f, 1] * x,
-    )
+def velocity(frames: Array, motions: Array, f: int, point: Vector) -> Vector:
+    """Return the velocity [m/s] of a point that moves with frame f; poses (F, 12), motions (F, 6)."""
+    r, w, v = minus(point, vector_at(frames[f], 0)), vector_at(motions[f], 0), vector_at(motions[f], 3)
+    return Vector(v.x + w.y * r.z - w.z * r.y, v.y + w.z * r.x - w.x * r.z, v.z + w.x * r.y - w.y * r.x)
