@@ -69,7 +69,7 @@ def deepest(name: str, steps: int, seed: int = 1) -> Witness:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", built_in())
-def test_no_pair_is_deeper_than_two_steps_travel_unless_its_relation_permits_it(name: str) -> None:
+def test_penetration_stays_within_two_steps_travel(name: str) -> None:
     witness = deepest(name, STEPS)
     over = {pair: depth for pair, depth in witness.worst.items() if depth > SLIGHTLY}
     assert not over

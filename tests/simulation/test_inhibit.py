@@ -124,7 +124,7 @@ def check_two_frames(made: Scenario, frames: list[Frame]) -> None:
 @pytest.mark.parametrize("place", PLACES, ids=lambda place: place.__name__)
 @settings(max_examples=3)
 @given(seed=seeds)
-def test_an_inhibited_arm_deepens_no_contact_whatever_is_asked_of_it(place: object, seed: int) -> None:
+def test_inhibited_arm_deepens_no_contact_under_random_inputs(place: object, seed: int) -> None:
     assert callable(place)
     rng = np.random.default_rng(seed)
     made = place(rng)
@@ -140,7 +140,7 @@ ABOVE_BAR = (28.0, 0.0, 0.6)
 """The palm 0.14 ft over the bar [ft]."""
 
 
-def test_a_palm_that_meets_the_bar_is_flagged_in_one_frame_and_stopped_from_the_next() -> None:
+def test_palm_contact_stops_the_arm_from_the_second_step() -> None:
     made = scenario(ABOVE_BAR)
     frames = flown(made, held_for(200, DOWN))
     first = next(k for k, frame in enumerate(frames) if harmful(made, frame))
@@ -155,7 +155,7 @@ def test_a_palm_that_meets_the_bar_is_flagged_in_one_frame_and_stopped_from_the_
     assert log_of(up)[-2:] == ["palm clear of payload receptacle", "ARM INHIBIT off"]
 
 
-def test_a_prong_alone_in_contact_inhibits_finger_and_arm_and_may_open() -> None:
+def test_prong_contact_inhibits_finger_and_arm_but_prong_may_open() -> None:
     """The hand leans over the payload's starboard edge, so that the prong closes on its side."""
     made = scenario((28.0, -2.7, 0.95), (-20.0, 0.0, 0.0))
     sim = aftdeck.Simulation(made)
@@ -202,9 +202,7 @@ CONTACTS = [near_the_bar, met_in_flight]
 @pytest.mark.parametrize("place", CONTACTS, ids=lambda place: place.__name__)
 @settings(max_examples=4)
 @given(seed=seeds, mode=st.sampled_from(["ORB UNL", "END EFF", "SINGLE"]))
-def test_the_way_out_that_is_named_leads_out_of_any_contact_that_was_flown_into(
-    place: object, seed: int, mode: str
-) -> None:
+def test_escape_leads_out_of_any_contact(place: object, seed: int, mode: str) -> None:
     assert callable(place)
     rng = np.random.default_rng(seed)
     sim = aftdeck.Simulation(place(rng))
@@ -217,7 +215,7 @@ def test_the_way_out_that_is_named_leads_out_of_any_contact_that_was_flown_into(
     assert freed(sim, frame)
 
 
-def test_an_automatic_motion_into_a_contact_fails_its_check_and_flown_all_the_same_is_given_up() -> None:
+def test_motion_into_contact_fails_its_check_and_is_abandoned() -> None:
     goal = 'frame = "L", position = ["28 ft", "0 ft", "2 ft"], matrix = [[0, 0, -1], [0, 1, 0], [1, 0, 0]]'
     for law in ("position", "closed loop", "open loop"):
         phases = f'[[phase]]\nname = "down"\nmode = "OPR CMD"\nlaw = "{law}"\ntarget = {{ {goal} }}'
@@ -238,7 +236,7 @@ def test_an_automatic_motion_into_a_contact_fails_its_check_and_flown_all_the_sa
         assert blocked.time_s > touched.time_s and min(frame.ratio for frame in flown_on) == 0.0
 
 
-def test_acquiring_a_payload_takes_nothing_from_what_still_touches() -> None:
+def test_capture_does_not_log_separation_of_touching_parts() -> None:
     """What is not looked at any more is not told as parted, and an inhibit ends with a line of its own."""
     made = scenario(ON_BAR)
     frames = flown(made, [Inputs(effector="close"), *[Inputs()] * 200, *held_for(50, UP)])

@@ -36,7 +36,7 @@ for module, name, _ in sorted(met() - before):
     [("concept-1972", 400, "down"), ("concept-1972-script", 2600, "script"), ("srms-deploy", 1500, "script")],
     ids=["a palm that touches", "acquired, slid and docked", "captured"],
 )
-def test_no_law_is_compiled_in_flight(scenario: str, steps: int, by: str) -> None:
+def test_no_law_is_compiled_during_a_run(scenario: str, steps: int, by: str) -> None:
     command = [sys.executable, "-c", COUNT, scenario, str(steps), by]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout == ""

@@ -85,7 +85,7 @@ def arrival(misses: np.ndarray, within: float, period: float) -> float:
 
 
 @pytest.mark.parametrize("period", [0.02, 0.08])
-def test_the_sts_400_move_is_straight_to_five_millimetres_and_both_motions_end_together(period: float) -> None:
+def test_sts_400_move_is_straight_and_ends_together(period: float) -> None:
     done = aftdeck.run(changed(f"control_period = {period}"))
     assert done.summary.ended == "completed"
     start = done.scenario.arm.forward(done.scenario.initial_angles)
@@ -101,7 +101,7 @@ def test_the_sts_400_move_is_straight_to_five_millimetres_and_both_motions_end_t
     assert any(at_rate(f) for f in done.frames)  # the shoulder's rate acts for most of the way
 
 
-def test_strict_leaves_the_line_by_as_much_as_the_restored_laws_do() -> None:
+def test_strict_leaves_the_line_by_the_reference_distance() -> None:
     done = aftdeck.run(changed("strict = true"))
     start = done.scenario.arm.forward(done.scenario.initial_angles)
     share = STS_400["tolerance"]
@@ -125,7 +125,7 @@ def moves(count: int) -> list[tuple[np.ndarray, np.ndarray]]:
 
 
 @pytest.mark.parametrize("period", [0.02, 0.08])
-def test_where_no_joint_rate_acts_the_path_is_straight_to_a_millimetre(period: float) -> None:
+def test_path_is_straight_to_1_mm_without_joint_rate_limits(period: float) -> None:
     for start, end in moves(6):
         sim = aftdeck.Simulation(scenario(start.tolist(), f'control_period = {period}\nmode = "OPR CMD"\n{QUICK}'))
         goal = target(sim.scenario.arm, end.tolist())
@@ -140,7 +140,7 @@ def test_where_no_joint_rate_acts_the_path_is_straight_to_a_millimetre(period: f
         assert abs(arrival(way, 1e-4, period) - arrival(turn, 2e-5, period)) <= 0.1 + period
 
 
-def test_with_the_arms_own_joints_the_path_is_straight_to_five_millimetres() -> None:
+def test_path_is_straight_to_5_mm_with_joint_rate_limits() -> None:
     for start, end in moves(6):
         sim = aftdeck.Simulation(scenario(start.tolist(), 'mode = "OPR CMD"'))
         frames = fly_there(sim, target(sim.scenario.arm, end.tolist()), 60.0)
@@ -150,7 +150,7 @@ def test_with_the_arms_own_joints_the_path_is_straight_to_five_millimetres() -> 
 
 
 @pytest.mark.parametrize("roll", [180.0, -180.0, 179.99999, 90.0])
-def test_half_a_turn_of_the_hand_is_flown_about_one_axis(roll: float) -> None:
+def test_rotation_by_180_deg_has_one_axis(roll: float) -> None:
     end = [*BAY[:5], BAY[5] + roll]
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     frames = fly(sim, 60.0, aftdeck.Inputs(target=target(sim.scenario.arm, end), proceed=True))
@@ -161,7 +161,7 @@ def test_half_a_turn_of_the_hand_is_flown_about_one_axis(roll: float) -> None:
     assert abs(frames[-1].angles[5] - math.radians(BAY[5])) == pytest.approx(math.radians(abs(roll)), abs=1e-4)
 
 
-def test_a_pure_translation_and_a_pure_turn_arrive_too() -> None:
+def test_pure_translation_and_pure_rotation_reach_the_target() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     pose = sim.scenario.arm.forward(np.radians(BAY))
     here = target(sim.scenario.arm, BAY)
@@ -181,7 +181,7 @@ def _turned(goal: aftdeck.Target, by: list[float]) -> tuple[Vec3, Vec3, Vec3]:
     return (tuple(rows[0]), tuple(rows[1]), tuple(rows[2]))
 
 
-def test_stop_brings_the_arm_to_rest_and_proceed_goes_on_to_the_target() -> None:
+def test_proceed_after_stop_reaches_the_target() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     end = (BAY[0] + 20.0, *BAY[1:])
     flying = fly(sim, 5.0, aftdeck.Inputs(target=target(sim.scenario.arm, end), proceed=True))
@@ -212,9 +212,7 @@ def log_of(frames: Sequence[Frame]) -> list[str]:
     ("place", "reason"),
     [((40.0, 0.0, 0.0), "cannot reach"), ((-9.0, 9.0, 3.0), "outside the joint limits|cannot reach")],
 )
-def test_a_target_out_of_reach_fails_its_check_and_proceed_is_refused_and_nothing_moves(
-    place: tuple[float, float, float], reason: str
-) -> None:
+def test_target_out_of_reach_fails_its_check_and_is_rejected(place: tuple[float, float, float], reason: str) -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     start = sim.scenario.initial_angles.tolist()
     far = aftdeck.Target(place, ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0)))
@@ -228,7 +226,7 @@ def test_a_target_out_of_reach_fails_its_check_and_proceed_is_refused_and_nothin
     assert re.match(f"PROCEED refused: CMD CK FAIL: .*({reason})", frames[0].events[-1].text)
 
 
-def test_a_refused_target_is_not_followed_by_a_flight_to_the_one_before() -> None:
+def test_rejected_target_does_not_start_the_previous_one() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     fly(sim, 1.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 20.0, *BAY[1:]))))
     far = aftdeck.Target((40.0, 0.0, 0.0), ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0)))
@@ -238,7 +236,7 @@ def test_a_refused_target_is_not_followed_by_a_flight_to_the_one_before() -> Non
     assert list(frames[-1].angles) == sim.scenario.initial_angles.tolist()
 
 
-def test_a_target_that_is_no_pose_fails_its_check() -> None:
+def test_target_that_is_not_a_pose_fails_its_check() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     skew = aftdeck.Target((8.0, 1.0, -3.0), ((1.0, 0.5, 0), (0, 1.0, 0), (0, 0, 1.0)))
     frames = fly(sim, 0.1, aftdeck.Inputs(target=skew))
@@ -246,13 +244,13 @@ def test_a_target_that_is_no_pose_fails_its_check() -> None:
     assert frames[-1].sequence == "idle"
 
 
-def test_proceed_without_a_target_or_in_a_manual_mode_is_refused() -> None:
+def test_proceed_is_rejected_without_target_or_in_manual_mode() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     assert "target" in log_of(fly(sim, 0.02, aftdeck.Inputs(proceed=True)))[0]
     assert "ORB UNL" in log_of(fly(sim, 0.02, aftdeck.Inputs(mode="ORB UNL", proceed=True)))[-1]
 
 
-def test_a_target_behind_a_soft_stop_fails_its_check_and_is_not_flown() -> None:
+def test_target_past_soft_stop_fails_its_check_and_is_not_started() -> None:
     # inside the hard stops, outside the soft ones: reachable by SINGLE alone
     start = (0.0, 60.0, -80.0, 110.0, 10.0, 0.0)
     sim = aftdeck.Simulation(scenario(start, 'mode = "OPR CMD"'))
@@ -263,7 +261,7 @@ def test_a_target_behind_a_soft_stop_fails_its_check_and_is_not_flown() -> None:
     assert frames[-1].sequence == "idle" and list(frames[-1].angles) == sim.scenario.initial_angles.tolist()
 
 
-def test_a_motion_that_a_limit_comes_to_hold_is_given_up_after_two_seconds_and_says_so() -> None:
+def test_blocked_motion_is_abandoned_after_2_s() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"\nsoft_stops = "as-flown"'))
     fly(sim, 4.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 20.0, *BAY[1:])), proceed=True))
     disturbed(sim, {3: -117.0})  # past the soft stop: as flown, everything stands

@@ -43,7 +43,7 @@ def miss(frames: list[aftdeck.Frame]) -> tuple[float, float]:
         (0.0, W, 0.0, 0.5 * W, 4.0, None, 2.0),
     ],
 )
-def test_vtopens_times_and_rates_are_those_worked_out_by_hand(
+def test_vtopen_agrees_with_hand_calculation(
     distance: float, angle: float, speed_: float, turn: float, eta: float, t_v1: float | None, t_w1: float | None
 ) -> None:
     rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
@@ -53,13 +53,13 @@ def test_vtopens_times_and_rates_are_those_worked_out_by_hand(
         assert wanted is None or given == pytest.approx(wanted)
 
 
-def test_vtopen_of_no_way_at_all_takes_no_time_and_asks_for_nothing() -> None:
+def test_vtopen_at_the_target_is_zero() -> None:
     rules = rules_of(ARM.model, ARM.model.por_limits(0.0), 0.02)["OPR CMD", "coarse", 2]
     assert set(vtopen(rules, 0.0, 0.0)) == {0.0}
 
 
 @pytest.mark.parametrize("period", [0.02, 0.08])
-def test_the_tip_goes_as_the_plan_says_where_no_joint_limit_acts(period: float) -> None:
+def test_tip_follows_the_plan_without_joint_limits(period: float) -> None:
     sim = aftdeck.Simulation(scenario(BAY, f"{OPEN}\ncontrol_period = {period}\nduration = 80\n{QUICK}"))
     here = target(sim.scenario.arm, BAY)
     x, y, z = here.position
@@ -74,7 +74,7 @@ def test_the_tip_goes_as_the_plan_says_where_no_joint_limit_acts(period: float) 
     assert miss(frames)[0] < 5e-3 and miss(frames)[1] < 1e-4
 
 
-def test_the_sts_400_move_misses_by_at_most_25_millimetres() -> None:
+def test_sts_400_open_loop_ends_within_25_mm() -> None:
     done = aftdeck.run("sts-400-open")
     assert done.summary.ended == "completed"
     assert done.summary.position_error_m is not None and done.summary.position_error_m <= 0.025
@@ -82,7 +82,7 @@ def test_the_sts_400_move_misses_by_at_most_25_millimetres() -> None:
     assert [e.text for e in done.summary.events if e.kind == "arrived"] == ["target reached"]
 
 
-def test_strict_misses_by_as_much_as_the_restored_laws_do() -> None:
+def test_strict_open_loop_has_the_reference_final_error() -> None:
     text = f"strict = true\n{load_scenario('sts-400-open').text}"
     done = aftdeck.run(parse_scenario(text, "strict", "strict.toml", Path(".")))
     share = STS_400["tolerance"]
@@ -102,14 +102,14 @@ def ends_after_a_push(law: str) -> tuple[float, float]:
     return miss(finished(sim, aftdeck.Inputs(), 90.0))
 
 
-def test_a_disturbance_is_corrected_by_mode_2_and_not_by_mode_3() -> None:
+def test_mode_2_corrects_a_disturbance_and_mode_3_does_not() -> None:
     assert ends_after_a_push("closed loop") < (1e-4, 2e-5)
     way, turn = ends_after_a_push("open loop")
     # half a degree of shoulder pitch, 8 m and more from the tip
     assert 0.05 < way < 0.2 and turn == pytest.approx(math.radians(0.5), rel=0.2)
 
 
-def test_stop_brings_the_arm_to_rest_and_proceed_plans_anew_to_the_target() -> None:
+def test_proceed_after_stop_makes_a_new_plan() -> None:
     sim = aftdeck.Simulation(scenario(BAY, OPEN))
     goal = target(sim.scenario.arm, (BAY[0] + 25.0, *BAY[1:]))
     fly(sim, 6.0, aftdeck.Inputs(target=goal, proceed=True))
@@ -121,7 +121,7 @@ def test_stop_brings_the_arm_to_rest_and_proceed_plans_anew_to_the_target() -> N
     assert "PROCEED: the arm flies to its target" in log_of(frames)
 
 
-def test_limits_make_the_clock_slower_and_the_path_no_other() -> None:
+def test_limits_slow_the_clock_and_keep_the_path() -> None:
     ends = {}
     for quick in (True, False):
         sim = aftdeck.Simulation(scenario(BAY, f"{OPEN}\n{QUICK if quick else ''}"))
@@ -136,7 +136,7 @@ def test_limits_make_the_clock_slower_and_the_path_no_other() -> None:
     assert ends[False] > ends[True] + 1.0
 
 
-def test_proceed_at_speed_plans_from_where_the_arm_comes_to_rest() -> None:
+def test_proceed_at_speed_plans_from_rest() -> None:
     sim = aftdeck.Simulation(scenario(BAY))
     fly(sim, 5.0, aftdeck.Inputs((1.0, 0.0, 0.0)))
     goal = target(sim.scenario.arm, (BAY[0] + 20.0, *BAY[1:]))
@@ -144,7 +144,7 @@ def test_proceed_at_speed_plans_from_where_the_arm_comes_to_rest() -> None:
     assert miss(frames)[0] < 0.01
 
 
-def test_an_open_loop_motion_that_misses_says_by_how_much() -> None:
+def test_missed_target_is_logged_with_final_error() -> None:
     sim = aftdeck.Simulation(scenario(BAY, OPEN))
     flown = fly(sim, 6.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 25.0, *BAY[1:])), proceed=True))
     disturbed(sim, {1: math.degrees(flown[-1].angles[1]) + 2.0})
@@ -158,7 +158,7 @@ def test_an_open_loop_motion_that_misses_says_by_how_much() -> None:
 
 
 @pytest.mark.parametrize("law", ["open loop", "position"])
-def test_a_push_too_small_to_count_as_a_miss_leaves_the_target_reached(law: str) -> None:
+def test_small_final_error_counts_as_reached(law: str) -> None:
     sim = aftdeck.Simulation(scenario(BAY, f'mode = "OPR CMD"\nlaw = "{law}"'))
     flown = fly(sim, 6.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 25.0, *BAY[1:])), proceed=True))
     disturbed(sim, {5: math.degrees(flown[-1].angles[5]) + 0.01})

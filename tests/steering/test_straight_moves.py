@@ -57,7 +57,7 @@ def reached(name: str, move: Move, law: int) -> bool:
 
 
 @ARMS
-def test_the_witness_has_the_arm_where_it_is(name: str) -> None:
+def test_pinocchio_agrees_with_the_arm(name: str) -> None:
     arm = arm_of(name)
     see = in_pinocchio(chain_of(arm))
     for q in np.random.default_rng(3).uniform(-1.0, 1.0, (20, 6)):
@@ -73,14 +73,14 @@ def refused(name: str, seed: int, count: int) -> dict[int, list[Move]]:
 
 
 @ARMS
-def test_mode_3_reaches_every_free_target_and_mode_1_too(name: str) -> None:
+def test_modes_1_and_3_reach_every_free_target(name: str) -> None:
     found = refused(name, 1, 30)
     assert found[3] == [] and found[1] == []
 
 
 @pytest.mark.slow
 @ARMS
-def test_mode_3_reaches_every_one_of_many_free_targets_and_mode_1_too(name: str) -> None:
+def test_modes_1_and_3_reach_each_of_many_free_targets(name: str) -> None:
     """200 moves; `AFTDECK_MOVES=1000` flies as many as that. Prints how many each law does not bring to its target."""
     count = int(os.environ.get("AFTDECK_MOVES", "200"))
     found = refused(name, 2, count)
