@@ -137,12 +137,12 @@ GOOD = json.dumps({"volts": [0.0] * 13})
 @pytest.mark.parametrize(
     ("text", "where"),
     [
-        ("", "channels.jsonl: has no lines"),
+        ("", "channels.jsonl: "),
         (GOOD + "\n{", "channels.jsonl:2: "),
         (GOOD + "\n" + json.dumps({"volts": [0.0] * 12}), "channels.jsonl:2: "),
         (GOOD + "\n" + json.dumps({"volts": [0.0] * 12 + ["x"]}), "channels.jsonl:2: "),
         (GOOD + "\n" + json.dumps({"volts": [0.0] * 12 + [7.0]}), "channels.jsonl:2: channel 13 is 7 V"),
-        (GOOD + "\n" + json.dumps({"volts": [0.0] * 13, "time_s": 0.06}), "channels.jsonl:2: time_s is 0.06"),
+        (GOOD + "\n" + json.dumps({"volts": [0.0] * 13, "time_s": 0.06}), "channels.jsonl:2: time_s: got 0.06"),
         (GOOD + "\n\n", "channels.jsonl:2: "),
     ],
 )

@@ -59,7 +59,8 @@ def test_script_that_exceeds_the_duration_is_a_fault() -> None:
 def test_phase_that_exceeds_its_time_is_a_fault() -> None:
     found = ends(f"duration = 30\n{NEAR}duration = 0.5\n")
     assert found.ended == "fault" and found.phase == "near"
-    assert [e.text for e in found.events if e.kind == "fault"] == ["phase 'near' failed: not done within its 0.5 s"]
+    (text,) = (e.text for e in found.events if e.kind == "fault")
+    assert "'near'" in text and "0.5 s" in text
 
 
 @pytest.mark.parametrize("before", ["", PUSH, NEAR])

@@ -1,4 +1,4 @@
-"""``--words`` and ``--channels``: what is written, flown, and refused before anything is flown."""
+"""``--words`` and ``--channels``: files written, runs from files, and rejections before the run."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ def short(tmp_path: Path) -> str:
 
 @pytest.fixture
 def grounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nothing may be flown."""
+    """Forbid every simulation step."""
 
     def fly(_: Simulation, *__: object) -> None:
-        raise AssertionError("it is flown")
+        raise AssertionError("a step was made")
 
     monkeypatch.setattr(Simulation, "advance", fly)
 
@@ -49,7 +49,7 @@ def test_words_file_has_one_line_per_step(run: Run, short: str, tmp_path: Path) 
     path = tmp_path / "folder" / "words.jsonl"
     code, out, err = run("run", short, "--words", str(path), "--json")
     summary = json.loads(out)
-    assert code == 0 and "no channel" in err  # a script has none
+    assert code == 0 and "script" in err  # the script has no channel
     lines = [json.loads(line) for line in path.read_text().splitlines()]
     assert lines[-1]["time_s"] == summary["time_s"]
     block = decode_block([int(word, 8) for word in lines[-1]["words"]])
@@ -64,9 +64,7 @@ def test_words_of_another_arm_are_rejected_before_the_run(run: Run, tmp_path: Pa
     words, out = tmp_path / "words.jsonl", tmp_path / "run.mcap"
     code, said, err = run("run", "uncradle", "--words", str(words), "--out", str(out))
     assert (code, said) == (2, "")
-    assert (
-        err.startswith("aftdeck: the report's channels and words speak of its own arm") and "uncradle flies srms" in err
-    )
+    assert err.startswith("aftdeck: uncradle: ") and "srms" in err
     assert not words.exists() and not out.exists()
 
 
@@ -154,7 +152,7 @@ def test_unknown_camera_in_channels_is_rejected_with_its_line(run: Run, short: s
     given = master_file(tmp_path / "given.jsonl")
     given.write_text(given.read_text() + json.dumps({"volts": [0.0] * 10 + [1.0, -1.0, 0.0]}) + "\n")
     code, _, err = run("run", short, "--channels", str(given))
-    assert code == 2 and "line 41 of the channels: channels 10 to 12 turn camera H" in err
+    assert code == 2 and "line 41 of the channels" in err and "camera H" in err
 
 
 @pytest.mark.parametrize("scripted", [True, False])

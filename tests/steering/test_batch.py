@@ -1,4 +1,4 @@
-"""Many arms in closed loop: as one arm alone, as another implementation, and what is refused."""
+"""Many arms in closed loop: agreement with a single arm and with another implementation, and rejected arguments."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def arm() -> aftdeck.Arm:
 
 
 def flock(arm: aftdeck.Arm, seed: int, count: int, spread: float) -> tuple[Array, Array]:
-    """(count, 6) angles over the bay, and (count, 12) targets that other angles nearby reach."""
+    """Return (count, 6) angles above the bay, and (count, 12) targets that near angles reach."""
     rng = np.random.default_rng(seed)
     start = np.radians(BAY) + rng.uniform(-0.4, 0.4, (count, 6))
     pose = arm.forward(start + rng.uniform(-spread, spread, (count, 6)))
@@ -33,7 +33,7 @@ def flock(arm: aftdeck.Arm, seed: int, count: int, spread: float) -> tuple[Array
 
 
 def about(axis: int, angle: Array) -> Array:
-    """(n, 3, 3) rotations about x, y or z."""
+    """Return (n, 3, 3) rotations about x, y or z."""
     c, s = np.cos(angle), np.sin(angle)
     turn = np.zeros((len(angle), 3, 3))
     i, j = (axis + 1) % 3, (axis + 2) % 3
@@ -42,7 +42,7 @@ def about(axis: int, angle: Array) -> Array:
 
 
 def chained_step(arm: aftdeck.Arm, q: Array, target: Array) -> Array:
-    """A step by chained rotations, the Jacobian from the joints' axes and places, and a linear solver."""
+    """Return the angles after a step, computed by chained rotations, joint axes and positions, and a linear solver."""
     l1, l2, l3, l4, l5, upper, lower = arm.model.links[:7]
     yaw = about(2, q[:, 0])
     hand = yaw @ about(1, q[:, 1:4].sum(axis=1))
@@ -189,15 +189,15 @@ MIRRORED = np.concatenate([[5.0, 0.0, -3.0], np.diag([1.0, 1.0, -1.0]).ravel()])
         ({"angles": ["a"] * 6}, "joint angles: expected numbers, got"),
         ({"targets": np.zeros((2, 11))}, "targets: expected shape (..., 12), got (2, 11)"),
         ({"targets": np.tile(HERE, (3, 1))}, "targets: expected the leading shape of the joint angles, (2,), or one"),
-        ({"targets": np.zeros(12)}, "a target's rotation is no right-handed orthonormal matrix: it is off by 1"),
-        ({"targets": MIRRORED}, "a target's rotation is no right-handed orthonormal matrix: it is off by 2"),
-        ({"targets": Pose(np.zeros(3), np.zeros((2, 3, 3)))}, "positions (..., 3) and rotations (..., 3, 3), got (3,)"),
-        ({"period": 0.0}, "the control period is above 0 s, got 0"),
-        ({"period": math.nan}, "the control period is above 0 s, got nan"),
-        ({"gain": 0.0}, "gain times control period is above 0 and at most 1, got 0 x 0.02"),
-        ({"gain": 51.0}, "gain times control period is above 0 and at most 1, got 51 x 0.02"),
-        ({"steps": -1}, "steps is a whole number, 0 or more, got -1"),
-        ({"steps": 1.5}, "steps is a whole number, 0 or more, got 1.5"),
+        ({"targets": np.zeros(12)}, "deviation 1,"),
+        ({"targets": MIRRORED}, "deviation 2,"),
+        ({"targets": Pose(np.zeros(3), np.zeros((2, 3, 3)))}, "targets: got shapes (3,) and (2, 3, 3)"),
+        ({"period": 0.0}, "period: got 0,"),
+        ({"period": math.nan}, "period: got nan,"),
+        ({"gain": 0.0}, "gain: got 0;"),
+        ({"gain": 51.0}, "gain: got 51;"),
+        ({"steps": -1}, "steps: got -1,"),
+        ({"steps": 1.5}, "steps: got 1.5,"),
     ],
 )
 def test_invalid_batch_arguments_are_rejected(arm: aftdeck.Arm, change: dict[str, object], message: str) -> None:

@@ -1,4 +1,4 @@
-"""Mode 2: a straight line, one axis, both ending together, on the target."""
+"""Mode 2: translation along a straight line and rotation about one axis, which end together at the target."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ PERIOD = 0.02
 
 
 def changed(line: str) -> Scenario:
-    """sts-400-closed with one more line at its head, over 144 s, which periods of 0.08 s divide."""
+    """Return sts-400-closed with one more line in its head and a duration of 144 s, a multiple of 0.08 s."""
     text = load_scenario("sts-400-closed").text.replace('duration = "150 s"', 'duration = "144 s"')
     return parse_scenario(f"{line}\n{text}", "sts-400", "sts-400.toml", Path("."))
 
 
 def off_the_line(start: Sequence[float], frames: Sequence[Frame]) -> float:
-    """Greatest distance [m] of the tip from the straight line between its start and its target."""
+    """Return the greatest distance [m] of the tip from the straight line between its start and its target."""
     goal = frames[-1].goal
     assert goal is not None
     a, b = np.array(start), np.array(goal.position)
@@ -50,7 +50,7 @@ def off_the_line(start: Sequence[float], frames: Sequence[Frame]) -> float:
 
 
 def off_the_axis(start: np.ndarray, frames: Sequence[Frame]) -> float:
-    """Greatest angle [rad] between the hand and the one-axis turn from its start to its target."""
+    """Return the greatest angle [rad] between frame 7 and the one-axis rotation from its start to its target."""
     goal = frames[-1].goal
     assert goal is not None
     whole = (Rotation.from_matrix(goal.rotation) * Rotation.from_matrix(start).inv()).as_rotvec()
@@ -61,7 +61,7 @@ def off_the_axis(start: np.ndarray, frames: Sequence[Frame]) -> float:
 
 
 def misses(frames: Sequence[Frame]) -> tuple[np.ndarray, np.ndarray]:
-    """Distance [m] and angle [rad] of each frame's tip from the target."""
+    """Return distance [m] and angle [rad] of each frame's tip from the target."""
     goal = frames[-1].goal
     assert goal is not None
     way = np.linalg.norm(np.array([f.position for f in frames]) - goal.position, axis=1)
@@ -70,7 +70,7 @@ def misses(frames: Sequence[Frame]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def fly_there(sim: aftdeck.Simulation, goal: aftdeck.Target, seconds: float) -> list[Frame]:
-    """The frames of a flight to a target, and a second more."""
+    """Return the frames of a motion to a target and of one second after it."""
     period = sim.scenario.control_period
     frames = [sim.step(aftdeck.Inputs(target=goal, proceed=True))]
     while frames[-1].sequence in {"checking", "in progress"} and frames[-1].time_s < seconds:
@@ -79,7 +79,7 @@ def fly_there(sim: aftdeck.Simulation, goal: aftdeck.Target, seconds: float) -> 
 
 
 def arrival(misses: np.ndarray, within: float, period: float) -> float:
-    """Time [s] from which the miss stays inside."""
+    """Return the time [s] from which an error stays within a limit."""
     outside = np.flatnonzero(misses > within)
     return float((outside[-1] + 1 if len(outside) else 0) * period)
 
@@ -204,26 +204,19 @@ def test_proceed_after_stop_reaches_the_target() -> None:
     ]  # fmt: skip
 
 
-def log_of(frames: Sequence[Frame]) -> list[str]:
-    return [event.text for frame in frames for event in frame.events]
-
-
-@pytest.mark.parametrize(
-    ("place", "reason"),
-    [((40.0, 0.0, 0.0), "cannot reach"), ((-9.0, 9.0, 3.0), "outside the joint limits|cannot reach")],
-)
-def test_target_out_of_reach_fails_its_check_and_is_rejected(place: tuple[float, float, float], reason: str) -> None:
+@pytest.mark.parametrize("place", [(40.0, 0.0, 0.0), (-9.0, 9.0, 3.0)])
+def test_target_out_of_reach_fails_its_check_and_is_rejected(place: tuple[float, float, float]) -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     start = sim.scenario.initial_angles.tolist()
     far = aftdeck.Target(place, ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0)))
     frames = fly(sim, 1.0, aftdeck.Inputs(target=far, proceed=True))
     last = frames[-1]
-    assert last.goal is not None and last.goal.position == place  # kept, so that the operator can mend it
+    assert last.goal is not None and last.goal.position == place  # kept, so that the operator can correct it
     assert last.sequence == "idle" and last.check is not None and not last.check.good
-    assert re.match(f"FAIL: .*({reason})", last.check.text)
+    assert last.check.cause == "reach"
     assert list(last.angles) == start
     assert [event.kind for event in frames[0].events] == ["target", "check", "refused"]
-    assert re.match(f"PROCEED refused: CMD CK FAIL: .*({reason})", frames[0].events[-1].text)
+    assert last.check.text in frames[0].events[-1].text
 
 
 def test_rejected_target_does_not_start_the_previous_one() -> None:
@@ -240,14 +233,17 @@ def test_target_that_is_not_a_pose_fails_its_check() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     skew = aftdeck.Target((8.0, 1.0, -3.0), ((1.0, 0.5, 0), (0, 1.0, 0), (0, 0, 1.0)))
     frames = fly(sim, 0.1, aftdeck.Inputs(target=skew))
-    assert frames[-1].check is not None and re.match("FAIL: .*orthonormal", frames[-1].check.text)
+    assert frames[-1].check is not None and frames[-1].check.cause == "reach"
+    assert "orthonormal" in frames[-1].check.text
     assert frames[-1].sequence == "idle"
 
 
 def test_proceed_is_rejected_without_target_or_in_manual_mode() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
-    assert "target" in log_of(fly(sim, 0.02, aftdeck.Inputs(proceed=True)))[0]
-    assert "ORB UNL" in log_of(fly(sim, 0.02, aftdeck.Inputs(mode="ORB UNL", proceed=True)))[-1]
+    (event,) = sim.step(aftdeck.Inputs(proceed=True)).events
+    assert event.kind == "refused" and "target" in event.text
+    *_, event = sim.step(aftdeck.Inputs(mode="ORB UNL", proceed=True)).events
+    assert event.kind == "refused" and "ORB UNL" in event.text
 
 
 def test_target_past_soft_stop_fails_its_check_and_is_not_started() -> None:
@@ -257,14 +253,14 @@ def test_target_past_soft_stop_fails_its_check_and_is_not_started() -> None:
     goal = target(sim.scenario.arm, (0.0, 60.0, -80.0, 119.0, 10.0, 0.0))
     frames = fly(sim, 2.0, aftdeck.Inputs(target=goal, proceed=True))
     assert frames[-1].check is not None and frames[-1].check.cause == "limit"
-    assert re.match(r"FAIL: wrist pitch .*soft stop, \d+ s", frames[-1].check.text)
+    assert re.search(r"wrist pitch .*soft stop, .*\d+ s", frames[-1].check.text)
     assert frames[-1].sequence == "idle" and list(frames[-1].angles) == sim.scenario.initial_angles.tolist()
 
 
 def test_blocked_motion_is_abandoned_after_2_s() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"\nsoft_stops = "as-flown"'))
     fly(sim, 4.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 20.0, *BAY[1:])), proceed=True))
-    disturbed(sim, {3: -117.0})  # past the soft stop: as flown, everything stands
+    disturbed(sim, {3: -117.0})  # past the soft stop: as flown, all joints stop
     frames = fly(sim, 3.0, aftdeck.Inputs())
     assert {limit.kind for limit in frames[0].limits} >= {"soft stop"}
     ended = next(frame for frame in frames if frame.sequence != "in progress")
