@@ -1,4 +1,4 @@
-"""The kinematic plant does what it is told, exactly."""
+"""Kinematic plant: joints and telescope follow their commands exactly."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The telescope and the prong: at their rates, between their ends."""
+"""Telescope and prong: rates and ranges."""
 
 from __future__ import annotations
 

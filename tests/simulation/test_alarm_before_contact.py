@@ -1,4 +1,4 @@
-"""Parts that the task brings together are an alarm where they meet as it does not want them, and only there."""
+"""CLEARANCE of parts that the task brings together: an alarm only where their contact would be detrimental."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""No two parts get deeper into each other than the two-frame rule lets them, whatever is flown: by an outside witness.
+"""Penetration depths under random inputs stay within the two-frame rule, by an outside witness.
 
-`python -m tests.simulation.test_depths 1000000` flies a million steps of every built-in scenario; the normal tests fly
+`python -m tests.simulation.test_depths 1000000` makes a million steps of every built-in scenario; the normal tests make
 `STEPS` of each.
 """
 

@@ -1,4 +1,4 @@
-"""The same scenario, seed and inputs give the same frames, bit for bit; a saved state goes on as if never left."""
+"""The same scenario, seed and inputs give the same frames, bit for bit, also after saving and restoring."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The end effector's flags agree with what is in the grasp, at the start and in any flight."""
+"""The end effector's flags agree with the grasp, at the start and during any run."""
 
 from __future__ import annotations
 

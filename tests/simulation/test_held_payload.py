@@ -1,4 +1,4 @@
-"""A payload that stays in the grasp for good is watched as what is caught is: it stops at the bay."""
+"""A payload that the scenario fixes in the grasp is monitored like a captured one: it stops at the bay."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Contacts in flight: the two-frame rule, and an inhibited arm that deepens nothing, whatever the operator does."""
+"""Contacts during a run: the two-frame rule, and an inhibited arm that deepens no contact."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from tests.simulation.concept import AT_PORT, ON_BAR, held_for, log_of, scenario
 from tests.simulation.flights import anything, flown, harmful, in_turn, same_possession, srms
 
 DEPTH = 1e-9
-"""By how much a clearance may fall and count as kept [m]."""
+"""Decrease of a clearance that counts as no change [m]."""
 ASIDE = 0.05
-"""By how much it may for each metre that the parts move, in a step that leads out of several contacts [1]."""
+"""Allowed decrease for each metre that the parts move, in a step that leads out of several contacts [1]."""
 LEVER = 10.0
-"""No touching point is farther from the tip [m]."""
+"""Greatest distance of a touching point from the tip [m]."""
 PRONG = "prong"
 seeds = st.integers(0, 2**32 - 1)
 
@@ -71,9 +71,9 @@ PLACES = [over_the_bar, held_in_the_bay, held_at_the_port, shuttle, shuttle_load
 
 
 def check_kept(made: Scenario, frames: list[Frame]) -> int:
-    """That no inhibited step deepened a contact of the arm or made one; how many steps were inhibited.
+    """Check that no inhibited step makes or deepens a contact of the arm; return the number of inhibited steps.
 
-    A prong that nothing inhibits yet may close meanwhile, into contacts of its own.
+    A prong that is not inhibited yet may still close and make contacts.
     """
     inhibited = 0
     for before, now in in_turn(frames):
@@ -97,7 +97,7 @@ def check_kept(made: Scenario, frames: list[Frame]) -> int:
 
 
 def check_finger(made: Scenario, frames: list[Frame]) -> int:
-    """That no step with the finger alone inhibited deepened the prong's contacts; how many there were."""
+    """Check that no step under FINGER INHIBIT deepens the prong's contacts; return the number of these steps."""
     inhibited = [pair for pair in in_turn(frames) if pair[0].work.finger_inhibit]
     for before, now in inhibited:
         was = harmful(made, before)
@@ -107,7 +107,7 @@ def check_finger(made: Scenario, frames: list[Frame]) -> int:
 
 
 def check_two_frames(made: Scenario, frames: list[Frame]) -> None:
-    """That the arm and the finger are inhibited by what was found in two frames in succession, and by nothing else."""
+    """Check that exactly the contacts found in two successive frames inhibit the arm and the finger."""
     for before, now in in_turn(frames):
         if not same_possession(before, now):
             continue
@@ -133,7 +133,7 @@ def test_inhibited_arm_deepens_no_contact_under_random_inputs(place: object, see
     check_two_frames(made, frames)
 
 
-# --- what the rules do in cases known by heart ------------------------------------------------------------
+# --- cases with known results -----------------------------------------------------------------------------
 
 DOWN, UP = Inputs((0.0, 0.0, 0.3)), Inputs((0.0, 0.0, -0.3))
 ABOVE_BAR = (28.0, 0.0, 0.6)
@@ -173,7 +173,7 @@ def test_prong_contact_inhibits_finger_and_arm_but_prong_may_open() -> None:
 
 
 def advised(frame: Frame) -> Inputs:
-    """The stick, joint or telescope that a frame names as the way out of its contacts, at a tenth."""
+    """Return the inputs of the escape that a frame names for its contacts, at a tenth of full deflection."""
     (way,) = frame.ways_out
     assert way.cause == "contact"
     value, mode = 0.1 * way.sign, way.position or None
@@ -186,7 +186,7 @@ def advised(frame: Frame) -> Inputs:
 
 
 def freed(sim: aftdeck.Simulation, frame: Frame) -> bool:
-    """Whether what each frame names, flown at a tenth, ends the inhibit within a minute."""
+    """Return whether the escapes of the frames, at a tenth of full deflection, end the inhibit within a minute."""
     for _ in range(3000):
         if not frame.work.arm_inhibit:
             return True
@@ -237,7 +237,7 @@ def test_motion_into_contact_fails_its_check_and_is_abandoned() -> None:
 
 
 def test_capture_does_not_log_separation_of_touching_parts() -> None:
-    """What is not looked at any more is not told as parted, and an inhibit ends with a line of its own."""
+    """A pair that is no longer monitored is not logged as separated, and the end of an inhibit is logged."""
     made = scenario(ON_BAR)
     frames = flown(made, [Inputs(effector="close"), *[Inputs()] * 200, *held_for(50, UP)])
     assert frames[-1].work.cargo[0].held

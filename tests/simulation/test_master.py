@@ -1,4 +1,4 @@
-"""The master arm turned by the sticks: each axis one joint, at its limit of rate, within the stops."""
+"""Master arm moved by the sticks: each axis moves one joint, at its rate limit and within the stops."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The report's modes 1 to 4: none is entered unless its conditions hold at that very frame, computed anew."""
+"""Task phases 1 to 4: each begins exactly when its conditions, computed independently, hold."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""NumPy's numbers, arrays and texts are taken wherever Python's are, and the flight is the same."""
+"""NumPy numbers, arrays and texts are accepted in place of Python's, with the same results."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""TABLE I both ways: channels written from flights in MASTER and flown again give the same frames, bit for bit.
+"""TABLE I in both directions: channels written by runs in MASTER give the same frames, bit for bit.
 
 More and longer flights: ``AFTDECK_CHANNEL_FLIGHTS=20 AFTDECK_CHANNEL_STEPS=5000 pytest tests/simulation/
-test_report_channels.py -k flown_again``.
+test_report_channels.py -k from_written_channels``.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""TABLE II from flights: a word decodes to the frame's value within half a last bit, in all of its modes."""
+"""TABLE II of runs: each word decodes to the frame's value within half a last bit, in all task phases."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs without a screen: how they end, what they say, what their frames hold."""
+"""Headless runs: their ends, summaries and frames."""
 
 from __future__ import annotations
 

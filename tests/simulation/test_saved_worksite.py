@@ -1,4 +1,4 @@
-"""A state saved with everything of the worksite moving goes on bit for bit; so does a recording flown again."""
+"""A state that is saved while the worksite moves continues bit for bit, and recordings of such runs verify."""
 
 from __future__ import annotations
 

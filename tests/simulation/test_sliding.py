@@ -1,6 +1,6 @@
-"""A payload that touches a wall of the bay slides along it: section VII.4 of the report, in flight.
+"""Sliding of a payload along the walls of the bay (section VII.4 of the report).
 
-Sticks act along the orbiter's axes (forward, starboard, down), places are in R (aft, port, down).
+Sticks act along the orbiter's axes (forward, starboard, down); positions are in R (aft, port, down).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The concept arm flown while the telescope that it stands on moves."""
+"""Steering of the concept arm while its telescope moves."""
 
 from __future__ import annotations
 

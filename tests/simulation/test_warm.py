@@ -1,4 +1,4 @@
-"""Nothing is compiled in flight: what a flight calls was called before its clock started."""
+"""No law is compiled during a run: `warm_up` calls every law before."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ for _ in range(int(sys.argv[2])):
 for module, name, _ in sorted(met() - before):
     print(module, name)
 """
-"""Prints the laws that meet arguments in flight that they had not met when it began."""
+"""Program that prints the laws that are compiled, for new argument types, during a run."""
 
 
 @pytest.mark.parametrize(

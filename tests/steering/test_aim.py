@@ -1,4 +1,4 @@
-"""LATRAJ: distance, angle and axis, from nothing to half a turn, against SciPy."""
+"""LATRAJ: distance, angle and axis, from 0 to 180 deg, against SciPy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The steering laws fly the concept arm as they fly the Shuttle's: every mode, its limits, and many arms at once."""
+"""Steering of the concept arm: every mode, its limits, and many arms at once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""DIRECT and TEST, and which law each of the panel's positions flies."""
+"""DIRECT and TEST, and the steering law that each panel position selects."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""AVCLMT, RATLMT and the braking curve, by what they promise."""
+"""AVCLMT, RATLMT and the braking curve: their invariants."""
 
 from __future__ import annotations
 

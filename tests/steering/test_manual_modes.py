@@ -1,4 +1,4 @@
-"""Modes 4 and 5: which way the tip goes for each axis of the hand controllers, and how fast."""
+"""Modes 4 and 5: direction and speed of the tip for each axis of the hand controllers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.kinematics.poses import turned
 from tests.steering.flying import BAY, BODY_FROM_L, FOOT, QUICK, at_rate, fly, kinds, scenario, speed, turning
 
 LEVEL = (0.0, 60.0, -90.0, 30.0, 0.0, 0.0)
-"""The hand points straight aft; the end effector's own axes are aft, port, down [deg]."""
+"""Joint angles with the end effector pointing aft; its axes are aft, port, down [deg]."""
 AXES = {"+1": (1.0, 0.0, 0.0), "-1": (-1.0, 0.0, 0.0), "+2": (0.0, 1.0, 0.0), "-2": (0.0, -1.0, 0.0)}
 AXES |= {"+3": (0.0, 0.0, 1.0), "-3": (0.0, 0.0, -1.0), "askew": (0.5, -0.7, 0.4)}
 axes = pytest.mark.parametrize("stick", AXES.values(), ids=AXES.keys())
@@ -26,7 +26,7 @@ A_HUNDREDTH_OF_A_DEGREE = math.radians(0.01)
 
 
 def moved(frames: Sequence[Frame]) -> tuple[Array, Array]:
-    """Displacement [m] and turn [rad] of the tip over a flight, in orbiter body axes; turns up to 90 deg."""
+    """Return displacement [m] and rotation [rad] of the tip in a run, in orbiter body axes; rotations up to 90 deg."""
     first, last = frames[0], frames[-1]
     way = BODY_FROM_L @ (np.array(last.position) - np.array(first.position))
     sine = turned(np.array(last.orientation), np.array(first.orientation))
@@ -35,7 +35,7 @@ def moved(frames: Sequence[Frame]) -> tuple[Array, Array]:
 
 
 def e_axes(frame: Frame) -> Array:
-    """The end effector's own axes in orbiter body axes."""
+    """Return the end effector's own axes in orbiter body axes."""
     c, s = math.cos(math.radians(19.48)), math.sin(math.radians(19.48))
     return np.asarray(BODY_FROM_L @ np.array(frame.orientation) @ np.array([[1, 0, 0], [0, c, s], [0, -s, c]]))
 

@@ -1,4 +1,4 @@
-"""MASTER: each joint follows the master arm's within its limits, arrives without passing it, and stays."""
+"""MASTER: each joint follows the master arm's joint within its limits, without overshoot."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def an_arm(name: str, extra: str = "") -> Scenario:
 
 
 class Follower:
-    """An arm that follows exactly what MASTER commands, step by step."""
+    """Arm that follows the rates of MASTER exactly."""
 
     def __init__(self, made: Scenario, angles: Array, rate: str = "coarse") -> None:
         self.rules = steering_setup(made, made.payload).rules["MASTER", "coarse" if rate == "coarse" else "vernier", 10]
@@ -51,7 +51,7 @@ class Follower:
         self.state[:6] = angles
 
     def step(self, master: Array) -> tuple[Array, Array]:
-        """Rates of a step, and the angles after it; checks what is promised of every step."""
+        """Return the rates of a step and the angles after it; check the limits of every step."""
         self.command[MASTER : MASTER + 6] = master
         before = self.state[RATES : RATES + 6].copy()
         msteer(self.rules, self.command, self.state, self.report)
@@ -69,7 +69,7 @@ class Follower:
 
     @property
     def longest(self) -> float:
-        """Longer than any way between the stops takes [s]."""
+        """Upper bound of the time of a motion between the stops [s]."""
         low, high = self.stops
         ways = (high - low) / self.rules[RATE : RATE + 6] + self.rules[RATE : RATE + 6] / self.rules[
             RATE_UP : RATE_UP + 6

@@ -28,19 +28,19 @@ C, S = math.cos(math.radians(30.0)), math.sin(math.radians(30.0))
 D, E = math.cos(math.radians(19.48)), math.sin(math.radians(19.48))
 T_78 = np.array([[C, -S, 0.0], [S, C, 0.0], [0.0, 0.0, 1.0]]) @ np.array([[1.0, 0.0, 0.0], [0.0, D, -E], [0.0, E, D]])
 FROM_TIP = np.array([0.5 + 0.3, 0.2 - 0.4, 2.6 + 0.1])
-"""From the tip to the point of resolution, in payload axes [m]."""
+"""Vector from the tip to the point of resolution, in payload axes [m]."""
 
 
 REST: Stick = (0.0, 0.0, 0.0)
 
 
 def axes(frame: Frame) -> Array:
-    """The payload's axes as columns, in L, from the hand's."""
+    """Return the payload's axes as columns, in L, computed from frame 7."""
     return np.asarray(np.array(frame.orientation) @ T_78)
 
 
 def point(frame: Frame) -> Array:
-    """The payload's point of resolution, in L, from the hand's pose."""
+    """Return the payload's point of resolution, in L, computed from the pose of frame 7."""
     return np.asarray(np.array(frame.position) + axes(frame) @ FROM_TIP)
 
 

@@ -1,4 +1,4 @@
-"""The arm's own control period, 0.08 s: every mode does there what it does at 0.02 s."""
+"""Agreement of all modes at control periods of 0.08 s, the report's, and 0.02 s."""
 
 from __future__ import annotations
 

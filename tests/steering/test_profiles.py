@@ -1,4 +1,4 @@
-"""VCLOSE: both motions end together, on the target, without a jump or a division by nothing."""
+"""VCLOSE: both motions end together at the target, without a jump or a division by zero."""
 
 from __future__ import annotations
 

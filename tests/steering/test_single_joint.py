@@ -1,4 +1,4 @@
-"""Mode 8: one joint moves, ramped, to its stops; the others are still."""
+"""Mode 8: one joint moves, ramped, up to its stops; the other joints rest."""
 
 from __future__ import annotations
 

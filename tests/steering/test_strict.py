@@ -19,7 +19,7 @@ HARD = np.radians(table("srms-limits")["hard"])
 
 
 def by_rmangs(arm: aftdeck.Arm, position: Array, rotation: Array) -> Array:
-    """RMANGS as its flowchart has it, theta_2 by an arc tangent: geometric angles, then the panel's."""
+    """Return the angles of RMANGS by its flowchart, with theta_2 by an arc tangent, converted to the panel's angles."""
     l1, l2, l3, l4, l5, upper, lower = arm.model.links[:7]
     r = position - l5 * rotation[:, 0] + [0.0, 0.0, l1]
     q1 = math.atan2(r[1], r[0])
@@ -55,7 +55,7 @@ def test_start_given_by_pose_uses_branch_of_rmangs(seed: int) -> None:
 
 
 BENT = (0.0, 60.0, -30.0, 20.0, 20.0, 0.0)
-"""The elbow little bent: the tip moved on outwards stretches it [deg]."""
+"""Joint angles with a nearly straight elbow: outward motion of the tip straightens it [deg]."""
 OUTWARDS = aftdeck.Inputs(translation=(1.0, 0.0, 0.0), mode="END EFF")
 
 

@@ -1,4 +1,4 @@
-"""Near singularities and limits: every mode stays bounded, and the way out that the frame names leads out."""
+"""Near singularities and limits: every mode stays bounded, and the frame's escape direction leads out."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ ZERO = (0.0, 0.0, 0.0)
 
 
 def anywhere(rng: np.random.Generator) -> Array:
-    """Angles [deg] inside the reach limits, the wrist within half a turn."""
+    """Return random angles [deg] inside the reach limits, within 180 deg."""
     return np.asarray(rng.uniform(np.maximum(REACH[:, 0], -180.0), np.minimum(REACH[:, 1], 180.0)))
 
 
 def near(kind: str, rng: np.random.Generator) -> Array:
-    """Angles [deg] at or near a singularity, or at or just past a limit of one joint."""
+    """Return random angles [deg] at or near a singularity, or at or just past a limit of one joint."""
     q = anywhere(rng)
     off = float(np.clip(rng.normal() * rng.choice([0.0, 0.01, 1.0, 5.0]), -8.0, 8.0))
     match kind:
@@ -51,7 +51,7 @@ def near(kind: str, rng: np.random.Generator) -> Array:
 
 
 def taken(way: WayOut, mode: str) -> aftdeck.Inputs:
-    """Inputs that do what the frame advises, in the position that it names or else in the present one."""
+    """Return the inputs of an escape, in the panel position that it names or else in the present one."""
     position = way.position or mode
     if way.stick == "joint":
         return aftdeck.Inputs(mode=position, joint=way.axis, drive=float(way.sign))
@@ -62,7 +62,7 @@ def taken(way: WayOut, mode: str) -> aftdeck.Inputs:
 
 
 def clear(cause: str, frame: Frame) -> bool:
-    """Whether a singularity is no longer near, or a joint is back inside its reach limits."""
+    """Return whether a singularity is no longer near, or a joint is back inside its reach limits."""
     if cause in ("shoulder", "elbow", "wrist"):
         return abs(frame.singularity[("shoulder", "elbow", "wrist").index(cause)]) >= 0.2
     joint = ARM.joints.index(cause)
@@ -70,7 +70,7 @@ def clear(cause: str, frame: Frame) -> bool:
 
 
 def follow(start: Array, mode: str, extra: str, seconds: float) -> None:
-    """From each thing that holds the arm, follow what the frame advises, read anew every 2 s, until it is left."""
+    """Follow the frame's escape from each singularity and limit, updated every 2 s, until the arm has left it."""
     made = scenario(start.tolist(), f"control_period = 0.08\nduration = 80\n{extra}")
     first = aftdeck.Simulation(made).step(aftdeck.Inputs(mode=mode))
     causes = [*first.singular, *(ARM.joints[joint] for joint, zone in enumerate(first.zones) if zone)]
