@@ -1,4 +1,7 @@
-"""Limits that acted in a step, with their texts for the operator."""
+"""Limits that acted in a step, with their texts for the operator.
+
+The texts are values of the frame: `verify` compares them with those in older recordings.
+"""
 
 from __future__ import annotations
 
@@ -15,8 +18,8 @@ _TEXTS: dict[str, tuple[LimitKind, str]] = {
     "joint rate": ("joint rate", "at its rate limit"),
     "soft stop": ("soft stop", "held by its soft stop"),
     "hard stop": ("hard stop", "held by its hard stop"),
-    "joint acceleration": ("joint acceleration", "at its acceleration limit"),
-    "joint acceleration passed": ("joint acceleration", "beyond its acceleration limit, to stay on the line"),
+    "joint acceleration": ("joint acceleration", "at its greatest acceleration"),
+    "joint acceleration passed": ("joint acceleration", "beyond its greatest acceleration: the line is kept"),
 }
 """Kind of limit, and text after the joint's name, for each of `limiters.CAUSES` that has a joint."""
 
@@ -29,7 +32,7 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
     if state.worksite.halt == "seat":
         return (Limit("seat", -1, latched_payload_reason(flight, state)),)
     if state.worksite.halt == "contact":
-        return (Limit("contact", -1, "contact: only motion that relieves it is allowed"),)
+        return (Limit("contact", -1, "contact: only motion that relieves it is flown"),)
     if why := joint_lock_reason(state.panel):
         return (Limit("switch", -1, why),) if state.worksite.halt == "switch" else ()
     report = state.report
@@ -38,12 +41,12 @@ def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
         return ()
     found = _of_joints(flight, cause, int(report[LIMITING_JOINT]))
     if por_cause & 2:
-        found.append(Limit("POR translation", -1, "POR at its speed limit"))
+        found.append(Limit("POR translation", -1, "POR at its greatest speed"))
     if por_cause & 8:
-        found.append(Limit("POR rotation", -1, "POR at its angular rate limit"))
+        found.append(Limit("POR rotation", -1, "POR at its greatest rate of turn"))
     if por_cause & (1 | 4):
-        what = {1: "speed", 4: "angular rate", 5: "speed and angular rate"}[por_cause & (1 | 4)]
-        found.append(Limit("POR acceleration", -1, f"POR {what} changing at the acceleration limit"))
+        what = {1: "speed", 4: "turning", 5: "speed and turning"}[por_cause & (1 | 4)]
+        found.append(Limit("POR acceleration", -1, f"POR {what} still building up or falling"))
     return tuple(found)
 
 
