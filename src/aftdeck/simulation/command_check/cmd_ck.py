@@ -40,7 +40,7 @@ def check(flight: Flight, state: State) -> None:
             log_rejection(flight, state, f"PROCEED refused: CMD CK {panel.check.text if panel.check else ''}")
         else:
             begin(flight, state, panel.target, panel.check.joints)
-            log(flight, state, "proceed", "info", "PROCEED: the arm moves to its target")
+            log(flight, state, "proceed", "info", "PROCEED: the arm flies to its target")
 
 
 def _continue_check(flight: Flight, state: State, checking: Checking) -> Check | None:
