@@ -1,7 +1,7 @@
-"""Flights recorded once and flown again after the code has changed: every recorded value is compared.
+"""Comparison of runs before and after a change of the code: every recorded value is compared.
 
-``python -m tests.same_flights FOLDER`` records every flight that FOLDER does not have, and flies the others again. For
-changes of structure that are to change nothing: record with the code as it was, compare with the code as it is.
+``python -m tests.same_flights FOLDER`` records every run that is not in FOLDER, and re-simulates the others. Use it for
+changes that should not change behaviour: record with the code before the change, and compare with the code after it.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from aftdeck.simulation.run import Simulation
 from tests.simulation.flights import anything
 
 STICKS, STEPS = 4, 3000
-"""How many flights of random sticks are made in each worksite, and of how many steps."""
+"""Number of runs with random sticks for each scenario, and number of their steps."""
 WORKSITES = ("first-flight", "srms-deploy", "srms-berth", "concept-1972", "concept-1972-script", "free-flyer")
-"""Scenarios that are flown by random sticks: two dozen flights, a dozen for each arm."""
+"""Scenarios for runs with random sticks: 24 runs, 12 for each arm."""
 
 
 def flights() -> Iterator[tuple[str, str, int]]:
-    """Yield the name of each flight, its scenario, and the seed of its sticks; -1: the script flies."""
+    """Yield the name of each run, its scenario, and the seed of its sticks; -1 for the scenario's script."""
     for name in built_in():
         if load_scenario(name).phases:
             yield name, name, -1
@@ -40,7 +40,7 @@ def flights() -> Iterator[tuple[str, str, int]]:
 
 
 def operator(seed: int) -> Callable[[Simulation], Inputs | None] | None:
-    """Return who flies: the script, or random sticks and switches."""
+    """Return the source of the inputs: None for the script, otherwise random sticks and switches."""
     if seed < 0:
         return None
     given = anything(np.random.default_rng(seed), STEPS)
@@ -48,7 +48,7 @@ def operator(seed: int) -> Callable[[Simulation], Inputs | None] | None:
 
 
 def compare(path: Path) -> str:
-    """Fly a recording's inputs again; return what differs, in words: in how many frames which field, and the first."""
+    """Re-simulate a recording; return the differing fields with their numbers of frames, and the first difference."""
     recording = Recording(path)
     sim = Simulation(scenario_of(recording.opening), recording.opening.seed)
     fields, first, count = Counter[str](), "", 0
@@ -62,12 +62,12 @@ def compare(path: Path) -> str:
                 "; ".join(f"{change.field} {change.before} -> {change.after}" for change in found.fields) or "events"
             )
             first = f"first at {found.time_s:g} s: {first}"
-    told = ", ".join(f"{name} in {frames}" for name, frames in fields.most_common())
-    return f"equal, {count} frames" if not first else f"DIFFERS, {count} frames: {told}\n    {first[:600]}"
+    summary = ", ".join(f"{name} in {frames}" for name, frames in fields.most_common())
+    return f"equal, {count} frames" if not first else f"DIFFERS, {count} frames: {summary}\n    {first[:600]}"
 
 
 def main(folder: Path) -> int:
-    """Record or compare every flight; return how many differ."""
+    """Record or compare every run; return the number of runs that differ."""
     different = 0
     for name, scenario, seed in flights():
         path = folder / f"{name}.mcap"

@@ -151,7 +151,7 @@ def rotation(a: list[float]) -> Array:
 
 @SOME
 @given(poses, sixes, units)
-def test_linkage_jacobian_and_rates_are_the_reports(q: Array, rates: Array, unit: jsc12628.Units) -> None:
+def test_linkage_jacobian_and_rates_agree_with_the_report(q: Array, rates: Array, unit: jsc12628.Units) -> None:
     foot = FOOT if unit == "ft" else 1.0
     r, T_B7, T_B5 = plain_lnkage(q)
     found = jsc12628.lnkage(ARM, q, unit)
@@ -171,7 +171,7 @@ def test_linkage_jacobian_and_rates_are_the_reports(q: Array, rates: Array, unit
 
 @SOME
 @given(poses, units, st.sampled_from(BOTH))
-def test_rmangs_leads_back_and_rmsist_starts_there(q: Array, unit: jsc12628.Units, arm: aftdeck.Arm) -> None:
+def test_rmangs_inverts_lnkage_and_rmsist_agrees(q: Array, unit: jsc12628.Units, arm: aftdeck.Arm) -> None:
     r, T, _ = jsc12628.lnkage(arm, q, unit)
     try:
         theta = jsc12628.rmangs(arm, r, T, unit)
@@ -196,7 +196,7 @@ def test_rmangs_leads_back_and_rmsist_starts_there(q: Array, unit: jsc12628.Unit
 
 @SOME
 @given(turns, turns, turns, turns, units)
-def test_latraj_is_the_reports(
+def test_latraj_agrees_with_the_report(
     r: list[float], a: list[float], rf: list[float], af: list[float], unit: jsc12628.Units
 ) -> None:
     T, Tf = rotation(a), rotation(af)
@@ -209,7 +209,9 @@ def test_latraj_is_the_reports(
 
 @SOME
 @given(st.floats(0.0, 20.0), st.floats(0.0, 3.1), st.sampled_from([0.02, 0.08]), st.floats(0.0, 50.0), units)
-def test_profiles_are_the_reports(d: float, w: float, dt: float, tp: float, unit: jsc12628.Units) -> None:
+def test_vclose_and_vtopen_agree_with_the_report(
+    d: float, w: float, dt: float, tp: float, unit: jsc12628.Units
+) -> None:
     foot = FOOT if unit == "ft" else 1.0
     most: Limits = {**LIMITS, "V_L": LIMITS["V_L"] / foot, "V_L_dot": LIMITS["V_L_dot"] / foot}
     v, o, eta = plain_vclose(d, w, *WAYS, dt)
@@ -230,7 +232,9 @@ def test_profiles_are_the_reports(d: float, w: float, dt: float, tp: float, unit
 
 @SOME
 @given(sixes, sixes, st.sampled_from([0.02, 0.08, 1.0]), units)
-def test_limits_are_the_reports(wanted: Array, present: Array, dt: float, unit: jsc12628.Units) -> None:
+def test_avclmt_and_ratlmt_agree_with_the_report(
+    wanted: Array, present: Array, dt: float, unit: jsc12628.Units
+) -> None:
     foot = FOOT if unit == "ft" else 1.0
     most: Limits = {**LIMITS, "V_L": 0.1 / foot, "V_L_dot": LIMITS["V_L_dot"] / foot}
     found = jsc12628.avclmt(
@@ -248,7 +252,7 @@ def test_limits_are_the_reports(wanted: Array, present: Array, dt: float, unit: 
 
 @SOME
 @given(turns, turns, turns, turns)
-def test_votran_turns_each_mode_into_b(w: list[float], v: list[float], a: list[float], b: list[float]) -> None:
+def test_votran_returns_each_modes_command_in_b(w: list[float], v: list[float], a: list[float], b: list[float]) -> None:
     T_B7, T_78 = rotation(a), rotation(b)
     for mode, turn_w, turn_v in ((4, np.eye(3), np.eye(3)), (5, T_B7, T_B7), (6, T_B7 @ T_78, T_B7 @ T_78),
                                  (7, T_B7 @ T_78, np.eye(3))):  # fmt: skip
@@ -264,7 +268,7 @@ def test_votran_turns_each_mode_into_b(w: list[float], v: list[float], a: list[f
 
 @settings(max_examples=25)
 @given(poses, sixes, st.sampled_from([2, 4, 5, 6, 7]), turns, units)
-def test_msteer_is_the_reports_step_by_step(
+def test_msteer_agrees_with_the_report_step_by_step(
     q: Array, aim: Array, mode: Literal[2, 4, 5, 6, 7], turn: list[float], unit: jsc12628.Units
 ) -> None:
     """Twenty steps of each mode against the report's: VOTRAN, AVCLMT, RMSRAT, RATLMT, fed back by ERATES."""
@@ -302,7 +306,7 @@ def test_msteer_is_the_reports_step_by_step(
 
 
 @pytest.mark.parametrize("mode", [1, 3])
-def test_an_open_phase_ends_at_its_time(mode: Literal[1, 3]) -> None:
+def test_phases_of_modes_1_and_3_end_at_eta(mode: Literal[1, 3]) -> None:
     q = np.array([0.2, 1.0, -1.4, 0.3, 0.2, 0.4])
     goal = q + np.array([0.03, -0.02, 0.02, 0.03, -0.02, 0.05])
     r, T, _ = plain_lnkage(goal)
@@ -325,7 +329,7 @@ def test_mode_8_ramps_one_joint_to_its_rate() -> None:
         np.testing.assert_allclose(rate, np.eye(6)[3] * -min(0.05, k * up * 0.1), atol=1e-12)
 
 
-def test_what_is_none_is_refused_by_name() -> None:
+def test_invalid_argument_is_rejected_by_name() -> None:
     q = [0.2, 1.0, -1.4, 0.3, 0.2, 0.4]
     for call, name in (
         (lambda: jsc12628.lnkage(ARM, q, "in"), "units"),  # type: ignore[arg-type]
@@ -346,7 +350,7 @@ def test_what_is_none_is_refused_by_name() -> None:
         jsc12628.rmangs(ARM, [90.0, 0.0, 0.0], np.eye(3))
 
 
-def test_numbers_of_any_kind_give_the_same() -> None:
+def test_result_does_not_depend_on_the_number_type() -> None:
     q = np.array([0.25, 1.0, -1.5, 0.5, 0.25, 0.5])
     one = jsc12628.lnkage(ARM, q)
     for other in (q.astype(np.float32), q.tolist(), tuple(np.float64(x) for x in q), np.array(q, dtype=object)):

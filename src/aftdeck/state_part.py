@@ -34,7 +34,7 @@ P = TypeVar("P", bound=StatePart)
 
 @lru_cache
 def declaration(kind: type[StatePart]) -> str:
-    """Return a 16-digit digest of a part's declaration: every field, with its type and place.
+    """Return a 16-digit digest of a part's declaration: every field, with its type and position.
 
     Digests of parts with different declarations, such as those of another version, cannot be compared.
     """
@@ -91,7 +91,7 @@ def decoded(like: P, data: bytes, empty: Callable[[type], Cache]) -> P:
     except (msgspec.DecodeError, ValueError, TypeError) as error:
         raise InputError(f"the saved state cannot be read: {error}") from None
     if (where := _unlike(part, like)) is not None:
-        raise InputError(f"the saved state is of another worksite or arm: {where} has another size here")
+        raise InputError(f"the saved state belongs to another worksite or arm: {where} has a different size here")
     return part
 
 
@@ -101,7 +101,7 @@ def _plain(value: object) -> object:
         return value.tobytes() if value.ndim == 1 else (value.shape, value.tobytes())
     if isinstance(value, Cache):
         return None
-    raise NotImplementedError(f"{type(value).__name__} has no place in a state")
+    raise NotImplementedError(f"a state cannot contain a value of the type {type(value).__name__}")
 
 
 _encode = msgspec.msgpack.Encoder(enc_hook=_plain).encode

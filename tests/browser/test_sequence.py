@@ -26,7 +26,7 @@ def test_proceed_flies_the_tour_to_its_pause_point(flight: Flight) -> None:
     flight.until("frame.sequence === 'ready' && frame.point === 4", TOUR_MS)
     flight.until("/PROCEED continues/.test(document.querySelector('.route .to-go').textContent)")
     flight.until("/GOOD/.test(document.querySelector('.check.good')?.textContent ?? '')")
-    flight.until_logged("pause point: PROCEED goes on")
+    flight.until_logged("pause point: PROCEED continues the sequence")
 
 
 def test_stop_halts_the_tour_and_proceed_goes_on(flight: Flight) -> None:

@@ -1,4 +1,4 @@
-"""The kinematic plant does what it is told, exactly."""
+"""Kinematic plant: joints and telescope follow their commands exactly."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ def plant(*angles: float) -> KinematicPlant:
     return KinematicPlant(at, np.zeros(6), at.copy(), Slide(3.0))
 
 
-def test_joints_move_by_their_rates_times_the_period() -> None:
+def test_joints_move_by_rate_times_period() -> None:
     moved = plant()
     moved.move(FREE, TRAVEL, np.array([0.5, -0.25, 0.0, 1.0, 2.0, -1.0]), 0.25)
     assert moved.angles.tolist() == [0.125, -0.0625, 0.0, 0.25, 0.5, -0.25]
     assert moved.rates.tolist() == [0.5, -0.25, 0.0, 1.0, 2.0, -1.0]
 
 
-def test_the_plant_keeps_its_own_copy_of_what_it_is_asked() -> None:
+def test_plant_copies_the_commanded_rates() -> None:
     moved, asked = plant(), np.ones(6)
     moved.move(FREE, TRAVEL, asked, 1.0)
     asked[:] = 7.0
     assert moved.rates.tolist() == [1.0] * 6
 
 
-def test_the_stand_moves_with_the_joints_and_by_itself_stands() -> None:
+def test_telescope_moves_only_with_its_drive() -> None:
     moved = plant()
     moved.move(FREE, TRAVEL, np.ones(6), 0.5, drive=1.0)
     assert (moved.stand.position, moved.stand.velocity) == (3.25, 0.5)
@@ -41,7 +41,7 @@ def test_the_stand_moves_with_the_joints_and_by_itself_stands() -> None:
     assert (moved.stand.position, moved.stand.velocity) == (3.25, 0.0)
 
 
-def test_a_hard_stop_ends_a_joints_motion_and_its_rate_is_the_one_that_it_had() -> None:
+def test_hard_stop_limits_motion_and_actual_rate() -> None:
     moved, stops = plant(0.0, 0.9, 1.2, 0.0, 0.0, 0.0), np.array([[-1.0, 1.0]] * 6)
     moved.move(stops, TRAVEL, np.array([0.1, 0.4, 0.4, -2.0, 0.0, 0.0]), 0.5)
     assert moved.angles.tolist() == [0.05, 1.0, 1.2, -1.0, 0.0, 0.0]  # a joint that starts past its stop stays there

@@ -1,4 +1,4 @@
-"""The telescope and the prong: at their rates, between their ends."""
+"""Telescope and prong: rates and ranges."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def concept() -> HeadingArmFile:
     period=st.floats(0.001, 0.2),
     rate=st.floats(0.01, 2.0),
 )
-def test_it_keeps_between_its_ends_and_below_its_rate(drives: list[float], period: float, rate: float) -> None:
+def test_slide_keeps_its_range_and_rate(drives: list[float], period: float, rate: float) -> None:
     slide, travel = Slide(3.0), Travel(2.5, 3.3, rate)
     for drive in drives:
         before = slide.position
@@ -37,7 +37,7 @@ def test_it_keeps_between_its_ends_and_below_its_rate(drives: list[float], perio
             assert slide.velocity == pytest.approx(drive * rate, abs=1e-12 / period)
 
 
-def test_driven_on_it_comes_to_rest_just_at_its_end_and_leaves_it_again() -> None:
+def test_driven_slide_stops_at_its_end_and_leaves_it() -> None:
     slide, travel = Slide(3.0), Travel(2.5, 3.3, 0.7)
     for _ in range(100):
         slide.move(travel, 1.0, 0.02)
@@ -46,7 +46,7 @@ def test_driven_on_it_comes_to_rest_just_at_its_end_and_leaves_it_again() -> Non
     assert slide.velocity == pytest.approx(-0.7)
 
 
-def test_the_stand_of_the_concept_arm_goes_a_foot_a_second_from_9_and_a_half_to_18_feet() -> None:
+def test_concept_telescope_has_published_range_and_rate() -> None:
     model = load_model("concept-1972")
     stand, travel = Slide(float(model.links[L1])), travel_of_stand(model)
     assert stand.position == pytest.approx(12 * FOOT)
@@ -58,7 +58,7 @@ def test_the_stand_of_the_concept_arm_goes_a_foot_a_second_from_9_and_a_half_to_
     assert stand.position == pytest.approx(9.5 * FOOT)
 
 
-def test_an_arm_without_a_telescope_stands_where_it_stands() -> None:
+def test_arm_without_telescope_has_a_fixed_height() -> None:
     model = load_model("srms")
     stand, travel = Slide(float(model.links[L1])), travel_of_stand(model)
     for drive in (1.0, -1.0):
@@ -66,7 +66,7 @@ def test_an_arm_without_a_telescope_stands_where_it_stands() -> None:
         assert (stand.position, stand.velocity) == (float(model.links[L1]), 0.0)
 
 
-def test_the_prong_closes_in_three_and_a_half_seconds_and_opens_again() -> None:
+def test_prong_closes_and_opens_in_3_5_s() -> None:
     travel = travel_of_prong(load_model("concept-1972").equipment.prong)
     prong = Slide(travel.low)
     assert prong.position == pytest.approx(-1.25 * FOOT)

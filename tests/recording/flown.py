@@ -22,7 +22,7 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from tests.steering.flying import scenario
-from tests.steering.test_promises import equipped, inputs, start
+from tests.steering.random_runs import equipped, inputs, start
 
 
 @functools.cache

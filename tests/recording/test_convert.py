@@ -24,7 +24,7 @@ from aftdeck.simulation.plain import plain_inputs
 from aftdeck.steering.mode import MODES
 from aftdeck.worksite.report import Work
 from tests.steering.flying import scenario
-from tests.steering.test_promises import equipped, inputs, start
+from tests.steering.random_runs import equipped, inputs, start
 
 COARSE = 0.51e-7
 COARSER = {

@@ -20,7 +20,7 @@ from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 from tests.steering.flying import scenario
-from tests.steering.test_promises import inputs
+from tests.steering.random_runs import inputs
 
 HOUR_S = 3600.0
 WARM_S = 600.0

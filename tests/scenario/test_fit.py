@@ -141,7 +141,7 @@ def edited(rng: np.random.Generator) -> dict[str, str]:
     return {str(name): f"{rng.uniform(*EDITED[str(name)])!r} ft" for name in names}
 
 
-OUT_OF_REACH = ("the hand cannot take", "the arm cannot reach")
+OUT_OF_REACH = ("the end effector cannot reach", "the arm cannot reach")
 """How the survey begins to tell of a place out of the arm's reach."""
 EDITS = int(os.environ.get("AFTDECK_EDITS", "10"))
 """How many edits are tried; 1,000 with AFTDECK_EDITS=1000 and `-o faulthandler_timeout=0`."""

@@ -1,4 +1,4 @@
-"""The concept arm at its worksite: flights that begin anywhere, with the payload in the hand or not."""
+"""Scenarios of the concept arm at its worksite, with any start pose and with the payload held or not."""
 
 from __future__ import annotations
 
@@ -19,16 +19,18 @@ Vec3 = tuple[float, float, float]
 
 FOOT = 0.3048
 DOWN = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
-"""The hand's axes in R with X2 down."""
+"""Axes of frame 2 in R with X2 down."""
 STAND = 16.0
 NATURAL = np.radians([0.0, 32.0, -106.0, 0.0, -16.0, 0.0])
-"""Elbow up, wrist not flipped."""
+"""Joint angles with the elbow up and the wrist not flipped [rad]."""
 ABOVE: Vec3 = (28.0, 0.0, -3.3)
-"""Where the palm begins: 4 ft over the bar of the payload in the bay [ft]."""
+"""Start position of the palm: 4 ft above the bar of the payload in the bay [ft]."""
 ON_BAR: Vec3 = (28.0, 0.0, 0.71)
-"""Where it takes the bar: 0.03 ft over it."""
+"""Position of the palm at capture: 0.03 ft above the bar [ft]."""
 AT_PORT: Vec3 = (12.02, 16.0, -28.41)
-"""Where it is with the payload at the docking port."""
+"""Position of the palm with the payload at the docking port [ft]."""
+AT_STOWED = np.array([28.0, 0.0, 7.12])
+"""Centre of the payload in the bay, in R [ft]."""
 IN_BAY = 'name = "payload"'
 """A [[cargo]] table."""
 
@@ -39,7 +41,7 @@ def arm() -> aftdeck.Arm:
 
 
 def joints(at: Vec3, turned: Vec3 = (0.0, 0.0, 0.0), stand: float = STAND) -> list[str]:
-    """Joint angles with the palm's centre at a place in R [ft] and its X2 down, turned by roll, pitch, yaw [deg]."""
+    """Return joint angles for a position of the palm's centre in R [ft] and a rotation from X2 down [deg]."""
     roll, pitch, yaw = np.radians(turned)
     turn = rotation_z(yaw) @ rotation_y(pitch) @ rotation_x(roll) @ DOWN
     standing = arm().at(stand=stand * FOOT)
@@ -56,14 +58,14 @@ def scenario(
     cargo: str = IN_BAY,
     extra: str = "",
 ) -> Scenario:
-    """A flight that begins with the palm at a place in R [ft], with the payload of the bay held by its middle or not.
+    """Return a scenario that starts with the palm at a position in R, with the payload held at its middle or not.
 
     Args:
-        at: of the palm's centre [ft].
+        at: position of the palm's centre [ft].
         turned: roll, pitch and yaw about R's axes from X2 down [deg].
-        held: whether the payload was taken as it lies in the bay.
+        held: whether the arm holds the payload, as captured in the bay.
         stand: the telescope's length [ft].
-        cargo: the lines of the [[cargo]] table.
+        cargo: lines of the [[cargo]] table.
         extra: more lines of the scenario's head.
     """
     name = cargo.split('"')[1]
@@ -84,21 +86,21 @@ stand = "{stand!r} ft"
 
 
 def flown(sim: aftdeck.Simulation, given: Iterable[aftdeck.Inputs]) -> list[Frame]:
-    """The frames of a flight by hand."""
+    """Return the frames of a run with manual inputs."""
     return [sim.step(inputs) for inputs in given]
 
 
 def held_for(steps: int, inputs: aftdeck.Inputs) -> Iterator[aftdeck.Inputs]:
-    """Inputs held for a number of steps; their switches act at every one."""
+    """Yield the same inputs for a number of steps; their switches act in each step."""
     return (inputs for _ in range(steps))
 
 
 def log_of(frames: Iterable[Frame]) -> list[str]:
-    """The log's lines, but for those of the clearance: it passes a threshold in most flights."""
+    """Return the log lines except those of the kind `clearance`, which occur in most runs."""
     return [event.text for frame in frames for event in frame.events if event.kind != "clearance"]
 
 
 def vec3(values: Array) -> Vec3:
-    """Three numbers as a tuple."""
+    """Return three numbers as a tuple."""
     x, y, z = values.tolist()
     return x, y, z

@@ -1,4 +1,4 @@
-"""Flights with everything moving at once, and what is told of them, for tests of the worksite."""
+"""Runs with random inputs, and their contacts and log lines, for tests of the worksite."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ joints = ["-31.097 deg", "80.888 deg", "-120.011 deg", "-61.23 deg", "16.592 deg
 FIXTURE = 400.0 + 2.26 / 0.0254
 """Zo of the payload's grapple fixture in the bay [in]."""
 OVER = -903.7323
-"""X of the end effector over it [in]."""
+"""X of the end effector above it [in]."""
 
 
 @functools.cache
@@ -53,7 +53,7 @@ def srms(
     above: float, x: float = 0.0, y: float = 0.0, turned: tuple[float, float, float] = (0.0, 0.0, 0.0), *,
     held: bool = False, head: str = "",
 ) -> Scenario:  # fmt: skip
-    """The end effector over the place of the payload's fixture in the bay [in], aside of it [in] and turned [deg]."""
+    """Scenario with the end effector above the payload's fixture in the bay, offset from it [in] and rotated [deg]."""
     roll, pitch, yaw = turned
     text = SRMS.format(
         x=OVER + x, y=y, z=-(FIXTURE + above), pitch=270.0 + pitch, yaw=yaw, roll=roll,
@@ -74,14 +74,14 @@ def anything(
     but: tuple[str, ...] = (),
     every: int = 16,
 ) -> Iterator[Inputs]:
-    """Sticks in every direction, changed every third of a second, and switches that are put now and then.
+    """Yield random inputs: sticks in every direction, changed every third of a second, and random switches.
 
     Args:
-        rng: where chance comes from.
-        steps: how many.
-        pace: of the sticks, 0 to 1.
-        switches: how often one is put when the sticks change, 0 to 1.
-        but: switches that are left alone.
+        rng: random generator.
+        steps: number of inputs.
+        pace: greatest deflection of the sticks, 0 to 1.
+        switches: probability of a switch command when the sticks change, 0 to 1.
+        but: switches that are not commanded.
         every: steps between two changes of the sticks.
     """
     held = Inputs()
@@ -113,50 +113,55 @@ SWITCHES: dict[str, list[object]] = {
 
 
 def _with(inputs: Inputs, put: dict[str, object]) -> Inputs:
-    """Inputs with switches put as well."""
+    """Return inputs with additional switch commands."""
     return msgspec.structs.replace(inputs, **put)
 
 
 def flown(made: Scenario | aftdeck.Simulation, given: Iterable[Inputs]) -> list[Frame]:
-    """The frames of a flight by hand."""
+    """Return the frames of a run with manual inputs."""
     sim = made if isinstance(made, aftdeck.Simulation) else aftdeck.Simulation(made)
     return [sim.step(inputs) for inputs in given]
 
 
 @functools.cache
 def arm_parts(arm: str) -> frozenset[str]:
-    """The parts of a built-in arm."""
+    """Return the parts of a built-in arm."""
     return frozenset(solid.part for solid in solids_of(aftdeck.load_arm(arm).model))
 
 
 def log_of(frames: Iterable[Frame]) -> list[str]:
-    """The log's lines, but for those of the clearance: it passes a threshold in most flights."""
+    """Return the log lines except those of the kind `clearance`, which occur in most runs."""
     return [event.text for frame in frames for event in frame.events if event.kind != "clearance"]
 
 
+def events_of(frames: Iterable[Frame]) -> list[tuple[str, str]]:
+    """Return kind and level of the log's lines, except those of the kind `clearance`."""
+    return [(event.kind, event.level) for frame in frames for event in frame.events if event.kind != "clearance"]
+
+
 def movers(scenario: Scenario, frame: Frame) -> set[str]:
-    """The parts that move with the arm at a frame: its own, and those of what it holds."""
+    """Return the parts that move with the arm in a frame: its own parts and those of the held payload."""
     own = set(arm_parts("srms" if scenario.worksite.name == "orbiter" else "concept-1972"))
     held = [cargo.name for cargo in frame.work.cargo if cargo.held]
     return own | {solid.part for cargo in scenario.cargo if cargo.name in held for solid in cargo.solids}
 
 
 def harmful(scenario: Scenario, frame: Frame) -> dict[Pair, Near]:
-    """The detrimental contacts of a frame that the arm has or what it holds."""
+    """Return the detrimental contacts of the arm and of the held payload in a frame, by pair."""
     mine = movers(scenario, frame)
     return {(c.a, c.b): c for c in frame.work.contacts if not c.essential and {c.a, c.b} & mine}
 
 
-def begun_anew(frame: Frame) -> bool:
-    """Whether a part of the problem was begun with a frame."""
+def is_initialised(frame: Frame) -> bool:
+    """Return whether the run was re-initialised in the step of a frame."""
     return any(event.kind == "initialise" for event in frame.events)
 
 
 def same_possession(one: Frame, other: Frame) -> bool:
-    """Whether everything is held and fixed in two frames as in the other."""
+    """Return whether the same payloads are held and fixed in two frames."""
     return [(c.held, c.seat) for c in one.work.cargo] == [(c.held, c.seat) for c in other.work.cargo]
 
 
 def in_turn(frames: list[Frame]) -> Iterator[tuple[Frame, Frame]]:
-    """Each frame with the one before, where no part of the problem was begun between."""
-    return ((before, now) for before, now in pairwise(frames) if not begun_anew(now))
+    """Yield each frame with the one before, without those in which the run was re-initialised."""
+    return ((before, now) for before, now in pairwise(frames) if not is_initialised(now))

@@ -1,7 +1,7 @@
-"""An outside witness of contacts: the separating axis theorem on every pair of solids that is near, and how deep.
+"""Outside witness of contacts: penetration depths of near pairs of solids by the separating axis theorem.
 
-It is written for the tests alone and shares no code with `aftdeck.bodies`: face normals are cross products of the
-diagonals of faces, and all 12 x 12 pairs of edges are tried.
+The witness shares no code with `aftdeck.bodies`: face normals are cross products of the diagonals of faces, and all
+12 x 12 pairs of edges are tested.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ import aftdeck
 from aftdeck.arrays import Array, Indices, Mask
 
 NEAR = 0.1
-"""Pairs of solids farther apart than this [m], by their bounding spheres, are passed over."""
+"""Distance of the bounding spheres beyond which a pair of solids is not tested [m]."""
 FACES = np.array([[0, 1, 5, 4], [0, 1, 3, 2], [0, 2, 6, 4], [1, 3, 7, 5], [4, 5, 7, 6], [2, 3, 7, 6]])
-"""The corners of each face, in their order round it."""
+"""Corners of each face, in order around the face."""
 EDGES = np.array(
     [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]]
 )  # fmt: skip
@@ -24,7 +24,7 @@ _PARALLEL = 1e-9
 
 @numba.njit(cache=True)  # type: ignore[misc, unused-ignore]
 def overlap(a: Array, b: Array, x: float, y: float, z: float) -> float:
-    """The overlap of two hulls (8, 3) along an axis, negative where it separates them [m]; inf along none."""
+    """Return the overlap of two hulls (8, 3) along an axis [m], negative if they are apart; inf for a zero axis."""
     length = np.sqrt(x * x + y * y + z * z)
     if length < _PARALLEL:
         return np.inf
@@ -39,9 +39,9 @@ def overlap(a: Array, b: Array, x: float, y: float, z: float) -> float:
 
 @numba.njit(cache=True)  # type: ignore[misc, unused-ignore]
 def depth(a: Array, b: Array, axis: Array) -> float:
-    """How deep two convex hexahedra (8, 3) are in each other, negative where an axis separates them [m].
+    """Return the penetration depth of two convex hexahedra (8, 3), negative if an axis separates them [m].
 
-    The axis (3,) that separated them last is tried first, and kept.
+    `axis` (3,) is the axis that separated them last: it is tested first, and updated.
     """
     least = overlap(a, b, axis[0], axis[1], axis[2])
     if least < 0.0:
@@ -66,7 +66,7 @@ def depth(a: Array, b: Array, axis: Array) -> float:
 
 @numba.njit(cache=True)  # type: ignore[misc, unused-ignore]
 def place(vertices: Array, frame: Indices, frames: Array, placed: Array) -> None:
-    """Vertices (n, 8, 3) of frames (F, 12) in L."""
+    """Write the vertices (n, 8, 3) of solids in L into `placed`, for the poses `frames` (F, 12)."""
     for i in range(len(vertices)):
         row = frames[frame[i]]
         for v in range(8):
@@ -84,21 +84,21 @@ def look(
     placed: Array, radius: Array, pairs: Indices, begins: Indices, active: Mask, before: Array, now: Array,
     vertices: Array, frame: Indices, axes: Array, depths: Array, ways: Array,
 ) -> None:  # fmt: skip
-    """The depth of each active group that is near, -inf where it is not [m], and how far its parts moved in the step.
+    """Write the depth of each monitored pair of parts, and the distance that its parts moved in the step.
 
     Args:
-        placed: (n, 8, 3) in L.
-        radius: (n,) of bounding spheres about the mean of the vertices [m].
-        pairs: (m, 2) solids, those of a group together from `begins` (g + 1,).
-        begins: see pairs.
-        active: (g,) 1 where the group is looked at.
-        before: (F, 12) the frames a step ago, and
-        now: (F, 12) now.
-        vertices: (n, 8, 3) in the frames' axes.
-        frame: (n,) of each solid.
-        axes: (m, 3) that separated each pair last; changed.
-        depths: (g,) out.
-        ways: (g,) out: how far a vertex of one part moved in the axes of the other, at most [m].
+        placed: (n, 8, 3) vertices of the solids in L.
+        radius: (n,) radii of bounding spheres about the mean of the vertices [m].
+        pairs: (m, 2) pairs of solids, in the order of the pairs of parts.
+        begins: (g + 1,) first row in `pairs` of each pair of parts.
+        active: (g,) 1 for monitored pairs of parts.
+        before: (F, 12) poses of the frames before the step.
+        now: (F, 12) poses of the frames after the step.
+        vertices: (n, 8, 3) vertices in the axes of their frames.
+        frame: (n,) frame of each solid.
+        axes: (m, 3) axes that separated each pair last; changed.
+        depths: (g,) out: depth of each pair of parts [m]; -inf if it is not near.
+        ways: (g,) out: greatest motion of a vertex of one part in the axes of the other [m].
     """
     middles = np.empty((len(placed), 3))
     for i in range(len(placed)):
@@ -118,13 +118,13 @@ def look(
             deep = depth(placed[i], placed[j], axes[m])
             depths[g] = max(depths[g], deep)
             if deep > 0.0:
-                one, other = moved(before, now, vertices, frame, i, j), moved(before, now, vertices, frame, j, i)
-                ways[g] = max(ways[g], one, other)
+                first, second = moved(before, now, vertices, frame, i, j), moved(before, now, vertices, frame, j, i)
+                ways[g] = max(ways[g], first, second)
 
 
 @numba.njit(cache=True)  # type: ignore[misc, unused-ignore]
 def moved(before: Array, now: Array, vertices: Array, frame: Indices, i: int, j: int) -> float:
-    """How far a vertex of solid i moved in the axes of solid j in a step, at most [m]."""
+    """Return the greatest motion of a vertex of solid i in the axes of solid j in a step [m]."""
     most = 0.0
     f, g = frame[i], frame[j]
     for v in range(8):
@@ -146,13 +146,13 @@ def moved(before: Array, now: Array, vertices: Array, frame: Indices, i: int, j:
 
 
 class Witness:
-    """Looks at a simulation after each step, and keeps for each group how deep it may be.
+    """Measurement of a simulation's penetration depths after each step, and their allowed values.
 
-    It looks at the groups that are watched, and at the fingers and the bar that they hold.
+    The witness measures the monitored pairs, and the fingers and the bar that they hold.
 
     Attributes:
-        worst: by pair of parts, how much deeper it was than two steps' travel and what its relation permits [m].
-        deepest: by pair of parts, how deep it was [m].
+        worst: for each pair of parts, greatest excess of its depth over two steps' travel and the permitted depth [m].
+        deepest: for each pair of parts, greatest depth [m].
     """
 
     def __init__(self, sim: aftdeck.Simulation) -> None:
@@ -175,11 +175,11 @@ class Witness:
         self.deepest: dict[tuple[str, str], float] = {}
 
     def begin(self) -> None:
-        """Go on from another state."""
+        """Continue from another state of the simulation."""
         self.budget[:], self.steps[:], self.was_active[:] = 0.0, 0, 0
 
     def look(self) -> None:
-        """Look at the step just made."""
+        """Measure the state after the last step."""
         worksite = self.sim._state.worksite
         active = worksite.watch.active | self.fingers
         place(self.vertices, self.layout.frame, worksite.frames, self.placed)
@@ -187,7 +187,7 @@ class Witness:
             self.placed, self.radius, self.layout.pairs, self.layout.begins, active, worksite.before,
             worksite.frames, self.vertices, self.layout.frame, self.axes, self.depths, self.ways,
         )  # fmt: skip
-        # what moves between two looks begins with the step in which the two came together
+        # the allowed depth counts motion from the step in which the two parts first touch
         entered = (self.depths > 0.0) & (self.steps == 0)
         self.steps = np.where(self.depths > 0.0, self.steps + 1, 0)
         known = self.was_active & active

@@ -1,4 +1,4 @@
-"""Parts that the task brings together are an alarm where they meet as it does not want them, and only there."""
+"""CLEARANCE of parts that the task brings together: an alarm only where their contact would be detrimental."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def beside_the_port(seed: int) -> tuple[list[Frame], Pair | None]:
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_clearance_warns_of_the_probe_beside_the_port_before_it_touches(seed: int) -> None:
+def test_clearance_warns_before_probe_touches_beside_port(seed: int) -> None:
     """Before: no word of the two until they touched."""
     frames, met = beside_the_port(seed)
     assert met == PROBE and not any(contact.essential for contact in frames[-1].work.contacts)
@@ -64,7 +64,7 @@ def test_clearance_warns_of_the_probe_beside_the_port_before_it_touches(seed: in
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_the_probe_on_its_way_to_the_port_is_no_alarm(seed: int) -> None:
+def test_probe_approaching_port_raises_no_alarm(seed: int) -> None:
     rng = np.random.default_rng(seed)
     aside, angle = rng.uniform(0.0, 0.8 * DOCKING), rng.uniform(0.0, math.tau)
     x, y, z = AT_PORT
@@ -75,7 +75,7 @@ def test_the_probe_on_its_way_to_the_port_is_no_alarm(seed: int) -> None:
 
 
 @pytest.mark.parametrize("aside", [9.0, 12.0])
-def test_clearance_warns_of_trunnions_beside_their_guides_before_they_touch(aside: float) -> None:
+def test_clearance_warns_before_trunnions_touch_beside_guides(aside: float) -> None:
     """Before: no word of the two until they touched."""
     sim = aftdeck.Simulation(srms(26.0, aside, held=True))
     frames, met = until_contact(sim, Inputs((0.0, 0.0, 1.0)), GUIDES)
@@ -84,14 +84,14 @@ def test_clearance_warns_of_trunnions_beside_their_guides_before_they_touch(asid
     assert about and about[-1].work.clearance_level == "warning"
 
 
-def test_trunnions_over_their_guides_are_no_alarm() -> None:
+def test_trunnions_above_guides_raise_no_alarm() -> None:
     frames, met = until_contact(aftdeck.Simulation(srms(4.0, held=True)), Inputs((0.0, 0.0, 1.0)), GUIDES)
     assert met is not None and all(contact.essential for contact in frames[-1].work.contacts)
     assert not GUIDES & {pair(frame) for frame in frames}
 
 
 @pytest.mark.parametrize(("aside", "foreseen"), [(0.0, False), (1.0, True)])
-def test_look_ahead_foresees_the_probe_beside_the_port_alone(aside: float, foreseen: bool) -> None:
+def test_look_ahead_predicts_contact_only_beside_port(aside: float, foreseen: bool) -> None:
     x, y, z = AT_PORT
     sim = aftdeck.Simulation(scenario((x + 0.6, y + aside, z), held=True))
     for _ in range(40):

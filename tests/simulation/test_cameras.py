@@ -1,4 +1,4 @@
-"""Cameras in flight: their drives' rates and limits, what is refused, and that nothing else moves with them."""
+"""Camera drives: rates, limits, rejected commands, and independence of everything else."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import dataclasses
 import math
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
 import msgspec
 import pytest
@@ -38,15 +37,13 @@ def travels(drive: Drive | None) -> tuple[Travel | None, ...]:
 
 
 def flown(given: Iterable[CameraDrive | None]) -> list[tuple[Setting, ...]]:
-    """The settings after each step."""
+    """Return the drive settings after each step."""
     sim = aftdeck.Simulation(DEPLOY)
-    return [sim.step(aftdeck.Inputs(camera=one)).views for one in given]
+    return [sim.step(aftdeck.Inputs(camera=command)).views for command in given]
 
 
 @given(st.lists(commands, min_size=1, max_size=60), st.floats(0.001, 3.0))
-def test_no_command_takes_a_camera_past_its_limits_or_moves_it_faster_than_its_rate(
-    given_commands: list[CameraDrive], period: float
-) -> None:
+def test_camera_drive_keeps_its_limits_and_rates(given_commands: list[CameraDrive], period: float) -> None:
     cameras = Cameras(DEPLOY)
     views = cameras.first
     for command in given_commands:
@@ -64,9 +61,7 @@ def test_no_command_takes_a_camera_past_its_limits_or_moves_it_faster_than_its_r
 
 
 @given(st.sampled_from(DRIVEN), st.sampled_from([-1.0, 1.0]), st.floats(0.005, 0.1))
-def test_a_drive_pushed_long_enough_ends_exactly_at_its_stop_and_stays(
-    camera: Camera, push: float, period: float
-) -> None:
+def test_camera_drive_ends_exactly_at_its_stop(camera: Camera, push: float, period: float) -> None:
     at = setting(camera)
     for _ in range(math.ceil(40.0 / period)):
         at = driven_setting(camera, at, CameraDrive(camera.name, push, push, push), period)
@@ -75,8 +70,8 @@ def test_a_drive_pushed_long_enough_ends_exactly_at_its_stop_and_stays(
             assert angle == (travel.greatest if way > 0.0 else travel.least)
 
 
-def test_the_shuttles_cameras_cross_their_pan_in_the_published_time() -> None:
-    """340 deg at 12 deg/s is 28.3 s, at 1.2 deg/s ten times as long; the zoom goes from end to end in 8 s."""
+def test_shuttle_camera_drives_take_the_published_times() -> None:
+    """340 deg at 12 deg/s is 28.3 s, at 1.2 deg/s ten times as long; the zoom takes 8 s from end to end."""
     for slow, seconds in ((False, 340.0 / 12.0), (True, 340.0 / 1.2)):
         at, steps = Setting(math.radians(-170.0), 0.0, 1.0), 0
         while at.pan < math.radians(170.0):
@@ -88,7 +83,7 @@ def test_the_shuttles_cameras_cross_their_pan_in_the_published_time() -> None:
     assert steps * PERIOD == pytest.approx(8.0, abs=2 * PERIOD)
 
 
-def test_release_stops_a_camera_at_once_and_hands_off_keeps_the_very_same_settings() -> None:
+def test_released_camera_stops_at_once_and_keeps_its_settings() -> None:
     push = CameraDrive("B", pan=1.0, tilt=-0.5)
     views = flown([push] * 5 + [None] * 5)
     rate = math.radians(12.0)
@@ -97,7 +92,7 @@ def test_release_stops_a_camera_at_once_and_hands_off_keeps_the_very_same_settin
     assert all(after is views[4] for after in views[5:])
 
 
-def test_turning_a_camera_moves_nothing_else() -> None:
+def test_camera_motion_changes_no_other_value() -> None:
     still, turned = aftdeck.Simulation(DEPLOY), aftdeck.Simulation(DEPLOY)
     for _ in range(20):
         one = still.step(aftdeck.Inputs())
@@ -106,7 +101,7 @@ def test_turning_a_camera_moves_nothing_else() -> None:
         assert msgspec.structs.replace(two, views=one.views, sha256=one.sha256) == one
 
 
-def test_a_command_takes_the_way_of_all_others_through_the_command_delay() -> None:
+def test_camera_command_has_the_command_delay() -> None:
     delayed = aftdeck.Simulation(dataclasses.replace(DEPLOY, delay=3))
     frames = [delayed.step(aftdeck.Inputs(camera=CameraDrive("A", pan=1.0) if k == 0 else None)) for k in range(6)]
     moving = [k for k in range(1, 6) if frames[k].views != frames[k - 1].views]
@@ -115,9 +110,7 @@ def test_a_command_takes_the_way_of_all_others_through_the_command_delay() -> No
 
 @settings(max_examples=5, deadline=None)
 @given(st.lists(st.none() | commands, min_size=4, max_size=40), st.data())
-def test_a_state_saved_at_any_step_goes_on_bit_for_bit(
-    given_commands: list[CameraDrive | None], data: st.DataObject
-) -> None:
+def test_restored_state_continues_bit_for_bit(given_commands: list[CameraDrive | None], data: st.DataObject) -> None:
     at = data.draw(st.integers(0, len(given_commands) - 1))
     sim = aftdeck.Simulation(DEPLOY)
     frames, saved = [], sim.save()
@@ -133,21 +126,17 @@ def test_a_state_saved_at_any_step_goes_on_bit_for_bit(
     assert msgspec.msgpack.encode(rest) == msgspec.msgpack.encode(frames[at:])
 
 
-Refused: Any = CameraDrive
-"""As a caller without a type checker sees it."""
-
-
 @pytest.mark.parametrize(
     ("command", "message"),
     [
-        (CameraDrive("Q", pan=1.0), r"no camera 'Q' can be turned here: there are A, B, C, D, KEEL, ELB, WR$"),
-        (CameraDrive("ENG", pan=1.0), r"no camera 'ENG' can be turned here"),
-        (CameraDrive("A", pan=1.01), r"pan, tilt and zoom lie in \[-1, 1\], got \(1.01, 0.0, 0.0\)"),
-        (CameraDrive("A", tilt=math.nan), r"lie in \[-1, 1\]"),
-        (Refused("A", zoom=-math.inf), r"lie in \[-1, 1\]"),
+        (CameraDrive("Q", pan=1.0), r"'Q' .* A, B, C, D, KEEL, ELB, WR$"),
+        (CameraDrive("ENG", pan=1.0), r"'ENG'"),
+        (CameraDrive("A", pan=1.01), r"^camera\.pan: got 1\.01\b"),
+        (CameraDrive("A", tilt=math.nan), r"^camera\.tilt: got nan\b"),
+        (CameraDrive("A", zoom=-math.inf), r"^camera\.zoom: got -inf\b"),
     ],
 )
-def test_what_no_switch_can_give_is_refused_and_changes_nothing(command: CameraDrive, message: str) -> None:
+def test_invalid_camera_command_is_rejected_without_effect(command: CameraDrive, message: str) -> None:
     sim = aftdeck.Simulation(DEPLOY)
     sim.step(aftdeck.Inputs())
     before = sim.save()
@@ -156,7 +145,7 @@ def test_what_no_switch_can_give_is_refused_and_changes_nothing(command: CameraD
     assert sim.save() == before
 
 
-def test_cameras_are_listed_before_windows_and_these_before_the_engineers_view() -> None:
+def test_cameras_are_listed_before_windows_and_engineering_view() -> None:
     for name in ("srms-deploy", "concept-1972"):
         kinds = [camera.kind for camera in cameras_of(load_scenario(name))]
         assert kinds == sorted(kinds, key=["camera", "window", "engineering"].index)
@@ -164,19 +153,19 @@ def test_cameras_are_listed_before_windows_and_these_before_the_engineers_view()
 
 
 @pytest.mark.parametrize("name", built_in())
-def test_every_camera_stands_on_something_that_is_there(name: str) -> None:
+def test_every_camera_is_on_an_existing_body(name: str) -> None:
     shown = welcome_of(load_scenario(name), demo=False)
     assert {camera.body for camera in shown.cameras} <= {body.name for body in shown.bodies}
 
 
-def test_cameras_of_a_payload_are_there_where_it_is() -> None:
+def test_payload_cameras_exist_only_with_the_payload() -> None:
     on_payload = {"P1", "P2"}
     for name, expected in (("concept-1972", on_payload), ("free-flyer", set())):
         assert on_payload & {camera.name for camera in cameras_of(load_scenario(name))} == expected
 
 
-def test_cameras_on_a_frame_of_the_arms_are_there_where_the_arm_has_it(tmp_path: Path) -> None:
-    """The Shuttle's arm at the concept's bay has no telescoping stand to carry a camera."""
+def test_arm_cameras_exist_only_with_their_frame(tmp_path: Path) -> None:
+    """The Shuttle's arm at the concept's bay has no telescope that could carry a camera."""
     file = tmp_path / "mixed.toml"
     joints = [f"{angle} deg" for angle in (-31, 79, -103, -77, 17, -128)]
     file.write_text(f'title = "t"\narm = "srms"\nworksite = "concept-1972"\n[initial]\njoints = {joints}\n')

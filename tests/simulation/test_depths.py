@@ -1,6 +1,6 @@
-"""No two parts get deeper into each other than the two-frame rule lets them, whatever is flown: by an outside witness.
+"""Penetration depths under random inputs stay within the two-frame rule, by an outside witness.
 
-`python -m tests.simulation.test_depths 1000000` flies a million steps of every built-in scenario; the normal tests fly
+`python -m tests.simulation.test_depths 1000000` makes a million steps of every built-in scenario; the normal tests make
 `STEPS` of each.
 """
 
@@ -69,7 +69,7 @@ def deepest(name: str, steps: int, seed: int = 1) -> Witness:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", built_in())
-def test_no_pair_is_deeper_than_two_steps_travel_unless_its_relation_permits_it(name: str) -> None:
+def test_penetration_stays_within_two_steps_travel(name: str) -> None:
     witness = deepest(name, STEPS)
     over = {pair: depth for pair, depth in witness.worst.items() if depth > SLIGHTLY}
     assert not over

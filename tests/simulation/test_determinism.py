@@ -1,4 +1,4 @@
-"""The same scenario, seed and inputs give the same frames, bit for bit; a saved state goes on as if never left."""
+"""The same scenario, seed and inputs give the same frames, bit for bit, also after saving and restoring."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import SavedSimulation
 from tests.scenario.missions import FLOWN, MISSIONS, SCRIPTED
 from tests.steering.flying import BAY, fly, scenario
-from tests.steering.test_promises import equipped, inputs, start
+from tests.steering.random_runs import equipped, inputs, start
 
 
 def bits(frames: list[Frame]) -> bytes:
@@ -28,14 +28,14 @@ def test_two_runs_are_equal_bit_for_bit(name: str) -> None:
     assert one.summary == two.summary
 
 
-def test_the_digest_is_that_of_the_frames_own_one_by_one() -> None:
+def test_summary_digest_covers_the_digests_of_all_frames() -> None:
     done = aftdeck.run("uncradle")
     digest = hashlib.sha256(b"".join(bytes.fromhex(frame.sha256) for frame in done.frames))
     assert done.summary.frames_sha256 == digest.hexdigest()
 
 
 @pytest.mark.parametrize("name", FLOWN)
-def test_to_look_changes_nothing(name: str) -> None:
+def test_building_frames_changes_no_state(name: str) -> None:
     seen: list[Frame] = []
     looked = aftdeck.run(name, seen=seen.append)
     blind = aftdeck.run(name, keep_frames=False)
@@ -43,7 +43,7 @@ def test_to_look_changes_nothing(name: str) -> None:
     assert blind.frames == (seen[-1],)
 
 
-def test_a_run_is_the_simulation_stepped_to_its_end() -> None:
+def test_run_equals_simulation_stepped_to_its_end() -> None:
     done = aftdeck.run("uncradle")
     sim = aftdeck.Simulation("uncradle")
     frames = []
@@ -52,13 +52,13 @@ def test_a_run_is_the_simulation_stepped_to_its_end() -> None:
     assert bits(frames) == bits(list(done.frames))
 
 
-def test_keeping_only_the_last_frame_changes_nothing_else() -> None:
+def test_run_that_keeps_only_last_frame_has_same_summary() -> None:
     whole, brief = aftdeck.run("uncradle"), aftdeck.run("uncradle", keep_frames=False)
     assert brief.summary == whole.summary and brief.events == whole.events
     assert bits(list(brief.frames)) == bits([whole.frames[-1]])
 
 
-def test_two_simulations_side_by_side_do_not_touch_each_other() -> None:
+def test_two_simulations_are_independent() -> None:
     made = scenario()
     alone = fly(aftdeck.Simulation(made), 2.0, aftdeck.Inputs(translation=(0.5, 0.0, 0.0)))
     one, two = aftdeck.Simulation(made), aftdeck.Simulation(made)
@@ -77,7 +77,7 @@ def test_two_simulations_side_by_side_do_not_touch_each_other() -> None:
         ("uncradle", "json"),
     ],
 )
-def test_a_script_restored_at_any_tick_goes_on_bit_for_bit(name: str, encode: str) -> None:
+def test_restored_script_continues_bit_for_bit(name: str, encode: str) -> None:
     whole = aftdeck.run(name)
     rng = np.random.default_rng(100)
     for tick in rng.integers(1, len(whole.frames), 1).tolist():
@@ -105,7 +105,7 @@ def carried(saved: SavedSimulation, encode: str) -> SavedSimulation:
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_a_flight_by_hand_restored_at_any_tick_goes_on_bit_for_bit(seed: int) -> None:
+def test_restored_manual_run_continues_bit_for_bit(seed: int) -> None:
     rng = np.random.default_rng(seed)
     first = start(rng)
     made = scenario(first.tolist(), equipped(rng, first, "32000 lb" if seed % 2 else ""))
@@ -141,9 +141,7 @@ BEGINNINGS = {
 
 @pytest.mark.parametrize("beginning", BEGINNINGS.values(), ids=BEGINNINGS.keys())
 @pytest.mark.parametrize("mass", ["", "32000 lb"])
-def test_every_mode_hold_and_sequence_under_way_is_saved_and_goes_on_bit_for_bit(
-    beginning: list[aftdeck.Inputs], mass: str
-) -> None:
+def test_restored_modes_holds_and_sequences_continue_bit_for_bit(beginning: list[aftdeck.Inputs], mass: str) -> None:
     rng = np.random.default_rng(111)
     made = scenario(BAY, equipped(rng, np.array(BAY), mass))
     sim = aftdeck.Simulation(made)
@@ -160,7 +158,7 @@ def test_every_mode_hold_and_sequence_under_way_is_saved_and_goes_on_bit_for_bit
         assert bits([other.step(given) for given in later[tick:]]) == bits(frames[tick:])
 
 
-def test_one_simulation_goes_back_to_what_it_saved() -> None:
+def test_simulation_restores_its_own_saved_state() -> None:
     sim = aftdeck.Simulation(scenario())
     push = aftdeck.Inputs(translation=(0.2, 0.0, -0.5))
     fly(sim, 1.0, push)
@@ -170,7 +168,7 @@ def test_one_simulation_goes_back_to_what_it_saved() -> None:
     assert bits(fly(sim, 1.0, push)) == bits(first)
 
 
-def test_a_state_of_another_scenario_is_refused_and_nothing_changes() -> None:
+def test_state_of_another_scenario_is_rejected_without_effect() -> None:
     sim = aftdeck.Simulation(scenario())
     fly(sim, 0.5, aftdeck.Inputs(translation=(1.0, 0.0, 0.0)))
     before = sim.save()
@@ -179,7 +177,7 @@ def test_a_state_of_another_scenario_is_refused_and_nothing_changes() -> None:
     assert sim.save() == before
 
 
-def test_a_frame_shares_nothing_with_the_steps_that_follow() -> None:
+def test_frame_is_not_changed_by_later_steps() -> None:
     sim = aftdeck.Simulation(scenario(BAY))
     frame = sim.step(aftdeck.Inputs(translation=(1.0, 0.0, 0.0)))
     kept = bits([frame])
@@ -187,7 +185,7 @@ def test_a_frame_shares_nothing_with_the_steps_that_follow() -> None:
     assert bits([frame]) == kept
 
 
-def test_the_seed_is_the_scenarios_unless_another_is_given() -> None:
+def test_given_seed_replaces_the_scenarios_seed() -> None:
     made = scenario(extra="seed = 7")
     assert aftdeck.Simulation(made).seed == 7
     assert aftdeck.Simulation(made, seed=3).seed == 3

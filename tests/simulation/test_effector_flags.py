@@ -1,4 +1,4 @@
-"""The end effector's flags agree with what is in the grasp, at the start and in any flight."""
+"""The end effector's flags agree with the grasp, at the start and during any run."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def agrees(frame: Frame) -> bool:
 
 
 @pytest.mark.parametrize("name", built_in())
-def test_flags_agree_with_the_grasp_at_the_start_of_every_scenario(name: str) -> None:
+def test_flags_agree_with_grasp_at_every_start(name: str) -> None:
     frame = aftdeck.Simulation(name).step(aftdeck.Inputs())
     assert agrees(frame), frame.work.hand
     if frame.payload is not None:
@@ -59,14 +59,14 @@ def test_flags_agree_with_the_grasp_at_the_start_of_every_scenario(name: str) ->
 
 @pytest.mark.slow
 @pytest.mark.parametrize("made", MADE.values(), ids=MADE)
-def test_flags_agree_with_the_grasp_whatever_the_switches_do(made: Callable[[], Scenario]) -> None:
+def test_flags_agree_with_grasp_under_random_switches(made: Callable[[], Scenario]) -> None:
     rng = np.random.default_rng(16)
     frames = flown(made(), anything(rng, 1200, 0.1, switches=0.4))
     assert [frame.work.hand for frame in frames if not agrees(frame)] == []
 
 
 @pytest.mark.parametrize("name", ["loaded", "concept with [payload]"])
-def test_a_payload_that_is_fixed_in_the_grasp_stays_in_it(name: str) -> None:
+def test_payload_fixed_in_grasp_is_not_released(name: str) -> None:
     sim = aftdeck.Simulation(MADE[name]())
     first = sim.step(aftdeck.Inputs())
     for inputs in (

@@ -1,4 +1,4 @@
-"""A payload that stays in the grasp for good is watched as what is caught is: it stops at the bay."""
+"""A payload that the scenario fixes in the grasp is monitored like a captured one: it stops at the bay."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def over(points: Array, solids: Sequence[Array]) -> Array:
     return np.asarray(heights.max(axis=2).min(axis=1))
 
 
-def test_all_that_is_drawn_of_it_but_its_fixture_lies_in_its_solids() -> None:
+def test_solids_enclose_drawn_payload_except_fixture() -> None:
     payload = load_scenario("loaded").payload
     assert payload is not None
     for shape, pose in placed(payload.shapes):
@@ -38,7 +38,7 @@ def test_all_that_is_drawn_of_it_but_its_fixture_lies_in_its_solids() -> None:
             assert over(moved(solid(shape, 24), pose).vertices, payload.solids).max() < 1e-9, shape
 
 
-def test_what_is_watched_of_it_is_where_it_is_drawn() -> None:
+def test_monitored_solids_are_at_the_drawn_payload() -> None:
     sim = aftdeck.Simulation("loaded")
     payload = sim.scenario.payload
     assert payload is not None
@@ -60,7 +60,7 @@ def pairs(sim: aftdeck.Simulation) -> list[Near]:
     return found
 
 
-def test_it_is_stopped_by_the_bay_and_let_out_again() -> None:
+def test_bay_stops_the_payload_and_lets_it_leave() -> None:
     sim = aftdeck.Simulation("loaded")
     for _ in range(15000):
         frame = sim.step(Inputs(translation=(0.0, 0.3, 1.0)))
@@ -75,7 +75,7 @@ def test_it_is_stopped_by_the_bay_and_let_out_again() -> None:
     assert not out[-1].work.arm_inhibit and "ARM INHIBIT off" in log_of(out)
 
 
-def test_a_body_that_is_none_is_refused_where_it_stands() -> None:
+def test_invalid_payload_body_is_rejected_with_its_location() -> None:
     text = load_scenario("loaded").text.replace("sides = 12", "sides = 3")
     with pytest.raises(ScenarioError, match=r"payload\.body\[0\]: "):
         parse_scenario(text, "test", "test.toml", Path("."))

@@ -1,4 +1,4 @@
-"""Contacts in flight: the two-frame rule, and an inhibited arm that deepens nothing, whatever the operator does."""
+"""Contacts during a run: the two-frame rule, and an inhibited arm that deepens no contact."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from tests.simulation.concept import AT_PORT, ON_BAR, held_for, log_of, scenario
 from tests.simulation.flights import anything, flown, harmful, in_turn, same_possession, srms
 
 DEPTH = 1e-9
-"""By how much a clearance may fall and count as kept [m]."""
+"""Decrease of a clearance that counts as no change [m]."""
 ASIDE = 0.05
-"""By how much it may for each metre that the parts move, in a step that leads out of several contacts [1]."""
+"""Allowed decrease for each metre that the parts move, in a step that leads out of several contacts [1]."""
 LEVER = 10.0
-"""No touching point is farther from the tip [m]."""
+"""Greatest distance of a touching point from the tip [m]."""
 PRONG = "prong"
 seeds = st.integers(0, 2**32 - 1)
 
@@ -71,9 +71,9 @@ PLACES = [over_the_bar, held_in_the_bay, held_at_the_port, shuttle, shuttle_load
 
 
 def check_kept(made: Scenario, frames: list[Frame]) -> int:
-    """That no inhibited step deepened a contact of the arm or made one; how many steps were inhibited.
+    """Check that no inhibited step makes or deepens a contact of the arm; return the number of inhibited steps.
 
-    A prong that nothing inhibits yet may close meanwhile, into contacts of its own.
+    A prong that is not inhibited yet may still close and make contacts.
     """
     inhibited = 0
     for before, now in in_turn(frames):
@@ -97,7 +97,7 @@ def check_kept(made: Scenario, frames: list[Frame]) -> int:
 
 
 def check_finger(made: Scenario, frames: list[Frame]) -> int:
-    """That no step with the finger alone inhibited deepened the prong's contacts; how many there were."""
+    """Check that no step under FINGER INHIBIT deepens the prong's contacts; return the number of these steps."""
     inhibited = [pair for pair in in_turn(frames) if pair[0].work.finger_inhibit]
     for before, now in inhibited:
         was = harmful(made, before)
@@ -107,7 +107,7 @@ def check_finger(made: Scenario, frames: list[Frame]) -> int:
 
 
 def check_two_frames(made: Scenario, frames: list[Frame]) -> None:
-    """That the arm and the finger are inhibited by what was found in two frames in succession, and by nothing else."""
+    """Check that exactly the contacts found in two successive frames inhibit the arm and the finger."""
     for before, now in in_turn(frames):
         if not same_possession(before, now):
             continue
@@ -124,7 +124,7 @@ def check_two_frames(made: Scenario, frames: list[Frame]) -> None:
 @pytest.mark.parametrize("place", PLACES, ids=lambda place: place.__name__)
 @settings(max_examples=3)
 @given(seed=seeds)
-def test_an_inhibited_arm_deepens_no_contact_whatever_is_asked_of_it(place: object, seed: int) -> None:
+def test_inhibited_arm_deepens_no_contact_under_random_inputs(place: object, seed: int) -> None:
     assert callable(place)
     rng = np.random.default_rng(seed)
     made = place(rng)
@@ -133,14 +133,14 @@ def test_an_inhibited_arm_deepens_no_contact_whatever_is_asked_of_it(place: obje
     check_two_frames(made, frames)
 
 
-# --- what the rules do in cases known by heart ------------------------------------------------------------
+# --- cases with known results -----------------------------------------------------------------------------
 
 DOWN, UP = Inputs((0.0, 0.0, 0.3)), Inputs((0.0, 0.0, -0.3))
 ABOVE_BAR = (28.0, 0.0, 0.6)
 """The palm 0.14 ft over the bar [ft]."""
 
 
-def test_a_palm_that_meets_the_bar_is_flagged_in_one_frame_and_stopped_from_the_next() -> None:
+def test_palm_contact_stops_the_arm_from_the_second_step() -> None:
     made = scenario(ABOVE_BAR)
     frames = flown(made, held_for(200, DOWN))
     first = next(k for k, frame in enumerate(frames) if harmful(made, frame))
@@ -155,7 +155,7 @@ def test_a_palm_that_meets_the_bar_is_flagged_in_one_frame_and_stopped_from_the_
     assert log_of(up)[-2:] == ["palm clear of payload receptacle", "ARM INHIBIT off"]
 
 
-def test_a_prong_alone_in_contact_inhibits_finger_and_arm_and_may_open() -> None:
+def test_prong_contact_inhibits_finger_and_arm_but_prong_may_open() -> None:
     """The hand leans over the payload's starboard edge, so that the prong closes on its side."""
     made = scenario((28.0, -2.7, 0.95), (-20.0, 0.0, 0.0))
     sim = aftdeck.Simulation(made)
@@ -173,7 +173,7 @@ def test_a_prong_alone_in_contact_inhibits_finger_and_arm_and_may_open() -> None
 
 
 def advised(frame: Frame) -> Inputs:
-    """The stick, joint or telescope that a frame names as the way out of its contacts, at a tenth."""
+    """Return the inputs of the escape that a frame names for its contacts, at a tenth of full deflection."""
     (way,) = frame.ways_out
     assert way.cause == "contact"
     value, mode = 0.1 * way.sign, way.position or None
@@ -186,7 +186,7 @@ def advised(frame: Frame) -> Inputs:
 
 
 def freed(sim: aftdeck.Simulation, frame: Frame) -> bool:
-    """Whether what each frame names, flown at a tenth, ends the inhibit within a minute."""
+    """Return whether the escapes of the frames, at a tenth of full deflection, end the inhibit within a minute."""
     for _ in range(3000):
         if not frame.work.arm_inhibit:
             return True
@@ -202,9 +202,7 @@ CONTACTS = [near_the_bar, met_in_flight]
 @pytest.mark.parametrize("place", CONTACTS, ids=lambda place: place.__name__)
 @settings(max_examples=4)
 @given(seed=seeds, mode=st.sampled_from(["ORB UNL", "END EFF", "SINGLE"]))
-def test_the_way_out_that_is_named_leads_out_of_any_contact_that_was_flown_into(
-    place: object, seed: int, mode: str
-) -> None:
+def test_escape_leads_out_of_any_contact(place: object, seed: int, mode: str) -> None:
     assert callable(place)
     rng = np.random.default_rng(seed)
     sim = aftdeck.Simulation(place(rng))
@@ -217,7 +215,7 @@ def test_the_way_out_that_is_named_leads_out_of_any_contact_that_was_flown_into(
     assert freed(sim, frame)
 
 
-def test_an_automatic_motion_into_a_contact_fails_its_check_and_flown_all_the_same_is_given_up() -> None:
+def test_motion_into_contact_fails_its_check_and_is_abandoned() -> None:
     goal = 'frame = "L", position = ["28 ft", "0 ft", "2 ft"], matrix = [[0, 0, -1], [0, 1, 0], [1, 0, 0]]'
     for law in ("position", "closed loop", "open loop"):
         phases = f'[[phase]]\nname = "down"\nmode = "OPR CMD"\nlaw = "{law}"\ntarget = {{ {goal} }}'
@@ -238,8 +236,8 @@ def test_an_automatic_motion_into_a_contact_fails_its_check_and_flown_all_the_sa
         assert blocked.time_s > touched.time_s and min(frame.ratio for frame in flown_on) == 0.0
 
 
-def test_acquiring_a_payload_takes_nothing_from_what_still_touches() -> None:
-    """What is not looked at any more is not told as parted, and an inhibit ends with a line of its own."""
+def test_capture_does_not_log_separation_of_touching_parts() -> None:
+    """A pair that is no longer monitored is not logged as separated, and the end of an inhibit is logged."""
     made = scenario(ON_BAR)
     frames = flown(made, [Inputs(effector="close"), *[Inputs()] * 200, *held_for(50, UP)])
     assert frames[-1].work.cargo[0].held

@@ -1,4 +1,4 @@
-"""What an operator may hand in, what is refused, and what the switches do."""
+"""Operator inputs: allowed and rejected values, and the effect of the switches."""
 
 from __future__ import annotations
 
@@ -10,55 +10,56 @@ import pytest
 
 import aftdeck
 from aftdeck.errors import InputError
-from tests.steering.flying import BAY, PAYLOAD, fly, joint_target, log_of, scenario, speed, target
+from aftdeck.steering.mode import MODES
+from tests.steering.flying import BAY, PAYLOAD, fly, joint_target, scenario, speed, target
 
-POSITIONS = "OPR CMD, AUTO 1, AUTO 2, AUTO 3, AUTO 4, TEST, ORB UNL, END EFF, ORB LD, PL, SINGLE, DIRECT, MASTER"
 LEVEL = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 Target: Any = aftdeck.Target
-"""As a caller without a type checker sees it."""
+"""The class without its types, as for a caller without a type checker."""
 
 
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"translation": (1.0001, 0.0, 0.0)}, r"sticks lie in \[-1, 1\], got translation \(1.0001"),
-        ({"rotation": (0.0, -2.0, 0.0)}, r"sticks lie in \[-1, 1\]"),
-        ({"drive": 1.5}, r"sticks lie in \[-1, 1\].*drive 1.5"),
-        ({"drive": math.nan}, r"sticks lie in \[-1, 1\]"),
-        ({"translation": (math.inf, 0.0, 0.0)}, r"sticks lie in \[-1, 1\]"),
-        ({"translation": (0.0, 0.0)}, "sticks"),
-        ({"translation": (0.0, 0.0), "rotation": (0.0, 0.0, 0.0, 0.0)}, "sticks"),
-        ({"joint": 6}, "joints are numbered 0 to 5, got 6"),
-        ({"joint": -1}, "joints are numbered 0 to 5, got -1"),
-        ({"joint": 1.5}, "joints are numbered 0 to 5, got 1.5"),
-        ({"rate": "fast"}, "the rate switch stands at coarse or vernier, got 'fast'"),
-        ({"effector": "shut"}, "the effector switch stands at stop, close or open, got 'shut'"),
-        ({"effector_mode": "q"}, "the effector mode switch stands at auto or manual, got 'q'"),
-        ({"rigid": "z"}, "the rigid switch stands at off, rigid or derigid, got 'z'"),
-        ({"latch": "x"}, "the latch switch stands at latch or unlatch, got 'x'"),
-        ({"initialise": "all"}, "the initialise switch stands at full problem, acquisition, .* got 'all'"),
-        ({"brakes": "on"}, "the brakes switch stands at True or False, got 'on'"),
-        ({"mode": 3}, "a panel position, a text, got 3"),
-        ({"joint": 2.0}, "joints are numbered 0 to 5, got 2.0"),
-        ({"translation": "abc"}, "sticks"),
-        ({"translation": "111"}, "sticks"),
-        ({"telescope": None}, "sticks"),
-        ({"orbiter": None}, "sticks"),
-        ({"master": "abcdef"}, "a master arm has six finite joint angles, got abcdef"),
-        ({"camera": "A"}, "a camera is turned by a CameraDrive, got 'A'"),
-        ({"target": aftdeck.Target((math.nan, 0.0, 0.0), LEVEL)}, "a target has finite numbers"),
-        ({"law": "feedback"}, "the law switch stands at position, closed loop or open loop, got 'feedback'"),
-        ({"target": aftdeck.Target((0.0, 0.0, 0.0), LEVEL, (math.nan,) * 6)}, "a target has finite numbers"),
-        ({"target": Target((0.0, 0.0), LEVEL)}, r"a target has a position \(3\), a rotation \(3, 3\)"),
-        ({"target": Target((0.0, 0.0, 0.0), LEVEL[:2])}, r"a target has a position \(3\), a rotation \(3, 3\)"),
-        ({"target": Target((0.0, 0.0, 0.0), LEVEL, (0.0,))}, "six joint angles or none"),
-        ({"target": Target((0.0, 0.0, 0.0), LEVEL, ())}, "six joint angles or none"),
-        ({"target": aftdeck.Target((0.0, 0.0, 0.0), ((math.inf, 0.0, 0.0), *LEVEL[1:]))}, "a target has finite"),
+        ({"translation": (1.0001, 0.0, 0.0)}, r"^translation: got \(1\.0001"),
+        ({"rotation": (0.0, -2.0, 0.0)}, r"^rotation: got \(0\.0, -2\.0"),
+        ({"drive": 1.5}, r"^drive: got 1\.5\b"),
+        ({"drive": math.nan}, "^drive: got nan"),
+        ({"translation": (math.inf, 0.0, 0.0)}, r"^translation: got \(inf"),
+        ({"translation": (0.0, 0.0)}, "^translation: "),
+        ({"translation": (0.0, 0.0), "rotation": (0.0, 0.0, 0.0, 0.0)}, "^translation: "),
+        ({"rotation": (0.0, 0.0, 0.0, 0.0)}, "^rotation: "),
+        ({"joint": 6}, "^joint: got 6"),
+        ({"joint": -1}, "^joint: got -1"),
+        ({"joint": 1.5}, r"^joint: got 1\.5"),
+        ({"rate": "fast"}, "^rate: got 'fast', .* coarse or vernier$"),
+        ({"effector": "shut"}, "^effector: got 'shut', .* stop, close or open$"),
+        ({"effector_mode": "q"}, "^effector_mode: got 'q', .* auto or manual$"),
+        ({"rigid": "z"}, "^rigid: got 'z', .* off, rigid or derigid$"),
+        ({"latch": "x"}, "^latch: got 'x', .* latch or unlatch$"),
+        ({"initialise": "all"}, "^initialise: got 'all', .* full problem, acquisition, "),
+        ({"brakes": "on"}, "^brakes: got 'on', .* True or False$"),
+        ({"mode": 3}, "^mode: got 3"),
+        ({"joint": 2.0}, r"^joint: got 2\.0"),
+        ({"translation": "abc"}, "^translation: got 'abc'"),
+        ({"translation": "111"}, "^translation: got '111'"),
+        ({"telescope": None}, "^telescope: got None"),
+        ({"orbiter": None}, "^orbiter: got None"),
+        ({"master": "abcdef"}, "^master: got 'abcdef'"),
+        ({"camera": "A"}, "^camera: got 'A'.*CameraDrive"),
+        ({"target": aftdeck.Target((math.nan, 0.0, 0.0), LEVEL)}, "^target: .*finite"),
+        ({"law": "feedback"}, "^law: got 'feedback', .* position, closed loop or open loop$"),
+        ({"target": aftdeck.Target((0.0, 0.0, 0.0), LEVEL, (math.nan,) * 6)}, "^target: .*finite"),
+        ({"target": Target((0.0, 0.0), LEVEL)}, r"^target: .*\(3,\).*\(3, 3\)"),
+        ({"target": Target((0.0, 0.0, 0.0), LEVEL[:2])}, r"^target: .*\(3,\).*\(3, 3\)"),
+        ({"target": Target((0.0, 0.0, 0.0), LEVEL, (0.0,))}, r"^target: .*\(3,\).*\(3, 3\)"),
+        ({"target": Target((0.0, 0.0, 0.0), LEVEL, ())}, r"^target: .*\(3,\).*\(3, 3\)"),
+        ({"target": aftdeck.Target((0.0, 0.0, 0.0), ((math.inf, 0.0, 0.0), *LEVEL[1:]))}, "^target: .*finite"),
     ],
 )
-def test_what_no_hand_controller_can_give_is_refused_and_changes_nothing(given: dict[str, Any], message: str) -> None:
+def test_invalid_inputs_are_rejected_without_effect(given: dict[str, Any], message: str) -> None:
     sim = aftdeck.Simulation(scenario())
     fly(sim, 0.2, aftdeck.Inputs(translation=(1.0, 0.0, 0.0)))
     before = sim.save()
@@ -67,14 +68,14 @@ def test_what_no_hand_controller_can_give_is_refused_and_changes_nothing(given: 
     assert sim.save() == before
 
 
-def test_hands_off_holds_the_arm_where_it_is() -> None:
+def test_centred_sticks_keep_the_arm_still() -> None:
     sim = aftdeck.Simulation(scenario())
     frames = fly(sim, 2.0, aftdeck.Inputs())
     assert all(f.angles == tuple(sim.scenario.initial_angles.tolist()) for f in frames)
     assert {f.by for f in frames} == {"hand"} and sim.ended == ""
 
 
-def test_a_switch_keeps_its_place_until_it_is_moved() -> None:
+def test_switch_keeps_its_position() -> None:
     sim = aftdeck.Simulation(scenario())
     frame = sim.step(aftdeck.Inputs(mode="SINGLE", joint=4, rate="vernier"))
     assert (frame.mode, frame.joint, frame.rate) == ("SINGLE", 4, "vernier")
@@ -82,33 +83,24 @@ def test_a_switch_keeps_its_place_until_it_is_moved() -> None:
     assert (frame.mode, frame.joint, frame.rate) == ("SINGLE", 4, "vernier")
 
 
-@pytest.mark.parametrize(
-    ("mode", "said"),
-    [
-        ("PL", "PL refused: it moves a payload, and none is in the grasp"),
-        ("ORB LD", "ORB LD refused: it moves a payload, and none is in the grasp"),
-        ("AUTO 1", "AUTO 1 refused: no points are stored for it in this scenario"),
-        ("AUTO 4", "AUTO 4 refused: no points are stored for it in this scenario"),
-        ("AUTO 9", f"no mode 'AUTO 9': there are {POSITIONS}"),
-        ("", f"no mode '': there are {POSITIONS}"),
-        ("orb unl", f"no mode 'orb unl': there are {POSITIONS}"),
-    ],
-)
-def test_a_mode_that_cannot_be_entered_is_refused_in_the_log_and_the_mode_stays(mode: str, said: str) -> None:
+@pytest.mark.parametrize("mode", ["PL", "ORB LD", "AUTO 1", "AUTO 4", "AUTO 9", "", "orb unl"])
+def test_impossible_mode_is_rejected_and_the_mode_stays(mode: str) -> None:
     sim = aftdeck.Simulation(scenario())
     frame = sim.step(aftdeck.Inputs(mode=mode))
     assert frame.mode == "ORB UNL"
-    assert [(event.kind, event.text) for event in frame.events] == [("refused", said)]
+    (event,) = frame.events
+    assert event.kind == "refused" and (mode or "''") in event.text
+    assert (", ".join(MODES) in event.text) == (mode not in MODES)
 
 
-def test_entering_a_mode_is_logged_once() -> None:
+def test_entry_of_a_mode_is_logged_once() -> None:
     sim = aftdeck.Simulation(scenario())
-    texts = [e.text for f in fly(sim, 0.2, aftdeck.Inputs(mode="END EFF")) for e in f.events]
-    assert len(texts) == 1 and texts[0].startswith("END EFF entered")
+    (event,) = (e for f in fly(sim, 0.2, aftdeck.Inputs(mode="END EFF")) for e in f.events)
+    assert event.kind == "mode" and "END EFF" in event.text
     assert sim.step(aftdeck.Inputs(mode="END EFF")).events == ()
 
 
-def test_leaving_an_automatic_mode_under_way_stops_the_arm_and_coming_back_does_not_start_it() -> None:
+def test_leaving_automatic_mode_stops_the_arm_for_good() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     goal = target(sim.scenario.arm, (BAY[0] + 20, *BAY[1:]))
     assert speed(fly(sim, 3.0, aftdeck.Inputs(target=goal, proceed=True))[-1]) > 0.1
@@ -117,7 +109,7 @@ def test_leaving_an_automatic_mode_under_way_stops_the_arm_and_coming_back_does_
     assert back.sequence == "ready" and speed(back) == 0.0
 
 
-def test_sticks_do_nothing_in_an_automatic_mode_and_the_drive_switch_nothing_in_a_manual_one() -> None:
+def test_sticks_and_drive_act_only_in_their_modes() -> None:
     for mode, inputs in (
         ("OPR CMD", aftdeck.Inputs((1.0, 1.0, 1.0), (1.0, 1.0, 1.0), 1.0)),
         ("ORB UNL", aftdeck.Inputs(drive=1.0)),
@@ -127,30 +119,27 @@ def test_sticks_do_nothing_in_an_automatic_mode_and_the_drive_switch_nothing_in_
         assert fly(sim, 1.0, inputs)[-1].angles == tuple(sim.scenario.initial_angles.tolist())
 
 
-def test_passing_a_reach_limit_a_soft_stop_and_a_hard_stop_is_logged_in_turn() -> None:
+def test_limits_of_a_joint_are_logged_in_order() -> None:
     sim = aftdeck.Simulation(scenario((0, 60, -80, 110, 10, 0)))
     frames = fly(sim, 15.0, aftdeck.Inputs(mode="SINGLE", joint=3, drive=1.0))
-    texts = [e.text for f in frames for e in f.events if e.kind == "limit"]
-    assert texts == [
-        "wrist pitch past its reach limit",
-        "wrist pitch past its soft stop",
-        "wrist pitch at its hard stop",
-    ]
+    logged = [(f.zones[3], e.level) for f in frames for e in f.events if e.kind == "limit" and "wrist pitch" in e.text]
+    assert logged == [(1, "caution"), (2, "caution"), (3, "caution")]
     # 114.4, 116.4 and 121.4 deg
     first = {z: math.degrees(next(f.angles[3] for f in frames if f.zones[3] == z)) for z in (1, 2)}
     assert first[1] == pytest.approx(114.4, abs=0.06) and first[2] == pytest.approx(116.4, abs=0.06)
 
 
-def test_the_singular_lamp_and_the_log_follow_the_wrist_through_ninety_degrees() -> None:
+def test_singular_lamp_and_log_follow_the_wrist_through_90_deg() -> None:
     sim = aftdeck.Simulation(scenario((0, 60, -80, 10, 70, 0)))
     frames = fly(sim, 18.0, aftdeck.Inputs(mode="SINGLE", joint=4, drive=1.0))
     for frame in frames:
         assert ("wrist" in frame.singular) == (abs(math.cos(frame.angles[4])) < 0.2)
-    texts = [e.text for f in frames for e in f.events if e.kind == "singular"]
-    assert texts[0].startswith("wrist singularity near") and texts[-1] == "wrist singularity left behind"
+    events = [e for f in frames for e in f.events if e.kind == "singular"]
+    assert all("wrist" in event.text for event in events)
+    assert (events[0].level, events[-1].level) == ("caution", "info")
 
 
-def test_a_target_whose_joint_angles_contradict_its_pose_is_refused_by_how_much_and_nothing_changes() -> None:
+def test_target_with_contradicting_angles_is_rejected_without_effect() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     sim.step(aftdeck.Inputs())
     before = sim.save()
@@ -159,13 +148,13 @@ def test_a_target_whose_joint_angles_contradict_its_pose_is_refused_by_how_much_
     x, y, z = honest.position
     turned = joint_target(sim.scenario.arm, [*BAY[:5], BAY[5] + 2.0]).joints
     contradictions = {
-        r"these 0\.5 m and \S+ deg beside it; 0\.001 m and 0\.01 deg are allowed": aftdeck.Target(
+        r"^target: .* 0\.5 m and \S+ deg .* 0\.001 m and 0\.01 deg": aftdeck.Target(
             (x, y, z + 0.5), honest.rotation, honest.joints
         ),
-        r"these \S+ m and 2 deg beside it": aftdeck.Target(honest.position, honest.rotation, turned),
-        r"these \S+e\+308 m and": aftdeck.Target((1e308, 1e308, -1e308), honest.rotation, honest.joints),
-        r"these nan m and": aftdeck.Target(honest.position, honest.rotation, (1e300,) * 6),
-        r"these \S+ m and 180 deg beside it": aftdeck.Target(honest.position, ((1e308,) * 3,) * 3, honest.joints),
+        r"^target: .* m and 2 deg ": aftdeck.Target(honest.position, honest.rotation, turned),
+        r"^target: .*e\+308 m and": aftdeck.Target((1e308, 1e308, -1e308), honest.rotation, honest.joints),
+        r"^target: .* nan m and": aftdeck.Target(honest.position, honest.rotation, (1e300,) * 6),
+        r"^target: .* m and 180 deg ": aftdeck.Target(honest.position, ((1e308,) * 3,) * 3, honest.joints),
     }
     for message, goal in contradictions.items():
         with pytest.raises(InputError, match=message):
@@ -174,7 +163,7 @@ def test_a_target_whose_joint_angles_contradict_its_pose_is_refused_by_how_much_
 
 
 @pytest.mark.parametrize("turns", [0.0, 1.0, -1.0])
-def test_angles_rounded_to_a_thousandth_of_a_degree_agree_with_their_pose_in_any_revolution(turns: float) -> None:
+def test_rounded_target_angles_agree_with_pose_in_any_revolution(turns: float) -> None:
     rng = np.random.default_rng(230)
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     for _ in range(30):
@@ -187,9 +176,10 @@ def test_angles_rounded_to_a_thousandth_of_a_degree_agree_with_their_pose_in_any
         assert frame.goal is not None and frame.goal.position == pose.position
 
 
-def test_turning_the_switch_for_payload_axes_is_logged_once_each_way() -> None:
+def test_payload_axes_switch_is_logged_once() -> None:
     sim = aftdeck.Simulation(scenario(BAY, PAYLOAD.format(mass="100 lb")))
     sim.step(aftdeck.Inputs(mode="ORB LD"))
-    for on, said in ((True, "payload axes (mode 7)"), (False, "the orbiter's axes (mode 4)")):
-        assert log_of([sim.step(aftdeck.Inputs(payload_axes=on))]) == [f"ORB LD rotates in {said}"]
-        assert log_of([sim.step(aftdeck.Inputs(payload_axes=on))]) == []
+    for on, law in ((True, 7), (False, 4)):
+        frame = sim.step(aftdeck.Inputs(payload_axes=on))
+        assert [event.kind for event in frame.events] == ["payload axes"] and frame.law == law
+        assert sim.step(aftdeck.Inputs(payload_axes=on)).events == ()

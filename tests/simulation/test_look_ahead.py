@@ -1,4 +1,4 @@
-"""Look ahead: what it shows is what comes, and to look changes nothing."""
+"""Look-ahead: the prediction equals the later motion, and changes no state."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ STICKS = [
 
 
 @pytest.mark.parametrize("inputs, mode", STICKS)
-def test_sticks_that_are_held_bring_the_arm_where_it_was_shown(inputs: Inputs, mode: str) -> None:
+def test_look_ahead_equals_motion_with_held_sticks(inputs: Inputs, mode: str) -> None:
     sim = aftdeck.Simulation(scenario(BAY))
     sim.step(Inputs(mode=mode))
     fly(sim, 1.0, inputs)
@@ -34,7 +34,7 @@ def test_sticks_that_are_held_bring_the_arm_where_it_was_shown(inputs: Inputs, m
         assert later.angles == pytest.approx(ahead.angles, abs=1e-9)
 
 
-def test_the_distance_to_rest_is_that_flown_when_the_sticks_are_let_go() -> None:
+def test_stopping_distance_equals_motion_after_centring() -> None:
     sim = aftdeck.Simulation(scenario(BAY))
     before = fly(sim, 4.0, Inputs(translation=(1.0, 0.4, 0.0)))[-1]
     stopping = sim.ahead().stopping
@@ -46,7 +46,7 @@ def test_the_distance_to_rest_is_that_flown_when_the_sticks_are_let_go() -> None
 
 @pytest.mark.parametrize("axis", [*range(6), 6])
 @pytest.mark.parametrize("sign", [-1, 1])
-def test_with_sticks_at_rest_the_last_axis_is_shown_at_full_deflection(axis: int, sign: int) -> None:
+def test_look_ahead_deflects_last_axis_when_sticks_are_centred(axis: int, sign: int) -> None:
     mode = "SINGLE" if axis == 6 else "ORB UNL"
     sim = aftdeck.Simulation(scenario(BAY))
     sim.step(Inputs(mode=mode))
@@ -57,12 +57,12 @@ def test_with_sticks_at_rest_the_last_axis_is_shown_at_full_deflection(axis: int
     full = Inputs(rotation=tuple(sticks[:3]), translation=tuple(sticks[3:6]), drive=sticks[6])  # type: ignore[arg-type]
     assert not ahead.held and ahead.moves
     sim.step(Inputs(position_hold=True))
-    kept = sim.ahead(5.0, last)  # POSITION HOLD gives way to a stick
+    kept = sim.ahead(5.0, last)  # a stick overrides POSITION HOLD
     assert kept.angles == pytest.approx(ahead.angles, abs=1e-9)
     assert fly(sim, 5.0, full)[-1].angles == pytest.approx(ahead.angles, abs=1e-9)
 
 
-def test_an_automatic_motion_is_shown_on_its_way_and_one_that_waits_stands() -> None:
+def test_look_ahead_follows_automatic_motion_only_after_proceed() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     frame = checked(sim, Inputs(target=target(sim.scenario.arm, (BAY[0] + 10.0, *BAY[1:]))))[-1]
     assert frame.sequence == "ready" and not sim.ahead().moves
@@ -73,7 +73,7 @@ def test_an_automatic_motion_is_shown_on_its_way_and_one_that_waits_stands() -> 
 
 
 @pytest.mark.parametrize("switch", [Inputs(brakes=True), Inputs(safing=True)])
-def test_an_arm_that_brakes_hold_goes_nowhere(switch: Inputs) -> None:
+def test_look_ahead_shows_no_motion_under_brakes(switch: Inputs) -> None:
     sim = aftdeck.Simulation(scenario(BAY))
     fly(sim, 1.0, Inputs(translation=(1.0, 0.0, 0.0)))
     sim.step(switch)
@@ -82,7 +82,7 @@ def test_an_arm_that_brakes_hold_goes_nowhere(switch: Inputs) -> None:
     assert not ahead.moves and not ahead.held and ahead.stopping == 0.0
 
 
-def test_the_clearance_then_is_that_measured_then() -> None:
+def test_look_ahead_clearance_equals_later_measurement() -> None:
     sim = aftdeck.Simulation("concept-1972")
     up = Inputs(translation=(0.3, 0.2, -1.0))
     for _ in range(4):
@@ -93,7 +93,7 @@ def test_the_clearance_then_is_that_measured_then() -> None:
         assert {ahead.nearest.a, ahead.nearest.b} == {frame.work.nearest.a, frame.work.nearest.b}
 
 
-def test_the_first_contact_on_the_way_is_told_to_a_tenth_of_the_time() -> None:
+def test_look_ahead_gives_first_contact_to_a_tenth_of_the_time() -> None:
     sim = aftdeck.Simulation("concept-1972")
     down = Inputs(translation=(0.0, 0.0, 1.0))
     for _ in range(30):
@@ -108,7 +108,7 @@ def test_the_first_contact_on_the_way_is_told_to_a_tenth_of_the_time() -> None:
     assert ahead.contact_s is not None and after <= ahead.contact_s + 1e-9 < after + 0.4 + 2e-9
 
 
-def test_the_joint_nearest_to_a_limit_is_named_with_what_is_left() -> None:
+def test_look_ahead_names_joint_nearest_to_its_limit() -> None:
     sim = aftdeck.Simulation(scenario(BAY))
     sim.step(Inputs())
     ahead = sim.ahead()
@@ -118,7 +118,7 @@ def test_the_joint_nearest_to_a_limit_is_named_with_what_is_left() -> None:
 
 
 @pytest.mark.parametrize("name", ["concept-1972", "srms-deploy"])
-def test_to_look_ahead_changes_nothing(name: str) -> None:
+def test_look_ahead_changes_no_state(name: str) -> None:
     one, other = aftdeck.Simulation(name), aftdeck.Simulation(name)
     for k, inputs in enumerate(anything(np.random.default_rng(2), 60)):
         one.advance(inputs)
@@ -129,14 +129,14 @@ def test_to_look_ahead_changes_nothing(name: str) -> None:
 
 
 @pytest.mark.parametrize("seconds", [1.9, 20.1, math.nan])
-def test_no_other_time_than_2_to_20_s_is_looked_ahead(seconds: float) -> None:
+def test_look_ahead_rejects_times_outside_2_to_20_s(seconds: float) -> None:
     sim = aftdeck.Simulation(scenario(BAY))
-    with pytest.raises(InputError, match="2 to 20 s ahead"):
+    with pytest.raises(InputError, match=f"^seconds: got {seconds:g}, .* 2 to 20$"):
         sim.ahead(seconds)
 
 
 @pytest.mark.parametrize("last", [(7, 1), (-1, 1), (0, 0), (0, 2)])
-def test_an_axis_that_is_none_is_refused(last: Axis) -> None:
+def test_look_ahead_rejects_invalid_axis(last: Axis) -> None:
     sim = aftdeck.Simulation(scenario(BAY))
-    with pytest.raises(InputError, match="axes are numbered 0 to 6"):
+    with pytest.raises(InputError, match=rf"^last: got \({last[0]}, {last[1]}\)"):
         sim.ahead(5.0, last)

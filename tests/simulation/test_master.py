@@ -1,4 +1,4 @@
-"""The master arm turned by the sticks: each axis one joint, at its limit of rate, within the stops."""
+"""Master arm moved by the sticks: each axis moves one joint, at its rate limit and within the stops."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def pushed(axis: int, by: float) -> Inputs:
 
 
 @ARMS
-def test_each_axis_turns_one_joint_of_the_master_and_the_wrists_are_the_rhcs(name: str) -> None:
+def test_each_axis_moves_one_master_joint_and_rhc_the_wrist(name: str) -> None:
     made = an_arm(name)
     axes = axes_of(made.arm.model)
     assert sorted(axes) == list(range(6))
@@ -40,7 +40,7 @@ def test_each_axis_turns_one_joint_of_the_master_and_the_wrists_are_the_rhcs(nam
 @ARMS
 @pytest.mark.parametrize("joint", range(6))
 @pytest.mark.parametrize("rate", ["coarse", "vernier"])
-def test_a_stick_turns_its_joint_at_the_limit_of_its_rate_and_the_arm_follows(name: str, joint: int, rate: str) -> None:
+def test_stick_moves_master_joint_at_its_rate_limit(name: str, joint: int, rate: str) -> None:
     made = an_arm(name)
     axis, rates = axes_of(made.arm.model)[joint], made.arm.model.rates
     most = float((rates.coarse if rate == "coarse" else rates.vernier)[joint])
@@ -60,7 +60,7 @@ def test_a_stick_turns_its_joint_at_the_limit_of_its_rate_and_the_arm_follows(na
 
 @ARMS
 @pytest.mark.parametrize("by", [1.0, -1.0])
-def test_the_master_is_turned_no_farther_than_the_soft_stops(name: str, by: float) -> None:
+def test_sticks_move_master_only_to_soft_stops(name: str, by: float) -> None:
     made = an_arm(name)
     low, high = made.arm.model.limits.soft.T
     for joint, axis in enumerate(axes_of(made.arm.model)):
@@ -73,7 +73,7 @@ def test_the_master_is_turned_no_farther_than_the_soft_stops(name: str, by: floa
         assert frame.work.master[joint] == pytest.approx(end, abs=1e-12)
 
 
-def test_a_master_that_a_device_has_put_beyond_a_stop_is_only_let_back() -> None:
+def test_master_beyond_a_stop_can_only_move_back() -> None:
     sim = aftdeck.Simulation(an_arm("srms"))
     beyond = (np.radians(200.0), *np.radians(BAY)[1:].tolist())
     sim.step(Inputs(master=beyond))
@@ -82,7 +82,7 @@ def test_a_master_that_a_device_has_put_beyond_a_stop_is_only_let_back() -> None
     assert back is not None and back[0] < beyond[0]
 
 
-def test_in_other_modes_the_sticks_leave_the_master_alone() -> None:
+def test_sticks_do_not_move_master_in_other_modes() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "ORB UNL"'))
     for _ in range(100):
         sim.advance(pushed(4, 1.0))

@@ -52,9 +52,7 @@ def velocities(v: Array, w: Array) -> str:
 
 @pytest.mark.parametrize("mode", ["ORB UNL", "END EFF"])
 @pytest.mark.parametrize(("arm", "joints"), [("srms", BAY), ("concept-1972", CONCEPT)])
-def test_velocities_in_physical_units_are_those_of_the_modes_frame(
-    arm: str, joints: Sequence[float], mode: str
-) -> None:
+def test_phase_velocities_are_in_the_frame_of_the_mode(arm: str, joints: Sequence[float], mode: str) -> None:
     frames = by_script(joints, f'mode = "{mode}"\nduration = 10\n{velocities(V, W)}', head=f'arm = "{arm}"')
     last, model = frames[-1], aftdeck.load_arm(arm).model
     turn = model.mount.rotation.T if mode == "ORB UNL" else np.array(last.orientation)
@@ -65,7 +63,7 @@ def test_velocities_in_physical_units_are_those_of_the_modes_frame(
     np.testing.assert_allclose(last.twist_commanded[:3], turn @ np.radians(W), atol=2e-4)
 
 
-def test_a_velocity_beyond_the_limit_is_flown_at_the_limit_along_the_same_line() -> None:
+def test_phase_velocity_beyond_limit_keeps_its_direction() -> None:
     most = '[phase.limits]\npor = { translation = "0.4 ft/s", vernier_translation = "0.1 ft/s" }\n'
     frames = by_script(BAY, f'mode = "ORB UNL"\nduration = 12\n{velocities(100.0 * V, 0.0 * W)}{most}')
     moved = BODY_FROM_L @ np.array(frames[-1].twist_commanded[3:])
@@ -74,12 +72,12 @@ def test_a_velocity_beyond_the_limit_is_flown_at_the_limit_along_the_same_line()
 
 @pytest.mark.parametrize("rate", ["coarse", "vernier"])
 @pytest.mark.parametrize("mode", ["SINGLE", "DIRECT"])
-def test_a_joint_rate_is_flown_in_physical_units(mode: str, rate: str) -> None:
+def test_phase_joint_rate_is_in_physical_units(mode: str, rate: str) -> None:
     drive = f'mode = "{mode}"\njoint = "wrist_yaw"\njoint_rate = "-0.02 deg/s"\nrate = "{rate}"\nduration = 4'
     assert by_script(BAY, drive)[-1].rates[4] == pytest.approx(math.radians(-0.02), abs=1e-12)
 
 
-def test_a_phases_limits_hold_while_it_lasts() -> None:
+def test_phase_limits_apply_only_during_the_phase() -> None:
     push = 'mode = "ORB UNL"\nduration = 20\ntranslation = [1.0, 0.0, 0.0]\n'
     turn = 'mode = "SINGLE"\njoint = "wrist_roll"\ndrive = 1.0\nduration = 10\n'
     frames = by_script(BAY, push + SLOWER, turn + SLOW_JOINTS, turn, push)
@@ -91,7 +89,7 @@ def test_a_phases_limits_hold_while_it_lasts() -> None:
     assert frames[-1].por_limits[0] == pytest.approx(2.0 * FOOT)
 
 
-def test_a_person_flies_with_the_scenarios_limits() -> None:
+def test_manual_inputs_restore_the_scenarios_limits() -> None:
     made = scenario(BAY, f'control_period = 0.08\n[[phase]]\nmode = "ORB UNL"\nduration = 20\n{SLOWER}')
     sim = aftdeck.Simulation(made)
     assert sim.step().por_limits[0] == pytest.approx(0.3 * FOOT)
@@ -100,7 +98,7 @@ def test_a_person_flies_with_the_scenarios_limits() -> None:
 
 @pytest.mark.parametrize("law", ["position", "closed loop", "open loop"])
 @pytest.mark.parametrize("strict", ["false", "true"])
-def test_an_automatic_phase_keeps_its_limits_and_a_restored_flight_goes_on_alike(law: str, strict: str) -> None:
+def test_automatic_phase_keeps_its_limits_also_after_restore(law: str, strict: str) -> None:
     there = '{ joints = ["-25 deg", "70 deg", "-95 deg", "-70 deg", "10 deg", "-120 deg"] }'
     phase = f'[[phase]]\nmode = "OPR CMD"\nlaw = "{law}"\ntarget = {there}\n{SLOWER}'
     sim = aftdeck.Simulation(scenario(BAY, f"control_period = 0.08\nstrict = {strict}\n{phase}"))
@@ -118,7 +116,7 @@ def test_an_automatic_phase_keeps_its_limits_and_a_restored_flight_goes_on_alike
     assert [sim.step().sha256 for _ in frames[100:]] == [f.sha256 for f in frames[100:]]
 
 
-def test_a_payload_attached_by_a_phase_is_steered_as_one_held_from_the_start() -> None:
+def test_payload_attached_by_phase_equals_payload_held_from_start() -> None:
     payload = PAYLOAD.format(mass="1000 lb")
     turn = 'mode = "PL"\nrotation = [0.0, 1.0, 0.0]\nduration = 20\n'
     still = 'mode = "ORB UNL"\nduration = 0.08\n'
@@ -130,7 +128,7 @@ def test_a_payload_attached_by_a_phase_is_steered_as_one_held_from_the_start() -
     assert attached[-1].work.hand.flags == held[-1].work.hand.flags
 
 
-def test_a_payload_is_let_go_by_a_phase() -> None:
+def test_phase_detaches_the_payload() -> None:
     payload = PAYLOAD.format(mass="32000 lb").replace("[payload]", "[phase.payload]")
     push = 'mode = "ORB UNL"\ntranslation = [0.2, 0.0, 0.0]\nduration = 8\n'
     frames = by_script(BAY, push + payload, push, push + "detached = true\n")
@@ -142,9 +140,7 @@ def test_a_payload_is_let_go_by_a_phase() -> None:
 
 
 @pytest.mark.parametrize(("place", "joints"), [('worksite = "orbiter"', BAY), ('arm = "concept-1972"', CONCEPT)])
-def test_an_end_effector_keeps_what_a_phase_attaches_and_moves_again_when_it_is_detached(
-    place: str, joints: Sequence[float]
-) -> None:
+def test_end_effector_is_blocked_while_phase_attaches_a_payload(place: str, joints: Sequence[float]) -> None:
     payload = PAYLOAD.format(mass="1000 lb").replace("[payload]", "[phase.payload]")
     still = 'mode = "ORB UNL"\nduration = 1\n'
     phases = "".join(f"[[phase]]\n{phase}\n" for phase in (still, still + payload, still + "detached = true\n"))
@@ -174,7 +170,7 @@ def test_an_end_effector_keeps_what_a_phase_attaches_and_moves_again_when_it_is_
         ('mode = "ORB UNL"\nduration = 1\nvelocity = ["1 deg/s", 0.0, 0.0]', "velocity"),
     ],
 )
-def test_what_a_phase_cannot_say_is_refused_at_its_line(phase: str, named: str) -> None:
+def test_invalid_phase_inputs_are_rejected_with_their_line(phase: str, named: str) -> None:
     with pytest.raises(ScenarioError) as caught:
         scenario(BAY, f"[[phase]]\n{phase}")
     (problem,) = caught.value.problems

@@ -1,4 +1,4 @@
-"""The report's modes 1 to 4: none is entered unless its conditions hold at that very frame, computed anew."""
+"""Task phases 1 to 4: each begins exactly when its conditions, computed independently, hold."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ import aftdeck
 from aftdeck import Inputs
 from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Objective
-from tests.simulation.anew import acquisition, depth_in_bay, docking
 from tests.simulation.concept import ABOVE, AT_PORT, ON_BAR, flown, scenario, vec3
+from tests.simulation.independent_rules import acquisition, depth_in_bay, docking
 
 ROUNDING = 1e-9
 """Conditions that hold or fail by less [ft] are not told apart: one way of computing them has them so, one not."""
@@ -61,7 +61,7 @@ def check_entries(frames: Sequence[Frame]) -> None:
 
 @settings(max_examples=15)
 @given(seeds, st.floats(0.0, 1.0))
-def test_the_payload_is_acquired_in_just_the_frames_in_which_all_six_conditions_hold(seed: int, spread: float) -> None:
+def test_payload_is_captured_exactly_when_six_conditions_hold(seed: int, spread: float) -> None:
     rng = np.random.default_rng(seed)
     off = spread * rng.uniform(-1.0, 1.0, 3) * [1.3, 0.15, 0.05] - [0.0, 0.0, 0.02]
     turned = spread * rng.uniform(-1.0, 1.0, 3) * [1.5, 1.2, 4.0]
@@ -73,7 +73,7 @@ def test_the_payload_is_acquired_in_just_the_frames_in_which_all_six_conditions_
             assert is_so(acquisition(now), now.work.cargo[0].held), now.time_s
 
 
-def test_a_hand_that_closes_well_over_the_bar_acquires_nothing() -> None:
+def test_prong_closed_above_the_bar_captures_nothing() -> None:
     sim = aftdeck.Simulation(scenario((ON_BAR[0], ON_BAR[1], ON_BAR[2] - 0.1)))
     frames = flown(sim, [Inputs(effector="close"), *[Inputs()] * 220])
     assert frames[-1].work.hand.opening == 0.0
@@ -85,9 +85,7 @@ def test_a_hand_that_closes_well_over_the_bar_acquires_nothing() -> None:
 
 @settings(max_examples=12)
 @given(seeds, st.floats(0.0, 1.0), st.sampled_from(["all axes", "y axis"]))
-def test_a_payload_docks_in_just_the_first_frame_in_which_all_conditions_hold(
-    seed: int, spread: float, axes: str
-) -> None:
+def test_payload_docks_exactly_when_all_conditions_hold(seed: int, spread: float, axes: str) -> None:
     rng = np.random.default_rng(seed)
     off = spread * rng.uniform(-1.0, 1.0, 3) * [0.3, 0.3, 0.3] + [0.3, 0.0, 0.0]
     turned = spread * rng.uniform(-1.0, 1.0, 3) * (6.0 if axes == "y axis" else 2.5)
@@ -105,7 +103,7 @@ def test_a_payload_docks_in_just_the_first_frame_in_which_all_conditions_hold(
 
 @settings(max_examples=8)
 @given(seeds)
-def test_a_payload_in_the_grasp_is_extracted_in_just_the_frames_in_which_it_is_above_the_bay(seed: int) -> None:
+def test_held_payload_is_in_extraction_exactly_inside_the_bay(seed: int) -> None:
     rng = np.random.default_rng(seed)
     at = np.array(AT_RIM) + rng.uniform(-1.0, 1.0, 3) * [0.5, 0.4, 0.3]
     sim = aftdeck.Simulation(scenario(vec3(at), held=True))
@@ -113,13 +111,13 @@ def test_a_payload_in_the_grasp_is_extracted_in_just_the_frames_in_which_it_is_a
     check_entries(frames)
 
 
-def test_a_payload_beside_the_orbiter_is_not_in_its_bay() -> None:
+def test_payload_beside_the_orbiter_is_not_in_the_bay() -> None:
     sim = aftdeck.Simulation(scenario((28.0, 20.0, -8.0), held=True))
     assert sim.step(Inputs()).work.task == MANOEUVRING
 
 
 @pytest.mark.slow
-def test_every_mode_of_the_whole_problem_is_entered_when_its_conditions_hold() -> None:
+def test_full_problem_enters_every_task_phase_by_its_conditions() -> None:
     run = aftdeck.run("concept-1972-script")
     assert run.summary.ended == "completed"
     check_entries(run.frames)
@@ -128,7 +126,7 @@ def test_every_mode_of_the_whole_problem_is_entered_when_its_conditions_hold() -
     assert entered == [1, 2, 3, 4, 1, 4, 3, 2, 1]
 
 
-def test_the_flight_begins_in_mode_1_over_the_bar() -> None:
+def test_run_begins_in_task_phase_1_above_the_bar() -> None:
     frame = aftdeck.Simulation(scenario(ABOVE)).step(Inputs())
     assert frame.work.task == FIRST
     assert (acquisition(frame)[:3] > 0.0).all()

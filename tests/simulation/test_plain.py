@@ -1,4 +1,4 @@
-"""NumPy's numbers, arrays and texts are taken wherever Python's are, and the flight is the same."""
+"""NumPy numbers, arrays and texts are accepted in place of Python's, with the same results."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def numpys(given: Inputs, data: st.DataObject) -> Inputs:
 
 @settings(max_examples=12)
 @given(st.lists(inputs, min_size=1, max_size=6), st.data())
-def test_a_flight_with_numpys_numbers_is_the_same(flight: list[Inputs], data: st.DataObject) -> None:
+def test_run_with_numpy_inputs_is_the_same(flight: list[Inputs], data: st.DataObject) -> None:
     plain, other = aftdeck.Simulation("concept-1972"), aftdeck.Simulation("concept-1972", np.int64(0))  # type: ignore[arg-type]
     for step in flight:
         assert plain.step(step) == other.step(numpys(step, data))
@@ -95,7 +95,7 @@ def test_a_flight_with_numpys_numbers_is_the_same(flight: list[Inputs], data: st
         assert one == two and msgspec.msgpack.decode(two, type=type(plain.save())) == plain.save()
 
 
-def test_a_targets_joint_angles_may_be_an_array() -> None:
+def test_target_joint_angles_may_be_an_array() -> None:
     made = load_scenario("first-flight")
     plain = target_at(made.arm.forward(made.initial_angles), tuple(made.initial_angles.tolist()))
     other = aftdeck.Target(plain.position, plain.rotation, np.array(plain.joints))  # type: ignore[arg-type]
@@ -103,7 +103,7 @@ def test_a_targets_joint_angles_may_be_an_array() -> None:
     assert one.step(Inputs(target=plain)) == two.step(Inputs(target=other))
 
 
-def test_a_delayed_input_is_kept_in_plain_values() -> None:
+def test_delayed_input_is_stored_in_plain_values() -> None:
     scenario = parse_scenario(
         load_scenario("concept-1972").text, "late", "late.toml", Path("."), {("command_delay",): np.float64(0.1)}
     )
@@ -113,7 +113,7 @@ def test_a_delayed_input_is_kept_in_plain_values() -> None:
     assert again == sim.save()
 
 
-def test_deflections_of_either_zero_are_one() -> None:
+def test_negative_zero_deflection_equals_zero() -> None:
     """Digests tell -0.0 from 0.0, and a page's stick sends either."""
     one, other = aftdeck.Simulation("first-flight"), aftdeck.Simulation("first-flight")
     for sim, zero in ((one, 0.0), (other, -0.0)):
@@ -121,7 +121,7 @@ def test_deflections_of_either_zero_are_one() -> None:
     assert one.frame == other.frame and math.copysign(1.0, one.step().translation[0]) == 1.0
 
 
-def test_seeds_times_and_axes_may_be_numpys(tmp_path: Path) -> None:
+def test_seed_time_and_axis_may_be_numpy_numbers(tmp_path: Path) -> None:
     sim = aftdeck.Simulation("first-flight", np.int32(7))  # type: ignore[arg-type]
     sim.step(Inputs())
     assert msgspec.json.encode(sim.save()) and sim.seed == 7
@@ -134,7 +134,7 @@ def test_seeds_times_and_axes_may_be_numpys(tmp_path: Path) -> None:
 
 @settings(max_examples=10)
 @given(st.sampled_from(KINDS[:5]))
-def test_changes_of_a_scenario_may_be_numpys(kind: Callable[[Any], Any]) -> None:
+def test_scenario_changes_may_be_numpy_numbers(kind: Callable[[Any], Any]) -> None:
     text = load_scenario("first-flight").text
     joints = np.array([0.0, 0.5, -0.5, 0.25, 0.0, 0.0], dtype=np.float32)
     changes: dict[Where, object] = {("duration",): kind(2.0), ("seed",): np.uint8(3), ("initial",): {"joints": joints}}
@@ -143,6 +143,6 @@ def test_changes_of_a_scenario_may_be_numpys(kind: Callable[[Any], Any]) -> None
 
 
 @pytest.mark.parametrize("seed", [1.5, np.float64(1.0), "1", True, None.__class__])
-def test_a_seed_that_is_no_integer_is_refused(seed: Any) -> None:
+def test_seed_that_is_not_an_integer_is_rejected(seed: Any) -> None:
     with pytest.raises(InputError, match="seed"):
         aftdeck.Simulation("first-flight", seed)

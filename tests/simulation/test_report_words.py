@@ -1,4 +1,4 @@
-"""TABLE II from flights: a word decodes to the frame's value within half a last bit, in all of its modes."""
+"""TABLE II of runs: each word decodes to the frame's value within half a last bit, in all task phases."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.units import FOOT
 from tests.simulation import concept
 from tests.simulation.flights import anything
-from tests.simulation.test_report_channels import mastered
+from tests.simulation.master_inputs import mastered
 
 HALF_B0, HALF_B1, HALF_B11 = 2.0**-24, 2.0**-23, 2.0**-13 * FOOT
 """Half a last bit of a word at these scales: [1], [1], [m]."""
@@ -103,14 +103,14 @@ def by_hand(rng: np.random.Generator, scenario: Scenario) -> Iterator[Inputs]:
     "name",
     ["concept-1972-script", *(pytest.param(name, marks=pytest.mark.slow) for name in ("concept-1972", "free-flyer"))],
 )
-def test_words_of_a_random_flight_decode_to_its_frames(name: str) -> None:
+def test_words_of_random_run_decode_to_its_frames(name: str) -> None:
     scenario = load_scenario(name)
     for step in told(scenario, by_hand(np.random.default_rng(19), scenario), 3):
         check(*step)
 
 
 @pytest.mark.parametrize("held_at", [concept.ON_BAR, (28.0, 0.0, -25.0)])
-def test_words_with_a_payload_in_hand_decode_to_its_frames(held_at: concept.Vec3) -> None:
+def test_words_with_held_payload_decode_to_its_frames(held_at: concept.Vec3) -> None:
     scenario = concept.scenario(held_at, held=True)
     given = list(anything(np.random.default_rng(7), 300, 0.3, but=("effector",)))
     for step in told(scenario, given, 3):
@@ -119,7 +119,7 @@ def test_words_with_a_payload_in_hand_decode_to_its_frames(held_at: concept.Vec3
 
 
 @pytest.mark.slow
-def test_words_of_the_whole_problem_decode_to_its_frames() -> None:
+def test_words_of_full_problem_decode_to_its_frames() -> None:
     scenario = load_scenario("concept-1972-script")
     tasks = set()
     for step in told(scenario, iter(lambda: None, 0), 15):

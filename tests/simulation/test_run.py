@@ -1,4 +1,4 @@
-"""Runs without a screen: how they end, what they say, what their frames hold."""
+"""Headless runs: their ends, summaries and frames."""
 
 from __future__ import annotations
 
@@ -28,55 +28,56 @@ def ends(extra: str) -> aftdeck.Summary:
     return aftdeck.run(scenario(extra=extra)).summary
 
 
-def test_a_scenario_without_phases_ends_at_its_duration() -> None:
+def test_scenario_without_phases_ends_at_its_duration() -> None:
     found = ends("duration = 3")
     assert (found.ended, found.time_s, found.phase) == ("time", 3.0, "")
     assert found.target is None and found.position_error_m is None and found.rotation_error_rad is None
 
 
-def test_a_script_that_is_flown_is_completed() -> None:
+def test_script_that_ends_is_completed() -> None:
     found = ends(f"duration = 30\n{PUSH}{NEAR}")
     assert (found.ended, found.phase) == ("completed", "near")
 
 
-def test_a_phase_that_ends_with_the_scenario_is_completed() -> None:
+def test_phase_that_ends_with_the_scenario_is_completed() -> None:
     assert ends(f"duration = 2\n{PUSH}").ended == "completed"
 
 
-def test_a_phase_lasts_as_long_as_it_says() -> None:
+def test_timed_phase_lasts_its_duration() -> None:
     frames = aftdeck.run(scenario(extra=f"duration = 30\n{PUSH}")).frames
     pushed = [f for f in frames if f.translation != (0.0, 0.0, 0.0)]
     assert len(pushed) == 100 and {f.phase for f in frames} == {"push"}
     assert {f.by for f in frames} == {"script"}
 
 
-def test_a_script_that_time_runs_out_on_is_a_fault_and_the_log_says_so() -> None:
+def test_script_that_exceeds_the_duration_is_a_fault() -> None:
     found = ends(f"duration = 1\n{PUSH}")
     assert (found.ended, found.time_s, found.phase) == ("fault", 1.0, "push")
     assert "fault" in [event.kind for event in found.events]
 
 
-def test_a_phase_that_is_not_done_within_its_time_is_a_fault_that_names_it() -> None:
+def test_phase_that_exceeds_its_time_is_a_fault() -> None:
     found = ends(f"duration = 30\n{NEAR}duration = 0.5\n")
     assert found.ended == "fault" and found.phase == "near"
-    assert [e.text for e in found.events if e.kind == "fault"] == ["phase 'near' failed: not done within its 0.5 s"]
+    (text,) = (e.text for e in found.events if e.kind == "fault")
+    assert "'near'" in text and "0.5 s" in text
 
 
 @pytest.mark.parametrize("before", ["", PUSH, NEAR])
-def test_a_phase_whose_target_is_refused_is_a_fault_whatever_came_before(before: str) -> None:
+def test_phase_with_rejected_target_is_a_fault(before: str) -> None:
     found = ends(f"duration = 30\n{before}{FAR}")
     assert found.ended == "fault" and found.phase == "far"
     assert "refused" in [event.kind for event in found.events]
 
 
-def test_a_motion_that_a_soft_stop_holds_for_good_is_a_fault() -> None:
+def test_scripted_motion_blocked_by_soft_stop_is_a_fault() -> None:
     goal = "target = { joints = [0, '60 deg', '-80 deg', '119 deg', '10 deg', 0] }"
     made = scenario((0, 60, -80, 110, 10, 0), f"duration = 60\n[[phase]]\nname = 'out'\nmode = 2\n{goal}\n")
     found = aftdeck.run(made).summary
     assert found.ended == "fault" and found.time_s < 60.0
 
 
-def test_the_summary_has_the_promised_fields_and_is_json() -> None:
+def test_summary_has_documented_fields_and_is_json() -> None:
     for name in ("uncradle", "sts-400-closed"):
         summary = aftdeck.run(name, keep_frames=False).summary
         found = json.loads(msgspec.json.encode(summary))
@@ -87,7 +88,7 @@ def test_the_summary_has_the_promised_fields_and_is_json() -> None:
         assert np.array(found["tip"]["rotation"]).shape == (3, 3)
 
 
-def test_the_summary_is_that_of_the_last_frame() -> None:
+def test_summary_agrees_with_the_last_frame() -> None:
     done = aftdeck.run("sts-400-closed")
     last, summary = done.frames[-1], done.summary
     assert (summary.time_s, summary.joints_rad, summary.tip.position_m) == (last.time_s, last.angles, last.position)
@@ -100,13 +101,13 @@ def test_the_summary_is_that_of_the_last_frame() -> None:
     assert summary.position_error_m == pytest.approx(math.dist(goal.position, pose.position), abs=1e-12)
 
 
-def test_the_worst_rate_ratio_is_the_largest_rate_over_its_limit() -> None:
+def test_worst_rate_ratio_is_largest_rate_over_limit() -> None:
     done = aftdeck.run("first-flight")
     ratios = [abs(r) / m for f in done.frames for r, m in zip(f.rates_commanded, f.rate_limits, strict=True)]
     assert done.summary.worst_rate_ratio == max(ratios) <= 1.0
 
 
-def test_progress_is_told_and_rises() -> None:
+def test_progress_is_reported_and_rises() -> None:
     told: list[float] = []
     aftdeck.run("sts-400-closed", keep_frames=False, progress=told.append)
     assert len(told) > 3 and told == sorted(told) and told[0] > 0.0 and told[-1] <= 1.0
@@ -121,13 +122,13 @@ def step_of(made: aftdeck.Scenario) -> list[Frame]:
     ]
 
 
-def test_frames_are_numbered_and_timed_by_whole_periods() -> None:
+def test_frame_numbers_and_times_are_whole_periods() -> None:
     frames = step_of(scenario(extra="control_period = '80 ms'\nduration = 80"))
     assert [f.tick for f in frames] == list(range(1, 101))
     assert [f.time_s for f in frames] == [round(0.08 * k, 9) for k in range(1, 101)]
 
 
-def test_a_frames_pose_twist_and_singularities_are_those_of_its_angles_and_rates() -> None:
+def test_frame_pose_twist_and_singularities_follow_from_angles() -> None:
     made = scenario()
     for frame in step_of(made):
         pose = made.arm.forward(frame.angles)
@@ -137,7 +138,7 @@ def test_a_frames_pose_twist_and_singularities_are_those_of_its_angles_and_rates
         assert frame.singularity == pytest.approx([float(d) for d in made.arm.singularities(frame.angles)])
 
 
-def test_on_the_kinematic_plant_the_arm_is_where_its_commands_brought_it() -> None:
+def test_kinematic_plant_integrates_the_commanded_rates() -> None:
     made = scenario()
     angles = np.array(made.initial_angles)
     for frame in step_of(made):
@@ -146,14 +147,14 @@ def test_on_the_kinematic_plant_the_arm_is_where_its_commands_brought_it() -> No
         assert frame.angles == pytest.approx(angles, abs=1e-13) and frame.angles_commanded == frame.angles
 
 
-def test_the_demand_is_full_stick_times_the_limit_in_the_orbiters_axes() -> None:
+def test_demand_is_stick_times_limit_in_orbiter_axes() -> None:
     frame = aftdeck.Simulation(scenario()).step(aftdeck.Inputs(translation=(0.0, 0.0, 1.0)))
     # the yaw axis leans to port above, so down in the orbiter is down and to port in L
     wanted = [0.0, math.sin(LEAN) * 0.6096, math.cos(LEAN) * 0.6096]
     assert frame.twist_demanded[3:] == pytest.approx(wanted) and frame.twist_demanded[:3] == (0.0, 0.0, 0.0)
 
 
-def test_given_inputs_fly_in_place_of_the_script() -> None:
+def test_given_inputs_replace_the_script() -> None:
     """As a caller who steps would fly them; none at all for the first step are no flight."""
     given = [aftdeck.Inputs(translation=(0.2 * k, 0.0, 0.0)) for k in range(4)]
     left, seen = iter(given), []

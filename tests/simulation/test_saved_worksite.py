@@ -1,4 +1,4 @@
-"""A state saved with everything of the worksite moving goes on bit for bit; so does a recording flown again."""
+"""A state that is saved while the worksite moves continues bit for bit, and recordings of such runs verify."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def bits(frames: list[Frame]) -> bytes:
 @pytest.mark.parametrize("flight", FLIGHTS, ids=lambda flight: flight.__name__)
 @settings(max_examples=2)
 @given(seed=seeds)
-def test_a_state_saved_at_any_step_goes_on_bit_for_bit(flight: object, seed: int) -> None:
+def test_restored_state_continues_bit_for_bit(flight: object, seed: int) -> None:
     assert callable(flight)
     rng = np.random.default_rng(seed)
     made, operator = flight(rng)
@@ -99,7 +99,7 @@ def test_a_state_saved_at_any_step_goes_on_bit_for_bit(flight: object, seed: int
 @pytest.mark.parametrize("flight", FLIGHTS, ids=lambda flight: flight.__name__)
 @settings(max_examples=1, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(seed=seeds)
-def test_a_recording_of_it_flown_again_is_equal(flight: object, tmp_path: Path, seed: int) -> None:
+def test_recording_of_moving_worksite_verifies(flight: object, tmp_path: Path, seed: int) -> None:
     assert callable(flight)
     rng = np.random.default_rng(seed)
     made, operator = flight(rng)
@@ -110,7 +110,7 @@ def test_a_recording_of_it_flown_again_is_equal(flight: object, tmp_path: Path, 
     assert verdict.equal and verdict.frames == len(flown)
 
 
-def test_what_is_watched_after_a_state_is_restored_is_what_was_watched_before() -> None:
+def test_restored_state_monitors_the_same_pairs() -> None:
     made = scenario((ON_BAR[0], 0.99, ON_BAR[2]), held=True)
     sim, other = aftdeck.Simulation(made), aftdeck.Simulation(made)
     for _ in range(60):

@@ -1,6 +1,6 @@
-"""A payload that touches a wall of the bay slides along it: section VII.4 of the report, in flight.
+"""Sliding of a payload along the walls of the bay (section VII.4 of the report).
 
-Sticks act along the orbiter's axes (forward, starboard, down), places are in R (aft, port, down).
+Sticks act along the orbiter's axes (forward, starboard, down); positions are in R (aft, port, down).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from aftdeck import Inputs
 from aftdeck.simulation.frame import Frame
 from tests.simulation.concept import FOOT, ON_BAR, held_for, scenario, vec3
 from tests.simulation.flights import flown
-from tests.simulation.possession import check_possession
+from tests.simulation.payload_invariants import check_possession
 
 seeds = st.integers(0, 2**32 - 1)
 TOUCH = 1e-9
@@ -39,7 +39,7 @@ def check_slides(frames: list[Frame]) -> None:
 
 
 @pytest.mark.parametrize(("side", "wall"), [(1.0, "bay wall port"), (-1.0, "bay wall starboard")])
-def test_a_payload_pressed_against_a_side_wall_goes_up_along_it_and_stays_in_touch(side: float, wall: str) -> None:
+def test_payload_slides_up_along_a_side_wall(side: float, wall: str) -> None:
     made = scenario((ON_BAR[0], side * 0.9, ON_BAR[2]), held=True)
     sim = aftdeck.Simulation(made)
     frames = flown(sim, held_for(400, Inputs((0.0, -0.3 * side, 0.0), rate="coarse")))
@@ -59,7 +59,7 @@ def test_a_payload_pressed_against_a_side_wall_goes_up_along_it_and_stays_in_tou
 
 @settings(max_examples=3)
 @given(seeds)
-def test_whatever_the_sticks_ask_a_sliding_payload_gets_no_deeper_into_a_wall(seed: int) -> None:
+def test_sliding_payload_never_penetrates_a_wall(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made = scenario(vec3(np.add(ON_BAR, [0.0, 0.95 * rng.choice([-1.0, 1.0]), 0.7])), held=True)
     pushes = []
@@ -72,7 +72,7 @@ def test_whatever_the_sticks_ask_a_sliding_payload_gets_no_deeper_into_a_wall(se
     assert any(wall_contacts(frame) for frame in frames)
 
 
-def test_along_a_wall_that_it_does_not_leave_it_loses_only_what_goes_into_the_wall() -> None:
+def test_sliding_removes_only_velocity_into_the_wall() -> None:
     made = scenario((ON_BAR[0], 1.0, ON_BAR[2]), held=True)
     sim = aftdeck.Simulation(made)
     flown(sim, held_for(300, Inputs((0.0, -0.3, 0.0))))
@@ -85,7 +85,7 @@ def test_along_a_wall_that_it_does_not_leave_it_loses_only_what_goes_into_the_wa
 
 
 @pytest.mark.parametrize("mode", ["SINGLE", "DIRECT"])
-def test_in_the_modes_that_steer_no_point_the_same_contact_inhibits(mode: str) -> None:
+def test_wall_contact_inhibits_in_single_joint_modes(mode: str) -> None:
     made = scenario((ON_BAR[0], 0.9, ON_BAR[2]), held=True)
     sim = aftdeck.Simulation(made)
     flown(sim, held_for(300, Inputs((0.0, -0.3, 0.0))))

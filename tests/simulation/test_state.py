@@ -1,4 +1,4 @@
-"""The state: every value of it is saved and in the digest, and what is a cache changes nothing."""
+"""State: every value is saved and in the digest, and caches change no result."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ import aftdeck
 from aftdeck.errors import InputError
 from aftdeck.simulation.parts.checking import Rehearsed
 from aftdeck.simulation.parts.standing import Standing
-from aftdeck.simulation.payloads.grasp import steer
-from aftdeck.simulation.resume import look_again, resume
+from aftdeck.simulation.payloads.grasp import update_steering
+from aftdeck.simulation.resume import restore_clearances, resume
 from aftdeck.simulation.state import State
 from aftdeck.state_part import Cache, StatePart, copied, digest, encoded
 from tests.simulation.flights import anything
 
 FLOWN = ("srms-berth", "srms-deploy", "concept-1972-script", "free-flyer", "sts-400-closed")
-"""Scenarios whose scripts are flown, or random sticks where there is none."""
+"""Scenarios that are run with their scripts, or with random sticks if they have no script."""
 
 
 @cache
 def flight(name: str) -> tuple[aftdeck.Simulation, tuple[bytes, ...], tuple[bytes, ...]]:
-    """A scenario's flight: the simulation, the digest of each step, and the first state of each kind."""
+    """Return a run of a scenario: the simulation, the digest of each step, and the first state of each kind."""
     sim = aftdeck.Simulation(name)
     sticks = None if sim.scenario.phases else anything(np.random.default_rng(3), 100_000)
     seals: list[bytes] = []
@@ -40,7 +40,7 @@ def flight(name: str) -> tuple[aftdeck.Simulation, tuple[bytes, ...], tuple[byte
 
 
 def kind(state: State) -> tuple[object, ...]:
-    """What is under way in a state."""
+    """Return the kind of a state: its check in progress, its held payload, and its contacts."""
     worksite, checking = state.worksite, state.checking
     rehearsing = checking is not None and checking.steps > 0
     return (
@@ -54,7 +54,7 @@ def kind(state: State) -> tuple[object, ...]:
 
 
 def altered(value: Any) -> Iterator[tuple[str, Any]]:
-    """Yield copies of a value with one thing in them changed, each by as little as can be, and where."""
+    """Yield paths, and copies of a value in which the item at this path has the least possible change."""
     match value:
         case bool():
             yield "", not value
@@ -77,35 +77,35 @@ def altered(value: Any) -> Iterator[tuple[str, Any]]:
                 yield f"[{k}]", changed
         case msgspec.Struct():
             for name in value.__struct_fields__:
-                if isinstance(one := getattr(value, name), Cache):
+                if isinstance(field := getattr(value, name), Cache):
                     continue
-                for where, changed in altered(one):
+                for where, changed in altered(field):
                     yield f".{name}{where}", msgspec.structs.replace(value, **{name: changed})
         case dict():
             yield "+", {**value, "x": 1}
         case tuple() | list():
             yield "+", [*value, 0]
-            for k, one in enumerate(value):
-                for where, changed in altered(one):
+            for k, item in enumerate(value):
+                for where, changed in altered(item):
                     yield f"[{k}]{where}", [*value[:k], changed, *value[k + 1 :]]
         case _:
-            raise AssertionError(f"{value!r} has no place in a state")
+            raise AssertionError(f"a state cannot contain {value!r}")
 
 
 @pytest.mark.parametrize("name", FLOWN)
-def test_every_value_of_the_state_is_in_its_digest(name: str) -> None:
+def test_digest_contains_every_value_of_the_state(name: str) -> None:
     sim, seen = flight(name)[0], 0
     for data in flight(name)[2]:
         state = resume(sim._flight, data)
         own = digest(state)
         assert own == digest(copied(state))
         for where, changed in altered(state):
-            assert digest(changed) != own, f"the digest does not see {where}"
+            assert digest(changed) != own, f"the digest does not contain {where}"
             seen += 1
     assert seen > 1000
 
 
-def test_a_flight_has_been_checked_held_and_touching() -> None:
+def test_tested_states_include_checks_payloads_and_contacts() -> None:
     states = [resume(flight(name)[0]._flight, data) for name in FLOWN for data in flight(name)[2]]
     assert any(state.checking is not None and state.checking.steps > 0 for state in states)
     assert any(state.worksite.held is not None for state in states)
@@ -114,15 +114,15 @@ def test_a_flight_has_been_checked_held_and_touching() -> None:
 
 
 @pytest.mark.parametrize("name", FLOWN)
-def test_a_saved_state_is_taken_up_whole(name: str) -> None:
+def test_restored_state_equals_the_saved_one(name: str) -> None:
     sim, _, states = flight(name)
     for data in states:
         assert encoded(resume(sim._flight, data)) == data
 
 
 @pytest.mark.parametrize("name", FLOWN)
-def test_a_flight_without_its_caches_is_the_same_to_the_last_digit(name: str) -> None:
-    """At every step but a few the watch forgets; now and then every cache is lost, as if saved and restored."""
+def test_run_without_caches_is_bit_for_bit_equal(name: str) -> None:
+    """In most steps the clearances are lost; in every twentieth all caches are, as after saving and restoring."""
     sim, rng, lost = aftdeck.Simulation(name), np.random.default_rng(9), set[str]()
     sticks = None if sim.scenario.phases else anything(np.random.default_rng(3), 100_000)
     for tick, expected in enumerate(flight(name)[1]):
@@ -132,7 +132,7 @@ def test_a_flight_without_its_caches_is_the_same_to_the_last_digit(name: str) ->
             sim._state.worksite.watch.forget()
         sim.advance(None if sticks is None else next(sticks))
         assert sim.seal() == expected, f"after step {tick + 1}"
-    assert {type(one).__name__ for one in caches(sim._state)} <= lost
+    assert {type(cache_).__name__ for cache_ in caches(sim._state)} <= lost
 
 
 def caches(part: StatePart) -> Iterator[Cache]:
@@ -146,14 +146,14 @@ def caches(part: StatePart) -> Iterator[Cache]:
 
 
 def forget_everything(sim: aftdeck.Simulation, lost: set[str]) -> None:
-    """Empty every cache of a simulation, and have those worked out again that a saved state leaves out."""
+    """Empty every cache of a simulation, and compute again those that a saved state omits."""
     state, flown = sim._state, sim._flight
-    lost |= {type(one).__name__ for one in caches(state)}
+    lost |= {type(cache_).__name__ for cache_ in caches(state)}
     state.standing = Standing(flown.scenario.arm)
     if state.checking is not None:
         state.checking.rehearsal = Rehearsed()
-    steer(flown, state)
-    look_again(flown, state)
+    update_steering(flown, state)
+    restore_clearances(flown, state)
 
 
 @pytest.mark.parametrize(
@@ -165,7 +165,7 @@ def forget_everything(sim: aftdeck.Simulation, lost: set[str]) -> None:
         pytest.param(lambda data: data.replace(b"srms", b"\xff\xff\xff\xff", 1)[::-1], id="backwards"),
     ],
 )
-def test_bytes_that_are_no_state_are_refused_and_nothing_changes(spoilt: Any) -> None:
+def test_invalid_saved_bytes_are_rejected_without_effect(spoilt: Any) -> None:
     sim = aftdeck.Simulation("uncradle")
     for _ in range(3):
         sim.step()
@@ -175,7 +175,7 @@ def test_bytes_that_are_no_state_are_refused_and_nothing_changes(spoilt: Any) ->
     assert sim.seal() == seal and sim.save() == before
 
 
-def test_a_state_whose_arrays_have_another_length_is_refused() -> None:
+def test_state_with_other_array_lengths_is_rejected() -> None:
     sim, other = aftdeck.Simulation("srms-berth"), aftdeck.Simulation("first-flight")
-    with pytest.raises(InputError, match="another worksite"):
+    with pytest.raises(InputError, match=r"worksite\.\w+"):
         sim.restore(msgspec.structs.replace(sim.save(), state=other.save().state))

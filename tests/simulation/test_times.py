@@ -28,7 +28,7 @@ def motion(law: str, strict: bool = False) -> list[Frame]:
 
 @pytest.mark.parametrize("strict", [False, True])
 @pytest.mark.parametrize("law", ["position", "closed loop", "open loop"])
-def test_a_motion_ends_when_eta_says(law: str, strict: bool) -> None:
+def test_motion_ends_at_eta(law: str, strict: bool) -> None:
     frames = motion(law, strict)
     assert frames[0].times.tp_s == pytest.approx(PERIOD)
     assert [f.times.tp_s for f in frames] == pytest.approx([PERIOD * (k + 1) for k in range(len(frames))])
@@ -41,7 +41,7 @@ def test_a_motion_ends_when_eta_says(law: str, strict: bool) -> None:
 
 
 @pytest.mark.parametrize("law", ["closed loop", "open loop"])
-def test_rotation_alone_would_end_by_eta(law: str) -> None:
+def test_etap_is_at_most_eta(law: str) -> None:
     frames = motion(law)
     for frame in frames:
         assert frame.times.eta_s is not None and frame.times.etap_s is not None
@@ -51,7 +51,7 @@ def test_rotation_alone_would_end_by_eta(law: str) -> None:
     assert first.times.etap_s == pytest.approx(first.goal.angle / w + (4.0 if law == "open loop" else 2.0), abs=PERIOD)
 
 
-def test_mode_1_has_no_etap_and_a_timed_phase_ends_by_its_duration() -> None:
+def test_mode_1_has_no_etap_and_timed_phase_has_eta() -> None:
     assert {f.times.etap_s for f in motion("position")} == {None}
     turn = 'mode = "SINGLE"\njoint = "wrist_yaw"\njoint_at = "10 deg"'
     phases = f'[[phase]]\nmode = "ORB UNL"\nduration = 3.2\n[[phase]]\n{turn}'
@@ -61,7 +61,7 @@ def test_mode_1_has_no_etap_and_a_timed_phase_ends_by_its_duration() -> None:
     assert frames[40].times.tp_s == pytest.approx(PERIOD) and frames[40].times.eta_s is None
 
 
-def test_by_hand_the_phase_is_the_mode_entered() -> None:
+def test_entry_of_a_mode_begins_a_phase() -> None:
     sim = aftdeck.Simulation(scenario(BAY, f"control_period = {PERIOD}\n"))
     for _ in range(10):
         sim.step(aftdeck.Inputs())
@@ -80,7 +80,7 @@ def turned(axis: int, angle: float) -> Array:
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_t_b5_is_lnkages(seed: int) -> None:
+def test_t_b5_equals_lnkage(seed: int) -> None:
     low, high = aftdeck.load_arm("srms").limits.soft.T
     q = np.random.default_rng([305, seed]).uniform(np.maximum(low, -3.0), np.minimum(high, 3.0))
     made = scenario(np.degrees(q).tolist())

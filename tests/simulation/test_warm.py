@@ -1,4 +1,4 @@
-"""Nothing is compiled in flight: what a flight calls was called before its clock started."""
+"""No law is compiled during a run: `warm_up` calls every law before."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ for _ in range(int(sys.argv[2])):
 for module, name, _ in sorted(met() - before):
     print(module, name)
 """
-"""Prints the laws that meet arguments in flight that they had not met when it began."""
+"""Program that prints the laws that are compiled, for new argument types, during a run."""
 
 
 @pytest.mark.parametrize(
@@ -36,7 +36,7 @@ for module, name, _ in sorted(met() - before):
     [("concept-1972", 400, "down"), ("concept-1972-script", 2600, "script"), ("srms-deploy", 1500, "script")],
     ids=["a palm that touches", "acquired, slid and docked", "captured"],
 )
-def test_no_law_is_compiled_in_flight(scenario: str, steps: int, by: str) -> None:
+def test_no_law_is_compiled_during_a_run(scenario: str, steps: int, by: str) -> None:
     command = [sys.executable, "-c", COUNT, scenario, str(steps), by]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout == ""

@@ -1,4 +1,4 @@
-"""``--words`` and ``--channels``: what is written, flown, and refused before anything is flown."""
+"""``--words`` and ``--channels``: files written, runs from files, and rejections before the run."""
 
 from __future__ import annotations
 
@@ -37,19 +37,19 @@ def short(tmp_path: Path) -> str:
 
 @pytest.fixture
 def grounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nothing may be flown."""
+    """Forbid every simulation step."""
 
     def fly(_: Simulation, *__: object) -> None:
-        raise AssertionError("it is flown")
+        raise AssertionError("a step was made")
 
     monkeypatch.setattr(Simulation, "advance", fly)
 
 
-def test_each_step_is_a_line_of_channels_and_words(run: Run, short: str, tmp_path: Path) -> None:
+def test_words_file_has_one_line_per_step(run: Run, short: str, tmp_path: Path) -> None:
     path = tmp_path / "folder" / "words.jsonl"
     code, out, err = run("run", short, "--words", str(path), "--json")
     summary = json.loads(out)
-    assert code == 0 and "no channel" in err  # a script has none
+    assert code == 0 and "script" in err  # the script has no channel
     lines = [json.loads(line) for line in path.read_text().splitlines()]
     assert lines[-1]["time_s"] == summary["time_s"]
     block = decode_block([int(word, 8) for word in lines[-1]["words"]])
@@ -60,19 +60,17 @@ def test_each_step_is_a_line_of_channels_and_words(run: Run, short: str, tmp_pat
 
 
 @pytest.mark.usefixtures("grounded")
-def test_another_arm_has_no_words_and_is_not_flown(run: Run, tmp_path: Path) -> None:
+def test_words_of_another_arm_are_rejected_before_the_run(run: Run, tmp_path: Path) -> None:
     words, out = tmp_path / "words.jsonl", tmp_path / "run.mcap"
     code, said, err = run("run", "uncradle", "--words", str(words), "--out", str(out))
     assert (code, said) == (2, "")
-    assert (
-        err.startswith("aftdeck: the report's channels and words speak of its own arm") and "uncradle flies srms" in err
-    )
+    assert err.startswith("aftdeck: uncradle: ") and "srms" in err
     assert not words.exists() and not out.exists()
 
 
 @pytest.mark.usefixtures("grounded")
 @pytest.mark.parametrize(("place", "why"), [("file", "File exists"), ("file/words.jsonl", "exists")])
-def test_words_that_cannot_be_written_are_told_before_the_run(
+def test_unwritable_words_file_is_rejected_before_the_run(
     run: Run, short: str, tmp_path: Path, place: str, why: str
 ) -> None:
     (tmp_path / "file").write_text("kept")
@@ -84,7 +82,7 @@ def test_words_that_cannot_be_written_are_told_before_the_run(
 
 
 @pytest.mark.usefixtures("grounded")
-def test_a_run_that_is_not_recorded_leaves_no_words(run: Run, short: str, tmp_path: Path) -> None:
+def test_failed_recording_leaves_no_words_file(run: Run, short: str, tmp_path: Path) -> None:
     words, out = tmp_path / "words.jsonl", tmp_path / "run.mcap"
     out.write_text("kept")
     code, said, _ = run("run", short, "--words", str(words), "--out", str(out))
@@ -102,7 +100,7 @@ def master_file(path: Path) -> Path:
     return path
 
 
-def test_a_flight_by_channels_writes_them_again_and_is_recorded(run: Run, short: str, tmp_path: Path) -> None:
+def test_run_from_channels_writes_equal_channels_and_words(run: Run, short: str, tmp_path: Path) -> None:
     """By the file, by the file that this writes, and from the recording: the same frames, channels and words."""
     given, first, second, third = (tmp_path / f"{name}.jsonl" for name in ("given", "first", "second", "third"))
     out = tmp_path / "run.mcap"
@@ -119,7 +117,7 @@ def test_a_flight_by_channels_writes_them_again_and_is_recorded(run: Run, short:
     assert (control.station, control.pan, control.zoom, control.telescope) == ("B", -1, -1, -1)
 
 
-def test_channels_meet_no_command_delay_and_the_recording_says_so(run: Run, short: str, tmp_path: Path) -> None:
+def test_channels_have_no_command_delay(run: Run, short: str, tmp_path: Path) -> None:
     late, given, out = tmp_path / "late.toml", tmp_path / "given.jsonl", tmp_path / "run.mcap"
     late.write_text(Path(short).read_text().replace('duration = "1 s"', 'duration = "1 s"\ncommand_delay = "0.1 s"'))
     master_file(given)
@@ -130,9 +128,7 @@ def test_channels_meet_no_command_delay_and_the_recording_says_so(run: Run, shor
 
 
 @pytest.mark.usefixtures("grounded")
-def test_channels_of_another_arm_or_none_are_refused_before_anything_is_flown(
-    run: Run, short: str, tmp_path: Path
-) -> None:
+def test_invalid_channels_are_rejected_before_the_run(run: Run, short: str, tmp_path: Path) -> None:
     given = master_file(tmp_path / "given.jsonl")
     assert run("run", "first-flight", "--channels", str(given))[0] == 2
     code, _, err = run("run", short, "--channels", str(tmp_path / "none.jsonl"))
@@ -144,7 +140,7 @@ def test_channels_of_another_arm_or_none_are_refused_before_anything_is_flown(
     assert code == 2 and "given.jsonl:41: " in err
 
 
-def test_what_the_channels_do_not_say_is_told_when_they_are_flown(run: Run, short: str, tmp_path: Path) -> None:
+def test_run_from_channels_lists_unsaid_commands(run: Run, short: str, tmp_path: Path) -> None:
     given = master_file(tmp_path / "given.jsonl")
     told = json.dumps({"volts": [0.0] * 13, "unsaid": ["latch", "rate"]})
     given.write_text(given.read_text() + f"{told}\n{told}\n")
@@ -152,15 +148,15 @@ def test_what_the_channels_do_not_say_is_told_when_they_are_flown(run: Run, shor
     assert code == 0 and "latch in 2 steps, rate in 2 steps" in err
 
 
-def test_a_camera_that_is_not_there_is_told_with_the_line(run: Run, short: str, tmp_path: Path) -> None:
+def test_unknown_camera_in_channels_is_rejected_with_its_line(run: Run, short: str, tmp_path: Path) -> None:
     given = master_file(tmp_path / "given.jsonl")
     given.write_text(given.read_text() + json.dumps({"volts": [0.0] * 10 + [1.0, -1.0, 0.0]}) + "\n")
     code, _, err = run("run", short, "--channels", str(given))
-    assert code == 2 and "line 41 of the channels: channels 10 to 12 turn camera H" in err
+    assert code == 2 and "line 41 of the channels" in err and "camera H" in err
 
 
 @pytest.mark.parametrize("scripted", [True, False])
-def test_a_run_without_a_script_says_so_before_it_idles(
+def test_run_without_script_prints_a_note_first(
     run: Run, short: str, tmp_path: Path, scripted: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     said: list[str] = []

@@ -1,4 +1,4 @@
-"""Scenarios written in a line, and flights with given sticks, for tests."""
+"""Short scenarios, and runs with given inputs, for tests."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from aftdeck.simulation.frame import Frame
 
 FOOT = 0.3048
 BAY = (-31.0, 79.0, -103.0, -77.0, 17.0, -128.0)
-"""A pose over the payload bay, far from every limit [deg]."""
+"""Joint angles above the payload bay, far from every limit [deg]."""
 QUICK = f"[limits]\nservo = {['20 deg/s'] * 6}"
 """Joints so quick that only the limits of the point of resolution act; a scenario's `extra`."""
 PAYLOAD = """
@@ -27,7 +27,7 @@ yaw = "30 deg"
 position = [0.5, 0.2, 2.6]
 por = [0.3, -0.4, 0.1]
 """
-"""A payload whose axes are not the hand's, held off its centre; its `mass` is to be filled in."""
+"""Payload with other axes than frame 7, held beside its centre; `format` inserts its `mass`."""
 LEAN = math.radians(19.48)
 BODY_FROM_L = np.diag([-1.0, 1.0, -1.0]) @ np.array(
     [
@@ -40,7 +40,7 @@ BODY_FROM_L = np.diag([-1.0, 1.0, -1.0]) @ np.array(
 
 
 def scenario(joints: Sequence[float] = BAY, extra: str = "", name: str = "test") -> Scenario:
-    """A scenario that starts at joint angles [deg], in empty space unless one of its further lines names a worksite."""
+    """Return a scenario that starts at joint angles [deg], in empty space unless `extra` names a worksite."""
     head, _, tables = extra.partition("\n[")
     place = "" if "worksite" in head else 'worksite = "space"\n'
     text = f'title = "test"\n{place}{head}\n[initial]\njoints = {[f"{q!r} deg" for q in map(float, joints)]}\n'
@@ -48,31 +48,31 @@ def scenario(joints: Sequence[float] = BAY, extra: str = "", name: str = "test")
 
 
 def fly(sim: aftdeck.Simulation, seconds: float, inputs: aftdeck.Inputs) -> list[Frame]:
-    """The frames of a flight with the same sticks held; switches act at its first step."""
+    """Return the frames of a run with constant sticks; switches act in the first step."""
     first, held = inputs, aftdeck.Inputs(inputs.translation, inputs.rotation, inputs.drive)
     steps = round(seconds / sim.scenario.control_period)
     return [sim.step(first if k == 0 else held) for k in range(steps)]
 
 
 def disturbed(sim: aftdeck.Simulation, joints: Mapping[int, float]) -> None:
-    """Puts joints of the plant at angles [deg], unseen by the steering until it measures them."""
+    """Set joints of the plant to angles [deg]; the steering measures them in the next step."""
     for joint, angle in joints.items():
         sim._state.plant.angles[joint] = math.radians(angle)
 
 
 def joint_target(arm: aftdeck.Arm, joints: Sequence[float]) -> aftdeck.Target:
-    """A target given by joint angles [deg]."""
+    """Return a target with joint angles [deg]."""
     a, b, c, d, e, f = (math.radians(q) for q in joints)
     return target_at(arm.forward((a, b, c, d, e, f)), (a, b, c, d, e, f))
 
 
 def log_of(frames: Sequence[Frame]) -> list[str]:
-    """The log's lines."""
+    """Return the log lines."""
     return [event.text for frame in frames for event in frame.events]
 
 
 def finished(sim: aftdeck.Simulation, first: aftdeck.Inputs, seconds: float) -> list[Frame]:
-    """The frames of an automatic motion, its check included, until it is no longer in progress, or for some time."""
+    """Return the frames of an automatic motion and its check until the motion ends, or for a time [s]."""
     frames = [sim.step(first)]
     while frames[-1].sequence in {"checking", "in progress"} and frames[-1].time_s - frames[0].time_s < seconds:
         frames.append(sim.step(aftdeck.Inputs()))
@@ -80,7 +80,7 @@ def finished(sim: aftdeck.Simulation, first: aftdeck.Inputs, seconds: float) -> 
 
 
 def checked(sim: aftdeck.Simulation, first: aftdeck.Inputs | None = None, seconds: float = 60.0) -> list[Frame]:
-    """The frames of an operator's command, until CMD CK has come to its verdict."""
+    """Return the frames from an operator's command to the verdict of CMD CK."""
     frames = [sim.step(first or aftdeck.Inputs())]
     while frames[-1].sequence == "checking":
         assert frames[-1].time_s - frames[0].time_s < seconds
@@ -89,27 +89,27 @@ def checked(sim: aftdeck.Simulation, first: aftdeck.Inputs | None = None, second
 
 
 def target(arm: aftdeck.Arm, joints: Sequence[float]) -> aftdeck.Target:
-    """The tip's pose at joint angles [deg]."""
+    """Return the tip's pose at joint angles [deg] as a target."""
     pose = arm.forward(np.radians(joints))
     rows = pose.rotation.tolist()
     return aftdeck.Target(tuple(pose.position.tolist()), (tuple(rows[0]), tuple(rows[1]), tuple(rows[2])))
 
 
 def speed(frame: Frame) -> float:
-    """Commanded speed of the tip [m/s]."""
+    """Return the commanded speed of the tip [m/s]."""
     return math.hypot(*frame.twist_commanded[3:])
 
 
 def turning(frame: Frame) -> float:
-    """Commanded angular rate of the tip [rad/s]."""
+    """Return the commanded angular rate of the tip [rad/s]."""
     return math.hypot(*frame.twist_commanded[:3])
 
 
 def kinds(frame: Frame) -> set[str]:
-    """Kinds of limits that acted."""
+    """Return the kinds of the limits that acted."""
     return {limit.kind for limit in frame.limits}
 
 
 def at_rate(frame: Frame) -> bool:
-    """Whether a joint is commanded at its rate limit."""
+    """Return whether a joint is commanded at its rate limit."""
     return any(abs(r) >= m * (1 - 1e-9) for r, m in zip(frame.rates_commanded, frame.rate_limits, strict=True))

@@ -1,4 +1,4 @@
-"""Random straight moves, checked by another program: which joint angles the line leads through, by Pinocchio alone."""
+"""Random straight moves whose joint angles along the line are computed by Pinocchio alone."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from aftdeck.arrays import Array
 from tests.kinematics.witnesses import Chain, Witness, in_pinocchio
 
 CLEAR = 0.05
-"""Normalised distance from every singularity that counts as clear of it."""
+"""Normalised distance from a singularity beyond which a pose is clear of it."""
 SAMPLES = 120
 """Poses on a line at which its joint angles are found."""
 FURTHEST = math.radians(10.0)
-"""A joint that turns more than this between two samples stands on another branch or at a singularity."""
+"""Rotation of a joint between two samples [rad] beyond which it is on another branch or at a singularity."""
 
 
 class Move(NamedTuple):
-    """A straight move: joint angles at its start and at its end, on one branch [rad]."""
+    """Straight move: joint angles at its start and at its end, on one branch [rad]."""
 
     start: Array
     end: Array
 
 
 def chain_of(arm: aftdeck.Arm) -> Chain:
-    """An arm of either family as joint centres and axes in L, from its file's lengths."""
+    """Return the joint centres and axes of an arm in L, from the lengths in its file."""
     length = {name: value for name, value in zip(("l1", "l2", "l3", "l4", "l5"), arm.model.links[:5], strict=True)}
     upper, lower = arm.model.linkage.links[5:7]
     up = np.array([0.0, 0.0, -length["l1"]])
@@ -43,7 +43,7 @@ def chain_of(arm: aftdeck.Arm) -> Chain:
 
 
 def distances(chain: Chain, q: Array) -> Array:
-    """Normalised distances from the shoulder, elbow and wrist singularities, from where the joints are."""
+    """Return the normalised distances from the shoulder, elbow and wrist singularities, from the joints' positions."""
 
     def pitched(v: Array, slope: float) -> Array:
         return np.array(
@@ -60,7 +60,7 @@ def distances(chain: Chain, q: Array) -> Array:
 
 
 def trapezoid(time: Array, eta: float, ramp: float) -> Array:
-    """The share of a way that a trapezoidal profile has made at a time: `ramp` up, as long down, `eta` in all."""
+    """Return the share of a way that a trapezoidal profile of duration `eta`, with two ramps, has made at a time."""
     if ramp == 0.0:
         return np.zeros_like(time)
     up, down = np.minimum(time, ramp), np.minimum(eta - time, ramp)
@@ -70,7 +70,7 @@ def trapezoid(time: Array, eta: float, ramp: float) -> Array:
 
 
 def shares_of_the_plan(arm: aftdeck.Arm, distance: float, angle: float, samples: int) -> tuple[Array, Array]:
-    """Shares of the way and of the turn, from 0 to 1, in time: VTOPEN, each with its own acceleration time."""
+    """Return the shares of translation and rotation, 0 to 1, over time (VTOPEN, each with its acceleration time)."""
     por = arm.model.por_limits(0.0)
     alone = []
     for way, most, up in (
@@ -85,9 +85,10 @@ def shares_of_the_plan(arm: aftdeck.Arm, distance: float, angle: float, samples:
 
 
 def along(see: Witness, arm: aftdeck.Arm, move: Move, clear: float, samples: int) -> Array | None:
-    """Joint angles (samples + 1, 6) along the line of a move in mode 3, or None where it leaves its branch.
+    """Return joint angles (samples + 1, 6) along the line of a move in mode 3.
 
-    That is: past a soft stop, near a singularity, through another branch, or to other angles than the move ends at.
+    Returns:
+        The angles; None if the line passes a soft stop, a singularity or another branch, or ends at other angles.
     """
     chain, soft = chain_of(arm), arm.limits.soft
     a, b = see(move.start), see(move.end)
@@ -108,7 +109,7 @@ def along(see: Witness, arm: aftdeck.Arm, move: Move, clear: float, samples: int
 
 
 def _solved(see: Witness, q: Array, place: Array, facing: Array) -> Array:
-    """The joint angles at a pose near to these, by Newton's steps; NaN where there are none."""
+    """Return the joint angles at a pose, near to `q`, by Newton's method; NaN if it does not converge."""
     for _ in range(12):
         now = see(q)
         rest = 0.5 * sum(np.cross(now.rotation[:, k], facing[:, k]) for k in range(3))
@@ -123,7 +124,7 @@ def _solved(see: Witness, q: Array, place: Array, facing: Array) -> Array:
 
 
 def random_moves(arm: aftdeck.Arm, seed: int) -> Iterator[Move]:
-    """Moves between joint angles inside the soft stops, near and far, without end."""
+    """Yield moves between joint angles inside the soft stops, near and far, without end."""
     rng = np.random.default_rng(seed)
     low, high = np.maximum(arm.limits.soft[:, 0], -math.pi), np.minimum(arm.limits.soft[:, 1], math.pi)
     while True:
@@ -134,7 +135,7 @@ def random_moves(arm: aftdeck.Arm, seed: int) -> Iterator[Move]:
 
 
 def clear_moves(arm: aftdeck.Arm, seed: int, count: int, clear: float = CLEAR) -> list[Move]:
-    """So many random moves whose lines Pinocchio finds inside the soft stops and clear of the singularities."""
+    """Return `count` random moves whose lines Pinocchio finds inside the soft stops and clear of singularities."""
     found: list[Move] = []
     see = in_pinocchio(chain_of(arm))
     for move in random_moves(arm, seed):

@@ -1,4 +1,4 @@
-"""LATRAJ: distance, angle and axis, from nothing to half a turn, against SciPy."""
+"""LATRAJ: distance, angle and axis, from 0 to 180 deg, against SciPy."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def aim(start: Array, goal: Array, way: Array | None = None) -> Aim:
 @pytest.mark.parametrize(
     "angle", [1e-12, 1e-9, 1e-6, 1e-3, 0.5, math.pi / 2, 2.0, 3.0, math.pi - 1e-3, math.pi - 1e-6, math.pi - 1e-9]
 )
-def test_a_turn_about_any_axis_is_seen_whole(start: Array, angle: float) -> None:
+def test_latraj_returns_angle_and_axis_of_any_rotation(start: Array, angle: float) -> None:
     for axis in AXES:
         seen = aim(start, Rotation.from_rotvec(angle * axis).as_matrix() @ start)
         # matrices hold an angle to some 4e-16 rad, its axis to that over the angle
@@ -38,7 +38,7 @@ def test_a_turn_about_any_axis_is_seen_whole(start: Array, angle: float) -> None
 
 
 @pytest.mark.parametrize("start", STARTS, ids=["level", "turned"])
-def test_half_a_turn_is_seen_whole_about_its_axis_one_way_or_the_other(start: Array) -> None:
+def test_latraj_returns_axis_of_180_deg_up_to_its_sign(start: Array) -> None:
     for axis in AXES:
         seen = aim(start, (2.0 * np.outer(axis, axis) - np.eye(3)) @ start)
         found = np.array([seen.ax, seen.ay, seen.az])
@@ -46,7 +46,7 @@ def test_half_a_turn_is_seen_whole_about_its_axis_one_way_or_the_other(start: Ar
         assert abs(found @ axis) == pytest.approx(1.0, abs=1e-14)
 
 
-def test_turning_by_what_is_seen_arrives_for_random_attitudes() -> None:
+def test_rotation_by_latraj_reaches_random_attitudes() -> None:
     for start, goal in zip(
         Rotation.random(500, rng=51).as_matrix(), Rotation.random(500, rng=52).as_matrix(), strict=True
     ):
@@ -56,12 +56,12 @@ def test_turning_by_what_is_seen_arrives_for_random_attitudes() -> None:
         assert seen.angle == pytest.approx(Rotation.from_matrix(goal @ start.T).magnitude(), abs=1e-12)
 
 
-def test_no_turn_and_no_way_have_no_direction_and_no_nan() -> None:
+def test_latraj_at_the_target_is_zero() -> None:
     seen = aim(STARTS[0], STARTS[0])
     assert seen == Aim(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
-def test_the_line_of_sight_is_the_unit_vector_to_the_target() -> None:
+def test_line_of_sight_is_unit_vector_to_target() -> None:
     seen = aim(STARTS[0], STARTS[0], np.array([0.3, -0.4, 1.2]))
     assert seen.distance == pytest.approx(1.3)
     assert [seen.ux, seen.uy, seen.uz] == pytest.approx([0.3 / 1.3, -0.4 / 1.3, 1.2 / 1.3])

@@ -1,4 +1,4 @@
-"""Mode 2: a straight line, one axis, both ending together, on the target."""
+"""Mode 2: translation along a straight line and rotation about one axis, which end together at the target."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ PERIOD = 0.02
 
 
 def changed(line: str) -> Scenario:
-    """sts-400-closed with one more line at its head, over 144 s, which periods of 0.08 s divide."""
+    """Return sts-400-closed with one more line in its head and a duration of 144 s, a multiple of 0.08 s."""
     text = load_scenario("sts-400-closed").text.replace('duration = "150 s"', 'duration = "144 s"')
     return parse_scenario(f"{line}\n{text}", "sts-400", "sts-400.toml", Path("."))
 
 
 def off_the_line(start: Sequence[float], frames: Sequence[Frame]) -> float:
-    """Greatest distance [m] of the tip from the straight line between its start and its target."""
+    """Return the greatest distance [m] of the tip from the straight line between its start and its target."""
     goal = frames[-1].goal
     assert goal is not None
     a, b = np.array(start), np.array(goal.position)
@@ -50,7 +50,7 @@ def off_the_line(start: Sequence[float], frames: Sequence[Frame]) -> float:
 
 
 def off_the_axis(start: np.ndarray, frames: Sequence[Frame]) -> float:
-    """Greatest angle [rad] between the hand and the one-axis turn from its start to its target."""
+    """Return the greatest angle [rad] between frame 7 and the one-axis rotation from its start to its target."""
     goal = frames[-1].goal
     assert goal is not None
     whole = (Rotation.from_matrix(goal.rotation) * Rotation.from_matrix(start).inv()).as_rotvec()
@@ -61,7 +61,7 @@ def off_the_axis(start: np.ndarray, frames: Sequence[Frame]) -> float:
 
 
 def misses(frames: Sequence[Frame]) -> tuple[np.ndarray, np.ndarray]:
-    """Distance [m] and angle [rad] of each frame's tip from the target."""
+    """Return distance [m] and angle [rad] of each frame's tip from the target."""
     goal = frames[-1].goal
     assert goal is not None
     way = np.linalg.norm(np.array([f.position for f in frames]) - goal.position, axis=1)
@@ -70,7 +70,7 @@ def misses(frames: Sequence[Frame]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def fly_there(sim: aftdeck.Simulation, goal: aftdeck.Target, seconds: float) -> list[Frame]:
-    """The frames of a flight to a target, and a second more."""
+    """Return the frames of a motion to a target and of one second after it."""
     period = sim.scenario.control_period
     frames = [sim.step(aftdeck.Inputs(target=goal, proceed=True))]
     while frames[-1].sequence in {"checking", "in progress"} and frames[-1].time_s < seconds:
@@ -79,13 +79,13 @@ def fly_there(sim: aftdeck.Simulation, goal: aftdeck.Target, seconds: float) -> 
 
 
 def arrival(misses: np.ndarray, within: float, period: float) -> float:
-    """Time [s] from which the miss stays inside."""
+    """Return the time [s] from which an error stays within a limit."""
     outside = np.flatnonzero(misses > within)
     return float((outside[-1] + 1 if len(outside) else 0) * period)
 
 
 @pytest.mark.parametrize("period", [0.02, 0.08])
-def test_the_sts_400_move_is_straight_to_five_millimetres_and_both_motions_end_together(period: float) -> None:
+def test_sts_400_move_is_straight_and_ends_together(period: float) -> None:
     done = aftdeck.run(changed(f"control_period = {period}"))
     assert done.summary.ended == "completed"
     start = done.scenario.arm.forward(done.scenario.initial_angles)
@@ -101,7 +101,7 @@ def test_the_sts_400_move_is_straight_to_five_millimetres_and_both_motions_end_t
     assert any(at_rate(f) for f in done.frames)  # the shoulder's rate acts for most of the way
 
 
-def test_strict_leaves_the_line_by_as_much_as_the_restored_laws_do() -> None:
+def test_strict_leaves_the_line_by_the_reference_distance() -> None:
     done = aftdeck.run(changed("strict = true"))
     start = done.scenario.arm.forward(done.scenario.initial_angles)
     share = STS_400["tolerance"]
@@ -125,7 +125,7 @@ def moves(count: int) -> list[tuple[np.ndarray, np.ndarray]]:
 
 
 @pytest.mark.parametrize("period", [0.02, 0.08])
-def test_where_no_joint_rate_acts_the_path_is_straight_to_a_millimetre(period: float) -> None:
+def test_path_is_straight_to_1_mm_without_joint_rate_limits(period: float) -> None:
     for start, end in moves(6):
         sim = aftdeck.Simulation(scenario(start.tolist(), f'control_period = {period}\nmode = "OPR CMD"\n{QUICK}'))
         goal = target(sim.scenario.arm, end.tolist())
@@ -140,7 +140,7 @@ def test_where_no_joint_rate_acts_the_path_is_straight_to_a_millimetre(period: f
         assert abs(arrival(way, 1e-4, period) - arrival(turn, 2e-5, period)) <= 0.1 + period
 
 
-def test_with_the_arms_own_joints_the_path_is_straight_to_five_millimetres() -> None:
+def test_path_is_straight_to_5_mm_with_joint_rate_limits() -> None:
     for start, end in moves(6):
         sim = aftdeck.Simulation(scenario(start.tolist(), 'mode = "OPR CMD"'))
         frames = fly_there(sim, target(sim.scenario.arm, end.tolist()), 60.0)
@@ -150,7 +150,7 @@ def test_with_the_arms_own_joints_the_path_is_straight_to_five_millimetres() -> 
 
 
 @pytest.mark.parametrize("roll", [180.0, -180.0, 179.99999, 90.0])
-def test_half_a_turn_of_the_hand_is_flown_about_one_axis(roll: float) -> None:
+def test_rotation_by_180_deg_has_one_axis(roll: float) -> None:
     end = [*BAY[:5], BAY[5] + roll]
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     frames = fly(sim, 60.0, aftdeck.Inputs(target=target(sim.scenario.arm, end), proceed=True))
@@ -161,7 +161,7 @@ def test_half_a_turn_of_the_hand_is_flown_about_one_axis(roll: float) -> None:
     assert abs(frames[-1].angles[5] - math.radians(BAY[5])) == pytest.approx(math.radians(abs(roll)), abs=1e-4)
 
 
-def test_a_pure_translation_and_a_pure_turn_arrive_too() -> None:
+def test_pure_translation_and_pure_rotation_reach_the_target() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     pose = sim.scenario.arm.forward(np.radians(BAY))
     here = target(sim.scenario.arm, BAY)
@@ -181,7 +181,7 @@ def _turned(goal: aftdeck.Target, by: list[float]) -> tuple[Vec3, Vec3, Vec3]:
     return (tuple(rows[0]), tuple(rows[1]), tuple(rows[2]))
 
 
-def test_stop_brings_the_arm_to_rest_and_proceed_goes_on_to_the_target() -> None:
+def test_proceed_after_stop_reaches_the_target() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     end = (BAY[0] + 20.0, *BAY[1:])
     flying = fly(sim, 5.0, aftdeck.Inputs(target=target(sim.scenario.arm, end), proceed=True))
@@ -204,31 +204,22 @@ def test_stop_brings_the_arm_to_rest_and_proceed_goes_on_to_the_target() -> None
     ]  # fmt: skip
 
 
-def log_of(frames: Sequence[Frame]) -> list[str]:
-    return [event.text for frame in frames for event in frame.events]
-
-
-@pytest.mark.parametrize(
-    ("place", "reason"),
-    [((40.0, 0.0, 0.0), "cannot reach"), ((-9.0, 9.0, 3.0), "outside the joint limits|cannot reach")],
-)
-def test_a_target_out_of_reach_fails_its_check_and_proceed_is_refused_and_nothing_moves(
-    place: tuple[float, float, float], reason: str
-) -> None:
+@pytest.mark.parametrize("place", [(40.0, 0.0, 0.0), (-9.0, 9.0, 3.0)])
+def test_target_out_of_reach_fails_its_check_and_is_rejected(place: tuple[float, float, float]) -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     start = sim.scenario.initial_angles.tolist()
     far = aftdeck.Target(place, ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0)))
     frames = fly(sim, 1.0, aftdeck.Inputs(target=far, proceed=True))
     last = frames[-1]
-    assert last.goal is not None and last.goal.position == place  # kept, so that the operator can mend it
+    assert last.goal is not None and last.goal.position == place  # kept, so that the operator can correct it
     assert last.sequence == "idle" and last.check is not None and not last.check.good
-    assert re.match(f"FAIL: .*({reason})", last.check.text)
+    assert last.check.cause == "reach"
     assert list(last.angles) == start
     assert [event.kind for event in frames[0].events] == ["target", "check", "refused"]
-    assert re.match(f"PROCEED refused: CMD CK FAIL: .*({reason})", frames[0].events[-1].text)
+    assert last.check.text in frames[0].events[-1].text
 
 
-def test_a_refused_target_is_not_followed_by_a_flight_to_the_one_before() -> None:
+def test_rejected_target_does_not_start_the_previous_one() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     fly(sim, 1.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 20.0, *BAY[1:]))))
     far = aftdeck.Target((40.0, 0.0, 0.0), ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0)))
@@ -238,35 +229,38 @@ def test_a_refused_target_is_not_followed_by_a_flight_to_the_one_before() -> Non
     assert list(frames[-1].angles) == sim.scenario.initial_angles.tolist()
 
 
-def test_a_target_that_is_no_pose_fails_its_check() -> None:
+def test_target_that_is_not_a_pose_fails_its_check() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
     skew = aftdeck.Target((8.0, 1.0, -3.0), ((1.0, 0.5, 0), (0, 1.0, 0), (0, 0, 1.0)))
     frames = fly(sim, 0.1, aftdeck.Inputs(target=skew))
-    assert frames[-1].check is not None and re.match("FAIL: .*orthonormal", frames[-1].check.text)
+    assert frames[-1].check is not None and frames[-1].check.cause == "reach"
+    assert "orthonormal" in frames[-1].check.text
     assert frames[-1].sequence == "idle"
 
 
-def test_proceed_without_a_target_or_in_a_manual_mode_is_refused() -> None:
+def test_proceed_is_rejected_without_target_or_in_manual_mode() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"'))
-    assert "target" in log_of(fly(sim, 0.02, aftdeck.Inputs(proceed=True)))[0]
-    assert "ORB UNL" in log_of(fly(sim, 0.02, aftdeck.Inputs(mode="ORB UNL", proceed=True)))[-1]
+    (event,) = sim.step(aftdeck.Inputs(proceed=True)).events
+    assert event.kind == "refused" and "target" in event.text
+    *_, event = sim.step(aftdeck.Inputs(mode="ORB UNL", proceed=True)).events
+    assert event.kind == "refused" and "ORB UNL" in event.text
 
 
-def test_a_target_behind_a_soft_stop_fails_its_check_and_is_not_flown() -> None:
+def test_target_past_soft_stop_fails_its_check_and_is_not_started() -> None:
     # inside the hard stops, outside the soft ones: reachable by SINGLE alone
     start = (0.0, 60.0, -80.0, 110.0, 10.0, 0.0)
     sim = aftdeck.Simulation(scenario(start, 'mode = "OPR CMD"'))
     goal = target(sim.scenario.arm, (0.0, 60.0, -80.0, 119.0, 10.0, 0.0))
     frames = fly(sim, 2.0, aftdeck.Inputs(target=goal, proceed=True))
     assert frames[-1].check is not None and frames[-1].check.cause == "limit"
-    assert re.match(r"FAIL: wrist pitch .*soft stop, \d+ s", frames[-1].check.text)
+    assert re.search(r"wrist pitch .*soft stop, .*\d+ s", frames[-1].check.text)
     assert frames[-1].sequence == "idle" and list(frames[-1].angles) == sim.scenario.initial_angles.tolist()
 
 
-def test_a_motion_that_a_limit_comes_to_hold_is_given_up_after_two_seconds_and_says_so() -> None:
+def test_blocked_motion_is_abandoned_after_2_s() -> None:
     sim = aftdeck.Simulation(scenario(BAY, 'mode = "OPR CMD"\nsoft_stops = "as-flown"'))
     fly(sim, 4.0, aftdeck.Inputs(target=target(sim.scenario.arm, (BAY[0] + 20.0, *BAY[1:])), proceed=True))
-    disturbed(sim, {3: -117.0})  # past the soft stop: as flown, everything stands
+    disturbed(sim, {3: -117.0})  # past the soft stop: as flown, all joints stop
     frames = fly(sim, 3.0, aftdeck.Inputs())
     assert {limit.kind for limit in frames[0].limits} >= {"soft stop"}
     ended = next(frame for frame in frames if frame.sequence != "in progress")

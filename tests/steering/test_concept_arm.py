@@ -1,4 +1,4 @@
-"""The steering laws fly the concept arm as they fly the Shuttle's: every mode, its limits, and many arms at once."""
+"""Steering of the concept arm: every mode, its limits, and many arms at once."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def concept(extra: str = "") -> Scenario:
 
 
 @pytest.mark.parametrize("law", ["1", "2", "3"])
-def test_an_automatic_mode_brings_the_tip_to_a_pose_within_every_limit(law: str) -> None:
+def test_automatic_modes_reach_a_pose_within_every_limit(law: str) -> None:
     goal = [f"{angle} deg" for angle in GOAL]
     run = aftdeck.run(concept(f"[[phase]]\nmode = {law}\ntarget = {{ joints = {goal} }}\nduration = 120"))
     assert run.summary.ended == "completed"
@@ -34,7 +34,7 @@ def test_an_automatic_mode_brings_the_tip_to_a_pose_within_every_limit(law: str)
 
 
 @pytest.mark.parametrize(("axis", "in_l"), [(0, [-1, 0, 0]), (1, [0, -1, 0]), (2, [0, 0, 1])])
-def test_in_orb_unl_a_stick_moves_the_tip_along_the_orbiters_axis(axis: int, in_l: list[int]) -> None:
+def test_orb_unl_stick_moves_tip_along_orbiter_axis(axis: int, in_l: list[int]) -> None:
     stick = [0.0, 0.0, 0.0]
     stick[axis] = 0.3
     sim = aftdeck.Simulation(concept())
@@ -44,7 +44,7 @@ def test_in_orb_unl_a_stick_moves_the_tip_along_the_orbiters_axis(axis: int, in_
     assert twist[:3] == pytest.approx(np.zeros(3), abs=1e-4)
 
 
-def test_in_end_eff_the_sticks_axes_are_those_of_system_2() -> None:
+def test_end_eff_sticks_act_along_frame_2() -> None:
     sim = aftdeck.Simulation(concept('mode = "END EFF"'))
     last = fly(sim, 4.0, aftdeck.Inputs(translation=(0.2, 0.0, 0.0), rotation=(0.0, 0.0, 0.3)))[-1]
     hand = sim.scenario.arm.forward(last.angles).rotation
@@ -54,7 +54,7 @@ def test_in_end_eff_the_sticks_axes_are_those_of_system_2() -> None:
 
 
 @pytest.mark.parametrize("mode", ["PL", "ORB LD"])
-def test_a_payloads_modes_hold_its_point_of_resolution_while_it_turns(mode: str) -> None:
+def test_payload_modes_rotate_about_point_of_resolution(mode: str) -> None:
     sim = aftdeck.Simulation(concept(f'mode = "{mode}"{PAYLOAD}'))
     arm, payload = sim.scenario.arm, sim.scenario.payload
     assert payload is not None
@@ -64,7 +64,7 @@ def test_a_payloads_modes_hold_its_point_of_resolution_while_it_turns(mode: str)
     assert np.linalg.norm(frames[-1].rates_commanded) > 0.01
 
 
-def test_a_stick_held_for_long_comes_to_rest_before_a_stop_or_a_singularity() -> None:
+def test_held_stick_stops_before_a_stop_or_singularity() -> None:
     sim = aftdeck.Simulation(concept())
     frames = fly(sim, 40.0, aftdeck.Inputs(translation=(-1.0, 0.0, -0.5)))
     low, high = sim.scenario.arm.limits.soft.T
@@ -74,7 +74,7 @@ def test_a_stick_held_for_long_comes_to_rest_before_a_stop_or_a_singularity() ->
     assert {"soft stop", "singularity"} & {limit.kind for limit in frames[-1].limits}
 
 
-def test_many_arms_at_once_come_to_their_targets() -> None:
+def test_batch_of_concept_arms_reaches_its_targets() -> None:
     arm = aftdeck.load_arm("concept-1972").at(stand=16 * FOOT)
     rng = np.random.default_rng(60)
     start = np.radians(START) + rng.uniform(-0.2, 0.2, (70, 6))

@@ -1,4 +1,4 @@
-"""DIRECT and TEST, and which law each of the panel's positions flies."""
+"""DIRECT and TEST, and the steering law that each panel position selects."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ POINTS = "\n".join(
 
 @pytest.mark.parametrize("joint", range(6))
 @pytest.mark.parametrize("rate", ["coarse", "vernier"])
-def test_the_joint_is_at_its_rate_at_once_and_at_rest_at_once(joint: int, rate: str) -> None:
+def test_direct_starts_and_stops_a_joint_at_once(joint: int, rate: str) -> None:
     sim = aftdeck.Simulation(scenario((0, 60, -80, 30, 10, 0)))
     switch = aftdeck.Inputs(mode="DIRECT", joint=joint, rate="coarse" if rate == "coarse" else "vernier", drive=-0.5)
     frames = fly(sim, 1.0, switch)
@@ -32,14 +32,14 @@ def test_the_joint_is_at_its_rate_at_once_and_at_rest_at_once(joint: int, rate: 
     assert sim.step(aftdeck.Inputs()).rates_commanded == (0.0,) * 6
 
 
-def test_turning_the_joint_rotary_stops_one_joint_and_starts_the_other_in_one_step() -> None:
+def test_joint_rotary_changes_the_moving_joint_at_once() -> None:
     sim = aftdeck.Simulation(scenario())
     fly(sim, 1.0, aftdeck.Inputs(mode="DIRECT", joint=0, drive=1.0))
     frame = sim.step(aftdeck.Inputs(joint=5, drive=1.0))
     assert np.degrees(frame.rates_commanded) == pytest.approx([0, 0, 0, 0, 0, 2.64])
 
 
-def test_entering_direct_at_speed_stands_every_joint_at_once() -> None:
+def test_entering_direct_at_speed_stops_every_joint_at_once() -> None:
     sim = aftdeck.Simulation(scenario())
     fly(sim, 4.0, aftdeck.Inputs(translation=(1.0, 0.0, 0.0)))
     assert sim.step(aftdeck.Inputs(mode="DIRECT")).rates_commanded == (0.0,) * 6
@@ -48,7 +48,7 @@ def test_entering_direct_at_speed_stands_every_joint_at_once() -> None:
 @pytest.mark.parametrize("joint", range(6))
 @pytest.mark.parametrize("way", [1.0, -1.0])
 @pytest.mark.parametrize("soft_stops", ["mended", "as-flown"])
-def test_soft_stops_do_not_act_and_hard_stops_hold(joint: int, way: float, soft_stops: str) -> None:
+def test_direct_ignores_soft_stops_and_keeps_hard_stops(joint: int, way: float, soft_stops: str) -> None:
     low, high = LIMITS["hard"][joint]
     start = [0.0, 70.0, -80.0, 10.0, 0.0, 0.0]
     start[joint] = high - 6.5 if way > 0 else low + 6.5
@@ -64,14 +64,14 @@ def test_soft_stops_do_not_act_and_hard_stops_hold(joint: int, way: float, soft_
     assert abs(fly(sim, 1.0, aftdeck.Inputs(drive=-way))[-1].angles[joint] - frames[-1].angles[joint]) > 0.01
 
 
-def test_in_test_nothing_moves_whatever_is_pushed() -> None:
+def test_test_mode_ignores_all_sticks() -> None:
     sim = aftdeck.Simulation(scenario())
     frames = fly(sim, 2.0, aftdeck.Inputs((1.0, 1.0, 1.0), (1.0, 1.0, 1.0), 1.0, mode="TEST"))
     assert {f.angles for f in frames} == {tuple(sim.scenario.initial_angles.tolist())}
     assert {f.law for f in frames} == {0} and not any(kinds(f) for f in frames)
 
 
-def test_entering_test_at_speed_ramps_to_rest() -> None:
+def test_entering_test_mode_at_speed_ramps_to_rest() -> None:
     sim = aftdeck.Simulation(scenario())
     before = fly(sim, 5.0, aftdeck.Inputs(translation=(0.0, 0.0, -1.0)))[-1]
     frames = fly(sim, 5.0, aftdeck.Inputs(translation=(0.0, 0.0, -1.0), mode="TEST"))
@@ -82,7 +82,7 @@ def test_entering_test_at_speed_ramps_to_rest() -> None:
     assert frames[-1].rates_commanded == (0.0,) * 6
 
 
-def test_the_panels_positions_fly_the_laws_of_the_contract() -> None:
+def test_panel_positions_select_the_documented_laws() -> None:
     wanted = {"OPR CMD": {1, 2, 3}, "ORB UNL": {4}, "END EFF": {5}, "ORB LD": {4, 7}, "PL": {6}, "SINGLE": {8}}
     wanted |= {f"AUTO {n}": {1, 2, 3} for n in (1, 2, 3, 4)} | {"DIRECT": {9}, "TEST": {0}, "MASTER": {10}}
     assert set(MODES) == set(wanted)
@@ -101,12 +101,12 @@ def test_the_panels_positions_fly_the_laws_of_the_contract() -> None:
     ("number", "position", "law"),
     [(1, "OPR CMD", 1), (2, "OPR CMD", 2), (3, "OPR CMD", 3), (4, "ORB UNL", 4), (5, "END EFF", 5), (8, "SINGLE", 8)],
 )
-def test_a_scenario_may_name_its_mode_by_the_reports_number(number: int, position: str, law: int) -> None:
+def test_scenario_may_name_its_mode_by_number(number: int, position: str, law: int) -> None:
     frame = aftdeck.Simulation(scenario(BAY, f"mode = {number}")).step(aftdeck.Inputs())
     assert (frame.mode, frame.law) == (position, law)
 
 
-def test_the_automatic_modes_fly_the_closed_loop_unless_told_otherwise() -> None:
+def test_automatic_modes_use_closed_loop_by_default() -> None:
     sim = aftdeck.Simulation(scenario(BAY, POINTS))
     for position in ("OPR CMD", "AUTO 1"):
         assert sim.step(aftdeck.Inputs(mode=position)).law == 2

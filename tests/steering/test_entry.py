@@ -9,7 +9,7 @@ from aftdeck.steering.entry import limited_rates
 from aftdeck.steering.layout import RATE
 
 
-def test_limited_rates_give_the_twist_or_keep_its_direction_at_a_joints_limit() -> None:
+def test_limited_rates_keep_the_direction_of_the_twist() -> None:
     scenario = aftdeck.load_scenario("first-flight")
     rules = steering_setup(scenario, scenario.payload).rules["ORB UNL", "coarse", 4]
     limits, random = np.array(rules[RATE : RATE + 6]), np.random.default_rng(3)

@@ -1,4 +1,4 @@
-"""AVCLMT, RATLMT and the braking curve, by what they promise."""
+"""AVCLMT, RATLMT and the braking curve: their invariants."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ twists = st.tuples(*[st.floats(-3.0, 3.0)] * 6).map(lambda t: Twist(*t))
 
 @PROVE
 @given(gap=st.floats(0.0, 50.0), deceleration=st.floats(1e-4, 5.0), dt=periods)
-def test_braking_comes_to_rest_in_its_gap_with_its_deceleration(gap: float, deceleration: float, dt: float) -> None:
+def test_braking_ends_in_its_gap_within_its_deceleration(gap: float, deceleration: float, dt: float) -> None:
     left, before = gap, braked(gap, deceleration, dt)
     steps = 0
     while left > 1e-12 * gap and steps < 3000:
@@ -56,13 +56,13 @@ def test_braking_comes_to_rest_in_its_gap_with_its_deceleration(gap: float, dece
 
 @PROVE
 @given(gap=st.floats(1e-300, 1e-11), deceleration=st.floats(1e-4, 5.0), dt=periods)
-def test_braking_still_crosses_the_smallest_gap(gap: float, deceleration: float, dt: float) -> None:
+def test_braking_crosses_the_smallest_gap(gap: float, deceleration: float, dt: float) -> None:
     assert braked(gap, deceleration, dt) == pytest.approx(gap / dt, rel=1e-12)
 
 
 @given(gap=st.floats(-10.0, 0.0), deceleration=st.floats(1e-4, 5.0), dt=periods)
 @PROVE
-def test_beyond_a_stop_the_greatest_rate_outwards_is_zero(gap: float, deceleration: float, dt: float) -> None:
+def test_braked_rate_beyond_a_stop_is_zero(gap: float, deceleration: float, dt: float) -> None:
     assert braked(gap, deceleration, dt) == 0.0
 
 
@@ -73,7 +73,7 @@ def rules_with(dt: float, strict: bool = False, as_flown: bool = False) -> np.nd
 
 @PROVE
 @given(wanted=twists, present=twists, dt=periods, strict=st.booleans())
-def test_avclmt_keeps_acceleration_and_speed(wanted: Twist, present: Twist, dt: float, strict: bool) -> None:
+def test_avclmt_keeps_acceleration_and_speed_limits(wanted: Twist, present: Twist, dt: float, strict: bool) -> None:
     rules = rules_with(dt, strict)
     got, met = avclmt(rules, wanted, present)
     for part, most, up, bit in ((slice(0, 3), TURN, TURN_UP, 4), (slice(3, 6), SPEED, SPEED_UP, 1)):
@@ -92,14 +92,14 @@ def test_avclmt_keeps_acceleration_and_speed(wanted: Twist, present: Twist, dt: 
 
 @PROVE
 @given(wanted=twists)
-def test_avclmt_lets_through_what_breaks_no_limit(wanted: Twist) -> None:
+def test_avclmt_does_not_change_a_twist_within_limits(wanted: Twist) -> None:
     rules = rules_with(0.02)
     small = Twist(*(1e-4 * x for x in wanted))
     assert avclmt(rules, small, small) == (small, 0)
 
 
 @pytest.mark.parametrize("strict", [False, True])
-def test_avclmt_turns_towards_the_wanted_velocity_by_the_allowed_change(strict: bool) -> None:
+def test_avclmt_changes_velocity_by_the_allowed_amount(strict: bool) -> None:
     rules = rules_with(0.02, strict)
     step = 2.0 * 0.3048 / 4.0 * 0.02  # 2 ft/s in 4 s
     got, met = avclmt(rules, Twist(0, 0, 0, 0.3, 0.4, 0), Twist(0, 0, 0, 0, 0, 0))
@@ -112,9 +112,7 @@ rates6 = st.tuples(*[st.floats(-2.0, 2.0)] * 6)
 
 @PROVE
 @given(rates=rates6, where=st.tuples(*[st.floats(0.0, 1.0)] * 6), dt=periods)
-def test_ratlmt_keeps_the_direction_and_no_rate_passes_its_limit(
-    rates: tuple[float, ...], where: tuple[float, ...], dt: float
-) -> None:
+def test_ratlmt_keeps_direction_and_rate_limits(rates: tuple[float, ...], where: tuple[float, ...], dt: float) -> None:
     rules, state = rules_with(dt), np.zeros(STATE)
     low, high = rules[LOW : LOW + 6], rules[HIGH : HIGH + 6]
     q = low + np.array(where) * (high - low)
@@ -130,7 +128,7 @@ def test_ratlmt_keeps_the_direction_and_no_rate_passes_its_limit(
 
 @PROVE
 @given(rates=rates6)
-def test_ratlmt_far_from_stops_gives_the_ratio_of_the_joint_that_is_worst(rates: tuple[float, ...]) -> None:
+def test_ratlmt_returns_the_ratio_of_the_worst_joint(rates: tuple[float, ...]) -> None:
     rules, state = rules_with(0.02), np.zeros(STATE)
     q = np.radians([0.0, 70.0, -80.0, 10.0, 0.0, 0.0])
     state[ANGLES : ANGLES + 6] = q
@@ -144,7 +142,7 @@ def test_ratlmt_far_from_stops_gives_the_ratio_of_the_joint_that_is_worst(rates:
 
 @PROVE
 @given(joint=st.integers(0, 5), past=st.floats(1e-6, 0.05), upper=st.booleans(), rate=st.floats(1e-4, 0.03))
-def test_past_a_soft_stop_only_the_way_back_is_open(joint: int, past: float, upper: bool, rate: float) -> None:
+def test_ratlmt_past_soft_stop_allows_only_the_way_back(joint: int, past: float, upper: bool, rate: float) -> None:
     rules, state = rules_with(0.02), np.zeros(STATE)
     q = np.radians([0.0, 70.0, -80.0, 10.0, 0.0, 0.0])
     q[joint] = rules[HIGH + joint] + past if upper else rules[LOW + joint] - past
@@ -162,7 +160,7 @@ def test_past_a_soft_stop_only_the_way_back_is_open(joint: int, past: float, upp
 
 @PROVE
 @given(joint=st.integers(0, 5), rates=rates6)
-def test_as_flown_a_joint_past_its_soft_stop_stops_all(joint: int, rates: tuple[float, ...]) -> None:
+def test_as_flown_joint_past_soft_stop_stops_all_joints(joint: int, rates: tuple[float, ...]) -> None:
     rules, state = rules_with(0.02, as_flown=True), np.zeros(STATE)
     q = np.radians([0.0, 70.0, -80.0, 10.0, 0.0, 0.0])
     q[joint] = rules[HIGH + joint] + 0.01
@@ -170,6 +168,6 @@ def test_as_flown_a_joint_past_its_soft_stop_stops_all(joint: int, rates: tuple[
     assert ratlmt(rules, state, sines(rules, *q), Rates(*rates)) == (0.0, BY_STOP, joint)
 
 
-def test_the_layout_has_room_for_everything_once() -> None:
+def test_layout_indices_do_not_overlap() -> None:
     assert DT < STRICT < AS_FLOWN < SPEED < TURN < SPEED_UP < TURN_UP < RATE
     assert (ANGLES, RATES) == (0, 6) and math.isclose(rules_with(0.02)[DT], 0.02)

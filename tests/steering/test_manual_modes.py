@@ -1,4 +1,4 @@
-"""Modes 4 and 5: which way the tip goes for each axis of the hand controllers, and how fast."""
+"""Modes 4 and 5: direction and speed of the tip for each axis of the hand controllers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.kinematics.poses import turned
 from tests.steering.flying import BAY, BODY_FROM_L, FOOT, QUICK, at_rate, fly, kinds, scenario, speed, turning
 
 LEVEL = (0.0, 60.0, -90.0, 30.0, 0.0, 0.0)
-"""The hand points straight aft; the end effector's own axes are aft, port, down [deg]."""
+"""Joint angles with the end effector pointing aft; its axes are aft, port, down [deg]."""
 AXES = {"+1": (1.0, 0.0, 0.0), "-1": (-1.0, 0.0, 0.0), "+2": (0.0, 1.0, 0.0), "-2": (0.0, -1.0, 0.0)}
 AXES |= {"+3": (0.0, 0.0, 1.0), "-3": (0.0, 0.0, -1.0), "askew": (0.5, -0.7, 0.4)}
 axes = pytest.mark.parametrize("stick", AXES.values(), ids=AXES.keys())
@@ -26,7 +26,7 @@ A_HUNDREDTH_OF_A_DEGREE = math.radians(0.01)
 
 
 def moved(frames: Sequence[Frame]) -> tuple[Array, Array]:
-    """Displacement [m] and turn [rad] of the tip over a flight, in orbiter body axes; turns up to 90 deg."""
+    """Return displacement [m] and rotation [rad] of the tip in a run, in orbiter body axes; rotations up to 90 deg."""
     first, last = frames[0], frames[-1]
     way = BODY_FROM_L @ (np.array(last.position) - np.array(first.position))
     sine = turned(np.array(last.orientation), np.array(first.orientation))
@@ -35,13 +35,13 @@ def moved(frames: Sequence[Frame]) -> tuple[Array, Array]:
 
 
 def e_axes(frame: Frame) -> Array:
-    """The end effector's own axes in orbiter body axes."""
+    """Return the end effector's own axes in orbiter body axes."""
     c, s = math.cos(math.radians(19.48)), math.sin(math.radians(19.48))
     return np.asarray(BODY_FROM_L @ np.array(frame.orientation) @ np.array([[1, 0, 0], [0, c, s], [0, -s, c]]))
 
 
 @axes
-def test_mode_4_pushes_the_tip_along_the_orbiters_axes_and_turns_nothing(stick: tuple[float, float, float]) -> None:
+def test_mode_4_translates_along_orbiter_axes_without_rotation(stick: tuple[float, float, float]) -> None:
     frames = fly(aftdeck.Simulation(scenario()), 5.0, aftdeck.Inputs(translation=stick, mode="ORB UNL"))
     way, turn = moved(frames)
     along = way @ stick / np.linalg.norm(stick)
@@ -51,7 +51,7 @@ def test_mode_4_pushes_the_tip_along_the_orbiters_axes_and_turns_nothing(stick: 
 
 
 @axes
-def test_mode_4_turns_the_hand_about_the_orbiters_axes_and_leaves_the_tip_in_place(
+def test_mode_4_rotates_about_orbiter_axes_without_translation(
     stick: tuple[float, float, float],
 ) -> None:
     frames = fly(aftdeck.Simulation(scenario()), 5.0, aftdeck.Inputs(rotation=stick, mode="ORB UNL"))
@@ -64,9 +64,7 @@ def test_mode_4_turns_the_hand_about_the_orbiters_axes_and_leaves_the_tip_in_pla
 
 @axes
 @pytest.mark.parametrize("start", [BAY, LEVEL], ids=["bay", "level"])
-def test_mode_5_pushes_the_tip_along_the_end_effectors_own_axes(
-    start: tuple[float, ...], stick: tuple[float, float, float]
-) -> None:
+def test_mode_5_translates_along_end_effector_axes(start: tuple[float, ...], stick: tuple[float, float, float]) -> None:
     frames = fly(aftdeck.Simulation(scenario(start)), 5.0, aftdeck.Inputs(translation=stick, mode="END EFF"))
     way, turn = moved(frames)
     wanted = e_axes(frames[0]) @ stick / np.linalg.norm(stick)
@@ -78,9 +76,7 @@ def test_mode_5_pushes_the_tip_along_the_end_effectors_own_axes(
 
 @axes
 @pytest.mark.parametrize("start", [BAY, LEVEL], ids=["bay", "level"])
-def test_mode_5_turns_the_hand_about_the_end_effectors_own_axes(
-    start: tuple[float, ...], stick: tuple[float, float, float]
-) -> None:
+def test_mode_5_rotates_about_end_effector_axes(start: tuple[float, ...], stick: tuple[float, float, float]) -> None:
     frames = fly(aftdeck.Simulation(scenario(start)), 5.0, aftdeck.Inputs(rotation=stick, mode="END EFF"))
     way, turn = moved(frames)
     wanted = e_axes(frames[0]) @ stick / np.linalg.norm(stick)
@@ -90,14 +86,14 @@ def test_mode_5_turns_the_hand_about_the_end_effectors_own_axes(
     assert np.linalg.norm(way) < A_MILLIMETRE
 
 
-def test_at_a_level_hand_mode_5_flies_aft_port_and_straight_down_the_picture() -> None:
+def test_mode_5_at_level_end_effector_moves_aft_port_and_down() -> None:
     for stick, body in (((1.0, 0, 0), (-1.0, 0, 0)), ((0, 1.0, 0), (0, -1.0, 0)), ((0, 0, 1.0), (0, 0, 1.0))):
         frames = fly(aftdeck.Simulation(scenario(LEVEL)), 3.0, aftdeck.Inputs(translation=stick, mode="END EFF"))
         way, _ = moved(frames)
         assert way / np.linalg.norm(way) == pytest.approx(body, abs=2e-3)
 
 
-def test_strict_mode_5_flies_along_frame_7_which_leans_with_the_arm() -> None:
+def test_strict_mode_5_moves_along_frame_7() -> None:
     flight = aftdeck.Simulation(scenario(LEVEL, "strict = true"))
     frames = fly(flight, 3.0, aftdeck.Inputs(translation=(0.0, 0.0, 1.0), mode="END EFF"))
     way, _ = moved(frames)
@@ -108,9 +104,7 @@ def test_strict_mode_5_flies_along_frame_7_which_leans_with_the_arm() -> None:
 
 @pytest.mark.parametrize("mode", ["ORB UNL", "END EFF"])
 @pytest.mark.parametrize(("rate", "most", "most_turn"), [("coarse", 2.0 * FOOT, 4.76), ("vernier", 0.61 * FOOT, 1.59)])
-def test_full_deflection_reaches_the_limits_of_the_point_of_resolution_where_the_joints_allow(
-    mode: str, rate: str, most: float, most_turn: float
-) -> None:
+def test_full_deflection_reaches_the_por_limits(mode: str, rate: str, most: float, most_turn: float) -> None:
     for stick in AXES.values():
         for part, limit in (("translation", most), ("rotation", math.radians(most_turn))):
             size = math.hypot(*stick)
@@ -125,7 +119,7 @@ def test_full_deflection_reaches_the_limits_of_the_point_of_resolution_where_the
             assert math.hypot(*frames[-1].twist[place : place + 3]) == pytest.approx(limit, abs=1e-3)
 
 
-def test_with_the_arms_own_joints_speed_is_the_limit_or_a_joint_is_at_its_rate() -> None:
+def test_speed_is_at_its_limit_or_a_joint_is_at_its_rate_limit() -> None:
     slower = 0
     for stick in AXES.values():
         size = math.hypot(*stick)
@@ -136,7 +130,7 @@ def test_with_the_arms_own_joints_speed_is_the_limit_or_a_joint_is_at_its_rate()
     assert slower
 
 
-def test_a_joint_is_named_for_its_rate_only_while_it_goes_at_its_limit() -> None:
+def test_joint_rate_limit_names_only_a_joint_at_its_limit() -> None:
     for stick in AXES.values():
         for frame in fly(aftdeck.Simulation(scenario()), 4.5, aftdeck.Inputs(translation=stick, mode="ORB UNL")):
             for limit in frame.limits:
@@ -145,7 +139,7 @@ def test_a_joint_is_named_for_its_rate_only_while_it_goes_at_its_limit() -> None
                     assert abs(frame.rates_commanded[limit.joint]) == pytest.approx(most, rel=1e-3), frame.time_s
 
 
-def test_coarse_speed_is_reached_in_four_seconds_and_given_back_in_four() -> None:
+def test_coarse_speed_is_reached_and_lost_in_4_s() -> None:
     sim = aftdeck.Simulation(scenario(BAY, QUICK))
     up = fly(sim, 6.0, aftdeck.Inputs(translation=(1.0, 0.0, 0.0), mode="ORB UNL"))
     assert [f.time_s for f in up if "POR acceleration" in kinds(f)][-1] == pytest.approx(4.0, abs=0.03)
@@ -155,12 +149,12 @@ def test_coarse_speed_is_reached_in_four_seconds_and_given_back_in_four() -> Non
     assert next(k for k, f in enumerate(down, 1) if speed(f) < 1e-12) * 0.02 == pytest.approx(4.0, abs=0.03)
 
 
-def test_half_a_stick_asks_for_half_the_speed() -> None:
+def test_half_deflection_gives_half_the_speed() -> None:
     frames = fly(aftdeck.Simulation(scenario()), 4.0, aftdeck.Inputs(translation=(0.5, 0, 0), mode="ORB UNL"))
     assert speed(frames[-1]) == pytest.approx(FOOT)
 
 
-def test_going_from_coarse_to_vernier_at_speed_slows_within_the_acceleration_limit() -> None:
+def test_vernier_at_speed_slows_within_acceleration_limit() -> None:
     sim = aftdeck.Simulation(scenario())
     before = fly(sim, 4.5, aftdeck.Inputs(translation=(1.0, 0.0, 0.0), mode="ORB UNL"))[-1]
     for frame in fly(sim, 4.0, aftdeck.Inputs(translation=(1.0, 0.0, 0.0), rate="vernier")):
@@ -169,7 +163,7 @@ def test_going_from_coarse_to_vernier_at_speed_slows_within_the_acceleration_lim
     assert speed(before) == pytest.approx(0.61 * FOOT)
 
 
-def test_a_payload_slows_the_point_of_resolution() -> None:
+def test_payload_reduces_the_por_speed() -> None:
     held = scenario(BAY, '[payload]\nmass = "32000 lb"')
     frames = fly(aftdeck.Simulation(held), 20.0, aftdeck.Inputs(translation=(1.0, 0.0, 0.0), mode="ORB UNL"))
     assert speed(frames[-1]) == pytest.approx(0.115 * FOOT)

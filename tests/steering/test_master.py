@@ -1,4 +1,4 @@
-"""MASTER: each joint follows the master arm's within its limits, arrives without passing it, and stays."""
+"""MASTER: each joint follows the master arm's joint within its limits, without overshoot."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def an_arm(name: str, extra: str = "") -> Scenario:
 
 
 class Follower:
-    """An arm that follows exactly what MASTER commands, step by step."""
+    """Arm that follows the rates of MASTER exactly."""
 
     def __init__(self, made: Scenario, angles: Array, rate: str = "coarse") -> None:
         self.rules = steering_setup(made, made.payload).rules["MASTER", "coarse" if rate == "coarse" else "vernier", 10]
@@ -51,7 +51,7 @@ class Follower:
         self.state[:6] = angles
 
     def step(self, master: Array) -> tuple[Array, Array]:
-        """Rates of a step, and the angles after it; checks what is promised of every step."""
+        """Return the rates of a step and the angles after it; check the limits of every step."""
         self.command[MASTER : MASTER + 6] = master
         before = self.state[RATES : RATES + 6].copy()
         msteer(self.rules, self.command, self.state, self.report)
@@ -69,7 +69,7 @@ class Follower:
 
     @property
     def longest(self) -> float:
-        """Longer than any way between the stops takes [s]."""
+        """Upper bound of the time of a motion between the stops [s]."""
         low, high = self.stops
         ways = (high - low) / self.rules[RATE : RATE + 6] + self.rules[RATE : RATE + 6] / self.rules[
             RATE_UP : RATE_UP + 6
@@ -79,7 +79,7 @@ class Follower:
 
 @ARMS
 @pytest.mark.parametrize("seed", range(8))
-def test_from_any_start_every_joint_comes_to_its_masters_angle_never_passes_it_and_stays(name: str, seed: int) -> None:
+def test_joints_reach_master_angles_without_overshoot(name: str, seed: int) -> None:
     rng = np.random.default_rng(seed)
     period = float(rng.choice([0.005, 0.02, 0.08, 0.2])) if seed else 0.02
     made = an_arm(name, f"control_period = {period}\nduration = {1000 * period}")
@@ -107,7 +107,7 @@ def test_from_any_start_every_joint_comes_to_its_masters_angle_never_passes_it_a
 
 @ARMS
 @pytest.mark.parametrize("seed", range(6))
-def test_a_master_that_jumps_about_is_followed_within_every_limit_and_stop(name: str, seed: int) -> None:
+def test_jumping_master_is_followed_within_every_limit(name: str, seed: int) -> None:
     rng = np.random.default_rng(100 + seed)
     made = an_arm(name)
     soft = made.arm.limits.soft
@@ -122,7 +122,7 @@ def test_a_master_that_jumps_about_is_followed_within_every_limit_and_stop(name:
 
 @pytest.mark.parametrize("joint", range(6))
 @pytest.mark.parametrize("way", [1, -1])
-def test_a_master_beyond_a_stop_leads_the_joint_up_to_it_and_the_report_names_it(joint: int, way: int) -> None:
+def test_master_beyond_a_stop_moves_the_joint_up_to_the_stop(joint: int, way: int) -> None:
     made = an_arm("concept-1972")
     soft = made.arm.limits.soft
     arm = Follower(made, soft.mean(axis=1))
@@ -134,7 +134,7 @@ def test_a_master_beyond_a_stop_leads_the_joint_up_to_it_and_the_report_names_it
     assert (int(arm.report[CAUSE]), int(arm.report[LIMITING_JOINT])) == (BY_STOP, joint)
 
 
-def test_joints_past_their_stops_stand_until_the_master_leads_them_back() -> None:
+def test_joints_past_their_stops_move_only_back() -> None:
     # the Shuttle's arm at its cradle: shoulder and elbow pitch outside their soft stops
     made = an_arm("srms")
     arm = Follower(made, np.zeros(6))
@@ -149,14 +149,14 @@ def test_joints_past_their_stops_stand_until_the_master_leads_them_back() -> Non
 
 
 @ARMS
-def test_until_the_master_is_moved_the_arm_stands(name: str) -> None:
+def test_arm_rests_until_the_master_moves(name: str) -> None:
     sim = aftdeck.Simulation(an_arm(name))
     frames = fly(sim, 2.0, aftdeck.Inputs())
     assert (np.array([frame.angles for frame in frames]) == sim.scenario.initial_angles).all()
     assert frames[-1].mode == "MASTER" and frames[-1].law == 10
 
 
-def test_entered_in_motion_the_arm_comes_back_to_where_it_was_entered() -> None:
+def test_arm_returns_to_its_angles_at_entry_of_master() -> None:
     sim = aftdeck.Simulation(scenario())
     before = fly(sim, 4.0, aftdeck.Inputs(translation=(0.0, 0.0, -0.5)))[-1]
     frames = fly(sim, 20.0, aftdeck.Inputs(mode="MASTER"))
@@ -164,14 +164,14 @@ def test_entered_in_motion_the_arm_comes_back_to_where_it_was_entered() -> None:
     assert np.abs(frames[-1].rates).max() < 1e-9
 
 
-def test_too_fast_towards_a_soft_stop_from_single_the_joint_is_held_at_it() -> None:
+def test_master_holds_a_fast_joint_at_its_soft_stop() -> None:
     sim = aftdeck.Simulation(scenario((0.0, 140.0, -80.0, 10.0, 0.0, 0.0)))
     fly(sim, 1.9, aftdeck.Inputs(mode="SINGLE", joint=1, drive=1.0))
     frames = fly(sim, 5.0, aftdeck.Inputs(mode="MASTER"))
     assert max(frame.angles[1] for frame in frames) <= sim.scenario.arm.limits.soft[1, 1] + HAIR
 
 
-def test_with_a_payload_the_master_is_followed_more_slowly() -> None:
+def test_master_is_followed_more_slowly_with_a_payload() -> None:
     made = scenario(BAY, 'mode = "MASTER"\n[payload]\nmass = "32000 lb"')
     empty = scenario(BAY, 'mode = "MASTER"')
     plain, loaded = (steering_setup(s, s.payload).rules["MASTER", "coarse", 10] for s in (empty, made))

@@ -28,19 +28,19 @@ C, S = math.cos(math.radians(30.0)), math.sin(math.radians(30.0))
 D, E = math.cos(math.radians(19.48)), math.sin(math.radians(19.48))
 T_78 = np.array([[C, -S, 0.0], [S, C, 0.0], [0.0, 0.0, 1.0]]) @ np.array([[1.0, 0.0, 0.0], [0.0, D, -E], [0.0, E, D]])
 FROM_TIP = np.array([0.5 + 0.3, 0.2 - 0.4, 2.6 + 0.1])
-"""From the tip to the point of resolution, in payload axes [m]."""
+"""Vector from the tip to the point of resolution, in payload axes [m]."""
 
 
 REST: Stick = (0.0, 0.0, 0.0)
 
 
 def axes(frame: Frame) -> Array:
-    """The payload's axes as columns, in L, from the hand's."""
+    """Return the payload's axes as columns, in L, computed from frame 7."""
     return np.asarray(np.array(frame.orientation) @ T_78)
 
 
 def point(frame: Frame) -> Array:
-    """The payload's point of resolution, in L, from the hand's pose."""
+    """Return the payload's point of resolution, in L, computed from the pose of frame 7."""
     return np.asarray(np.array(frame.position) + axes(frame) @ FROM_TIP)
 
 
@@ -52,7 +52,7 @@ def flown(
 
 
 @MODES
-def test_the_point_of_resolution_and_the_payloads_pose_follow_from_the_hands(mode: str, mixed: bool) -> None:
+def test_por_and_payload_pose_follow_from_frame_7(mode: str, mixed: bool) -> None:
     for frame in flown(mode, mixed, LIGHT, 2.0, rotation=(1.0, 0.3, -0.4), translation=(0.2, 0.4, 0.0))[::20]:
         assert frame.resolution == pytest.approx(point(frame), abs=1e-12)
         assert frame.payload is not None
@@ -63,7 +63,7 @@ def test_the_point_of_resolution_and_the_payloads_pose_follow_from_the_hands(mod
 
 @sticks
 @MODES
-def test_a_push_takes_the_point_along_the_stick_and_turns_nothing(mode: str, mixed: bool, stick: Stick) -> None:
+def test_thc_translates_the_por_without_rotation(mode: str, mixed: bool, stick: Stick) -> None:
     frames = flown(mode, mixed, LIGHT, 5.0, translation=stick)
     way = point(frames[-1]) - point(frames[0])
     along = axes(frames[0]) if mode == "PL" else BODY_FROM_L.T
@@ -75,9 +75,7 @@ def test_a_push_takes_the_point_along_the_stick_and_turns_nothing(mode: str, mix
 
 @sticks
 @MODES
-def test_a_turn_is_about_the_point_which_stays_put_and_about_the_sticks_axis(
-    mode: str, mixed: bool, stick: Stick
-) -> None:
+def test_rhc_rotates_about_the_por(mode: str, mixed: bool, stick: Stick) -> None:
     frames = flown(mode, mixed, LIGHT, 5.0, rotation=stick)
     turn = turned(axes(frames[-1]), axes(frames[0]))
     about = axes(frames[0]) if mode == "PL" or mixed else BODY_FROM_L.T
@@ -89,14 +87,14 @@ def test_a_turn_is_about_the_point_which_stays_put_and_about_the_sticks_axis(
 
 
 @MODES
-def test_strict_turns_about_the_tip_as_the_source_has_it(mode: str, mixed: bool) -> None:
+def test_strict_rotates_about_the_tip(mode: str, mixed: bool) -> None:
     frames = flown(mode, mixed, f"strict = true\n{LIGHT}", 5.0, rotation=(0.0, 1.0, 0.0))
     assert max(math.dist(f.position, frames[0].position) for f in frames) < 5e-3
     assert np.linalg.norm(point(frames[-1]) - point(frames[0])) > 0.1
 
 
 @MODES
-def test_a_heavy_payloads_point_reaches_its_limits_within_its_acceleration(mode: str, mixed: bool) -> None:
+def test_heavy_payload_reaches_por_limits_within_acceleration(mode: str, mixed: bool) -> None:
     most, most_turn = 0.115 * FOOT, math.radians(0.24)
     push, turn = {"translation": UNIT["-2"]}, {"rotation": UNIT["3"]}
     for stick, reached, limit in ((push, speed, most), (turn, turning, most_turn)):
@@ -111,7 +109,7 @@ def test_a_heavy_payloads_point_reaches_its_limits_within_its_acceleration(mode:
 
 
 @MODES
-def test_the_points_acceleration_is_within_its_limits_whatever_the_sticks(mode: str, mixed: bool) -> None:
+def test_por_acceleration_keeps_its_limits(mode: str, mixed: bool) -> None:
     rng = np.random.default_rng(200)
     up, turn_up = 0.115 * FOOT / 17.0, math.radians(0.24) / 17.0
     sim = aftdeck.Simulation(scenario(BAY, HEAVY))
@@ -128,7 +126,7 @@ def test_the_points_acceleration_is_within_its_limits_whatever_the_sticks(mode: 
             before = frame
 
 
-def test_going_over_from_the_tip_to_the_point_and_back_changes_no_velocity_by_a_jump() -> None:
+def test_change_between_tip_and_por_causes_no_velocity_jump() -> None:
     sim = aftdeck.Simulation(scenario(BAY, HEAVY))
     turn = (0.0, 0.0, 1.0)
     frames = fly(sim, 18.0, aftdeck.Inputs(mode="ORB UNL", rotation=turn))
@@ -140,7 +138,7 @@ def test_going_over_from_the_tip_to_the_point_and_back_changes_no_velocity_by_a_
     assert np.abs(np.diff(rates, axis=0)).max() < 2e-3 * 0.02
 
 
-def test_the_switch_beside_orb_ld_takes_effect_at_once_and_is_shown() -> None:
+def test_payload_axes_switch_acts_at_once() -> None:
     sim = aftdeck.Simulation(scenario(BAY, f'mode = "ORB LD"\n{LIGHT}'))
     assert (sim.step(aftdeck.Inputs()).law, sim.step(aftdeck.Inputs(payload_axes=True)).law) == (4, 7)
     frame = sim.step(aftdeck.Inputs(payload_axes=False))
@@ -148,7 +146,7 @@ def test_the_switch_beside_orb_ld_takes_effect_at_once_and_is_shown() -> None:
 
 
 @pytest.mark.parametrize(("number", "position", "law"), [(6, "PL", 6), (7, "ORB LD", 7), (4, "ORB UNL", 4)])
-def test_the_reports_numbers_choose_position_and_switch(number: int, position: str, law: int) -> None:
+def test_mode_numbers_select_position_and_switch(number: int, position: str, law: int) -> None:
     frame = aftdeck.Simulation(scenario(BAY, f"mode = {number}\n{LIGHT}")).step(aftdeck.Inputs())
     assert (frame.mode, frame.law) == (position, law)
 
@@ -157,7 +155,7 @@ def positions_of(frames: Sequence[Frame]) -> Array:
     return np.array([f.resolution for f in frames])
 
 
-def test_the_loaded_scenario_flies_as_its_phases_say() -> None:
+def test_loaded_scenario_follows_its_phases() -> None:
     done = aftdeck.run("loaded")
     assert done.summary.ended == "completed"
     assert [t for t in log_of(done.frames) if t.startswith("phase")] == [
@@ -175,13 +173,13 @@ def test_the_loaded_scenario_flies_as_its_phases_say() -> None:
     assert np.abs([f.rates_commanded for f in done.frames]).max() <= math.radians(max(limits["servo"]))
 
 
-def test_sticks_move_the_tip_itself_in_the_modes_for_an_empty_hand() -> None:
+def test_orb_unl_moves_the_tip_also_with_a_payload() -> None:
     sim = aftdeck.Simulation(scenario(BAY, LIGHT))
     frames = fly(sim, 5.0, aftdeck.Inputs(mode="ORB UNL", rotation=(0.0, 1.0, 0.0)))
     assert max(math.dist(f.position, frames[0].position) for f in frames) < 1e-3
     assert frames[-1].resolution == frames[-1].position and frames[-1].payload is not None
 
 
-def test_without_a_payload_there_is_none_in_the_frame() -> None:
+def test_frame_without_payload_has_por_at_the_tip() -> None:
     frame = aftdeck.Simulation(scenario()).step(aftdeck.Inputs())
     assert frame.payload is None and frame.resolution == frame.position

@@ -1,4 +1,4 @@
-"""VCLOSE: both motions end together, on the target, without a jump or a division by nothing."""
+"""VCLOSE: both motions end together at the target, without a jump or a division by zero."""
 
 from __future__ import annotations
 
@@ -30,9 +30,7 @@ angles = st.one_of(st.just(0.0), st.floats(1e-300, 1e-12), st.floats(1e-9, math.
 
 @PROVE
 @given(distance=distances, angle=angles, dt=st.floats(0.001, 0.2), strict=st.booleans())
-def test_every_profile_is_finite_and_asks_for_no_more_than_the_limits(
-    distance: float, angle: float, dt: float, strict: bool
-) -> None:
+def test_vclose_is_finite_and_within_limits(distance: float, angle: float, dt: float, strict: bool) -> None:
     found = vclose(rules(dt, strict), distance, angle)
     assert all(math.isfinite(x) and x >= 0.0 for x in found)
     if not strict:
@@ -41,9 +39,7 @@ def test_every_profile_is_finite_and_asks_for_no_more_than_the_limits(
 
 @PROVE
 @given(distance=distances, angle=angles, dt=st.sampled_from([0.005, 0.02, 0.08]))
-def test_following_the_profile_from_speed_arrives_at_both_without_overshoot_or_hard_braking(
-    distance: float, angle: float, dt: float
-) -> None:
+def test_vclose_reaches_target_without_overshoot(distance: float, angle: float, dt: float) -> None:
     r = rules(dt)
     v = w = math.nan
     for _ in range(round(120.0 / dt)):
@@ -62,7 +58,7 @@ def test_following_the_profile_from_speed_arrives_at_both_without_overshoot_or_h
 
 @PROVE
 @given(distance=st.floats(0.5, 40.0), angle=st.floats(0.1, math.pi))
-def test_both_motions_end_within_a_step_or_two_of_each_other(distance: float, angle: float) -> None:
+def test_vclose_ends_both_motions_together(distance: float, angle: float) -> None:
     dt, r = 0.02, rules(0.02)
     ended = [0.0, 0.0]
     for step in range(round(120.0 / dt)):
@@ -77,13 +73,13 @@ def test_both_motions_end_within_a_step_or_two_of_each_other(distance: float, an
     assert all(ended) and abs(ended[0] - ended[1]) <= 0.1
 
 
-def test_the_time_left_is_that_of_a_trapezoid_for_a_long_way() -> None:
+def test_vclose_time_of_long_way_is_that_of_a_trapezoid() -> None:
     # 12 m at 2 ft/s, then 4 s of braking, in which half as far is flown
     assert vclose(rules(0.001), 12.0, 0.0).remaining == pytest.approx(12.0 / SPEED + 2.0, rel=1e-3)
 
 
 @pytest.mark.parametrize("tiny", [1e-15, 1e-18, 1e-22, 1e-30])
-def test_a_turn_too_small_to_matter_does_not_hold_up_the_way(tiny: float) -> None:
+def test_tiny_rotation_does_not_delay_the_translation(tiny: float) -> None:
     found = vclose(rules(0.02), 3.0, tiny)
     assert found.speed == pytest.approx(SPEED)
     found = vclose(rules(0.02), tiny, 1.0)

@@ -1,4 +1,4 @@
-"""Mode 8: one joint moves, ramped, to its stops; the others are still."""
+"""Mode 8: one joint moves, ramped, up to its stops; the other joints rest."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LIMITS = table("srms-limits")
 @pytest.mark.parametrize("joint", range(6))
 @pytest.mark.parametrize("rate", ["coarse", "vernier"])
 @pytest.mark.parametrize("drive", [1.0, -1.0, 0.5])
-def test_the_selected_joint_ramps_to_its_rate_and_back_and_no_other_moves(joint: int, rate: str, drive: float) -> None:
+def test_selected_joint_ramps_and_no_other_moves(joint: int, rate: str, drive: float) -> None:
     sim = aftdeck.Simulation(scenario())
     switch = aftdeck.Inputs(mode="SINGLE", joint=joint, rate="coarse" if rate == "coarse" else "vernier", drive=drive)
     frames = fly(sim, 6.0, switch) + fly(sim, 6.0, aftdeck.Inputs())
@@ -38,7 +38,7 @@ def test_the_selected_joint_ramps_to_its_rate_and_back_and_no_other_moves(joint:
 
 @pytest.mark.parametrize("joint", range(6))
 @pytest.mark.parametrize("way", [1.0, -1.0])
-def test_a_joint_driven_on_comes_to_rest_at_its_hard_stop_and_leaves_it_again(joint: int, way: float) -> None:
+def test_driven_joint_stops_at_its_hard_stop(joint: int, way: float) -> None:
     low, high = LIMITS["hard"][joint]
     start = [0.0, 70.0, -80.0, 10.0, 0.0, 0.0]
     start[joint] = high - 8.0 if way > 0 else low + 8.0
@@ -55,7 +55,7 @@ def test_a_joint_driven_on_comes_to_rest_at_its_hard_stop_and_leaves_it_again(jo
     assert abs(back[-1].angles[joint] - frames[-1].angles[joint]) > math.radians(1.0)
 
 
-def test_a_joint_no_longer_selected_returns_to_the_angle_that_it_had_then() -> None:
+def test_deselected_joint_returns_to_its_angle() -> None:
     sim = aftdeck.Simulation(scenario())
     angle = fly(sim, 5.0, aftdeck.Inputs(mode="SINGLE", joint=0, drive=1.0))[-1].angles[0]
     frames = fly(sim, 20.0, aftdeck.Inputs(joint=5, drive=1.0))
@@ -67,7 +67,7 @@ def test_a_joint_no_longer_selected_returns_to_the_angle_that_it_had_then() -> N
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_every_other_joint_ends_at_the_angle_that_it_had_when_the_mode_was_entered(seed: int) -> None:
+def test_other_joints_return_to_their_angles_at_entry(seed: int) -> None:
     rng = np.random.default_rng(seed)
     sim = aftdeck.Simulation(scenario())
     x, y, z, a, b, c = rng.uniform(-1.0, 1.0, 6).tolist()
@@ -80,14 +80,14 @@ def test_every_other_joint_ends_at_the_angle_that_it_had_when_the_mode_was_enter
     assert angles[-1, others] == pytest.approx(entered[others], abs=1e-12)
 
 
-def test_a_joint_that_is_pushed_away_is_brought_back() -> None:
+def test_disturbed_joint_returns() -> None:
     sim = aftdeck.Simulation(scenario())
     entered = fly(sim, 1.0, aftdeck.Inputs(mode="SINGLE", joint=5))[-1].angles
     disturbed(sim, {1: math.degrees(entered[1]) + 0.5, 3: math.degrees(entered[3]) - 0.2})
     assert fly(sim, 15.0, aftdeck.Inputs())[-1].angles == pytest.approx(entered, abs=1e-12)
 
 
-def test_uncradle_ends_at_pre_cradle_to_a_ten_thousandth_of_a_degree() -> None:
+def test_uncradle_ends_at_pre_cradle() -> None:
     done = aftdeck.run("uncradle")
     assert done.summary.ended == "completed"
     assert np.degrees(done.summary.joints_rad) == pytest.approx([0, 25, -25, 5, 0, 0], abs=1e-4)
@@ -96,7 +96,7 @@ def test_uncradle_ends_at_pre_cradle_to_a_ten_thousandth_of_a_degree() -> None:
     assert max(moving) == 1
 
 
-def test_with_a_payload_the_joints_are_slower() -> None:
+def test_joints_are_slower_with_a_payload() -> None:
     sim = aftdeck.Simulation(scenario(BAY, '[payload]\nmass = "32000 lb"'))
     frames = fly(sim, 30.0, aftdeck.Inputs(mode="SINGLE", joint=0, drive=1.0))
     # as much slower as the POR: 0.115 of 2 ft/s

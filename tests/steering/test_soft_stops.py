@@ -28,14 +28,14 @@ STICKS = [
 
 
 @pytest.mark.parametrize("inputs", STICKS)
-def test_a_joint_past_its_soft_stop_moves_inwards_or_not_at_all(inputs: aftdeck.Inputs) -> None:
+def test_joint_past_soft_stop_moves_only_inwards(inputs: aftdeck.Inputs) -> None:
     frames = fly(aftdeck.Simulation(scenario(PAST)), 4.0, inputs)
     angles = [math.radians(PAST[3])] + [f.angles[3] for f in frames]
     outside = [a for a in angles if a > SOFT[3, 1]]
     assert (np.diff(outside) <= 0.0).all()
 
 
-def test_one_way_of_turning_leads_back_and_the_other_is_refused_and_named() -> None:
+def test_outward_rotation_past_soft_stop_is_blocked() -> None:
     ends = {}
     for way in (1.0, -1.0):
         frames = fly(aftdeck.Simulation(scenario(PAST)), 4.0, aftdeck.Inputs(rotation=(0, way, 0), mode="END EFF"))
@@ -49,14 +49,14 @@ def test_one_way_of_turning_leads_back_and_the_other_is_refused_and_named() -> N
 
 
 @pytest.mark.parametrize("inputs", STICKS)
-def test_as_flown_nothing_moves_past_a_soft_stop_in_a_computed_mode(inputs: aftdeck.Inputs) -> None:
+def test_as_flown_arm_past_soft_stop_does_not_move(inputs: aftdeck.Inputs) -> None:
     flight = aftdeck.Simulation(scenario(PAST, 'soft_stops = "as-flown"'))
     for frame in fly(flight, 2.0, inputs):
         assert frame.angles == tuple(math.radians(a) for a in PAST)
         assert "soft stop" in kinds(frame)
 
 
-def test_as_flown_single_leads_back_and_then_computed_modes_fly_again() -> None:
+def test_as_flown_single_leads_back_inside_soft_stops() -> None:
     flight = aftdeck.Simulation(scenario(PAST, 'soft_stops = "as-flown"'))
     back = fly(flight, 4.0, aftdeck.Inputs(mode="SINGLE", joint=3, drive=-1.0))
     assert back[-1].angles[3] < SOFT[3, 1]
@@ -65,7 +65,7 @@ def test_as_flown_single_leads_back_and_then_computed_modes_fly_again() -> None:
     assert math.dist(frames[-1].position, back[-1].position) > 0.1
 
 
-def test_as_flown_the_arm_stops_within_one_step_of_a_soft_stop() -> None:
+def test_as_flown_arm_stops_within_a_step_past_soft_stop() -> None:
     flight = aftdeck.Simulation(scenario((0.0, 60.0, -80.0, 115.0, 10.0, 0.0), 'soft_stops = "as-flown"'))
     frames = []
     for way in (1.0, -1.0):
@@ -77,7 +77,7 @@ def test_as_flown_the_arm_stops_within_one_step_of_a_soft_stop() -> None:
     assert frames[-1].rates_commanded == (0.0,) * 6
 
 
-def test_at_the_cradle_computed_modes_never_drive_shoulder_and_elbow_further_out() -> None:
+def test_computed_modes_at_cradle_do_not_move_joints_outwards() -> None:
     rng = np.random.default_rng(60)
     sim = aftdeck.Simulation(scenario((0,) * 6))
     for _ in range(30):

@@ -1,4 +1,4 @@
-"""Random straight moves that Pinocchio finds free, flown by modes 1, 2 and 3 on the kinematic plant."""
+"""Random straight moves that Pinocchio finds free, made by modes 1, 2 and 3 on the kinematic plant."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from tests.steering.lines import Move, chain_of, clear_moves
 
 ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
 NEAR, NEAR_TURN = 1e-3, 0.02
-"""How near mode 3 ends to its target [m], [deg]."""
+"""Greatest final error of mode 3 [m], [deg]."""
 
 
 @lru_cache
@@ -36,7 +36,7 @@ def arm_of(name: str) -> aftdeck.Arm:
 
 
 def beside(name: str, move: Move, law: int) -> tuple[float, float, bool]:
-    """By how much a motion ends beside its target [m], [deg], and whether it came to its end."""
+    """Return the final error of a motion [m], [deg], and whether the motion ended."""
     arm = arm_of(name)
     rules = rules_of(arm.model, arm.model.por_limits(0.0), 0.02)["OPR CMD", "coarse", law]
     goal = arm.forward(move.end)
@@ -51,13 +51,13 @@ def beside(name: str, move: Move, law: int) -> tuple[float, float, bool]:
 
 
 def reached(name: str, move: Move, law: int) -> bool:
-    """Whether the motion ends at its target, the last part of it held by a stop or not."""
+    """Return whether the motion ends at its target, even if a stop holds its last part."""
     distance, turn, _ = beside(name, move, law)
     return distance <= NEAR and turn <= NEAR_TURN
 
 
 @ARMS
-def test_the_witness_has_the_arm_where_it_is(name: str) -> None:
+def test_pinocchio_agrees_with_the_arm(name: str) -> None:
     arm = arm_of(name)
     see = in_pinocchio(chain_of(arm))
     for q in np.random.default_rng(3).uniform(-1.0, 1.0, (20, 6)):
@@ -67,21 +67,21 @@ def test_the_witness_has_the_arm_where_it_is(name: str) -> None:
 
 
 def refused(name: str, seed: int, count: int) -> dict[int, list[Move]]:
-    """The moves that each law does not bring to their target."""
+    """Return, for each steering law, the moves that do not reach their target."""
     moves = clear_moves(arm_of(name), seed, count)
     return {law: [move for move in moves if not reached(name, move, law)] for law in (1, 2, 3)}
 
 
 @ARMS
-def test_mode_3_reaches_every_free_target_and_mode_1_too(name: str) -> None:
+def test_modes_1_and_3_reach_every_free_target(name: str) -> None:
     found = refused(name, 1, 30)
     assert found[3] == [] and found[1] == []
 
 
 @pytest.mark.slow
 @ARMS
-def test_mode_3_reaches_every_one_of_many_free_targets_and_mode_1_too(name: str) -> None:
-    """200 moves; `AFTDECK_MOVES=1000` flies as many as that. Prints how many each law does not bring to its target."""
+def test_modes_1_and_3_reach_each_of_many_free_targets(name: str) -> None:
+    """200 moves, or `AFTDECK_MOVES`. Prints for each law the number of moves that do not reach their target."""
     count = int(os.environ.get("AFTDECK_MOVES", "200"))
     found = refused(name, 2, count)
     print(f"{name}: of {count} moves not reached: { ({law: len(moves) for law, moves in found.items()}) }")

@@ -19,7 +19,7 @@ HARD = np.radians(table("srms-limits")["hard"])
 
 
 def by_rmangs(arm: aftdeck.Arm, position: Array, rotation: Array) -> Array:
-    """RMANGS as its flowchart has it, theta_2 by an arc tangent: geometric angles, then the panel's."""
+    """Return the angles of RMANGS by its flowchart, with theta_2 by an arc tangent, converted to the panel's angles."""
     l1, l2, l3, l4, l5, upper, lower = arm.model.links[:7]
     r = position - l5 * rotation[:, 0] + [0.0, 0.0, l1]
     q1 = math.atan2(r[1], r[0])
@@ -36,7 +36,7 @@ def by_rmangs(arm: aftdeck.Arm, position: Array, rotation: Array) -> Array:
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_a_start_by_its_pose_takes_the_branch_of_rmangs(seed: int) -> None:
+def test_start_given_by_pose_uses_branch_of_rmangs(seed: int) -> None:
     rng, arm = np.random.default_rng(seed), aftdeck.load_arm("srms")
     while True:
         pose = arm.forward(rng.uniform([-3, 0.1, -2.6, -2, -2, -3], [3, 2.4, -0.1, 2, 2, 3]))
@@ -55,7 +55,7 @@ def test_a_start_by_its_pose_takes_the_branch_of_rmangs(seed: int) -> None:
 
 
 BENT = (0.0, 60.0, -30.0, 20.0, 20.0, 0.0)
-"""The elbow little bent: the tip moved on outwards stretches it [deg]."""
+"""Joint angles with a nearly straight elbow: outward motion of the tip straightens it [deg]."""
 OUTWARDS = aftdeck.Inputs(translation=(1.0, 0.0, 0.0), mode="END EFF")
 
 
@@ -72,7 +72,7 @@ def test_only_guards_slow_the_arm_before_a_singularity(lines: str, slows: bool) 
 @pytest.mark.parametrize(
     ("lines", "stops"), [("", True), ("strict = true", False), ("strict = true\nguards = true", True)]
 )
-def test_only_guards_keep_joints_inside_their_soft_stops_and_the_plant_its_hard_stops(lines: str, stops: bool) -> None:
+def test_only_guards_keep_joints_inside_soft_stops(lines: str, stops: bool) -> None:
     start = (0.0, 60.0, -80.0, 112.0, 0.0, 0.0)
     sim = aftdeck.Simulation(scenario(start, lines))
     frames = fly(sim, 30.0, aftdeck.Inputs(rotation=(0.0, 1.0, 0.0), mode="END EFF"))
@@ -81,7 +81,7 @@ def test_only_guards_keep_joints_inside_their_soft_stops_and_the_plant_its_hard_
     assert (wrist.max() <= 116.4 + 1e-6) == stops
 
 
-def test_strict_mode_2_ends_when_vcloses_time_has_run_out() -> None:
+def test_strict_mode_2_ends_with_the_time_of_vclose() -> None:
     sim = aftdeck.Simulation(scenario((-31.0, 79.0, -103.0, -77.0, 17.0, -128.0), 'strict = true\nmode = "OPR CMD"'))
     goal = target(sim.scenario.arm, (-25.0, 79.0, -103.0, -77.0, 17.0, -128.0))
     frames = finished(sim, aftdeck.Inputs(target=goal, proceed=True), 120.0)

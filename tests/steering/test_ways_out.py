@@ -1,4 +1,4 @@
-"""Near singularities and limits: every mode stays bounded, and the way out that the frame names leads out."""
+"""Near singularities and limits: every mode stays bounded, and the frame's escape direction leads out."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from aftdeck.simulation.motion.ways_out import by_stick
 from tests.kinematics.test_inverse import STRAIGHT
 from tests.reference.tables import table
 from tests.steering.flying import PAYLOAD, fly, scenario
-from tests.steering.test_promises import flight
+from tests.steering.random_runs import flight
 
 LIMITS = table("srms-limits")
 HARD, SOFT = np.array(LIMITS["hard"], dtype=np.float64), np.array(LIMITS["soft"], dtype=np.float64)
@@ -26,12 +26,12 @@ ZERO = (0.0, 0.0, 0.0)
 
 
 def anywhere(rng: np.random.Generator) -> Array:
-    """Angles [deg] inside the reach limits, the wrist within half a turn."""
+    """Return random angles [deg] inside the reach limits, within 180 deg."""
     return np.asarray(rng.uniform(np.maximum(REACH[:, 0], -180.0), np.minimum(REACH[:, 1], 180.0)))
 
 
 def near(kind: str, rng: np.random.Generator) -> Array:
-    """Angles [deg] at or near a singularity, or at or just past a limit of one joint."""
+    """Return random angles [deg] at or near a singularity, or at or just past a limit of one joint."""
     q = anywhere(rng)
     off = float(np.clip(rng.normal() * rng.choice([0.0, 0.01, 1.0, 5.0]), -8.0, 8.0))
     match kind:
@@ -51,7 +51,7 @@ def near(kind: str, rng: np.random.Generator) -> Array:
 
 
 def taken(way: WayOut, mode: str) -> aftdeck.Inputs:
-    """Inputs that do what the frame advises, in the position that it names or else in the present one."""
+    """Return the inputs of an escape, in the panel position that it names or else in the present one."""
     position = way.position or mode
     if way.stick == "joint":
         return aftdeck.Inputs(mode=position, joint=way.axis, drive=float(way.sign))
@@ -62,7 +62,7 @@ def taken(way: WayOut, mode: str) -> aftdeck.Inputs:
 
 
 def clear(cause: str, frame: Frame) -> bool:
-    """Whether a singularity is no longer near, or a joint is back inside its reach limits."""
+    """Return whether a singularity is no longer near, or a joint is back inside its reach limits."""
     if cause in ("shoulder", "elbow", "wrist"):
         return abs(frame.singularity[("shoulder", "elbow", "wrist").index(cause)]) >= 0.2
     joint = ARM.joints.index(cause)
@@ -70,7 +70,7 @@ def clear(cause: str, frame: Frame) -> bool:
 
 
 def follow(start: Array, mode: str, extra: str, seconds: float) -> None:
-    """From each thing that holds the arm, follow what the frame advises, read anew every 2 s, until it is left."""
+    """Follow the frame's escape from each singularity and limit, updated every 2 s, until the arm has left it."""
     made = scenario(start.tolist(), f"control_period = 0.08\nduration = 80\n{extra}")
     first = aftdeck.Simulation(made).step(aftdeck.Inputs(mode=mode))
     causes = [*first.singular, *(ARM.joints[joint] for joint, zone in enumerate(first.zones) if zone)]
@@ -97,7 +97,7 @@ def follow(start: Array, mode: str, extra: str, seconds: float) -> None:
 
 @pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_way_out_that_the_frame_names_leads_out(kind: str, mode: str) -> None:
+def test_escape_of_the_frame_leads_out(kind: str, mode: str) -> None:
     rng = np.random.default_rng([220, KINDS.index(kind)])
     payload = PAYLOAD.format(mass="100 lb") if mode in ("ORB LD", "PL") else ""
     for soft_stops in ("mended", "as-flown"):
@@ -107,7 +107,7 @@ def test_the_way_out_that_the_frame_names_leads_out(kind: str, mode: str) -> Non
 @pytest.mark.slow
 @pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize("seed", range(40))
-def test_nobody_is_stranded_from_many_poses(seed: int, mode: str) -> None:
+def test_escapes_lead_out_from_many_poses(seed: int, mode: str) -> None:
     rng = np.random.default_rng([221, seed])
     payload = PAYLOAD.format(mass="1000 lb") if mode in ("ORB LD", "PL") else ""
     for kind in KINDS:
@@ -118,7 +118,7 @@ def test_nobody_is_stranded_from_many_poses(seed: int, mode: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("mode", ["ORB LD", "PL"])
 @pytest.mark.parametrize("seed", range(6))
-def test_nobody_is_stranded_with_a_heavy_payload_if_they_are_patient(seed: int, mode: str) -> None:
+def test_escapes_lead_out_with_a_heavy_payload(seed: int, mode: str) -> None:
     rng = np.random.default_rng([222, seed])
     for kind in KINDS:
         follow(near(kind, rng), mode, PAYLOAD.format(mass="32000 lb"), 1200.0)
@@ -137,19 +137,19 @@ def test_nobody_is_stranded_with_a_heavy_payload_if_they_are_patient(seed: int, 
     ],
 )
 @pytest.mark.parametrize("soft_stops", ["mended", "as-flown"])
-def test_a_way_that_ends_at_a_stop_is_not_named(start: tuple[float, ...], soft_stops: str) -> None:
+def test_escape_does_not_end_at_a_stop(start: tuple[float, ...], soft_stops: str) -> None:
     for mode in ("ORB UNL", "END EFF"):
         follow(np.array(start), mode, f'soft_stops = "{soft_stops}"', 62.0)
 
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("seed", range(4))
-def test_near_a_singularity_or_a_limit_every_mode_keeps_its_promises(kind: str, seed: int) -> None:
+def test_invariants_hold_near_singularities_and_limits(kind: str, seed: int) -> None:
     flight(seed, first=near(kind, np.random.default_rng([223, KINDS.index(kind), seed])))
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_strict_too_stays_bounded_near_a_singularity_or_a_limit(kind: str) -> None:
+def test_strict_run_is_bounded_near_singularities_and_limits(kind: str) -> None:
     first = near(kind, np.random.default_rng([224, KINDS.index(kind)]))
     flight(7, "strict = true\n", mended=False, first=first)
 
@@ -157,11 +157,11 @@ def test_strict_too_stays_bounded_near_a_singularity_or_a_limit(kind: str) -> No
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("seed", range(100, 140))
-def test_from_many_poses_near_them_every_mode_keeps_its_promises(kind: str, seed: int) -> None:
+def test_invariants_hold_from_many_poses_near_singularities(kind: str, seed: int) -> None:
     flight(seed, first=near(kind, np.random.default_rng([225, KINDS.index(kind), seed])))
 
 
-def test_where_an_axis_moves_a_joint_the_advice_is_for_the_joint_and_names_the_position() -> None:
+def test_escape_in_joint_modes_is_a_joint_in_the_present_mode() -> None:
     sim = aftdeck.Simulation(scenario((0, 60, -80, 20, 85, 0)))
     for mode in ("SINGLE", "DIRECT", "MASTER"):
         (way,) = sim.step(aftdeck.Inputs(mode=mode)).ways_out
@@ -169,7 +169,7 @@ def test_where_an_axis_moves_a_joint_the_advice_is_for_the_joint_and_names_the_p
         assert way.text == f"{mode} wrist yaw −"
 
 
-def test_where_no_stick_moves_the_point_the_advice_names_the_mode_to_enter() -> None:
+def test_escape_in_automatic_mode_names_orb_unl() -> None:
     sim = aftdeck.Simulation(scenario((0, 60, -80, 20, 85, 0)))
     (by_hand,) = sim.step(aftdeck.Inputs(mode="ORB UNL")).ways_out
     (way,) = sim.step(aftdeck.Inputs(mode="OPR CMD")).ways_out
@@ -178,7 +178,7 @@ def test_where_no_stick_moves_the_point_the_advice_names_the_mode_to_enter() -> 
     assert way.text == f"ORB UNL, {by_hand.text}"
 
 
-def test_a_stick_directions_text_names_the_stick_the_axis_and_the_sign() -> None:
+def test_escape_text_names_stick_axis_and_sign() -> None:
     state = aftdeck.Simulation(scenario())._state
     for k in range(12):
         way = by_stick(state, "contact", k)
@@ -188,12 +188,12 @@ def test_a_stick_directions_text_names_the_stick_the_axis_and_the_sign() -> None
         assert direction == ("+" if way.sign > 0 else "−") + names[way.axis]
 
 
-def test_far_from_everything_there_is_no_advice() -> None:
+def test_no_escape_far_from_limits() -> None:
     assert aftdeck.Simulation(scenario()).step(aftdeck.Inputs()).ways_out == ()
 
 
 @pytest.mark.parametrize("kind", ["shoulder", "elbow", "wrist"])
-def test_the_joint_named_in_single_leaves_the_singularity_with_the_least_turning(kind: str) -> None:
+def test_escape_joint_needs_the_least_rotation(kind: str) -> None:
     rng = np.random.default_rng([226, KINDS.index(kind)])
     which, leavers = KINDS.index(kind), {"shoulder": (1, 2, 3), "elbow": (2,), "wrist": (4,)}[kind]
     ways = np.radians(np.arange(0.25, 320.0, 0.25))

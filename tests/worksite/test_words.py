@@ -103,7 +103,7 @@ def test_a_word_is_refused_or_is_that_of_what_it_says(word: int) -> None:
         ("a", "the control word is 'a'; it has to be an integer of 24 bits"),
         (None, "the control word is None; it has to be an integer of 24 bits"),
         (0x000201, "has one of its spare bits set, 14 to 17"),
-        (0x00D001, "has station code 1101, which is that of none"),
+        (0x00D001, "has station code 1101"),
         (0x000C01, "opens and closes the prong at once"),
         (0x000000, "has 0 modes set; it has to have 1"),
         (0x000003, "has 2 modes set"),

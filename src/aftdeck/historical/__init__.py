@@ -1,1 +1,1 @@
-"""The reports' own formats: the words of each frame, and the operator's input channels."""
+"""Formats of the reports: the words of each frame, and the operator's input channels."""

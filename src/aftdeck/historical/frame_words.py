@@ -123,7 +123,7 @@ def encode_control(control: ControlWord) -> int:
         if flag not in (False, True):
             raise InputError(f"the control word's {name} is {flag!r}; it has to be True or False")
     if control.pan * control.tilt < 0:
-        raise InputError("the control word has one sign for pan and tilt; they cannot go opposite ways at once")
+        raise InputError("the control word has one sign for pan and tilt; they cannot have opposite signs")
     bits = {
         0: control.initialise,
         1: control.telescope != 0,
@@ -157,7 +157,7 @@ def decode_control(word: int) -> ControlWord:
     code = word >> (BITS - 1 - 11) & 0b1111
     station = next((name for name, known in STATIONS.items() if known == code), None)
     if station is None:
-        raise InputError(f"the control word {word:#08x} has station code {code:04b}, which is that of none")
+        raise InputError(f"the control word {word:#08x} has station code {code:04b}, which no station has")
     if on[12] and on[13]:
         raise InputError(f"the control word {word:#08x} opens and closes the prong at once")
     modes = [mode for mode in (1, 2, 3, 4) if on[24 - mode]]

@@ -83,7 +83,7 @@ def encode_inputs(inputs: OperatorInputs) -> tuple[float, ...]:
         angles.append(angle / FULL_SCALE)
     return (
         _level(RUN, inputs.initialise, "channel 1, initialise"),
-        _level(START, inputs.start, "channel 2, what to initialise to"),
+        _level(START, inputs.start, "channel 2, start"),
         *angles,
         _level(WAY, inputs.telescope, "channel 9, telescope"),
         _level(CAMERA, inputs.camera, "channel 10, camera"),

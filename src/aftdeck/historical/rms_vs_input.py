@@ -49,7 +49,7 @@ class Reading(NamedTuple):
 
     Attributes:
         inputs: settings of the channels of TABLE I.
-        unsaid: names of commands that have no channel. If there are any, a flight repeated from the channels differs.
+        unsaid: names of commands that have no channel. If there are any, a run from the channels may differ.
     """
 
     inputs: OperatorInputs
@@ -69,7 +69,7 @@ def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
     camera = flown.camera or CameraDrive(state.panel.camera)
     motion = _MOTIONS.get((camera.pan, camera.tilt), "none")
     start = _PARTS.get(flown.initialise or "full problem", "mode 2 or 3")
-    said = OperatorInputs(
+    settings = OperatorInputs(
         initialise=flown.initialise is not None,
         start=start,
         angles=cast("tuple[float, float, float, float, float, float]", tuple(held)),
@@ -80,52 +80,52 @@ def reading_of(flight: Flight, state: State, flown: Inputs) -> Reading:
         prong=_WAYS[state.worksite.switch],
     )
     unsaid += ["master"] if held != angles or any(angle / FULL_SCALE * FULL_SCALE != angle for angle in held) else []
-    unsaid += ["telescope"] if flown.telescope != said.telescope else []
-    turned = (*_DRIVES[motion], float(said.zoom))
+    unsaid += ["telescope"] if flown.telescope != settings.telescope else []
+    turned = (*_DRIVES[motion], float(settings.zoom))
     unsaid += ["camera"] if (camera.pan, camera.tilt, camera.zoom) != turned or (camera.slow and any(turned)) else []
-    unsaid += ["station"] if state.panel.camera not in ("", said.station) else []
+    unsaid += ["station"] if state.panel.camera not in ("", settings.station) else []
     unsaid += ["initialise"] if flown.initialise not in (None, _STARTS[start]) else []
-    return Reading(said, tuple(unsaid))
+    return Reading(settings, tuple(unsaid))
 
 
-def inputs_from(said: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> Inputs:
+def inputs_from(settings: OperatorInputs, switch: str, cameras: tuple[str, ...]) -> Inputs:
     """Return the inputs of a step that the thirteen channels command.
 
     Args:
-        said: settings of the channels.
+        settings: settings of the channels.
         switch: position of the prong's switch before the step.
-        cameras: names of the cameras that can be turned. A station point with another name commands nothing.
+        cameras: names of the cameras that have a drive. A station point with another name commands no camera.
 
     Raises:
-        InputError: the channels move a camera that cannot be turned.
+        InputError: the channels move a camera without a drive.
     """
-    pan, tilt = _DRIVES[said.camera]
-    drive = CameraDrive(said.station, pan, tilt, float(said.zoom))
-    there = said.station in cameras
-    if not there and (said.camera != "none" or said.zoom != 0):
+    pan, tilt = _DRIVES[settings.camera]
+    drive = CameraDrive(settings.station, pan, tilt, float(settings.zoom))
+    exists = settings.station in cameras
+    if not exists and (settings.camera != "none" or settings.zoom != 0):
         raise InputError(
-            f"channels 10 to 12 turn camera {said.station}; cameras that can be turned here: "
+            f"channels 10 to 12 move camera {settings.station}, which has no drive; cameras with a drive: "
             f"{', '.join(cameras) or 'none'}"
         )
-    prong = _PRONG[said.prong]
+    prong = _PRONG[settings.prong]
     return Inputs(
         mode=MODE,
-        master=said.angles,
-        telescope=float(said.telescope),
-        effector=prong if prong != switch or said.initialise else None,
-        initialise=_STARTS[said.start] if said.initialise else None,
-        camera=drive if there else None,
+        master=settings.angles,
+        telescope=float(settings.telescope),
+        effector=prong if prong != switch or settings.initialise else None,
+        initialise=_STARTS[settings.start] if settings.initialise else None,
+        camera=drive if exists else None,
     )
 
 
 def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
-    """Return the names of commands that act in this step, given now or earlier, and have no channel."""
+    """Return the names of commands that act in this step and have no channel, whether given now or earlier."""
     panel, worksite, scenario = state.panel, state.worksite, flight.scenario
-    asked_else = flown.mode not in (None, MODE)
-    again = flown.effector not in (None, "stop") and state.script.attached > 0
-    standing = {
+    other_mode = flown.mode not in (None, MODE)
+    rejected = flown.effector not in (None, "stop") and state.script.attached > 0
+    lasting = {
         "script": state.by_script,
-        "mode": panel.mode != MODE or asked_else,
+        "mode": panel.mode != MODE or other_mode,
         "joint": panel.joint != 0,
         "rate": panel.rate != scenario.rate,
         "law": panel.law != scenario.law,
@@ -133,12 +133,12 @@ def _without_channel(flight: Flight, state: State, flown: Inputs) -> list[str]:
         "position_hold": panel.position_hold != scenario.position_hold,
         "brakes": panel.brakes,
         "safing": panel.safing,
-        "effector": again,  # payload fixed in the grasp: each press is rejected, and a channel shows no presses
+        "effector": rejected,  # payload fixed in the grasp: each press is rejected, and a channel shows no presses
         "effector_mode": worksite.effector_mode != "auto",
         "rigid": worksite.rigid != "off",
     }
     given = [name for name in _MOMENTARY if getattr(flown, name) != getattr(_NEUTRAL, name)]
-    return list(dict.fromkeys([*(name for name, acts in standing.items() if acts), *given]))
+    return list(dict.fromkeys([*(name for name, acts in lasting.items() if acts), *given]))
 
 
 def _level(switch: float) -> Way:

@@ -1,8 +1,8 @@
 """TABLE II of the Remote Manipulator Simulation: the 32 words that the program sent to the scene generator.
 
-The control word names the selected camera and what moved in the step. Angles, inhibits and mode are those of the state
-after the step. D1 to D3 are the planes between the effector's hexahedra and the bar. In mode 1 they are the planes of
-the collision test. While a payload is held they are face d of HEX 1, b of HEX 2 and e of HEX 3 (CALSP1 to CALSP3).
+The control word names the selected camera and the motions of the step. Angles, inhibits and mode are those of the state
+after the step. D1 to D3 are the planes between the end effector's hexahedra and the bar. In mode 1 they are the planes
+of the collision test. While a payload is held they are face d of HEX 1, b of HEX 2 and e of HEX 3 (CALSP1 to CALSP3).
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from aftdeck.simulation.state import State
 from aftdeck.units import FOOT
 
 INNER = (3, 1, 4)
-"""Indices, from 0, of faces d, b and e: the sides of HEX 1 to 3 on which a held bar lies."""
+"""Indices, from 0, of faces d, b and e: the sides of HEX 1 to 3 that touch a held bar."""
 NO_CODE = "A"
 """Station written for a camera that has no code: 0000, the code of a disabled function."""
 FARTHEST = 2.0**11 * FOOT

@@ -1,7 +1,7 @@
 """File of the report's channels and words, one line of JSON for each control step: an output of a run, or its input.
 
 A line has ``time_s``, ``volts`` (TABLE I, thirteen numbers in full precision) and ``words`` (TABLE II, 32 in octal). It
-also has ``unsaid`` if something commanded or displayed has no channel or code; ``unsaid`` lists these names. A file
+also has ``unsaid`` if a command or a displayed value has no channel or code; ``unsaid`` lists these names. A file
 used as input needs only ``volts``; ``time_s`` and ``unsaid`` are read if present.
 """
 
@@ -48,7 +48,7 @@ class Line(NamedTuple):
 
 
 class WordsWriter:
-    """Writer of one line for each step of a flight, starting with the first step.
+    """Writer of one line for each step of a run, starting with the first step.
 
     Attributes:
         steps: number of steps written so far.
@@ -61,7 +61,7 @@ class WordsWriter:
         self.steps, self.unsaid = 0, Counter[str]()
 
     def step(self, sim: Simulation) -> None:
-        """Write the step just made."""
+        """Write the line of the last step."""
         flight, state = sim._flight, sim._state
         line = line_of(flight, state, sim._flown, self._before)
         self._before = places_of(state)
@@ -75,7 +75,7 @@ class WordsWriter:
 
 
 def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line:
-    """Return the line of the step just made with these inputs; `before` holds the positions before the step."""
+    """Return the line of the last step, which used these inputs; `before` holds the positions before the step."""
     reading, block = reading_of(flight, state, flown), block_of(flight, state, before)
     unsaid = dict.fromkeys((*reading.unsaid, *block.unsaid))
     return Line(encode_inputs(reading.inputs), encode_block(block.block), tuple(unsaid))
@@ -83,7 +83,7 @@ def line_of(flight: Flight, state: State, flown: Inputs, before: Places) -> Line
 
 @contextmanager
 def new_words_file(scenario: Scenario, path: Path) -> Iterator[TextIO]:
-    """Open a new file for the words of a scenario; delete the file if the flight raises an error.
+    """Open a new file for the words of a scenario; delete the file if the run raises an error.
 
     Raises:
         InputError: the scenario has another arm than the report's, or the file already exists or cannot be written.
@@ -107,11 +107,11 @@ def check_arm(scenario: Scenario) -> None:
     Raises:
         InputError: the scenario's arm has no telescope or no prong.
     """
-    has = scenario.arm.model.equipment
-    if has.telescope is None or has.prong is None:
+    equipment = scenario.arm.model.equipment
+    if equipment.telescope is None or equipment.prong is None:
         raise InputError(
-            "the report's channels and words speak of its own arm, a heading-pitch-pitch-heading-pitch-roll one with "
-            f"a telescope; {scenario.name} flies {scenario.arm.name}"
+            f"{scenario.name}: channels and words exist only for the report's arm, with telescope and prong; this "
+            f"scenario has the arm {scenario.arm.name}"
         )
 
 
@@ -140,7 +140,7 @@ def read_channels(path: Path, period: float) -> Channels:
 
     Args:
         path: the file.
-        period: control period of the flight, and so the sampling period of the file [s].
+        period: control period of the run, and so the sampling period of the file [s].
 
     Raises:
         InputError: the file cannot be read or has no lines, or a line is not a sample, has another time than its step
@@ -156,7 +156,7 @@ def read_channels(path: Path, period: float) -> Channels:
             sample = msgspec.json.decode(line, type=_Sample)
             if sample.time_s is not None and not abs(sample.time_s - number * period) <= ON_TIME:
                 raise InputError(
-                    f"time_s is {sample.time_s:g}, its step's is {number * period:g} s; a file has one line for each "
+                    f"time_s: got {sample.time_s:g}, expected {number * period:g}; a file has one line for each "
                     f"control step, every {period:g} s"
                 )
             samples.append(decode_inputs(sample.volts))
@@ -164,7 +164,7 @@ def read_channels(path: Path, period: float) -> Channels:
             raise InputError(f"{path}:{number}: {error}") from None
         unsaid.update(sample.unsaid)
     if not samples:
-        raise InputError(f"{path}: has no lines; each control step needs one with its thirteen volts")
+        raise InputError(f"{path}: the file is empty; each control step needs a line with its thirteen volts")
     return Channels(tuple(samples), unsaid)
 
 
@@ -176,11 +176,11 @@ def operator_of(samples: Sequence[OperatorInputs]) -> Callable[[Simulation], Inp
     given = enumerate(samples, 1)
 
     def inputs(sim: Simulation) -> Inputs | None:
-        number, said = next(given, (0, None))
-        if said is None:
+        number, settings = next(given, (0, None))
+        if settings is None:
             return None
         try:
-            return inputs_from(said, sim._state.worksite.switch, sim.cameras)
+            return inputs_from(settings, sim._state.worksite.switch, sim.cameras)
         except InputError as error:
             raise InputError(f"line {number} of the channels: {error}") from None
 

@@ -169,7 +169,7 @@ def rmangs(arm: Arm, r_6B: ArrayLike, T_B7: ArrayLike, units: Units = "m") -> Ar
     inverse.rmangs(arm.model.links, np.concatenate([pose.position, pose.rotation.ravel()]), angles, excess)
     if excess[0] != 0.0:
         raise UnreachableError(
-            f"RMANGS's own branch does not reach this pose, by {abs(excess[0]):.4g} m; others do: see Arm.inverse",
+            f"RMANGS's own branch misses this pose by {abs(excess[0]):.4g} m; Arm.inverse returns others that reach it",
             abs(float(excess[0])),
         )
     return np.asarray(angles[0])

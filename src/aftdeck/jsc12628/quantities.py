@@ -62,7 +62,7 @@ def positive(value: float, name: str) -> float:
 
 
 def strict_rules() -> Array:
-    """Return a `rules` array of the steering laws with nothing set but STRICT: the source runs as published."""
+    """Return a `rules` array of the steering laws in which only STRICT is set: the laws run as published."""
     rules = np.zeros(RULES)
     rules[STRICT] = 1.0
     return rules
@@ -77,5 +77,5 @@ def limited_rules(V_L: float, omega_L: float, V_L_dot: float, omega_L_dot: float
 
 
 def tip_of(position: Array, rotation: Array) -> Tip:
-    """Return a pose as the laws take it: position [m] and the rotation row by row."""
+    """Return a pose in the form of the laws: position [m] and the rotation row by row."""
     return Tip(*position.tolist(), *rotation.ravel().tolist())

@@ -1,4 +1,4 @@
-"""The kinematic plant: joints that follow their commanded rates exactly."""
+"""Kinematic plant: joints that follow their commanded rates exactly."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from aftdeck.state_part import StatePart
 
 
 @law
-def follow(asked: Array, period: float, stops: Array, angles: Array, rates: Array, commanded: Array) -> None:
+def follow(commanded_rates: Array, period: float, stops: Array, angles: Array, rates: Array, commanded: Array) -> None:
     """Move the joints at the commanded rates for one control period, as far as the hard stops allow.
 
     Args:
-        asked: (6,) commanded rates [rad/s].
+        commanded_rates: (6,) commanded rates [rad/s].
         period: control period [s].
         stops: (6, 2) hard stops [rad].
         angles: (6,) joint angles, changed [rad].
@@ -21,10 +21,10 @@ def follow(asked: Array, period: float, stops: Array, angles: Array, rates: Arra
         commanded: (6,) angles to which the commanded rates would have brought the joints without stops, changed [rad].
     """
     for i in range(6):
-        before, after = angles[i], angles[i] + asked[i] * period
+        before, after = angles[i], angles[i] + commanded_rates[i] * period
         angles[i] = min(max(after, min(stops[i, 0], before)), max(stops[i, 1], before))
-        rates[i] = asked[i] if angles[i] == after else (angles[i] - before) / period
-        commanded[i] += asked[i] * period
+        rates[i] = commanded_rates[i] if angles[i] == after else (angles[i] - before) / period
+        commanded[i] += commanded_rates[i] * period
 
 
 class KinematicPlant(StatePart):
@@ -44,15 +44,15 @@ class KinematicPlant(StatePart):
     commanded: Array
     stand: Slide
 
-    def move(self, stops: Array, travel: Travel, asked: Array, period: float, drive: float = 0.0) -> None:
-        """Move joints and stand at the commanded rates for one control period.
+    def move(self, stops: Array, travel: Travel, commanded_rates: Array, period: float, drive: float = 0.0) -> None:
+        """Move joints and telescope at the commanded rates for one control period.
 
         Args:
             stops: (6, 2) hard stops [rad].
-            travel: travel of the stand.
-            asked: (6,) the commanded rates [rad/s].
+            travel: travel of the telescope.
+            commanded_rates: (6,) commanded rates [rad/s].
             period: control period [s].
-            drive: drive of the stand, -1 to +1.
+            drive: drive of the telescope, -1 to +1.
         """
-        follow(asked, period, stops, self.angles, self.rates, self.commanded)
+        follow(commanded_rates, period, stops, self.angles, self.rates, self.commanded)
         self.stand.move(travel, drive, period)

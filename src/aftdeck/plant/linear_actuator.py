@@ -1,4 +1,4 @@
-"""Slide along a line, driven one way, the other way or not at all: the concept arm's telescope and its prong."""
+"""Slide with a drive in both directions along a line: the concept arm's telescope and its prong."""
 
 from __future__ import annotations
 

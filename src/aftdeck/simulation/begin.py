@@ -1,4 +1,4 @@
-"""Initial state of a flight, and re-initialisation to a part of the problem (the report's input 2)."""
+"""Initial state of a run, and re-initialisation to a task phase of the scenario (the report's input 2)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from aftdeck.simulation.operator.panel import make_ready
 from aftdeck.simulation.parts.carried import steering_setup
 from aftdeck.simulation.parts.free_flight import floating
 from aftdeck.simulation.payloads.alignment import count
-from aftdeck.simulation.payloads.grasp import put_effector, steer, take_hold
+from aftdeck.simulation.payloads.grasp import attach, set_effector, update_steering
 from aftdeck.simulation.payloads.objective import holding
 from aftdeck.simulation.payloads.relations import permitted
 from aftdeck.simulation.payloads.task_phases import change_task
@@ -27,11 +27,11 @@ from aftdeck.worksite.seats.latches import Latches
 
 
 def initial_state(flight: Flight) -> State:
-    """Return the state at the scenario's first instant.
+    """Return the state before the first step.
 
     Raises:
-        ScenarioError: at the start, or in a part of the problem, the arm holds a payload in a pose in which its end
-            effector could not have captured it.
+        ScenarioError: at a start of the scenario the arm holds a payload in a pose in which its end effector could not
+            have captured it.
     """
     scenario, problems = flight.scenario, []
     state = _state_at(flight, scenario.start)
@@ -39,7 +39,8 @@ def initial_state(flight: Flight) -> State:
     for name, at in {"initial": state, **begun}.items():
         k = at.worksite.held
         if k is not None and (why := failure_text(holding(flight, at, k), flight.scenario.arm.model.units)):
-            problems.append(f"{scenario.name}: {name}.grasped: {flight.site.cargo[k].title} cannot be held so: {why}")
+            title = flight.site.cargo[k].title
+            problems.append(f"{scenario.name}: {name}.grasped: {title} cannot have been captured in this pose: {why}")
     if problems:
         raise ScenarioError(problems)
     return state
@@ -49,65 +50,65 @@ def _state_at(flight: Flight, start: Start) -> State:
     """Return the state at a start, before the first step."""
     scenario = flight.scenario
     state = new_state(flight, steering_setup(scenario, scenario.payload))
-    _put(flight, state, start)
+    _set_to_start(flight, state, start)
     return state
 
 
 def initialise(flight: Flight, state: State, part: Part) -> None:
-    """Re-initialise the flight under way to a part of the problem."""
+    """Re-initialise the run to a start that the scenario gives for this part of the problem."""
     parts = flight.scenario.parts
     if part not in parts:
-        there = f"this scenario has {', '.join(parts)}" if parts else "this scenario has none of them"
-        log_rejection(flight, state, f"{part} cannot be begun anew: {there}")
+        available = f"this scenario has {', '.join(parts)}" if parts else "this scenario has no such starts"
+        log_rejection(flight, state, f"initialisation to {part} refused: {available}")
         return
     task = state.worksite.task
     state.replace_with(_state_at(flight, parts[part]))
     state.panel.motion_began, state.script.attached = state.tick - 1, 0 if flight.scenario.payload is None else 1
-    steer(flight, state)
+    update_steering(flight, state)
     if MODES[state.panel.mode].loaded and state.carried.payload is None:
-        state.panel.mode = "ORB UNL"  # the grasp is empty in this part
+        state.panel.mode = "ORB UNL"  # the grasp is empty at this start
     log(flight, state, "initialise", "info", f"initialised to {part}")
     state.worksite.task = task
     change_task(flight, state)
-    if state.tick > 1:  # at the first step `operate` does this
+    if state.tick > 1:  # `operate` does this in the first step
         make_ready(flight, state)
 
 
-def _put(flight: Flight, state: State, start: Start) -> None:
+def _set_to_start(flight: Flight, state: State, start: Start) -> None:
     """Set the arm and the worksite of a new state to a start."""
     site, worksite, scenario = flight.site, state.worksite, flight.scenario
     plant = state.plant
     plant.angles[:], plant.rates[:] = start.angles, start.rates
     plant.stand.position = start.stand
     plant.commanded[:] = start.angles
-    seen = np.empty(OBSERVED)
-    observe(scenario.arm.model.links, start.angles, start.rates, seen)
+    observed = np.empty(OBSERVED)
+    observe(scenario.arm.model.links, start.angles, start.rates, observed)
     state.command[MASTER : MASTER + 6] = state.command[KEPT : KEPT + 6] = start.angles
-    state.steering[RATES : RATES + 6], state.steering[TWIST : TWIST + 6] = start.rates, seen[12:18]
+    state.steering[RATES : RATES + 6], state.steering[TWIST : TWIST + 6] = start.rates, observed[12:18]
     state.measure()
     frames = worksite.frames
-    for k, one in enumerate(site.cargo):
+    for k, payload in enumerate(site.cargo):
         pose = np.empty(POSE)
         compose(site.scene, site.starts[k], pose)
-        if one.start.seat:
-            worksite.cargo[k].seat, worksite.cargo[k].latches = one.start.seat, Latches(1.0, 1.0)
+        if payload.start.seat:
+            worksite.cargo[k].seat, worksite.cargo[k].latches = payload.start.seat, Latches(1.0, 1.0)
             worksite.cargo[k].offset_at_fixing = worksite.cargo[k].offset_in_seat = list(HERE)
         else:
-            velocity = site.scene[3:].reshape(3, 3) @ one.start.velocity
-            control = one.limit_cycle
-            rates, angles = (one.start.rates, None) if control is None else (control.rate, control.start)
+            velocity = site.scene[3:].reshape(3, 3) @ payload.start.velocity
+            control = payload.limit_cycle
+            rates, angles = (payload.start.rates, None) if control is None else (control.rate, control.start)
             worksite.floating[k] = floating(pose, velocity, rates, control, angles)
     worksite.update_attachments(site)
     frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
     if state.script.attached:
-        put_effector(flight, state, holding=True)
+        set_effector(flight, state, holding=True)
         frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
     if start.grasped is not None:
         k = start.grasped.cargo
-        put_effector(flight, state, holding=True)
+        set_effector(flight, state, holding=True)
         frames[:] = frames_at(flight, state, start.grasped.angles, start.grasped.stand, worksite.prong.position)
         worksite.cargo[k].seat = ""
-        take_hold(flight, state, k)
+        attach(flight, state, k)
         frames[:] = frames_with_prong_at(flight, state, worksite.prong.position)
     worksite.before[:] = frames
     worksite.monitored_before[:] = worksite.watch.active

@@ -1,6 +1,6 @@
-"""Camera drives in flight: a command moves one camera for one step, at its drive's rates and within its limits.
+"""Camera drives: a command moves one camera for one step, at its drive's rates and within its limits.
 
-A step without a command costs nothing: the settings are one tuple, replaced only when a camera moves.
+A step without a command takes no time: the settings are one tuple, which is replaced only when a camera moves.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from aftdeck.scenario.model import Scenario
 
 
 class CameraDrive(msgspec.Struct, frozen=True, gc=False):
-    """Switches that drive one camera, in one step; the switches spring back."""
+    """Switches that drive one camera in one step; they return to zero by themselves."""
 
     camera: str
     """Name of the camera."""
@@ -54,11 +54,12 @@ class Cameras:
             InputError: the camera does not exist or has no drive, or a switch is outside [-1, 1] or not finite.
         """
         if command.camera not in self.names:
-            there = ", ".join(self.names) or "none"
-            raise InputError(f"no camera {command.camera!r} can be turned here: there are {there}")
-        switches = (command.pan, command.tilt, command.zoom)
-        if not all(math.isfinite(s) and -1.0 <= s <= 1.0 for s in switches):
-            raise InputError(f"a camera's pan, tilt and zoom lie in [-1, 1], got {switches}")
+            driven = ", ".join(self.names) or "none"
+            raise InputError(f"camera {command.camera!r} cannot be moved; cameras with a drive: {driven}")
+        switches = {"pan": command.pan, "tilt": command.tilt, "zoom": command.zoom}
+        for name, switch in switches.items():
+            if not (math.isfinite(switch) and -1.0 <= switch <= 1.0):
+                raise InputError(f"camera.{name}: got {switch}, expected a number in [-1, 1]")
 
     def driven(self, views: Views, command: CameraDrive, period: float) -> Views:
         """Return the drive settings after one step of `period` [s]; `views` itself if the camera has no drive."""

@@ -1,4 +1,4 @@
-"""One control step from the operator's inputs to contacts and seats, common to a flight and its rehearsal."""
+"""Part of a control step that a run and a rehearsal share: from the operator's inputs to contacts and berths."""
 
 from __future__ import annotations
 
@@ -15,21 +15,22 @@ from aftdeck.steering.msteer import msteer
 
 
 def fly(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Fly one control step from the arm's measured state."""
+    """Make one control step of a rehearsal, from the arm's measured state."""
     state.measure()
     operate(flight, state, inputs)
     go(flight, state, inputs)
 
 
 def go(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Steer, limit the motion to what contacts and seats allow, and move the plant and the worksite.
+    """Steer, limit the motion to what contacts and berths allow, and move the plant and the worksite.
 
     Args:
-        flight: constants of the flight.
+        flight: constants of the run.
         state: changed in place; holds the command that the panel has set.
-        inputs: the operator's inputs, for what is not in the command: telescope, orbiter, end effector, latches.
+        inputs: the operator's inputs; those in the command are ignored, the rest are telescope, orbiter, end effector
+            and latches.
     """
-    # plan an automatic motion where it begins
+    # plan an automatic motion in the step in which it begins
     if state.panel.sequence != "in progress":
         state.command[MOTION_ACTIVE] = 0.0
     elif state.command[MOTION_ACTIVE] == 0.0:
@@ -42,10 +43,10 @@ def go(flight: Flight, state: State, inputs: Inputs) -> None:
     msteer(state.rules, state.command, state.steering, state.report)
     rates = state.steering[RATES : RATES + 6]
 
-    # limit the motion to what contacts, seats and walls allow
+    # limit the motion to what contacts, berths and walls allow
     telescope = limit_motion(flight, state, inputs.telescope)
 
-    # move the plant, then the worksite: contacts, captures, seats
+    # move the plant, then the worksite: contacts, captures, berths
     scenario = flight.scenario
     state.plant.move(scenario.arm.limits.hard, flight.telescope, rates, scenario.control_period, telescope)
     update_worksite(flight, state, inputs)

@@ -1,7 +1,7 @@
 """Frame: the record of one step, for the station, a recording, a study or a policy.
 
 Each field is declared only here: type, description, unit, axes in which the field is expressed, and recorded decimals.
-The session file, its schema and its documentation are derived from these declarations.
+The recording, its schema and its documentation are derived from these declarations.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class Limit(msgspec.Struct, frozen=True, gc=False):
 Cause = Literal["", "reach", "seat", "switch", "contact", "limit", "miss", "time"]
 """Cause of a FAIL of CMD CK.
 
-In this order: no failure; the target is out of reach; a seat holds the payload; BRAKES or SAFING is on; a contact; a
+In this order: no failure; the target is out of reach; a berth holds the payload; BRAKES or SAFING is on; a contact; a
 stop, a singularity or another limit of the steering; the motion misses its target; the motion takes too long.
 """
 
@@ -70,7 +70,7 @@ class Check(msgspec.Struct, frozen=True):
 
     good: Annotated[bool, field_meta("true for GOOD, false for FAIL")]
     text: Annotated[
-        str, field_meta("verdict as displayed: `GOOD: 83 s` or `FAIL: elbow pitch meets its soft stop 12 s from here`")
+        str, field_meta("verdict as displayed: `GOOD: 83 s` or `FAIL: elbow pitch reaches its soft stop, after 12 s`")
     ]
     seconds: Annotated[
         float, field_meta("GOOD: duration of the motion; FAIL: time from its start to the failure", "s")
@@ -83,9 +83,9 @@ class Check(msgspec.Struct, frozen=True):
 
 
 class WayOut(msgspec.Struct, frozen=True, gc=False):
-    """Command that leads away from a singularity or a joint's limit, or out of the contacts that inhibit the arm."""
+    """Command that leads away from a singularity or joint limit, or out of contacts that inhibit the arm."""
 
-    cause: Annotated[str, field_meta("what it leads away from: `elbow` (a singularity), a joint's name, or `contact`")]
+    cause: Annotated[str, field_meta("cause of the escape: `elbow` (a singularity), a joint's name, or `contact`")]
     text: Annotated[str, field_meta("text for the operator: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -`")]
     stick: Annotated[Literal["translation", "rotation", "joint", "telescope"], field_meta("stick or switch to deflect")]
     axis: Annotated[int, field_meta("axis of the stick, 0 to 2, or number of the joint")]
@@ -104,21 +104,21 @@ class Goal(msgspec.Struct, frozen=True, gc=False):
     angle: Annotated[float, field_meta("remaining rotation", "rad")]
     remaining_s: Annotated[
         float,
-        field_meta("ETA - TP; 0 without a motion, and while modes 1 and 3 still bring the arm to rest", "s"),
+        field_meta("ETA - TP; 0 without a motion, and while the arm still comes to rest before modes 1 and 3", "s"),
     ]
 
 
 class Times(msgspec.Struct, frozen=True, gc=False):
-    """Times of the phase under way, as in JSC-12628, counted from the beginning of the phase.
+    """Times of the present phase, as in JSC-12628, counted from the beginning of the phase.
 
-    A phase begins when an automatic motion sets off, a phase of the script begins, or a panel position is entered.
+    A phase begins when an automatic motion starts, a phase of the script begins, or a panel position is entered.
     """
 
     tp_s: Annotated[float, field_meta("TP: time since the motion or the script's phase began", "s")] = 0.0
     eta_s: Annotated[
         float | None,
         field_meta(
-            "ETA: time of its end, estimated in the automatic modes, else the duration in the script; null if unknown",
+            "ETA: end of the phase, estimated in the automatic modes, else from the script's duration; null if unknown",
             "s",
         ),
     ] = None
@@ -138,7 +138,7 @@ class Placed(NamedTuple):
 
 
 class Frame(msgspec.Struct, frozen=True, gc=False):
-    """State after a control step, with the inputs flown and the limits that acted. The tip is coordinate frame 7."""
+    """State after a control step, with the inputs and limits that acted. The tip is coordinate frame 7."""
 
     tick: Annotated[int, field_meta("number of control steps done")]
     time_s: Annotated[float, field_meta("simulated time: tick x control period", "s")]
@@ -189,9 +189,7 @@ class Frame(msgspec.Struct, frozen=True, gc=False):
     payload: Annotated[Placed | None, field_meta("payload in the grasp; null if the grasp is empty")]
     attached: Annotated[
         int,
-        field_meta(
-            "its number, from 1, among the scenario's own payloads (`Scenario.own_payloads`); 0 if it is none of them"
-        ),
+        field_meta("number, from 1, of that payload in `Scenario.own_payloads`; 0 for another payload, or none"),
     ]
     twist: Annotated[Six, field_meta("angular velocity, and velocity of the point of resolution", "rad/s, m/s", "L", 7)]
     twist_commanded: Annotated[Six, field_meta("twist after RATLMT's limits", "rad/s, m/s", "L", 7)]

@@ -1,4 +1,4 @@
-"""Poses of all frames as they are now, or with the arm elsewhere."""
+"""Poses of all coordinate frames, with the arm at its present angles or at others."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from aftdeck.worksite.watch.contact_update import place_everything
 
 
 def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), with joints (6,) [rad], stand and prong [m] as given.
+    """Return the poses of all frames in L, (F, 12), for given joints (6,) [rad], telescope and prong [m].
 
-    The orbiter, and what carries each payload, are as they are now.
+    The orbiter's position and the carrier of each payload are the present ones.
     """
     frames = np.empty_like(state.worksite.frames)
     place_everything(*state.worksite.places(flight.site), angles, stand, prong, frames)
@@ -21,14 +21,14 @@ def frames_at(flight: Flight, state: State, angles: Array, stand: float, prong: 
 
 
 def frames_with_prong_at(flight: Flight, state: State, prong: float) -> Array:
-    """Return the poses of all frames in L, (F, 12), as they are now, but with the prong at `prong` [m]."""
+    """Return the present poses of all frames in L, (F, 12), but with the prong at `prong` [m]."""
     return frames_at(flight, state, state.plant.angles, state.plant.stand.position, prong)
 
 
 def frames_after(flight: Flight, state: State, rates: Array, telescope: float) -> Array:
     """Return the poses of all frames in L, (F, 12), after one step of joint rates (6,) and the telescope's drive.
 
-    Frames that do not move with the arm stay where they are.
+    Frames that do not move with the arm keep their poses.
     """
     plant, period = state.plant, flight.scenario.control_period
     angles, stand = plant.angles + rates * period, plant.stand.after(flight.telescope, telescope, period)

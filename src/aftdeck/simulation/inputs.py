@@ -27,11 +27,11 @@ Angles rounded to a thousandth of a degree may cause such a difference (assumed)
 
 
 class Inputs(msgspec.Struct, frozen=True):
-    """Sticks and switches of one step; None leaves a switch as it is. `Inputs()` is hands off.
+    """Sticks and switches of one step; None leaves a switch as it is. `Inputs()` centres the sticks.
 
     NumPy numbers and arrays are accepted in place of Python's; `simulation.plain` converts them.
 
-    Sticks act along and about the axes of the mode entered; full deflection commands the limit in force.
+    Sticks act along and about the axes of the present mode; full deflection commands the limit in force.
     """
 
     translation: Vec3 = (0.0, 0.0, 0.0)
@@ -48,17 +48,17 @@ class Inputs(msgspec.Struct, frozen=True):
     target: Target | None = None
     """Final pose of OPR CMD, keyed in in this step."""
     law: LawChoice | None = None
-    """Switch beside OPR CMD and AUTO 1-4: the report's mode, 1 to 3, that these positions fly."""
+    """Switch beside OPR CMD and AUTO 1-4: the report's mode, 1 to 3, that these positions select."""
     payload_axes: bool | None = None
     """Switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4)."""
     rate_hold: bool = False
     """RATE HOLD pressed in this step: keep the present stick command; pressed again: cancel RATE HOLD."""
     position_hold: bool | None = None
-    """POSITION HOLD: with sticks at rest, keep the tip's position and attitude."""
+    """POSITION HOLD: keep the tip's position and attitude while the sticks are centred."""
     brakes: bool | None = None
     """BRAKES: True stops every joint at once and keeps it stopped."""
     safing: bool | None = None
-    """SAFING: True commands zero joint rates, whatever the other inputs; False is its CANCEL."""
+    """SAFING: True commands zero joint rates, whatever the other inputs are; False is CANCEL."""
     proceed: bool = False
     """AUTO SEQ switch to PROCEED, in this step."""
     stop: bool = False
@@ -70,17 +70,17 @@ class Inputs(msgspec.Struct, frozen=True):
     rigid: Literal["off", "rigid", "derigid"] | None = None
     """END EFFECTOR MAN CONTR: moves the carriage and its tension, in manual."""
     latch: Literal["latch", "unlatch"] | None = None
-    """Payload retention or docking port, pressed in this step: fix the payload in its seat, or release it."""
+    """Payload retention or docking port, pressed in this step: fix the payload in its berth, or release it."""
     telescope: float = 0.0
-    """Drive of the stand in [-1, 1]: +1 longer, -1 shorter."""
+    """Drive of the telescope in [-1, 1]: +1 longer, -1 shorter."""
     orbiter: Vec3 = (0.0, 0.0, 0.0)
     """Translation of the orbiter along its own axes (forward, starboard, down), each in [-1, 1]."""
     master: Six | None = None
     """Six joint angles of the master arm [rad], which MASTER follows; None leaves the master arm where it is."""
     initialise: Literal["full problem", "acquisition", "extraction", "manoeuvring"] | None = None
-    """Re-initialise arm and payload to the start of a part of the problem, in this step."""
+    """Re-initialise arm and payload to this start of the scenario, in this step."""
     camera: CameraDrive | None = None
-    """Command that turns a camera in this step; `simulation.cameras.Cameras.check` checks the command."""
+    """Command of a camera's drive in this step; `simulation.camera_drives.Cameras.check` checks it."""
 
     def check(self, arm: Arm) -> None:
         """Reject inputs that no hand controller can give.
@@ -88,29 +88,31 @@ class Inputs(msgspec.Struct, frozen=True):
         Raises:
             InputError: a stick is outside [-1, 1] or not finite, a switch is in a position that it does not have, a
                 joint does not exist, a master angle is not finite, or the target is not a pose or its joint angles put
-                the tip of `arm` elsewhere.
+                the tip of `arm` elsewhere. The message begins with the name of the field.
         """
-        hands = (self.translation, self.rotation, self.orbiter, (self.drive, self.telescope))
-        for values, count in zip(hands, (3, 3, 3, 2), strict=True):
-            numbers = _numbers(values, count)
+        for name, count in _STICKS.items():
+            value = getattr(self, name)
+            numbers = _numbers(value if count > 1 else (value,), count)
             if not numbers or not all(-1.0 <= s <= 1.0 for s in numbers):
-                raise InputError(
-                    f"sticks lie in [-1, 1], got translation {self.translation}, rotation {self.rotation}, "
-                    f"drive {self.drive}, telescope {self.telescope}, orbiter {self.orbiter}"
-                )
+                expected = f"{count} numbers" if count > 1 else "a number"
+                raise InputError(f"{name}: got {value!r}, expected {expected} in [-1, 1]")
         if self.master is not None and not _numbers(self.master, JOINTS):
-            raise InputError(f"a master arm has six finite joint angles, got {self.master}")
+            raise InputError(f"master: got {self.master!r}, expected six finite joint angles [rad]")
         if self.joint is not None and not _numbered(self.joint):
-            raise InputError(f"joints are numbered 0 to 5, got {self.joint}")
+            raise InputError(f"joint: got {self.joint!r}, expected 0 to 5")
         for name, positions in POSITIONS.items():
             if (value := getattr(self, name)) is not None and value not in positions:
-                raise InputError(f"the {name.replace('_', ' ')} switch stands at {_either(positions)}, got {value!r}")
+                raise InputError(f"{name}: got {value!r}, expected {_either(positions)}")
         if not isinstance(self.mode, str | None):
-            raise InputError(f"the mode switch stands at a panel position, a text, got {self.mode!r}")
+            raise InputError(f"mode: got {self.mode!r}, expected the name of a panel position")
         if not isinstance(self.camera, CameraDrive | None):
-            raise InputError(f"a camera is turned by a CameraDrive, got {self.camera!r}")
+            raise InputError(f"camera: got {self.camera!r}, expected a CameraDrive")
         if self.target is not None:
             _check_target(arm, self.target)
+
+
+_STICKS = {"translation": 3, "rotation": 3, "orbiter": 3, "drive": 1, "telescope": 1}
+"""Number of axes of each stick, by field name."""
 
 
 def _positions() -> dict[str, tuple[object, ...]]:
@@ -128,7 +130,7 @@ POSITIONS = _positions()
 
 
 def _either(positions: Sequence[object]) -> str:
-    """Return the positions of a switch as a phrase, joined by commas and "or"."""
+    """Return the positions of a switch as a text, joined by commas and "or"."""
     *others, last = map(str, positions)
     return f"{', '.join(others)} or {last}"
 
@@ -139,7 +141,7 @@ def _numbered(joint: object) -> bool:
 
 
 def _numbers(values: object, count: int) -> list[float]:
-    """Return `values` as `count` finite numbers; an empty list for anything else, whatever the types say."""
+    """Return `values` as `count` finite numbers; an empty list if they are not, whatever their declared types are."""
     if isinstance(values, str) or not isinstance(values, Iterable):
         return []
     try:
@@ -150,14 +152,14 @@ def _numbers(values: object, count: int) -> list[float]:
 
 
 def _check_target(arm: Arm, target: Target) -> None:
-    """Reject a target that is not a pose, whatever the types say, or whose joint angles contradict its pose."""
+    """Reject a target that is not a pose, whatever its types are, or whose joint angles contradict its pose."""
     position, rotation, joints = target.position, target.rotation, target.joints
     sizes = (len(position), *(len(row) for row in rotation), 6 if joints is None else len(joints))
     if sizes != (3, 3, 3, 3, 6):
-        raise InputError(f"a target has a position (3), a rotation (3, 3) and six joint angles or none, got {target}")
+        raise InputError(f"target: got {target}, expected a position (3,), a rotation (3, 3), six joint angles or None")
     numbers = (*position, *(x for row in rotation for x in row), *(() if joints is None else joints))
     if not all(map(math.isfinite, numbers)):
-        raise InputError(f"a target has finite numbers, got {target}")
+        raise InputError(f"target: got {target}, expected finite numbers")
     if joints is None:
         return
     tip = arm.forward(joints)
@@ -166,6 +168,6 @@ def _check_target(arm: Arm, target: Target) -> None:
     angle = 2.0 * math.asin(min(1.0, chord / math.sqrt(8.0)))
     if not (distance <= AGREED and angle <= AGREED_TURN):  # written so that NaN from an overflow fails
         raise InputError(
-            f"a target's joint angles put the tip at its pose, these {distance:.4g} m and "
-            f"{math.degrees(angle):.4g} deg beside it; {AGREED:g} m and {math.degrees(AGREED_TURN):g} deg are allowed"
+            f"target: the joint angles put the tip {distance:.4g} m and {math.degrees(angle):.4g} deg from the pose, "
+            f"at most {AGREED:g} m and {math.degrees(AGREED_TURN):g} deg are allowed"
         )

@@ -1,4 +1,4 @@
-"""Log lines of a step, stamped with the time at the end of the step."""
+"""Log lines of a step, with the time at the end of the step."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from aftdeck.simulation.state import State
 
 
 def log(flight: Flight, state: State, kind: str, level: Level, text: str) -> None:
-    """Add a line to the log, stamped with the end of the step under way."""
+    """Add a line to the log, with the time at the end of the present step."""
     time = state.tick * flight.scenario.control_period
     state.events.append(Event(round(time, 9), kind, level, text))
 

@@ -1,7 +1,7 @@
 """Conversion of callers' inputs to plain values: NumPy numbers, arrays and texts become Python's own types.
 
-The conversion happens once, where inputs enter the simulation. The state's digest, saved states and recordings encode
-plain values only. A stick value of -0.0 becomes 0.0: both are the same deflection, but their digests differ.
+`Simulation.advance` converts all inputs. The state's digest, saved states and recordings encode plain values only. A
+stick value of -0.0 becomes 0.0: both are the same deflection, but their digests differ.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Restoring a saved state: the contents of its caches are computed again."""
+"""Restoring of a saved state; the contents of its caches are computed again."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from aftdeck.simulation.parts.carried import SteeringSetup
 from aftdeck.simulation.parts.checking import Rehearsed
 from aftdeck.simulation.parts.standing import Standing
 from aftdeck.simulation.payloads.alignment import count
-from aftdeck.simulation.payloads.grasp import steer
+from aftdeck.simulation.payloads.grasp import update_steering
 from aftdeck.simulation.state import State, new_state
 from aftdeck.state_part import Cache, decoded
 from aftdeck.worksite.watch.clearance_monitor import ClearanceMonitor
@@ -21,7 +21,7 @@ def resume(flight: Flight, saved: bytes) -> State:
     """Return the state decoded from the bytes that `encoded` made, with its caches filled again.
 
     Raises:
-        InputError: the bytes are not a state of this flight.
+        InputError: the bytes are not a state of this run.
     """
     nothing = SteeringSetup(None, {})
     empty: dict[type, Callable[[], Cache]] = {
@@ -31,13 +31,13 @@ def resume(flight: Flight, saved: bytes) -> State:
         ClearanceMonitor: lambda: ClearanceMonitor(flight.site.layout),
     }
     state = decoded(new_state(flight, nothing), saved, lambda kind: empty[kind]())
-    steer(flight, state)
-    look_again(flight, state)
+    update_steering(flight, state)
+    restore_clearances(flight, state)
     return state
 
 
-def look_again(flight: Flight, state: State) -> None:
-    """Measure the clearances again as the last step did, starting from an empty watch."""
+def restore_clearances(flight: Flight, state: State) -> None:
+    """Measure the clearances of the last step again, with an empty cache."""
     worksite = state.worksite
     watch, nearest = worksite.watch, np.zeros_like(worksite.monitored_before)
     if worksite.nearest >= 0:

@@ -1,4 +1,4 @@
-"""Simulation that its caller steps, and a run without a screen from the first frame to the summary."""
+"""Simulation that its caller steps, and headless run from the first frame to the summary."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ class Simulation:
 
     @property
     def cameras(self) -> tuple[str, ...]:
-        """Names of the cameras that can be turned."""
+        """Names of the cameras that have a drive."""
         return self._flight.cameras.names
 
     @property
@@ -80,7 +80,7 @@ class Simulation:
         return self._given
 
     def step(self, inputs: Inputs | None = None) -> Frame:
-        """Advance by one control period and return the frame: `advance`, with its arguments and errors, then `look`."""
+        """Advance by one control period and return the frame; arguments and errors as for `advance`."""
         self.advance(inputs)
         return self.look()
 
@@ -92,7 +92,7 @@ class Simulation:
 
         Raises:
             InputError: inputs that no hand controller can give, a target that is not a pose or contradicts its joint
-                angles, or a camera that cannot be turned. The state is then unchanged.
+                angles, or a camera without a drive. The state is then unchanged.
             SimulationError: the state is no longer finite.
         """
         if inputs is not None:
@@ -134,7 +134,7 @@ class Simulation:
         return look_ahead(self._flight, self._state, seconds, last)
 
     def watched(self) -> tuple[Near, ...]:
-        """Return every pair of parts watched at present, nearest first: clearance, points, plane, closing speed."""
+        """Return every monitored pair, the smallest clearance first: clearance, points, plane, closing speed."""
         return all_near(self._flight, self._state)
 
     def save(self) -> SavedSimulation:
@@ -176,7 +176,7 @@ def run(
     seen: Callable[[Frame], None] | None = None,
     stepped: Callable[[Simulation], None] | None = None,
 ) -> Run:
-    """Run a scenario to its end without a screen, with its script or with given inputs.
+    """Run a scenario headless to its end, with its script or with given inputs.
 
     Args:
         scenario: a scenario, a built-in name or a path.
@@ -210,7 +210,7 @@ def run(
         if progress is not None and tally.ticks % 256 == 0:
             progress(tally.ticks / sim.scenario.ticks)
     if tally.ticks == 0:
-        raise InputError("there are no inputs to fly: none is given for the first step")
+        raise InputError("inputs: got None for the first step, expected Inputs")
     last = sim.look()
     summary = tally.summary(sim.scenario, sim.seed, sim.ended or "completed", last)
     return Run(sim.scenario, tuple(frames) if keep_frames else (last,), tuple(tally.events), summary)

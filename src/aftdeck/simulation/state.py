@@ -31,7 +31,7 @@ Ending = Literal["", "reached", "missed", "given up"]
 
 
 class Panel(StatePart):
-    """Positions of the panel's switches, and the lamp states that are already logged."""
+    """Positions of the panel's switches, and the lamp states that have been logged."""
 
     mode: str
     joint: int
@@ -49,7 +49,7 @@ class Panel(StatePart):
     safing: bool = False
     """SAFING: zero joint rates are commanded."""
     position_hold_target: Target | None = None
-    """Pose that POSITION HOLD keeps; None while it keeps no pose, as when a stick is deflected."""
+    """Pose that POSITION HOLD keeps; None if it keeps no pose, for example while a stick is deflected."""
     keyed: Target | None = None
     """OPR CMD's keyed-in pose."""
     target: Target | None = None
@@ -57,7 +57,7 @@ class Panel(StatePart):
     point: int = 0
     """AUTO 1-4: index, from 0, of the next point."""
     check: Check | None = None
-    """Verdict of CMD CK on the motion to the target; None before there is one."""
+    """Verdict of CMD CK on the motion to the target; None before the verdict."""
     premises: Premises | None = None
     """Conditions on which that verdict depends."""
     proceeding: bool = False
@@ -68,7 +68,7 @@ class Panel(StatePart):
     ending: Ending = ""
     """Result of an automatic motion that ended in this step; "" if none ended."""
     final_error: str = ""
-    """Final error of that motion, for people; "" if it reached its target."""
+    """Final error of that motion as text; "" if the motion reached its target."""
     blocked: int = 0
     """Number of steps for which an automatic motion has been at a standstill."""
     zones: tuple[int, int, int, int, int, int] = (0, 0, 0, 0, 0, 0)
@@ -76,9 +76,9 @@ class Panel(StatePart):
     clearance: Level = "info"
     """Alarm level of the minimum clearance."""
     camera: str = ""
-    """Camera that was commanded last, the report's station point; "" if no camera can be turned."""
+    """Camera that was commanded last, the report's station point; "" if no camera has a drive."""
     advice: dict[str, int] = msgspec.field(default_factory=dict)
-    """For each cause, the stick direction that was named last as the way out."""
+    """For each cause, the stick direction of the last escape."""
 
     @property
     def flown(self) -> int:
@@ -99,7 +99,7 @@ class Script(StatePart):
     limits: int = -1
     """Index of the phase whose rate limits are in force; -1 if the scenario's are."""
     attached: int = 0
-    """Number, from 1, of the scenario's own payload in the grasp; 0 if none of them is."""
+    """Number, from 1, of the scenario's own payload in the grasp; 0 if the grasp has none of these payloads."""
     ended: Literal["", "completed", "time", "fault"] = ""
 
 
@@ -113,17 +113,17 @@ class State(StatePart):
         plant: model that moves the joints and the telescope.
         worksite: the worksite's part of the state.
         views: settings of the cameras' drives.
-        steering: measured angles and rise, commanded rates, commanded twist.
+        steering: measured angles and shoulder offset, commanded rates, commanded twist.
         command: input of the steering laws in this step.
         report: output of the steering laws in this step.
         observed: (21,) tip pose, twist and singularity distances of the arm, as `kinematics.observe` fills it.
         carried: payload that the arm holds, and the steering's rules with it.
-        standing: the arm on its telescope.
+        standing: cache of the arm at its present shoulder height.
         tick: number of control steps done, the present one included.
         by_script: True if the script supplied the inputs of the last step.
-        phase: phase of the script in that step; "" if the inputs were given.
+        phase: phase of the script in that step; "" with manual inputs.
         checking: CMD CK in progress; None if there is none.
-        ways_out: stick or joint commands that lead away from near singularities and back from passed limits.
+        ways_out: escapes from near singularities, passed joint limits and contacts.
         events: log lines of the present step.
     """
 
@@ -185,7 +185,7 @@ class State(StatePart):
 
 
 def new_state(flight: Flight, carried: SteeringSetup) -> State:
-    """Return a state in which the arm and the worksite are not yet at their start; `begin` puts them there."""
+    """Return a state in which the arm and the worksite are not yet at their start; `begin` sets them to a start."""
     scenario, views = flight.scenario, flight.cameras.first
     panel = Panel(
         scenario.mode,

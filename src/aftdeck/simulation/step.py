@@ -47,13 +47,13 @@ def step(flight: Flight, state: State, inputs: Inputs | None) -> Inputs:
     # CMD CK continues; once it is GOOD, PROCEED starts the motion
     check(flight, state)
 
-    # steering commands the joint rates, contacts and seats limit them, the plant and the worksite move
+    # steering commands the joint rates, contacts and berths limit them, the plant and the worksite move
     go(flight, state, inputs)
     if inputs.camera is not None:
         state.views = flight.cameras.driven(state.views, inputs.camera, flight.scenario.control_period)
         state.panel.camera = inputs.camera.camera
 
-    # pairs among which the next step finds the nearest
+    # choose the pairs for the next minimum clearance
     count(flight, state)
 
     # log lines about the arm; end of a script whose time has run out

@@ -50,9 +50,9 @@ class Summary(msgspec.Struct, frozen=True):
     worst_rate_ratio: float
     """Largest |commanded joint rate| / limit in force."""
     min_clearance_m: float | None
-    """Minimum clearance of the pairs that count for CLEARANCE (`simulation.aligned_with`), negative if they overlapped.
+    """Minimum clearance of the pairs that count for CLEARANCE (`payloads.alignment`), negative if they overlapped.
 
-    None if no such pair was watched.
+    None if no such pair was monitored.
     """
     events: tuple[SummaryEvent, ...]
     frames_sha256: str
@@ -66,7 +66,7 @@ class Tally:
         ticks: number of steps added.
         events: log lines of all these steps.
         worst: largest |commanded joint rate| / limit in force.
-        least: minimum clearance of the pairs that count [m]; inf if no such pair was watched.
+        least: minimum clearance of the pairs that count [m]; inf if no such pair was monitored.
     """
 
     def __init__(self) -> None:

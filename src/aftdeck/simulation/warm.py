@@ -1,4 +1,4 @@
-"""Compilation of all laws before a flight, which compiling would otherwise delay by seconds."""
+"""Compilation of all laws before a run, because compilation during the run would delay steps by seconds."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from aftdeck.simulation.motion.contact_out import way_out_of_contact
 from aftdeck.simulation.motion.ways_out import ways_out
 from aftdeck.simulation.observe.look import frame_of
 from aftdeck.simulation.observe.look_ahead import MOST_S, look_ahead
-from aftdeck.simulation.payloads.grasp import let_go, set_free, take_hold
+from aftdeck.simulation.payloads.grasp import attach, empty_grasp, start_free_flight
 from aftdeck.simulation.payloads.seating import conditions_at
 from aftdeck.simulation.payloads.sliding import slide_along
 from aftdeck.simulation.payloads.task_phases import change_task
@@ -25,11 +25,11 @@ from aftdeck.steering.layout import TWIST
 from aftdeck.steering.mode import AUTOMATIC_LAWS
 
 FAR = 1e3
-"""Twist so great that every wall could be met in the next step [m/s], [rad/s]."""
+"""Twist so great that the payload could reach every wall in the next step [m/s], [rad/s]."""
 
 
 def warm_up(scenario: Scenario) -> None:
-    """Run a scratch copy for a few steps, to call everything that is compiled at its first use."""
+    """Run a scratch copy for a few steps, to call every law, because a law is compiled at its first call."""
     flight = run_constants(scenario)
     state = initial_state(flight)
     arm = scenario.arm
@@ -52,10 +52,10 @@ def warm_up(scenario: Scenario) -> None:
 
 
 def _carry(flight: Flight, state: State) -> None:
-    """Attach the first payload of the scratch copy, slide it along the walls, check its seats, and release it."""
+    """Attach the first payload of the scratch copy, slide it along the walls, check its berths, and release it."""
     worksite = state.worksite
     worksite.cargo[0].seat = ""
-    take_hold(flight, state, 0)
+    attach(flight, state, 0)
     change_task(flight, state)
     frame_of(flight, state, digest(state))
     worksite.watch.update(worksite.frames, worksite.frames, flight.scenario.control_period)
@@ -63,6 +63,6 @@ def _carry(flight: Flight, state: State) -> None:
     slide_along(flight, state, 0.0, 0)
     for berth in flight.site.berths[0]:
         conditions_at(flight, state, 0, berth)
-    let_go(flight, state, 0)
-    set_free(flight, state, 0, from_space=False)
+    empty_grasp(flight, state, 0)
+    start_free_flight(flight, state, 0, from_space=False)
     step(flight, state, None)

@@ -1,4 +1,4 @@
-"""Worksite's part of a step: motion besides the arm's, contacts, and capture, fixing and release of payloads."""
+"""Worksite's part of a step: motion of orbiter, prong and payloads, contacts, capture, fixing and release."""
 
 from __future__ import annotations
 
@@ -36,17 +36,17 @@ def update_worksite(flight: Flight, state: State, inputs: Inputs) -> None:
         if floating is not None:
             worksite.floating[k] = drifted(flight, state, k, floating)
             worksite.update_carrier(flight.site, k)
-    before, fast = worksite.contacts.inhibit, worksite.arm_fixed
-    _look_around(flight, state)
+    before, was_fixed = worksite.contacts.inhibit, worksite.arm_fixed
+    _update_contacts(flight, state)
     _log_contacts(flight, state, before)
     capture(flight, state, inputs)
     seat(flight, state, inputs.latch)
-    if worksite.arm_fixed != fast and state.panel.sequence != "in progress":
-        make_ready(flight, state)  # CMD CK's verdict was for the old attachment to the seat
+    if worksite.arm_fixed != was_fixed and state.panel.sequence != "in progress":
+        make_ready(flight, state)  # the verdict of CMD CK was for the previous attachment
     change_task(flight, state)
 
 
-def _look_around(flight: Flight, state: State) -> None:
+def _update_contacts(flight: Flight, state: State) -> None:
     """Update the poses of all frames, the clearances, the contacts and what the contacts inhibit."""
     site, worksite, plant, period = flight.site, state.worksite, state.plant, flight.scenario.control_period
     layout, watch, contacts = site.layout, worksite.watch, worksite.contacts
@@ -74,7 +74,7 @@ def _look_around(flight: Flight, state: State) -> None:
 
 
 def _move_orbiter(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Translate the orbiter; if that is not possible, log the reason once."""
+    """Translate the orbiter; if a translation is not possible, log the reason once."""
     worksite = state.worksite
     why = ""
     if any(inputs.orbiter) or any(worksite.orbiter_velocity.tolist()):
@@ -92,11 +92,11 @@ def _try_translation(flight: Flight, state: State, command: Array) -> str:
     """
     site, worksite, rule = flight.site, state.worksite, flight.site.worksite.translation
     if rule is None:
-        return "the orbiter does not translate at this worksite"
+        return "orbiter translation refused: this worksite has none"
     held, velocity = worksite.held, worksite.orbiter_velocity
     if held is not None and worksite.cargo[held].seat and site.in_space(worksite.cargo[held].seat):
         velocity[:] = 0.0
-        return "the orbiter does not translate while the arm holds a docked payload: RELEASE or UNLATCH"
+        return "orbiter translation refused: the arm holds a docked payload; RELEASE or UNLATCH it"
     period, detrimental = flight.scenario.control_period, 1 - worksite.contacts.essential
     if not (worksite.logged_contacts and np.any(detrimental & (worksite.contacts.count == FRAMES))):
         translate(worksite.orbiter, velocity, command, rule.speed, rule.reached_in, period)
@@ -110,7 +110,7 @@ def _try_translation(flight: Flight, state: State, command: Array) -> str:
         return ""
     worksite.orbiter[:], velocity[:] = here, 0.0
     a, b = site.layout.named(group)
-    return f"the orbiter does not translate so: it would bring {a} deeper into {b}"
+    return f"orbiter translation refused: {a} would penetrate {b} further"
 
 
 def _move_prong(flight: Flight, state: State) -> None:
@@ -120,7 +120,7 @@ def _move_prong(flight: Flight, state: State) -> None:
     drive = _DRIVES[worksite.switch] if free else 0.0
     prong, period = worksite.prong, flight.scenario.control_period
     if drive > 0.0:
-        drive *= _room(flight, state, prong.after(flight.prong, drive, period) - prong.position)
+        drive *= _closing_fraction(flight, state, prong.after(flight.prong, drive, period) - prong.position)
     if drive != 0.0 and worksite.contacts.inhibit.finger:
         before, after = (
             frames_with_prong_at(flight, state, at) for at in (prong.position, prong.after(flight.prong, drive, period))
@@ -131,8 +131,8 @@ def _move_prong(flight: Flight, state: State) -> None:
     prong.move(flight.prong, drive, period)
 
 
-def _room(flight: Flight, state: State, way: float) -> float:
-    """Return the fraction of a distance [m] that the prong can close until it meets the bar of the held cargo."""
+def _closing_fraction(flight: Flight, state: State, way: float) -> float:
+    """Return the fraction of a distance [m] that the prong can close until it touches the bar of the held payload."""
     site, k = flight.site, state.worksite.held
     if site.bar is None or k is None or (which := site.bar.which[k]) is None:
         return 1.0
@@ -143,7 +143,7 @@ def _room(flight: Flight, state: State, way: float) -> float:
 
 
 def _log_contacts(flight: Flight, state: State, before: Inhibit) -> None:
-    """Log changes of the contacts and inhibits, and update the way out of the contacts."""
+    """Log changes of contacts and inhibits, and update the escape direction out of the contacts."""
     worksite = state.worksite
     now = worksite.contacts.inhibit
     if now.changed:
@@ -160,7 +160,9 @@ def _log_contacts(flight: Flight, state: State, before: Inhibit) -> None:
         return
     for name, was, is_now in (("ARM", before.arm, now.arm), ("FINGER", before.finger, now.finger)):
         if is_now and not was:
-            log(flight, state, "inhibit", "warning", f"{name} INHIBIT: only motion that relieves the contact is flown")
+            log(
+                flight, state, "inhibit", "warning", f"{name} INHIBIT: only motion that relieves the contact is allowed"
+            )
         elif was and not is_now:
             log(flight, state, "inhibit", "info", f"{name} INHIBIT off")
     if now.arm:

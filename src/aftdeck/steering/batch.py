@@ -1,4 +1,4 @@
-"""Closed-loop steering of many arms at once, each arm straight towards its own target.
+"""Closed-loop steering of many arms at once, each along a straight line to its own target.
 
 Not modelled: profiles and limits of the point of resolution, joint stops, and slowing before singularities. Near a
 singularity the rate law divides by a minimum value instead.
@@ -23,7 +23,7 @@ from aftdeck.steering.blocks import FIELDS, LANES, LEFT, TARGET, WORK, steer_blo
 _HAIR = 1.0 + 1e-15
 """Factor that keeps the fastest joint's rate, after rounding, at or below its limit [1]."""
 _THREADED = 20_000
-"""Number of arm-steps from which a second thread is worth its start."""
+"""Number of arm-steps from which a second thread saves more time than its start takes."""
 LINE = 64
 """Length of a cache line [bytes]."""
 _SHARES = 8
@@ -47,29 +47,29 @@ class Steered(NamedTuple):
 
 
 def pace_of(arm: Arm, period: float, gain: float) -> Array:
-    """Return the pace (8,) of an arm whose joints are limited to its servo maxima.
+    """Return control period, gain and inverse joint rate limits (8,) of an arm with its servo maxima as limits.
 
     Raises:
         InputError: a period or gain that does not move the arm, or moves it past the target.
     """
     if not period > 0.0:
-        raise InputError(f"the control period is above 0 s, got {period:g}")
+        raise InputError(f"period: got {period:g}, expected a control period above 0 s")
     if not 0.0 < gain * period <= 1.0:
-        raise InputError(f"gain times control period is above 0 and at most 1, got {gain:g} x {period:g}")
+        raise InputError(f"gain: got {gain:g}; gain times period ({period:g}) has to be above 0 and at most 1")
     return np.array([period, gain, *(_HAIR / arm.rate_limits)])
 
 
 def steer_batch(
     arm: Arm, angles: ArrayLike, targets: Pose | ArrayLike, *, steps: int = 1, period: float, gain: float
 ) -> Steered:
-    """Fly many arms in closed loop, on every processor that this process may use.
+    """Steer many arms in closed loop, on every processor that this process may use.
 
     Args:
         arm: arm model of all the arms.
         angles: (..., 6) joint angles [rad].
         targets: tip poses in L, with the leading shape of `angles` or one for all: a Pose, or (..., 12), position
             [m], then rotation row by row.
-        steps: control periods to fly.
+        steps: number of control periods.
         period: duration of a step [s].
         gain: twist per remaining distance and rotation [1/s].
 
@@ -78,7 +78,7 @@ def steer_batch(
     """
     pace = pace_of(arm, period, gain)
     if steps < 0 or steps != int(steps):
-        raise InputError(f"steps is a whole number, 0 or more, got {steps}")
+        raise InputError(f"steps: got {steps}, expected a whole number, 0 or more")
     start = _finite(angles, "joint angles", 6)
     lead = start.shape[:-1]
     goal = _targets(targets, lead)
@@ -141,7 +141,7 @@ def _targets(targets: Pose | ArrayLike, lead: tuple[int, ...]) -> Array:
         position, rotation = _finite(targets.position, "positions", 3), _finite(targets.rotation, "rotations", 3)
         if rotation.shape != (*position.shape, 3):
             raise InputError(
-                f"targets have positions (..., 3) and rotations (..., 3, 3), got {position.shape} and {rotation.shape}"
+                f"targets: got shapes {position.shape} and {rotation.shape}, expected (..., 3) and (..., 3, 3)"
             )
         targets = np.concatenate([position, rotation.reshape(*position.shape[:-1], 9)], axis=-1)
     array = _finite(targets, "targets", 12)
@@ -151,8 +151,8 @@ def _targets(targets: Pose | ArrayLike, lead: tuple[int, ...]) -> Array:
     off = np.abs(lengths + third).max(initial=0.0)
     if off > _ROTATION_TOLERANCE:
         raise InputError(
-            f"a target's rotation is no right-handed orthonormal matrix: it is off by {off:.3g}, "
-            f"{_ROTATION_TOLERANCE:g} is allowed"
+            f"targets: a rotation is not a right-handed orthonormal matrix: deviation {off:.3g}, at most "
+            f"{_ROTATION_TOLERANCE:g} allowed"
         )
     try:
         return np.broadcast_to(array, (*lead, 12))

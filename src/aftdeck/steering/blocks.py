@@ -41,7 +41,7 @@ each link's angle (6).
 """
 
 PERIOD, GAIN, PER_RATE = 0, 1, 2
-"""Indices in a pace: control period [s], gain [1/s], from PER_RATE one over each joint's maximum rate [s/rad]."""
+"""Indices in a `pace`: control period [s], gain [1/s], from PER_RATE one over each joint's maximum rate [s/rad]."""
 
 
 @law
@@ -156,10 +156,10 @@ def steer_blocks(arm: Floats, pace: Floats, blocks: Array, work: Array, steps: i
 
     Args:
         arm: the arm's constants, as a tuple.
-        pace: the pace, as a tuple.
+        pace: the values of `pace_of`, as a tuple.
         blocks: (blocks, FIELDS * LANES), field by field.
         work: (WORK * LANES,) work array, overwritten.
-        steps: control periods to fly.
+        steps: number of control periods.
     """
     l1, l2, l3, l4, l5, upper, lower, wrist = arm
     if wrist == PITCH_YAW_ROLL:

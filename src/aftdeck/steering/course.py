@@ -1,4 +1,4 @@
-"""OPERIN's start of an automatic motion, from rest, as CMD CK rehearsed it.
+"""OPERIN's start of an automatic motion from rest, as in the rehearsal of CMD CK.
 
 JSC-12628, subroutine OPERIN, plans from the arm's present pose as if the arm were at rest; `strict` does the same.
 Corrected, the arm first comes to rest, and the motion is planned from there.
@@ -26,7 +26,7 @@ def may_start(rules: Array, state: Array) -> bool:
 
 @law
 def start_motion(rules: Array, command: Array, state: Array) -> None:
-    """Plan and start the motion if the arm may start; call this before each step until GO is set in `command`.
+    """Plan and start the motion if the arm may start; call this before each step until MOTION_ACTIVE is 1.
 
     `command` holds the law's number and the target. In mode 1 it also holds the final joint angles, at the index of
     the plan that replaces them.

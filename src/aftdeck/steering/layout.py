@@ -52,7 +52,7 @@ JOINT = STICKS + 6
 DRIVE = JOINT + 1
 """SINGLE/DIRECT DRIVE in [-1, 1]."""
 MOTION_ACTIVE = DRIVE + 1
-"""1 while an automatic motion is in progress; 0 while the arm first comes to rest, where the plan begins."""
+"""1 while an automatic motion is in progress; 0 before, while the arm comes to rest to plan the motion."""
 TARGET = MOTION_ACTIVE + 1
 """(12,) final tip position, then rotation row by row."""
 PLAN = TARGET + 12
@@ -64,7 +64,7 @@ KEPT = MASTER + 6
 COMMAND = KEPT + 6
 
 NO_LAW = 0.0
-"""TEST: the arm comes to rest and stays."""
+"""TEST: the arm comes to rest and stays at rest."""
 DIRECT_LAW = 9.0
 """DIRECT: one joint moves, without steering."""
 MASTER_LAW = 10.0
@@ -76,13 +76,13 @@ ANGLES = 0
 RATES = 6
 """(6,) joint rates commanded by the last step [rad/s]."""
 TWIST = 12
-"""(6,) twist commanded by the last step: angular, then translational of the point that POINT names."""
+"""(6,) twist commanded by the last step: angular velocity, then velocity of the point that POINT names."""
 POINT = 18
 """Point whose velocity TWIST holds: 0 the tip, 1 the payload's point of resolution."""
 CLOCK = 19
 """Phase time TP of modes 1 and 3 [s]."""
 CLOCK_RATE = 20
-"""Share of the last step's demand that was flown, 0 to 1: the rate of CLOCK."""
+"""Share of the last step's demand that was commanded, 0 to 1: the rate of CLOCK."""
 SHOULDER_OFFSET = 21
 """Height of the shoulder above that in `rules` (L1), as measured [m]: the telescope's extension."""
 MEASURED = 22

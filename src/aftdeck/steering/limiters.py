@@ -1,8 +1,9 @@
 """AVCLMT and RATLMT: limits of the tip's twist and of the joint rates.
 
-JSC-12628, subroutines AVCLMT and RATLMT. RATLMT's one ratio for all joints keeps the direction of motion. Here it also
-stops the joints before their stops and the arm before its singularities. The rate allowed before a stop follows the
-root of the remaining angle, that before a singularity the remaining distance; so the arm slows smoothly to rest.
+JSC-12628, subroutines AVCLMT and RATLMT. RATLMT's one ratio for all joints keeps the direction of motion. Here the
+ratio also stops the joints before their stops and the arm before its singularities. The allowed rate is proportional
+to the root of the remaining angle before a stop, and to the remaining distance before a singularity, so that the arm
+slows smoothly to rest.
 """
 
 from __future__ import annotations
@@ -35,8 +36,8 @@ from aftdeck.steering.layout import (
 CAUSES = ("", "joint rate", "soft stop", "singularity", "hard stop", "joint acceleration", "joint acceleration passed")
 """Limits that act on the joint rates, by the number in a report.
 
-The modes with hard stops, 8 and DIRECT, give 4. The number 6 means that no factor of the motion kept the joint
-acceleration limit, and the line was kept instead.
+Number 4 occurs in the modes with hard stops, 8 and DIRECT. Number 6 means that no factor of the motion keeps the joint
+acceleration limit, so that the arm stays on the line and exceeds the limit.
 """
 BY_RATE, BY_STOP, BY_SINGULARITY, BY_HARD_STOP, BY_ACCELERATION, PAST_ACCELERATION = 1, 2, 3, 4, 5, 6
 
@@ -86,7 +87,7 @@ def braked(gap: float, deceleration: float, dt: float) -> float:
 
 
 @law
-def avclmt(rules: Array, wanted: Twist, present: Twist) -> tuple[Twist, int]:
+def avclmt(rules: Array, demanded: Twist, present: Twist) -> tuple[Twist, int]:
     """Return the tip twist that the limits of speed and acceleration allow (AVCLMT).
 
     As published, acceleration is limited first and speed second. Corrected, speed is limited first. The two differ
@@ -98,47 +99,47 @@ def avclmt(rules: Array, wanted: Twist, present: Twist) -> tuple[Twist, int]:
         translation, acceleration 4 and rate 8 of rotation.
     """
     dt = rules[DT]
-    wx, wy, wz, turn_met = _held(
-        wanted.wx, wanted.wy, wanted.wz, present.wx, present.wy, present.wz,
+    wx, wy, wz, turn_active = _limited_vector(
+        demanded.wx, demanded.wy, demanded.wz, present.wx, present.wy, present.wz,
         rules[TURN], rules[TURN_UP] * dt, rules[STRICT],
     )  # fmt: skip
-    vx, vy, vz, speed_met = _held(
-        wanted.vx, wanted.vy, wanted.vz, present.vx, present.vy, present.vz,
+    vx, vy, vz, speed_active = _limited_vector(
+        demanded.vx, demanded.vy, demanded.vz, present.vx, present.vy, present.vz,
         rules[SPEED], rules[SPEED_UP] * dt, rules[STRICT],
     )  # fmt: skip
-    return Twist(wx, wy, wz, vx, vy, vz), speed_met + 4 * turn_met
+    return Twist(wx, wy, wz, vx, vy, vz), speed_active + 4 * turn_active
 
 
 @law
-def _held(
+def _limited_vector(
     x: float, y: float, z: float, px: float, py: float, pz: float, most: float, change: float, strict: float
 ) -> tuple[float, float, float, int]:
-    """Limit one vector of AVCLMT, given its wanted and present values, maximum length and maximum change in a step."""
-    met = 0
+    """Return a vector of AVCLMT within its maximum length and change per step, and the number of the active limits."""
+    active = 0
     if strict == 0.0:
-        k = _shortening(x, y, z, most)
-        met = _met(k, 2)
+        k = _shortening_factor(x, y, z, most)
+        active = _number_if_shortened(k, 2)
         x, y, z = k * x, k * y, k * z
     dx, dy, dz = x - px, y - py, z - pz
-    k = _shortening(dx, dy, dz, change)
-    met += _met(k, 1)
+    k = _shortening_factor(dx, dy, dz, change)
+    active += _number_if_shortened(k, 1)
     if k < 1.0:
         x, y, z = px + k * dx, py + k * dy, pz + k * dz
     if strict != 0.0:
-        k = _shortening(x, y, z, most)
-        met += _met(k, 2)
+        k = _shortening_factor(x, y, z, most)
+        active += _number_if_shortened(k, 2)
         x, y, z = k * x, k * y, k * z
-    return x, y, z, met
+    return x, y, z, active
 
 
 @law
-def _met(shortening: float, number: int) -> int:
+def _number_if_shortened(shortening: float, number: int) -> int:
     """Return `number` if a shortening is more than a rounding error, else 0."""
     return number if shortening < 1.0 - 1e-9 else 0
 
 
 @law
-def _shortening(x: float, y: float, z: float, most: float) -> float:
+def _shortening_factor(x: float, y: float, z: float, most: float) -> float:
     """Return the factor, at most 1, that reduces a vector's length to `most`."""
     length = math.sqrt(x * x + y * y + z * z)
     return most / length if length > most else 1.0
@@ -146,7 +147,7 @@ def _shortening(x: float, y: float, z: float, most: float) -> float:
 
 @law
 def ratlmt(rules: Array, state: Array, a: Sines, rates: Rates) -> Ratio:
-    """Return the ratio by which commanded joint rates are cut so that each is within its limit (RATLMT).
+    """Return the ratio that reduces the commanded joint rates so that each is within its limit (RATLMT).
 
     If the rules are guarded, the ratio also slows the arm before its stops and singularities. The source limits rates
     only.

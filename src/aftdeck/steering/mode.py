@@ -1,4 +1,4 @@
-"""Positions of the MODE rotary and MASTER, and which of the report's eight modes each position flies."""
+"""Positions of the MODE rotary and MASTER, and the report's modes that each position can select."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Mode:
 
     Attributes:
         position: name as printed on the panel.
-        laws: the report's mode numbers that the position can fly, the default first.
+        laws: the report's mode numbers that the position can select, the default first.
         title: short description.
         kind: kind of command: a target, sticks, one joint's drive switch, the master arm, or none.
         point: point that the mode moves.
@@ -82,7 +82,7 @@ MODES: dict[str, Mode] = {
         ),
     )
 }  # fmt: skip
-"""Every position by name, in order: the panel's left column, its right column, then MASTER, which is not on it."""
+"""Every position by name, in order: the panel's left column, its right column, MASTER (not on the panel)."""
 
 
 NUMBERED = range(1, 9)
@@ -94,6 +94,6 @@ STICK_AXES: dict[int, StickAxes] = {4: "orbiter", 5: "end effector", 6: "payload
 
 
 def position_of(law: int) -> tuple[PanelPosition, int] | None:
-    """Return the first panel position that flies one of the report's modes 1 to 8, and the law; None for others."""
+    """Return the first panel position that selects one of the report's modes 1 to 8, and the law; None for others."""
     first = next((mode.position for mode in MODES.values() if law in mode.laws), None)
     return None if first is None or law not in NUMBERED else (first, law)

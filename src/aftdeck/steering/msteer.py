@@ -3,10 +3,10 @@
 JSC-12628, subroutine MSTEER: JACOBI, LNKAGE, ERATES, the mode's twist (VOTRAN), AVCLMT, RMSRAT, RATLMT, and
 ERATES times RATIO fed back to the next step's AVCLMT. Unless `strict`, three things are added:
 
-- The mode's demand is first cut to what the joints can give, by RATLMT's ratio before AVCLMT. No acceleration is
-  then spent on a speed that the joints cannot reach.
+- RATLMT's ratio first reduces the mode's demand to rates that the joints can reach, before AVCLMT. AVCLMT then spends
+  no acceleration on a speed that the joints cannot reach.
 - The rate law is evaluated at the middle of the coming step.
-- One factor (`steering.one_factor`) cuts the whole motion, so that modes 1 and 3 stay on their plans.
+- One factor (`steering.one_factor`) slows the whole motion, so that modes 1 and 3 stay on their plans.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ NEAR_FLOOR = 0.5 * NEAREST
 
 @law
 def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
-    """Compute the joint rates for the coming step into `state`, and how they were limited into `report` (MSTEER).
+    """Write the joint rates for the coming step into `state`, and the limits that acted into `report` (MSTEER).
 
     The arrays are those of `steering.layout`. `state` holds measured angles, and the rates and the twist that
     the last step commanded; this function replaces the rates and the twist.
@@ -129,9 +129,9 @@ def _steer_joints(rules: Array, command: Array, state: Array, report: Array, a: 
 def _position_factor(
     rules: Array, command: Array, state: Array, report: Array, a: Sines, j: Jacobian, wanted: Rates
 ) -> float:
-    """Return the share of mode 1's joint rates that is flown; write the limits that act into the report.
+    """Return the share of mode 1's joint rates that is commanded; write the limits that act into the report.
 
-    The tip's limits apply as well, but not under `strict`: in the source only RATLMT acts.
+    The limits of the tip apply as well, but not under `strict`: in the source only RATLMT acts.
     """
     limit = joint_ratio(rules, state, wanted)
     if rules[STRICT] != 0.0 or command[MOTION_ACTIVE] == 0.0:
@@ -212,10 +212,10 @@ def _wanted(rules: Array, command: Array, state: Array, report: Array, here: Tip
 def _present(rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x: float, y: float, z: float) -> Twist:
     """Return the present twist of the point of resolution, relative to which accelerations are limited.
 
-    The source computes it by ERATES from the measured joint rates at the new angles. Corrected, it is the twist that
-    the last step commanded, plus the twist of the difference between measured and commanded joint rates. The turning of
-    the arm under constant rates is then not an error to be limited. (x, y, z) is the point's position from the tip,
-    in L.
+    The source computes this twist by ERATES from the measured joint rates at the new angles. Corrected, it is the twist
+    that the last step commanded, plus the twist of the difference between measured and commanded joint rates. The
+    rotation of the arm under constant rates is then not limited as if it were an error. (x, y, z) is the vector from
+    the tip to the point, in L.
     """
     actual, commanded = rates_at(state, MEASURED), rates_at(state, RATES)
     was = state[POINT] != 0.0
@@ -237,7 +237,7 @@ def _present(rules: Array, state: Array, a: Sines, j: Jacobian, offset: bool, x:
 
 @law
 def _carried(t: Twist, x: float, y: float, z: float) -> Twist:
-    """Return the twist of a point at (x, y, z) from the point with the twist `t`, on the same body."""
+    """Return the twist of a point of a body; (x, y, z) leads to it from the body's point with the twist `t`."""
     return Twist(
         t.wx,
         t.wy,

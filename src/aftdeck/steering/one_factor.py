@@ -1,13 +1,14 @@
 """One factor for a whole motion, so that limits change neither its line nor its proportions.
 
-Modes 1 and 3 fly a plan; if translation and rotation were cut by different factors, they would leave the plan. Here
-every limit gives a range of factors, and the greatest factor that all limits allow is flown. The order of priority:
+Modes 1 and 3 follow a plan; different factors for translation and rotation would take the arm off the plan. Here every
+limit gives a range of factors, and the greatest factor that all limits allow is used. The order of priority:
 
 1. Joint rates, stops and singularities (RATLMT), which are never exceeded.
-2. Joint accelerations. If no factor keeps a joint's acceleration, the line is kept and the joint is reported.
+2. Joint accelerations. If no factor keeps a joint's acceleration limit, the arm stays on the line, and the joint is
+   reported.
 3. Accelerations of the point of resolution, which are exceeded if the joints require it.
 
-Not in JSC-12628, whose AVCLMT and RATLMT cut translation, rotation and joint rates one after the other.
+JSC-12628 does not have this factor: its AVCLMT and RATLMT limit translation, rotation and joint rates separately.
 """
 
 from __future__ import annotations
@@ -32,10 +33,10 @@ UNBOUNDED = 1e9
 
 
 class Factor(NamedTuple):
-    """Share of a motion that is flown, and the limits that act.
+    """Share of a motion that is commanded, and the limits that act.
 
     Attributes:
-        factor: share that is flown, 0 to 1.
+        factor: share that is commanded, 0 to 1.
         cause: index in `limiters.CAUSES`; 0 if no such limit acts.
         culprit: the joint, or for a singularity 0 shoulder, 1 elbow, 2 wrist; -1 if no such limit acts.
         por_cause: limit of the point of resolution, as `limiters.avclmt` numbers it; 0 if none acts.

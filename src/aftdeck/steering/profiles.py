@@ -1,8 +1,8 @@
 """VCLOSE and VTOPEN: speeds towards a target at which translation and rotation end together.
 
-JSC-12628, subroutines VCLOSE and VTOPEN. VCLOSE has three corrections, which `strict` leaves out. Braking is computed
-for finite steps, so that the last step ends on the target. The two estimates of the remaining time join without a
-jump. The part that waits for the other never divides by a time that has run out.
+JSC-12628, subroutines VCLOSE and VTOPEN. VCLOSE has three corrections, which `strict` omits. Braking is computed for
+finite steps, so that the last step ends at the target. The two estimates of the remaining time agree at their
+transition. The motion that waits for the other never divides by a remaining time of zero.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def vclose(rules: Array, distance: float, angle: float) -> Profile:
 
 @law
 def _alone(left: float, most: float, up: float, dt: float) -> tuple[float, float, float]:
-    """Return rate, remaining time and braking time of a motion that need not wait for another, in steps of dt.
+    """Return rate, remaining time and braking time of a single motion, in steps of dt.
 
     Braking from n * up * dt takes n steps and covers half of (n + 1) * dt times that rate.
     """
@@ -63,9 +63,10 @@ def _alone(left: float, most: float, up: float, dt: float) -> tuple[float, float
 
 @law
 def _as_restored(rules: Array, distance: float, angle: float) -> Profile:
-    """Return the profile of VCLOSE as published, with TP = 0 and its small time epsilon taken as one step.
+    """Return the profile of VCLOSE as published, with TP = 0 and one step as its small time epsilon.
 
-    Each divisor is at least half the time that the waiting part needs by itself: above 0 unless that part is done.
+    Each divisor is at least half the time that the waiting motion needs by itself, so that it is above 0 until that
+    motion has ended.
     """
     t_v, eta = rules[SPEED] / rules[SPEED_UP], distance / rules[SPEED]
     if t_v <= eta:
@@ -115,7 +116,7 @@ def vtopen(rules: Array, distance: float, angle: float) -> OpenProfile:
 
 @law
 def _ramped_alone(way: float, most: float, up: float) -> tuple[float, float]:
-    """Return the length and the acceleration time [s] of a motion that need not wait for another."""
+    """Return the duration and the acceleration time [s] of a single motion."""
     ramp, eta = most / up, way / most
     if ramp <= eta:
         return eta + ramp, ramp

@@ -1,4 +1,4 @@
-"""Joint motion in mode 8 and MASTER: to a rate or an angle, within the joint's acceleration and before its stops."""
+"""Joint motion in mode 8 and MASTER: towards a rate or an angle, within the joint's acceleration and its stops."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from aftdeck.steering.limiters import braked
 
 @law
 def rate_towards(rules: Array, state: Array, goal: float, i: int) -> float:
-    """Return the rate of joint i [rad/s] from which it still comes to rest at an angle [rad]."""
-    way = goal - state[ANGLES + i]
-    return math.copysign(min(braked(abs(way), rules[RATE_UP + i], rules[DT]), rules[RATE + i]), way)
+    """Return the greatest rate of joint i [rad/s] from which it can still stop at an angle [rad]."""
+    angle = goal - state[ANGLES + i]
+    return math.copysign(min(braked(abs(angle), rules[RATE_UP + i], rules[DT]), rules[RATE + i]), angle)
 
 
 @law
-def ramped(rules: Array, state: Array, report: Array, asked: float, i: int, stop: int) -> float:
-    """Return the rate of joint i [rad/s] towards the wanted rate, within its acceleration and braking for its stop.
+def ramped(rules: Array, state: Array, report: Array, demanded: float, i: int, stop: int) -> float:
+    """Return the rate of joint i [rad/s] towards the demanded rate, within its acceleration and braking for its stop.
 
     Args:
         rules: rules of the mode.
         state: measured angles and rates.
         report: receives the stop if it acts.
-        asked: the rate wanted [rad/s].
+        demanded: the demanded rate [rad/s].
         i: the joint, 0 to 5.
         stop: kind of stop that may act: an index in `limiters.CAUSES`.
     """
     change, before = rules[RATE_UP + i] * rules[DT], state[MEASURED + i]
-    rate = before + min(max(asked - before, -change), change)
+    rate = before + min(max(demanded - before, -change), change)
     gap = rules[HIGH + i] - state[ANGLES + i] if rate > 0.0 else state[ANGLES + i] - rules[LOW + i]
     allowed = braked(gap, rules[RATE_UP + i], rules[DT])
     if abs(rate) > allowed:

@@ -16,7 +16,7 @@ GIVEN_UP = 2.0
 
 @law
 def rehearse(rules: Array, command: Array, state: Array, report: Array, most: float) -> bool:
-    """Fly `command` from `state` for at most `most` seconds, including its start; return whether the motion ends.
+    """Run `command` from `state` for at most `most` seconds, including its start; return whether the motion ends.
 
     The arrays are overwritten. Afterwards `state` holds the arm's last state.
     """

@@ -1,4 +1,4 @@
-"""The `rules` array for each panel position, rate setting and steering law: the limits that the law keeps."""
+"""`rules` array for each panel position, rate setting and steering law, with the limits of the law."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from aftdeck.steering.mode import MODES, Mode
 
 Rate = Literal["coarse", "vernier"]
 Key = tuple[str, Rate, int]
-"""Panel position, rate setting, and steering law that the position flies."""
+"""Panel position, rate setting and steering law."""
 
 POSITION_LAW = 1
 """The report's mode 1, which commands joint rates in the automatic panel positions."""

@@ -1,6 +1,6 @@
 """Values of the packed arrays (`steering.layout`) by name, for use inside the laws.
 
-A law makes these tuples in compiled code, where they cost nothing; passed from Python they would cost microseconds.
+Compiled code makes these tuples without cost; passing them from Python would take microseconds.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from aftdeck.steering.layout import ANGLES, SPEED, STICKS, TURN
 
 @law
 def rates_at(values: Array, at: int) -> Rates:
-    """Return six values from an index on, one for each joint."""
+    """Return six values of an array, beginning at an index, one for each joint."""
     return Rates(values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5])
 
 
 @law
 def put_rates(values: Array, at: int, r: Rates) -> None:
-    """Write six values, one for each joint, from an index on."""
+    """Write six values, one for each joint, beginning at an index."""
     values[at], values[at + 1], values[at + 2] = r.r1, r.r2, r.r3
     values[at + 3], values[at + 4], values[at + 5] = r.r4, r.r5, r.r6
 
@@ -33,7 +33,7 @@ def twist_at(values: Array, at: int) -> Twist:
 
 @law
 def put_twist(values: Array, at: int, t: Twist) -> None:
-    """Write a twist from an index on."""
+    """Write a twist, beginning at an index."""
     values[at], values[at + 1], values[at + 2] = t.wx, t.wy, t.wz
     values[at + 3], values[at + 4], values[at + 5] = t.vx, t.vy, t.vz
 

@@ -1,7 +1,7 @@
-"""Stick direction that leads out of a singularity or away from a stop.
+"""Escape direction: stick direction that leads out of a singularity or away from a stop.
 
-Every direction of the six stick axes is tried with the laws themselves: the joint rates that RMSRAT and RATLMT
-allow, and the speed at which they move the arm away. If no stick direction does, one joint in SINGLE does.
+The steering laws evaluate every direction of the six stick axes: the joint rates that RMSRAT and RATLMT allow, and the
+speed at which these rates move the arm away. If no stick direction leads away, one joint in SINGLE does.
 """
 
 from __future__ import annotations
@@ -21,25 +21,25 @@ from aftdeck.steering.msteer import NEAR_FLOOR, carried_to_tip
 from aftdeck.steering.views import sines_of
 
 DIRECTIONS = 12
-"""Stick directions tried: + and - of roll, pitch, yaw, X, Y, Z, in that order."""
-LOOK = math.radians(0.5)
+"""Number of stick directions: + and - of roll, pitch, yaw, X, Y, Z, in that order."""
+SEARCH_STEP = math.radians(0.5)
 """Step of the search along a joint's path out of a singularity [rad]."""
 
 
 @law
 def way_out(
-    rules: Array, command: Array, state: Array, singularity: int, joint: int, inward: float, tried: Array
+    rules: Array, command: Array, state: Array, singularity: int, joint: int, inward: float, speeds: Array
 ) -> None:
-    """Compute the speed at which each stick direction leads away, into `tried` (12,).
+    """Write the speed at which each stick direction leads away into `speeds` (12,).
 
     Args:
         rules: rules of a manual mode.
         command: command whose law is used; its sticks are overwritten.
         state: state of the arm.
-        singularity: 0 shoulder, 1 elbow, 2 wrist: `tried` gives the rates of its distance [1/s]; -1 to use `joint`.
-        joint: joint whose rates [rad/s] `tried` gives, if `singularity` is -1.
-        inward: +1 or -1: the joint's direction in which `tried` is positive.
-        tried: (12,) output; positive leads away.
+        singularity: 0 shoulder, 1 elbow, 2 wrist: `speeds` are the rates of its distance [1/s]; -1 to use `joint`.
+        joint: joint whose rates [rad/s] are written to `speeds`, if `singularity` is -1.
+        inward: +1 or -1: the joint's direction in which `speeds` are positive.
+        speeds: (12,) output; a positive value leads away.
     """
     a = sines_of(rules, state)
     here = tip(rules, a)
@@ -47,38 +47,38 @@ def way_out(
         rates = _stick_rates(rules, command, a, here, k)
         ratio = ratlmt(rules, state, a, rates).ratio
         if singularity >= 0:
-            tried[k] = -ratio * closing(rules, a, rates, singularity)[1]
+            speeds[k] = -ratio * closing(rules, a, rates, singularity)[1]
         else:
-            tried[k] = ratio * inward * rates[joint]
+            speeds[k] = ratio * inward * rates[joint]
 
 
 @law
 def _stick_rates(rules: Array, command: Array, a: Sines, here: Tip, k: int) -> Rates:
-    """Return the joint rates that one of the stick directions demands, before their limits."""
+    """Return the joint rates that stick direction k demands, before limits."""
     for i in range(6):
         command[STICKS + i] = 0.0
     command[STICKS + k // 2] = 1.0 if k % 2 == 0 else -1.0
-    wanted = manual.demand(rules, command, here)
-    return rmsrat(rules, a, carried_to_tip(rules, here, wanted), NEAR_FLOOR)
+    demanded = manual.demand(rules, command, here)
+    return rmsrat(rules, a, carried_to_tip(rules, here, demanded), NEAR_FLOOR)
 
 
 @law
-def stick_rates(rules: Array, command: Array, state: Array, tried: Array) -> None:
-    """Compute each stick direction's limited joint rates into `tried` (12, 6) [rad/s]; arguments as in `way_out`."""
+def stick_rates(rules: Array, command: Array, state: Array, speeds: Array) -> None:
+    """Write each stick direction's limited joint rates into `speeds` (12, 6) [rad/s]; arguments as for `way_out`."""
     a = sines_of(rules, state)
     here = tip(rules, a)
     for k in range(DIRECTIONS):
         rates = _stick_rates(rules, command, a, here, k)
         ratio = ratlmt(rules, state, a, rates).ratio
         for i in range(6):
-            tried[k, i] = ratio * rates[i]
+            speeds[k, i] = ratio * rates[i]
 
 
 @law
 def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, threshold: float) -> tuple[int, int]:
     """Return the joint that leaves a singularity with the least rotation inside its reach limits, and its direction.
 
-    The whole path is checked, not only its beginning: a path that leads away at first may end at a limit.
+    The whole path is evaluated, because a path that leads away at first may end at a limit.
 
     Args:
         arm: links, as `kinematics.linkage` packs them.
@@ -95,11 +95,11 @@ def joint_out(arm: Array, angles: Array, reach: Array, singularity: int, thresho
     for joint in range(first, last + 1):
         for sign in (-1, 1):
             room = reach[joint, 1] - angles[joint] if sign > 0 else angles[joint] - reach[joint, 0]
-            turned = LOOK
+            turned = SEARCH_STEP
             while turned < min(room, least):
                 if abs(_turned_distance(arm, angles, joint, sign * turned, singularity)) > threshold:
                     found, which, least = joint, sign, turned
-                turned += LOOK
+                turned += SEARCH_STEP
     return found, which
 
 

@@ -863,7 +863,7 @@ export interface Frame {
   readonly resolution: Vec3;
   /** payload in the grasp; null if the grasp is empty */
   readonly payload: readonly [position: Vec3, orientation: Rows] | null;
-  /** its number, from 1, among the scenario's own payloads (`Scenario.own_payloads`); 0 if it is none of them */
+  /** number, from 1, of that payload in `Scenario.own_payloads`; 0 for another payload, or none */
   readonly attached: number;
   /** angular velocity, and velocity of the point of resolution [rad/s, m/s], along the axes of L */
   readonly twist: Six;
@@ -902,7 +902,7 @@ export interface Frame {
 export interface Check {
   /** true for GOOD, false for FAIL */
   readonly good: boolean;
-  /** verdict as displayed: `GOOD: 83 s` or `FAIL: elbow pitch meets its soft stop 12 s from here` */
+  /** verdict as displayed: `GOOD: 83 s` or `FAIL: elbow pitch reaches its soft stop, after 12 s` */
   readonly text: string;
   /** GOOD: duration of the motion; FAIL: time from its start to the failure [s] */
   readonly seconds: number;
@@ -922,9 +922,9 @@ export interface Limit {
   readonly text: string;
 }
 
-/** Command that leads away from a singularity or a joint's limit, or out of the contacts that inhibit the arm. */
+/** Command that leads away from a singularity or joint limit, or out of contacts that inhibit the arm. */
 export interface WayOut {
-  /** what it leads away from: `elbow` (a singularity), a joint's name, or `contact` */
+  /** cause of the escape: `elbow` (a singularity), a joint's name, or `contact` */
   readonly cause: string;
   /** text for the operator: `THC -X`, `RHC +pitch`, `SINGLE elbow pitch -` */
   readonly text: string;
@@ -948,19 +948,19 @@ export interface Goal {
   readonly distance: number;
   /** remaining rotation [rad] */
   readonly angle: number;
-  /** ETA - TP; 0 without a motion, and while modes 1 and 3 still bring the arm to rest [s] */
+  /** ETA - TP; 0 without a motion, and while the arm still comes to rest before modes 1 and 3 [s] */
   readonly remaining_s: number;
 }
 
 /**
- * Times of the phase under way, as in JSC-12628, counted from the beginning of the phase.
+ * Times of the present phase, as in JSC-12628, counted from the beginning of the phase.
  *
- * A phase begins when an automatic motion sets off, a phase of the script begins, or a panel position is entered.
+ * A phase begins when an automatic motion starts, a phase of the script begins, or a panel position is entered.
  */
 export interface Times {
   /** TP: time since the motion or the script's phase began [s] */
   readonly tp_s: number;
-  /** ETA: time of its end, estimated in the automatic modes, else the duration in the script; null if unknown [s] */
+  /** ETA: end of the phase, estimated in the automatic modes, else from the script's duration; null if unknown [s] */
   readonly eta_s: number | null;
   /** ETAP: time at which the rotation would end at the permitted rate, in modes 2 and 3; else null [s] */
   readonly etap_s: number | null;

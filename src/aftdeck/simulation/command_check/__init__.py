@@ -1,1 +1,1 @@
-"""CMD CK: the rehearsal of a motion before it is flown."""
+"""CMD CK: rehearsal of a motion before the arm makes it."""

@@ -1,4 +1,4 @@
-"""CMD CK: rehearsal of the motion to a target, spread over control steps, to find whether it can be flown."""
+"""CMD CK: rehearsal of the motion to a target, spread over control steps, for the verdict GOOD or FAIL."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ from aftdeck.steering.layout import MEASURED
 from aftdeck.steering.mode import MODES
 
 STEPS = 50
-"""Steps rehearsed in one control step; they take 1 to 3 ms."""
+"""Steps rehearsed in one control step; together they take 1 to 3 ms."""
 
 
 def check(flight: Flight, state: State) -> None:
     """Continue CMD CK; after a GOOD verdict light READY, or begin the motion if PROCEED was pressed."""
     checking, panel = state.checking, state.panel
-    found = None if checking is None else _check_on(flight, state, checking)
-    if checking is not None and found is not None:
+    verdict = None if checking is None else _continue_check(flight, state, checking)
+    if checking is not None and verdict is not None:
         state.checking = None
-        panel.check, panel.premises = found, premises(_start(flight, checking) or state, checking.target)
-        panel.sequence = "ready" if found.good and MODES[panel.mode].kind == "automatic" else "idle"
-        log(flight, state, "check", "info" if found.good else "caution", f"CMD CK {found.text}")
-        _tell_ways(flight, state, checking)
+        panel.check, panel.premises = verdict, premises(_start(flight, checking) or state, checking.target)
+        panel.sequence = "ready" if verdict.good and MODES[panel.mode].kind == "automatic" else "idle"
+        log(flight, state, "check", "info" if verdict.good else "caution", f"CMD CK {verdict.text}")
+        _log_failed_ways(flight, state, checking)
     if panel.proceeding and state.checking is None:
         panel.proceeding = False
         if panel.check is None or not panel.check.good or panel.target is None:
@@ -43,7 +43,7 @@ def check(flight: Flight, state: State) -> None:
             log(flight, state, "proceed", "info", "PROCEED: the arm flies to its target")
 
 
-def _check_on(flight: Flight, state: State, checking: Checking) -> Check | None:
+def _continue_check(flight: Flight, state: State, checking: Checking) -> Check | None:
     """Continue a check; return None until the check is done.
 
     In an automatic mode the check waits until the arm is at rest, because the motion begins there.
@@ -54,40 +54,40 @@ def _check_on(flight: Flight, state: State, checking: Checking) -> Check | None:
             return None
         if stopped := joint_lock_reason(state.panel):
             return Check(False, f"FAIL: {stopped}", cause="switch")
-        if fast := latched_payload_reason(flight, state):
-            return Check(False, f"FAIL: {fast}", cause="seat")
+        if latched := latched_payload_reason(flight, state):
+            return Check(False, f"FAIL: {latched}", cause="seat")
         try:
             checking.ways = list(ways(flight, state, checking.target, state.panel.law))
         except AftdeckError as error:
             return Check(False, f"FAIL: {error}", cause="reach")
         checking.rehearsal.start = start = state.fork()
         checking.start = encoded(start)
-    return _rehearsed(flight, checking)
+    return _rehearse_steps(flight, checking)
 
 
-def _rehearsed(flight: Flight, checking: Checking) -> Check | None:
+def _rehearse_steps(flight: Flight, checking: Checking) -> Check | None:
     """Rehearse some steps; return the verdict once no way is left to try, else None."""
     left = STEPS
     while left > 0:
         if not checking.ways and not _more_ways(flight, checking):
             return _verdict(checking)
-        way, flown = checking.ways[0], checking.rehearsal
+        way, cache = checking.ways[0], checking.rehearsal
         best = min((tried.seconds for tried in checking.tried if tried.good), default=np.inf)
         if way.least >= best:
             checking.ways.pop(0)
             continue
-        if flown.of is None:
+        if cache.motion is None:
             start = _start(flight, checking)
-            assert start is not None, "it is rehearsed from where the arm came to rest"
-            flown.of = Rehearsal(flight, start, checking.target, way)
-            flown.of.fly_on(checking.steps)  # repeats the steps rehearsed before a save
-        outcome = flown.of.fly_on(left)
-        left -= max(flown.of.steps - checking.steps, 1)
-        checking.steps = flown.of.steps
+            assert start is not None, "a rehearsal has a start state"
+            cache.motion = Rehearsal(flight, start, checking.target, way)
+            cache.motion.advance(checking.steps)  # repeats the steps rehearsed before a save
+        outcome = cache.motion.advance(left)
+        left -= max(cache.motion.steps - checking.steps, 1)
+        checking.steps = cache.motion.steps
         if outcome is not None:
             checking.tried.append(outcome)
             checking.ways.pop(0)
-            checking.steps, flown.of = 0, None
+            checking.steps, cache.motion = 0, None
     return None
 
 
@@ -100,13 +100,13 @@ def _start(flight: Flight, checking: Checking) -> State | None:
 
 
 def _more_ways(flight: Flight, checking: Checking) -> bool:
-    """Go on to the ways by joints after a straight line that failed; return whether there are any.
+    """Find the ways by joints after a straight line that failed; return whether there are any.
 
-    There are none after a failure by a seat or a switch, which stops the arm on every way.
+    There are none if a berth or a switch caused the failure, because these stop the arm on every way.
     """
     start, tried = _start(flight, checking), checking.tried
-    assert start is not None, "it is rehearsed from where the arm came to rest"
-    if any(one.good or one.way.law == "position" or one.cause in ("seat", "switch") for one in tried):
+    assert start is not None, "a rehearsal has a start state"
+    if any(result.good or result.way.law == "position" or result.cause in ("seat", "switch") for result in tried):
         return False
     try:
         checking.ways = list(ways(flight, start, checking.target, "position"))
@@ -121,21 +121,22 @@ def _verdict(checking: Checking) -> Check:
     The text of a FAIL names a good way by joints, if there is one.
     """
     first = checking.tried[0]
-    good = sorted((one for one in checking.tried if one.good), key=lambda one: one.seconds)
-    best = next((one for one in good if one.way.law == first.way.law), None)
+    good = sorted((tried for tried in checking.tried if tried.good), key=lambda tried: tried.seconds)
+    best = next((tried for tried in good if tried.way.law == first.way.law), None)
     if best is not None:
         parts = [f"GOOD: {best.seconds:.0f} s", best.text, best.near]
         return Check(True, ", ".join(part for part in parts if part), best.seconds, "", best.way.joints)
-    when = "" if first.cause == "miss" else f", {first.seconds:.0f} s from here"
+    when = "" if first.cause == "miss" else f", after {first.seconds:.0f} s"
     why = f"FAIL: {first.text}{when}"
     if good:
         why = f"FAIL in a straight line; GOOD by joints: {good[0].seconds:.0f} s. In the line: {first.text}{when}"
     return Check(False, why, first.seconds, first.cause)
 
 
-def _tell_ways(flight: Flight, state: State, checking: Checking) -> None:
-    """Log the reason of every failed way by joints, if more than one way was tried."""
+def _log_failed_ways(flight: Flight, state: State, checking: Checking) -> None:
+    """Log the reason of every failed way by joints, if more than one way was rehearsed."""
     if len(checking.tried) > 1:
-        for one in checking.tried:
-            if not one.good and one.way.law == "position":
-                log(flight, state, "check", "info", f"not {one.way.name}: {one.text}, {one.seconds:.0f} s from here")
+        for tried in checking.tried:
+            if not tried.good and tried.way.law == "position":
+                text = f"way rejected, {tried.way.name}: {tried.text}, after {tried.seconds:.0f} s"
+                log(flight, state, "check", "info", text)

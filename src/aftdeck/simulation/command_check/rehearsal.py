@@ -1,6 +1,6 @@
-"""Rehearsal of an automatic motion for CMD CK, on a copy of the state, with the same control steps as the flight.
+"""Rehearsal of an automatic motion for CMD CK, on a copy of the state, with the control steps of the real motion.
 
-The copy includes the worksite. The rehearsal therefore finds the contacts and sliding payloads of the real motion.
+The copy includes the worksite. The rehearsal therefore has the contacts and sliding payloads of the real motion.
 """
 
 from __future__ import annotations
@@ -48,17 +48,17 @@ class Rehearsal:
         self._copy.worksite.watch.counts[:] = 0  # a rehearsal does not use the nearest pair
         self._touching = frozenset(self._copy.worksite.logged_contacts)
         self._nearest, self._which, self._point = 1.0, 0, panel.point
-        self._held: tuple[int, int, str] = (0, -1, "")
+        self._last_limit: tuple[int, int, str] = (0, -1, "")
         self.steps = 0
 
-    def fly_on(self, most: int) -> Tried | None:
-        """Rehearse at most `most` more steps; return the result, or None if the motion has not ended."""
+    def advance(self, most: int) -> Tried | None:
+        """Rehearse at most `most` more steps; return the result, or None if the motion has not ended yet."""
         flight, copy, period = self._flight, self._copy, self._flight.scenario.control_period
         for _ in range(most):
-            self._held = int(copy.report[CAUSE]), int(copy.report[LIMITING_JOINT]), copy.worksite.halt
+            self._last_limit = int(copy.report[CAUSE]), int(copy.report[LIMITING_JOINT]), copy.worksite.halt
             copy.tick += 1
             copy.events.clear()
-            if self.steps == 0:  # `begin` has just started the motion: the panel must not act again
+            if self.steps == 0:  # `begin` has already set the panel for this step
                 copy.measure()
                 go(flight, copy, _HANDS_OFF)
             else:
@@ -91,7 +91,7 @@ class Rehearsal:
         return ""
 
     def _ended(self, seconds: float) -> Tried:
-        """Return the result of a motion that ended: target reached, target missed, or held at a standstill."""
+        """Return the result of a motion that ended: target reached, target missed, or motion abandoned."""
         flight, copy = self._flight, self._copy
         near = ""
         if self._nearest < copy.arm.model.singular:
@@ -100,7 +100,7 @@ class Rehearsal:
             cause, text = self._standstill()
             return self._tried(False, cause, seconds, text, near)
         good = copy.panel.ending == "reached" or flight.scenario.strict
-        text = f"ends {copy.panel.final_error} the target" if copy.panel.final_error else ""
+        text = f"final error {copy.panel.final_error}" if copy.panel.final_error else ""
         return self._tried(good, "" if good else "miss", seconds, text, near)
 
     def _tried(self, good: bool, cause: Cause, seconds: float, text: str, near: str) -> Tried:
@@ -111,11 +111,11 @@ class Rehearsal:
 
     def _standstill(self) -> tuple[Cause, str]:
         """Return the cause that holds the arm at a standstill, and its text."""
-        flight, (cause, culprit, halt) = self._flight, self._held
+        flight, (cause, culprit, halt) = self._flight, self._last_limit
         if halt == "seat":
             return "seat", latched_payload_reason(flight, self._copy)
         if halt == "contact":
-            return "contact", self._contact() or "a contact holds the arm"
+            return "contact", self._contact() or "a contact stops the arm"
         if cause == BY_SINGULARITY:
-            return "limit", f"the {NAMES[culprit]} singularity lies in the way"
-        return "limit", f"{joint_label(flight.scenario.arm.joints[culprit])} meets its {CAUSES[cause]}"
+            return "limit", f"the {NAMES[culprit]} singularity blocks the way"
+        return "limit", f"{joint_label(flight.scenario.arm.joints[culprit])} reaches its {CAUSES[cause]}"

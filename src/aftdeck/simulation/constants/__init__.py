@@ -1,1 +1,1 @@
-"""What stays constant in a run: the arm and worksite as the step needs them."""
+"""Constants of a run: arm and worksite in the form in which the step needs them."""

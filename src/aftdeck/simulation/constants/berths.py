@@ -1,4 +1,4 @@
-"""Constants of a cargo's place in a seat, for the laws of docking and berthing."""
+"""Constants of a payload's pose in a berth, for the laws of docking and berthing."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from aftdeck.worksite.seats.berthing import Guide, Guides, SeatTolerances, prepa
 from aftdeck.worksite.seats.docking import DockingTolerances
 
 KEEL = "keel"
-"""Name of the trunnion under the cargo."""
+"""Name of the trunnion under the payload."""
 
 
 @dataclass(frozen=True, eq=False)
 class Berth:
-    """One cargo's place in one seat.
+    """Pose of one payload in one berth, and the tolerances for fixing it there.
 
     Attributes:
-        seat: the seat.
-        row: row of the frame that the seat is fixed to.
-        place: (12,) pose of the seated cargo in the seat's frame.
-        port: (12,) pose of the port in the seat's frame; None for a place in the bay.
-        probe: (n, 3) vertices of the cargo's probe, in the cargo's axes [m].
-        tip: (3,) centre of the probe's forward face, in the cargo's axes [m].
+        seat: the berth.
+        row: row of the frame that the berth is fixed to.
+        place: (12,) pose of the fixed payload in the berth's frame.
+        port: (12,) pose of the port in the berth's frame; None for a bay berth.
+        probe: (n, 3) vertices of the payload's probe, in the payload's axes [m].
+        tip: (3,) centre of the probe's forward face, in the payload's axes [m].
         docking: tolerances of docking at a port.
-        guides: V-guides of the bay's latches; None if the seat has none.
-        tolerances: tolerances of a place in the bay.
+        guides: V-guides of the bay's latches; None if the berth has none.
+        tolerances: tolerances of a bay berth.
     """
 
     seat: Seat
@@ -46,22 +46,22 @@ class Berth:
 
     @property
     def latches_automatically(self) -> bool:
-        """Whether the seat fixes the cargo by itself as soon as the conditions hold: True for a docking port."""
+        """Whether the berth fixes the payload as soon as the conditions hold, without a command: a docking port."""
         return self.port is not None
 
     @property
     def is_passive(self) -> bool:
-        """Whether a cargo merely lies in the seat: it stays where it is released, and leaves when it is captured."""
+        """Whether the berth fixes a payload when the end effector releases it, and frees it when it is captured."""
         return self.port is None and self.seat.latch == "auto"
 
     @property
     def verb(self) -> Literal["dock", "insert", "berth"]:
-        """Verb for bringing a cargo into the seat."""
+        """Verb for moving a payload into the berth."""
         return "dock" if self.latches_automatically else "insert" if self.is_passive else "berth"
 
 
 def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
-    """Return a cargo's place in a seat that accepts the cargo; `axes` names the axes that docking compares."""
+    """Return the constants of a payload in a berth that accepts it; `axes` names the axes that docking compares."""
     place = seat.seated(cargo.probe)
     probe = [solid.vertices for solid in cargo.solids if solid.part == part_of(cargo.name, "probe")]
     tip = np.zeros(3) if cargo.probe is None else cargo.probe.position
@@ -85,7 +85,7 @@ def berth_of(seat: Seat, row: int, cargo: Cargo, axes: str) -> Berth:
 def _guide(seat: Seat, name: str, point: Array) -> Guide:
     """Return the V-guide of a trunnion; the keel's V funnels across the bay, every other V along it."""
     guides = seat.guides
-    assert guides is not None, "only seats with guides have them"
+    assert guides is not None, "the berth has guides"
     x, y, z = point.tolist()
     return Guide(
         name=name,

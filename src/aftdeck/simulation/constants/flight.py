@@ -1,4 +1,4 @@
-"""Constants of a flight: everything that a step needs and that never changes."""
+"""Constants of a run: everything that a step needs and that never changes."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ FAST = 5.0
 
 @dataclass(frozen=True, eq=False)
 class Flight:
-    """Constants of a flight.
+    """Constants of a run.
 
     Attributes:
         scenario: the scenario.
         site: the worksite.
-        cameras: cameras that can be turned.
-        telescope: travel of the stand.
+        cameras: cameras that have a drive.
+        telescope: travel of the telescope.
         prong: travel of the prong.
         within: clearances below this are measured in every step [m].
         reach: reach limits of the joints as plain pairs [rad], for the zones.
-        soft: soft stops of the joints, likewise.
-        hard: hard stops of the joints, likewise.
+        soft: soft stops of the joints, in the same form.
+        hard: hard stops of the joints, in the same form.
     """
 
     scenario: Scenario
@@ -46,7 +46,7 @@ class Flight:
 
 
 def run_constants(scenario: Scenario) -> Flight:
-    """Return the constants of a scenario's flight."""
+    """Return the constants of a run of a scenario."""
     model = scenario.arm.model
 
     def pairs(limits: Array) -> tuple[Pair, ...]:

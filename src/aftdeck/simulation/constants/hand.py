@@ -1,4 +1,4 @@
-"""Constants of capture by an arm's hand at a worksite, for the laws of `worksite`."""
+"""Constants of capture by an arm's end effector at a worksite, for the laws of `worksite`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from aftdeck.worksite.file.cargo import part_of
 from aftdeck.worksite.model import BarAcquisition, Cargo, SnareCapture, Worksite
 
 HEXES = ("palm", "fixed finger", "prong")
-"""Parts of the hand that are HEX 1 to 3."""
+"""Parts of the concept arm's end effector: HEX 1 to 3."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +27,7 @@ class Bar:
     Attributes:
         tolerances: tolerances of acquisition.
         packed: (5,) the same tolerances for the law.
-        which: for each cargo, (4,) the layout's solids that are HEX 1 to 3 and the bar; None if the cargo has no bar.
+        which: for each payload, (4,) the layout's solids that are HEX 1 to 3 and the bar; None without a bar.
         fixed_finger: y2 of the fixed finger's inner face [m].
     """
 
@@ -44,7 +44,7 @@ class Snares:
     Attributes:
         envelope: capture envelope of the pin.
         times: travel times of the end effector's parts.
-        fixtures: for each cargo, (12,) pose of its fixture in the cargo's axes; None if the cargo has no fixture.
+        fixtures: for each payload, (12,) pose of its fixture in the payload's axes; None if the payload has no fixture.
     """
 
     envelope: CaptureEnvelope
@@ -52,9 +52,9 @@ class Snares:
     fixtures: tuple[Array | None, ...]
 
     def fixture(self, k: int) -> Array:
-        """Return the fixture (12,) of a cargo that has one."""
+        """Return the fixture (12,) of a payload that has one."""
         fixture = self.fixtures[k]
-        assert fixture is not None, "only cargo with a fixture is captured"
+        assert fixture is not None, "a captured payload has a fixture"
         return fixture
 
 
@@ -77,9 +77,9 @@ def bar_of(model: ArmModel, worksite: Worksite, cargo: tuple[Cargo, ...], parts:
         tolerances.packed(),
         tuple(
             None
-            if one.receptacle is None
-            else np.array([parts.index(name) for name in (*HEXES, part_of(one.name, "receptacle"))], dtype=np.int64)
-            for one in cargo
+            if payload.receptacle is None
+            else np.array([parts.index(name) for name in (*HEXES, part_of(payload.name, "receptacle"))], dtype=np.int64)
+            for payload in cargo
         ),
         prong.fixed_finger,
     )
@@ -93,5 +93,5 @@ def snares_of(worksite: Worksite, cargo: tuple[Cargo, ...]) -> Snares | None:
     return Snares(
         CaptureEnvelope(rule.radial, rule.nearest, rule.farthest, rule.pitch, rule.yaw, rule.roll),
         SnareTimes(rule.ring, rule.carriage, rule.tension),
-        tuple(None if one.grapple is None else row_of(one.grapple) for one in cargo),
+        tuple(None if payload.grapple is None else row_of(payload.grapple) for payload in cargo),
     )

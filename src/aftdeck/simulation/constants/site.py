@@ -26,21 +26,21 @@ from aftdeck.worksite.watch.groups import CENTRE, Layout, PartPair, layout_of
 from aftdeck.worksite.watch.pairs import among, part_pairs
 
 ORBITER = 0
-"""Row of the scene's frame; the rows of the arm's frames, of ``space`` and of each cargo follow in this order."""
+"""Row of the scene's frame; the rows of the arm's frames, of ``space`` and of each payload follow in this order."""
 SHORT = 1.0
-"""Length of a short link between two joints [m]: the parts on either side of it are longer (assumed)."""
+"""Greatest length of a short link between two joints [m]: the parts at both of its ends are longer (assumed)."""
 
 
 @dataclass(frozen=True, eq=False)
 class Meeting:
-    """Watched group of two parts that the task brings into contact.
+    """Monitored pair of two parts that the task brings into contact.
 
     Attributes:
-        group: index of the group in the layout.
-        cargo: index of the cargo that one of the parts belongs to.
-        relation: relative position in which the two may touch.
+        group: index of the pair in the layout.
+        cargo: index of the payload that one of the parts belongs to.
+        relation: relative position in which the two parts may touch.
         depth: permitted depth of the contact, and permitted distance past the planes of the relation [m].
-        trunnions: index of the cargo's trunnion for each of its solids in the layout; empty for other fittings.
+        trunnions: index of the payload's trunnion for each of its solids in the layout; empty for other fittings.
     """
 
     group: int
@@ -52,34 +52,34 @@ class Meeting:
 
 @dataclass(frozen=True, eq=False)
 class Site:
-    """Constants of the worksite: frames, groups of parts that can touch, and places of the cargo.
+    """Constants of the worksite: frames, pairs of parts that can touch, and poses of the payloads in their berths.
 
     Attributes:
         worksite: the worksite as its file describes it.
         cargo: the payloads at the worksite.
         arm: the arm's frames.
-        layout: solids and watched groups.
-        essential: (g,) 1 for groups that the task brings into contact.
-        meetings: relation and permitted depth of each of these groups.
-        by_arm: (g,) 1 for groups with a part of the arm.
-        by_prong: (g,) 1 for groups with the prong; all 0 for an arm without a prong.
-        of_cargo: for each cargo, (g,) 1 for groups with a part of the cargo.
-        held: for each cargo, (g,) 1 for groups of the cargo and the hand, not watched while the cargo is held.
-        seated: for each cargo and seat, (g,) 1 for groups that are not watched while the cargo is in the seat.
+        layout: solids and monitored pairs.
+        essential: (g,) 1 for pairs that the task brings into contact.
+        meetings: relation and permitted depth of each of these pairs.
+        by_arm: (g,) 1 for pairs with a part of the arm.
+        by_prong: (g,) 1 for pairs with the prong; all 0 for an arm without a prong.
+        of_cargo: for each payload, (g,) 1 for pairs with a part of the payload.
+        held: for each payload, (g,) 1 for its pairs with the end effector, which are not monitored while it is held.
+        seated: for each payload and berth, (g,) 1 for pairs that are not monitored while the payload is in the berth.
         scene: (12,) pose of the scene's frame in L.
         hand: (12,) pose of the tip in the frame of the last joint.
         effector: (12,) pose of the end effector's own axes E at the tip, in the frame of the last joint.
-        prong: True if the end effector has a prong; otherwise it has snares.
-        bar: constants of capture with the prong; None if this arm has no prong or this worksite no rule for it.
-        snares: constants of capture with the snares; None if this worksite has no rule for it.
-        detrimental: (g,) 1 for groups that are not essential.
+        prong: True if the end effector has a prong, False if it has snares.
+        bar: constants of capture with the prong; None if this arm has no prong or this worksite no rule for a prong.
+        snares: constants of capture with the snares; None if this worksite has no rule for snares.
+        detrimental: (g,) 1 for pairs that are not essential.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L.
-        berths: for each cargo, its places in the seats that take it.
-        berth_rows: for each cargo, (n,) rows of the frames in which these places are given.
-        berth_places: for each cargo, (n, 12) its poses in these frames.
-        starts: for each cargo, (12,) its pose in the scene at the start.
-        slides: for each cargo, (g,) 1 for groups of the cargo and an orbiter part, along which the held cargo slides.
-        bodies: for each cargo, indices of its solids in the layout.
+        berths: for each payload, its poses in the berths that accept it.
+        berth_rows: for each payload, (n,) rows of the frames in which these poses are given.
+        berth_places: for each payload, (n, 12) its poses in these frames.
+        starts: for each payload, (12,) its pose in the scene at the start.
+        slides: for each payload, (g,) 1 for its pairs with orbiter parts, along which the held payload slides.
+        bodies: for each payload, indices of its solids in the layout.
         bay: least and greatest coordinates (2, 3) of the inside of the bay, in the scene, without a lower limit in z
             [m]; None if there is no bay.
     """
@@ -122,32 +122,32 @@ class Site:
         return len(self.arm.names) if not self.prong else len(self.arm.names) - 2
 
     def essential_while(self, sliding: int | None, permitted: Mask) -> Mask:
-        """Return which groups' contacts belong to the task, (g,).
+        """Return (g,) 1 for the pairs whose contacts belong to the task.
 
         Args:
-            sliding: index of the cargo that slides along walls; None if no cargo slides.
-            permitted: (g,) 1 for groups whose relation permits the contact.
+            sliding: index of the payload that slides along walls; None if no payload slides.
+            permitted: (g,) 1 for pairs whose relation permits the contact.
         """
         return permitted if sliding is None else permitted | self.slides[sliding]
 
     def cargo_row(self, index: int) -> int:
-        """Return the row of a cargo's frame."""
+        """Return the row of a payload's frame."""
         return self.space_row + 1 + index
 
     def seat(self, name: str) -> Seat:
-        """Return the seat with this name."""
+        """Return the berth with this name."""
         return next(seat for seat in self.worksite.seats if seat.name == name)
 
     def berth(self, k: int, name: str) -> Berth | None:
-        """Return the place of cargo k in the seat with this name, or None if the seat does not take the cargo."""
+        """Return the constants of payload k in the berth with this name; None if the berth does not accept it."""
         return next((berth for berth in self.berths[k] if berth.seat.name == name), None)
 
     def in_space(self, name: str) -> bool:
-        """Return whether a seat is fixed in the frame ``space``, which does not move with the orbiter."""
+        """Return whether a berth is fixed in the frame ``space``, which does not move with the orbiter."""
         return self.seat(name).frame == "space"
 
     def is_passive_berth(self, name: str) -> bool:
-        """Return whether cargo merely lies in this seat: kept when released there, and taken along by the arm."""
+        """Return whether this berth fixes a payload when it is released there, and frees it when it is captured."""
         return any(berth.is_passive for own in self.berths for berth in own if berth.seat.name == name)
 
 
@@ -155,35 +155,35 @@ def site_of(scenario: Scenario) -> Site:
     """Return the worksite constants of a scenario."""
     model, worksite, cargo = scenario.arm.model, scenario.worksite, scenario.cargo
     arm = frames_of(model)
-    frames = ("orbiter", *arm.names, "space", *(one.name for one in cargo))
+    frames = ("orbiter", *arm.names, "space", *(payload.name for payload in cargo))
     own = solids_of(model)
-    held = _held_for_good(scenario)
-    solids = (*own, *held, *worksite.solids, *(solid for one in cargo for solid in one.solids))
+    held = _attached_solids(scenario)
+    solids = (*own, *held, *worksite.solids, *(solid for payload in cargo for solid in payload.solids))
     foot, *joints = model.linkage.frames
     chain = [name for name in (foot, STAND, *joints, PRONG) if name in arm.names]
-    still = _still(model, own)
-    mounted = {(a, b.part) for a in still for b in worksite.solids if b.frame == "orbiter"}
+    stationary = _stationary_parts(model, own)
+    mounted = {(a, b.part) for a in stationary for b in worksite.solids if b.frame == "orbiter"}
     hand = {solid.part for solid in own if solid.frame in (PRONG, model.linkage.frames[-1], *_ball(model))}
     gripped = {(part, solid.part) for part in hand for solid in held}
-    layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | gripped | _folded(model, own)))
-    mine = {solid.part for solid in own}
-    parts = [{solid.part for solid in one.solids} for one in cargo]
+    layout = layout_of(frames, solids, part_pairs(solids, chain, mounted | gripped | _unfoldable_pairs(model, own)))
+    own_parts = {solid.part for solid in own}
+    parts = [{solid.part for solid in payload.solids} for payload in cargo]
     by_arm = np.zeros(len(layout.groups), np.uint8)
-    if mine:
+    if own_parts:
         by_arm = layout.carried(arm.names)
     meetings = _meetings(worksite, layout, cargo)
     essential = np.zeros(len(layout.groups), np.uint8)
     essential[[meeting.group for meeting in meetings]] = 1
-    of_cargo = tuple(layout.carried([one.name]) for one in cargo)
+    of_cargo = tuple(layout.carried([payload.name]) for payload in cargo)
     walls = [solid.part for solid in worksite.solids if solid.frame == "orbiter"]
     link = float(model.links[L5])
     berths = tuple(
         tuple(
-            berth_of(seat, ORBITER if seat.frame == "orbiter" else 1 + len(arm.names), one, scenario.docking_axes)
+            berth_of(seat, ORBITER if seat.frame == "orbiter" else 1 + len(arm.names), payload, scenario.docking_axes)
             for seat in worksite.seats
-            if not seat.lacks(one.probe, one.trunnions)
+            if not seat.lacks(payload.probe, payload.trunnions)
         )
-        for one in cargo
+        for payload in cargo
     )
     return Site(
         worksite=worksite,
@@ -212,38 +212,38 @@ def site_of(scenario: Scenario) -> Site:
         berths=berths,
         berth_rows=tuple(np.array([berth.row for berth in own], dtype=np.int64) for own in berths),
         berth_places=tuple(np.array([berth.place for berth in own]).reshape(-1, POSE) for own in berths),
-        starts=tuple(row_of(one.start.pose) for one in cargo),
+        starts=tuple(row_of(payload.start.pose) for payload in cargo),
         slides=tuple(layout.between(own_parts, walls) for own_parts in parts),
-        bodies=tuple(np.flatnonzero(layout.frame == frames.index(one.name)) for one in cargo),
+        bodies=tuple(np.flatnonzero(layout.frame == frames.index(payload.name)) for payload in cargo),
         bay=None if worksite.bay is None else np.array([(*worksite.bay.low[:2], -np.inf), worksite.bay.high]),
     )
 
 
 def _meetings(worksite: Worksite, layout: Layout, cargo: tuple[Cargo, ...]) -> tuple[Meeting, ...]:
-    """Return the groups that the task brings into contact, for the parts that exist in the layout."""
+    """Return the pairs that the task brings into contact, for the parts that exist in the layout."""
     found = []
     for essential in worksite.essential:
         if not set(essential.parts) <= set(layout.parts):
             continue
         frames = {layout.frames[layout.part_frame[layout.part(part)]] for part in essential.parts}
-        for k, one in enumerate(cargo):
-            if one.name in frames:
-                trunnions = _trunnions(layout, one) if essential.relation == "guides" else {}
+        for k, payload in enumerate(cargo):
+            if payload.name in frames:
+                trunnions = _trunnions(layout, payload) if essential.relation == "guides" else {}
                 for group in np.flatnonzero(among(layout, [essential.parts])).tolist():
                     found.append(Meeting(group, k, essential.relation, essential.depth, trunnions))
     return tuple(found)
 
 
-def _trunnions(layout: Layout, one: Cargo) -> dict[int, int]:
-    """Return, for each trunnion solid of a cargo, the index of the trunnion whose latched point is nearest."""
-    solids = np.flatnonzero(layout.frame == layout.frames.index(one.name))
-    part = part_of(one.name, "trunnions")
-    own = [solid for solid, made in zip(solids.tolist(), one.solids, strict=True) if made.part == part]
-    ways = np.linalg.norm(layout.solids[own, None, CENTRE : CENTRE + 3] - one.trunnions, axis=2)
+def _trunnions(layout: Layout, payload: Cargo) -> dict[int, int]:
+    """Return, for each trunnion solid of a payload, the index of the trunnion whose latched point is nearest."""
+    solids = np.flatnonzero(layout.frame == layout.frames.index(payload.name))
+    part = part_of(payload.name, "trunnions")
+    own = [solid for solid, made in zip(solids.tolist(), payload.solids, strict=True) if made.part == part]
+    ways = np.linalg.norm(layout.solids[own, None, CENTRE : CENTRE + 3] - payload.trunnions, axis=2)
     return dict(zip(own, ways.argmin(axis=1).tolist(), strict=True))
 
 
-def _held_for_good(scenario: Scenario) -> tuple[Solid, ...]:
+def _attached_solids(scenario: Scenario) -> tuple[Solid, ...]:
     """Return the solids of a payload that the scenario fixes in the grasp; they move with the last joint."""
     payload, model = scenario.payload, scenario.arm.model
     if payload is None:
@@ -255,8 +255,8 @@ def _held_for_good(scenario: Scenario) -> tuple[Solid, ...]:
     )
 
 
-def _still(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
-    """Return the arm's parts that stay where they are mounted: they stand on the orbiter or only turn in place."""
+def _stationary_parts(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
+    """Return the arm's parts that stay at their mount: they are fixed to the orbiter or only rotate in place."""
     foot, first, *_ = model.linkage.frames
     places = np.cumsum(model.linkage.steps, axis=0)
     near = {foot, first, STAND}
@@ -271,7 +271,7 @@ def _still(model: ArmModel, own: tuple[Solid, ...]) -> set[str]:
     return {part for part, farthest in reach.items() if farthest < SHORT}
 
 
-def _folded(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
+def _unfoldable_pairs(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
     """Return pairs of arm parts on either side of a short link or a ball wrist, which cannot fold onto each other."""
     links, names, ball = np.linalg.norm(model.linkage.steps, axis=1), model.linkage.frames, _ball(model)
     ends = {(names[k], names[k + 2]) for k in range(len(links) - 1) if links[k + 1] < SHORT}
@@ -284,8 +284,8 @@ def _folded(model: ArmModel, own: tuple[Solid, ...]) -> set[PartPair]:
 def _ball(model: ArmModel) -> tuple[str, ...]:
     """Return the frames of a wrist whose three axes meet in one point, as in the concept arm; () for other wrists.
 
-    Parts carried by the wrist's inner frames only turn at that point. The hand is at a distance from the point, and
-    the joint limits keep the hand in front of the boom.
+    Parts carried by the wrist's inner frames only rotate at that point. The end effector is at a distance from the
+    point, and the joint limits keep it in front of the boom.
     """
     *_, second, third = np.linalg.norm(model.linkage.steps, axis=1)
     return model.linkage.frames[-3:] if second == third == 0.0 else ()
@@ -297,5 +297,5 @@ def scene_in_l(scenario: Scenario) -> Array:
 
 
 def _parts_of(worksite: Worksite, seat: Seat) -> set[str]:
-    """Return the worksite's parts in the frame that a seat is fixed in."""
+    """Return the worksite's parts in the frame that a berth is fixed in."""
     return {solid.part for solid in worksite.solids if solid.frame == seat.frame}

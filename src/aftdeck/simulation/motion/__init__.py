@@ -1,1 +1,1 @@
-"""What keeps the arm from moving, and the commands that lead out of it."""
+"""Limits, contacts and switches that block the arm's motion, and escape directions."""

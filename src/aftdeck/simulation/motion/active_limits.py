@@ -1,4 +1,7 @@
-"""Limits that acted in a step, in the operator's words."""
+"""Limits that acted in a step, with their texts for the operator.
+
+The texts are values of the frame: `verify` compares them with those in older recordings.
+"""
 
 from __future__ import annotations
 
@@ -18,13 +21,13 @@ _TEXTS: dict[str, tuple[LimitKind, str]] = {
     "joint acceleration": ("joint acceleration", "at its greatest acceleration"),
     "joint acceleration passed": ("joint acceleration", "beyond its greatest acceleration: the line is kept"),
 }
-"""Kind of limit, and text about the joint, for each of `limiters.CAUSES` that names a joint."""
+"""Kind of limit, and text after the joint's name, for each of `limiters.CAUSES` that has a joint."""
 
 
 def active_limits(flight: Flight, state: State) -> tuple[Limit, ...]:
     """Return the limits that acted in the last step.
 
-    If a seat, a contact or a switch stopped the arm, return that alone.
+    If a berth, a contact or a switch stopped the arm, return this limit alone.
     """
     if state.worksite.halt == "seat":
         return (Limit("seat", -1, latched_payload_reason(flight, state)),)

@@ -1,4 +1,4 @@
-"""Way out of the contacts that inhibit the arm: the stick, the joint or the telescope motion that leads out of them."""
+"""Escape from the contacts that inhibit the arm: stick, joint or telescope motion that leads out of the contacts."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, stick_rates
 from aftdeck.worksite.watch.contact_motion import leads_out, ways_out
 
-LOOK_EVERY = 10
+SEARCH_EVERY = 10
 """Control steps between two searches."""
 CONTACT = "contact"
-"""Cause of these ways out."""
+"""Cause of these escapes, in `WayOut.cause`."""
 SLOWLY = 0.02
-"""Fraction of the full rate at which a way is tried [1]: about as fast as the arm starts from rest."""
+"""Fraction of the full rate at which a motion is evaluated [1]: about the speed of an arm that starts from rest."""
 
 
-class _Way(NamedTuple):
+class _Motion(NamedTuple):
     """Motion that the operator can command.
 
     Attributes:
-        command: the command, as a way out.
+        command: the command, as an escape.
         rates: (6,) joint rates [rad/s].
         telescope: drive of the telescope, -1 to 1.
     """
@@ -42,47 +42,47 @@ class _Way(NamedTuple):
 def way_out_of_contact(flight: Flight, state: State) -> None:
     """Find the motion that leads out of the contacts fastest, and store its command in `advice`.
 
-    Joints and telescope are tried only if no stick leads out. `advice` is None if nothing leads out. The search runs
-    every `LOOK_EVERY` steps, and in every step while `advice` is None.
+    Joints and telescope are evaluated only if no stick leads out. `advice` is None if no motion leads out. The search
+    runs every `SEARCH_EVERY` steps, and in every step while `advice` is None.
     """
     worksite = state.worksite
-    if worksite.advice and state.tick % LOOK_EVERY:
+    if worksite.advice and state.tick % SEARCH_EVERY:
         return
     for ways, sliding in ((_sticks(state), True), (_joints(flight, state), False)):
         apart = kept_apart(flight, state, sliding=sliding)
-        first = _afters(flight, state, ways, SLOWLY)
-        won = ways_out(worksite.watch, *apart, first)
-        if not won.max() > 0.0:
-            ahead = [_afters(flight, state, ways, SLOWLY * steps) for steps in AHEAD]
-            won = leads_out(worksite.watch, *apart, first, ahead)
-        if won.max() > 0.0:
-            worksite.advice = ways[int(won.argmax())].command
+        first = _poses_after(flight, state, ways, SLOWLY)
+        gains = ways_out(worksite.watch, *apart, first)
+        if not gains.max() > 0.0:
+            ahead = [_poses_after(flight, state, ways, SLOWLY * steps) for steps in AHEAD]
+            gains = leads_out(worksite.watch, *apart, first, ahead)
+        if gains.max() > 0.0:
+            worksite.advice = ways[int(gains.argmax())].command
             return
     worksite.advice = None
 
 
-def _afters(flight: Flight, state: State, ways: list[_Way], steps: float) -> Array:
-    """Return the poses of all frames in L, (k, F, 12), after `steps` steps of each way."""
+def _poses_after(flight: Flight, state: State, ways: list[_Motion], steps: float) -> Array:
+    """Return the poses of all frames in L, (k, F, 12), after `steps` steps of each of k motions."""
     return np.array([frames_after(flight, state, steps * way.rates, steps * way.telescope) for way in ways])
 
 
-def _sticks(state: State) -> list[_Way]:
-    """Return the motion of each stick direction by itself, in ORB UNL if the present mode takes no sticks."""
+def _sticks(state: State) -> list[_Motion]:
+    """Return the motion of each single stick direction, in ORB UNL if the present mode has no sticks."""
     rates = np.zeros((DIRECTIONS, 6))
     stick_rates(*steering_of(state), rates)
-    return [_Way(by_stick(state, CONTACT, k), own, 0.0) for k, own in enumerate(rates)]
+    return [_Motion(by_stick(state, CONTACT, k), own, 0.0) for k, own in enumerate(rates)]
 
 
-def _joints(flight: Flight, state: State) -> list[_Way]:
-    """Return the motions of each joint by itself, and of the telescope if the arm has one."""
+def _joints(flight: Flight, state: State) -> list[_Motion]:
+    """Return the motions of each single joint, and of the telescope if the arm has one."""
     mode = state.panel.mode if MODES[state.panel.mode].kind == "single" else "SINGLE"
     found = []
     for joint, limit in enumerate(flight.scenario.arm.rate_limits):
         for sign in (1, -1):
             rates = np.zeros(6)
             rates[joint] = sign * limit
-            found.append(_Way(by_joint(flight, mode, CONTACT, joint, sign), rates, 0.0))
+            found.append(_Motion(by_joint(flight, mode, CONTACT, joint, sign), rates, 0.0))
     if flight.telescope.rate:
         for sign, text in ((1, "telescope longer"), (-1, "telescope shorter")):
-            found.append(_Way(WayOut(CONTACT, text, "telescope", 0, sign), np.zeros(6), float(sign)))
+            found.append(_Motion(WayOut(CONTACT, text, "telescope", 0, sign), np.zeros(6), float(sign)))
     return found

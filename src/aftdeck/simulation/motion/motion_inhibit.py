@@ -1,4 +1,4 @@
-"""Limit one step's commanded motion to what contacts, seats and walls allow, before the plant makes it.
+"""Limit one step's commanded motion to what contacts, berths and walls allow, before the plant makes it.
 
 Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision found in two successive steps inhibits
 the arm until it is relieved. Deviation: motion that relieves the contact (`worksite.watch.contact_motion`) is
@@ -23,15 +23,15 @@ AHEAD = (1.0, 8.0, 64.0, 512.0)
 
 
 def limit_motion(flight: Flight, state: State, telescope: float) -> float:
-    """Limit the commanded rates in `state.steering`, and the stand's drive, to what contacts, seats and walls allow.
+    """Limit the rates in `state.steering` and the telescope's drive to what contacts, berths and walls allow.
 
     Args:
         flight: constants of the run.
         state: state with the step's commanded rates.
-        telescope: commanded drive of the stand, in [-1, 1].
+        telescope: commanded drive of the telescope, in [-1, 1].
 
     Returns:
-        Allowed drive of the stand, in [-1, 1].
+        Allowed drive of the telescope, in [-1, 1].
     """
     worksite = state.worksite
     worksite.halt = ""
@@ -60,7 +60,7 @@ def limit_motion(flight: Flight, state: State, telescope: float) -> float:
     ahead = [frames_after(flight, state, steps * rates, steps * telescope)[None] for steps in AHEAD]
     if leads_out(worksite.watch, *apart, after[None], ahead)[0] > 0.0:
         return telescope
-    # no motion leads out: allow a step that worsens no contact, so that the arm is not stuck
+    # no motion leads out: allow a step that deepens no contact, so that the arm can still move
     if not worksite.advice and worst_new_contact(worksite.watch, apart[0], after) < 0:
         return telescope
     worksite.halt = "contact"
@@ -68,13 +68,13 @@ def limit_motion(flight: Flight, state: State, telescope: float) -> float:
 
 
 def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Mask]:
-    """Return the groups whose contacts an inhibited arm must not deepen, and those of them that it must relieve.
+    """Return the pairs whose contacts an inhibited arm must not deepen, and the subset that it must relieve.
 
     Args:
         flight: constants of the run.
         state: state whose contacts are up to date.
-        sliding: True if the held cargo slides along walls, as in the modes that steer a point. The groups of the
-            cargo and its walls are then in neither result, because sliding keeps the cargo off its walls.
+        sliding: True if the held payload slides along walls, as in the modes that steer a point. The pairs of the
+            payload and its walls are then in neither result, because sliding keeps the payload off its walls.
     """
     worksite = state.worksite
     own = worksite.contacts.arm
@@ -84,12 +84,12 @@ def kept_apart(flight: Flight, state: State, *, sliding: bool) -> tuple[Mask, Ma
 
 
 def sliding_payload(state: State) -> int | None:
-    """Return the cargo that slides along walls, the held one in modes that steer a point; None if no cargo slides."""
+    """Return the payload that slides along walls: the held one in modes that steer a point; None in other modes."""
     return state.worksite.held if MODES[state.panel.mode].kind in ("automatic", "manual") else None
 
 
 def _stop_arm(flight: Flight, state: State) -> float:
-    """Stop the arm, and return 0.0, the drive that stops the stand.
+    """Stop the arm, and return 0.0, the drive that stops the telescope.
 
     The next step's steering starts from rest. In the automatic modes, except under `strict`, the clock of modes 1 and 3
     is set back by this step.

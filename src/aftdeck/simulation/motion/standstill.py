@@ -1,4 +1,4 @@
-"""Texts that say why the arm cannot move at all."""
+"""Reasons, as texts, why the arm cannot move at all."""
 
 from __future__ import annotations
 
@@ -7,20 +7,20 @@ from aftdeck.simulation.state import Panel, State
 
 
 def joint_lock_reason(panel: Panel) -> str:
-    """Return the switch that blocks all joints, BRAKES or SAFING, as text; "" if neither is on."""
+    """Return a text that names the switch that stops all joints, BRAKES or SAFING; "" if neither is on."""
     if panel.brakes:
         return "BRAKES are on"
     return "SAFING is on; CANCEL it first" if panel.safing else ""
 
 
 def latched_payload_reason(flight: Flight, state: State) -> str:
-    """Return why a seat blocks the arm, with the remedy, as text; "" if the held payload is not fixed."""
+    """Return why a berth blocks the arm, with the remedy, as text; "" if the held payload is not fixed."""
     where = fixed_in(flight, state)
     return f"{where}: UNLATCH" if where else ""
 
 
 def fixed_in(flight: Flight, state: State) -> str:
-    """Return a text that names the held payload and the seat it is fixed in; "" if it is not fixed."""
+    """Return a text that names the held payload and its berth; "" if the payload is not fixed to a berth."""
     site, worksite = flight.site, state.worksite
     if worksite.held is None or not worksite.arm_fixed:
         return ""

@@ -1,4 +1,4 @@
-"""Ways out: stick or joint commands that lead away from near singularities and back from passed joint limits."""
+"""Escape directions: stick or joint commands away from near singularities and back from passed joint limits."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from aftdeck.steering.mode import MODES
 from aftdeck.steering.way_out import DIRECTIONS, joint_out, way_out
 
 LEAST = 1e-3
-"""Least rate [1/s] or [rad/s] at which a stick must lead away to be a way out."""
+"""Least rate [1/s] or [rad/s] at which a stick must lead away to be an escape direction."""
 NEARLY = 0.6
-"""Fraction of the fastest stick's rate above which the advice keeps the stick named before [1]."""
+"""Fraction of the fastest stick's rate above which the previous stick direction is kept [1]."""
 JOINT_BY_JOINT = ("SINGLE", "DIRECT", "MASTER")
 """Modes in which the operator moves single joints, not the point of resolution."""
 AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
@@ -29,13 +29,13 @@ AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
     ("translation", "THC {}Y"),
     ("translation", "THC {}Z"),
 )
-"""For each axis of the sticks, the stick, and the name of one of its directions with braces for the sign."""
+"""For each axis of the sticks: the stick, and the name of the axis with braces for the sign."""
 
 
 def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tuple[str, ...]) -> tuple[WayOut, ...]:
-    """Return a way out for each near singularity and each joint past a limit, and update the panel's advice.
+    """Return an escape for each near singularity and each joint past a limit, and update the panel's advice.
 
-    While a contact inhibits the arm, the result is the way out of that contact alone, if there is one (`contact_out`).
+    While a contact inhibits the arm, return only the escape from that contact, if there is one (`contact_out`).
     """
     contact = state.worksite.contacts.inhibit.arm
     if contact or (not singular and not any(zones)):
@@ -46,16 +46,16 @@ def ways_out(flight: Flight, state: State, zones: tuple[int, ...], singular: tup
     return tuple(found)
 
 
-def _tried(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
-    """Return how fast each stick direction leads away, in the present mode or, if it is not manual, in ORB UNL."""
+def _stick_speeds(flight: Flight, state: State, singularity: int, joint: int, inward: float) -> np.ndarray:
+    """Return the rate (12,) at which each stick direction leads away, in the present manual mode or else in ORB UNL."""
     rules, command, steering = steering_of(state)
-    tried = np.zeros(DIRECTIONS)
-    way_out(rules, command, steering, singularity, joint, inward, tried)
-    return tried
+    speeds = np.zeros(DIRECTIONS)
+    way_out(rules, command, steering, singularity, joint, inward, speeds)
+    return speeds
 
 
 def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return rules, command and state for testing the sticks in the present mode, or in ORB UNL if it is not manual."""
+    """Return rules, command and state that evaluate the sticks, in the present manual mode or else in ORB UNL."""
     panel = state.panel
     manual = MODES[panel.mode].kind == "manual"
     command = np.zeros(COMMAND)
@@ -66,30 +66,30 @@ def steering_of(state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def by_stick(state: State, cause: str, direction: int) -> WayOut:
-    """Return stick direction 0 to 11 as a way out (axis by axis, + before −), in ORB UNL if no stick mode is on."""
+    """Return stick direction 0 to 11 (axis by axis, + before −) as an escape, in ORB UNL if no manual mode is on."""
     (stick, name), sign = AXES[direction // 2], 1 if direction % 2 == 0 else -1
     text, enter = name.format("+" if sign > 0 else "−"), "" if MODES[state.panel.mode].kind == "manual" else "ORB UNL"
     return WayOut(cause, f"{enter}, {text}" if enter else text, stick, direction // 2 % 3, sign, enter)
 
 
 def by_joint(flight: Flight, position: str, cause: str, joint: int, sign: int) -> WayOut:
-    """Return the motion of one joint, in a panel position, as a way out."""
+    """Return the motion of one joint, in a panel position, as an escape."""
     text = f"{position} {joint_label(flight.scenario.arm.joints[joint])} {'+' if sign > 0 else '−'}"
     return WayOut(cause, text, "joint", joint, sign, position)
 
 
-def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:
-    """Return the stick that leads away fastest, or the one named before while it is nearly as fast.
+def _best(state: State, cause: str, speeds: np.ndarray) -> WayOut | None:
+    """Return the stick direction that leads away fastest, or the previous one while it is nearly as fast.
 
     Returns:
-        The way out, also stored in the advice for its cause; None if no stick leads away fast enough.
+        The escape, also stored in the advice for its cause; None if no stick leads away fast enough.
     """
     advice = state.panel.advice
-    best = int(tried.argmax())
-    if tried[best] < LEAST:
+    best = int(speeds.argmax())
+    if speeds[best] < LEAST:
         return None
     before = advice.get(cause, best)
-    if tried[before] >= NEARLY * tried[best]:
+    if speeds[before] >= NEARLY * speeds[best]:
         best = before
     advice[cause] = best
     return by_stick(state, cause, best)
@@ -97,7 +97,9 @@ def _best(state: State, cause: str, tried: np.ndarray) -> WayOut | None:
 
 def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int, ...]) -> WayOut:
     name = NAMES[which]
-    if state.panel.mode not in JOINT_BY_JOINT and (out := _best(state, name, _tried(flight, state, which, -1, 0.0))):
+    if state.panel.mode not in JOINT_BY_JOINT and (
+        out := _best(state, name, _stick_speeds(flight, state, which, -1, 0.0))
+    ):
         return out
     arm = flight.scenario.arm
     joint, sign = joint_out(arm.model.links, state.plant.angles, arm.limits.reach, which, arm.model.singular)
@@ -107,13 +109,15 @@ def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int
 def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
     name = flight.scenario.arm.joints[joint]
     inward = _inward(flight, state, joint)
-    if state.panel.mode not in JOINT_BY_JOINT and (out := _best(state, name, _tried(flight, state, -1, joint, inward))):
+    if state.panel.mode not in JOINT_BY_JOINT and (
+        out := _best(state, name, _stick_speeds(flight, state, -1, joint, inward))
+    ):
         return out
     return by_joint(flight, _position(state), name, joint, inward)
 
 
 def _position(state: State) -> str:
-    """Return the panel position in which a joint is moved: the present one if joints are moved in it, else SINGLE."""
+    """Return the panel position for moving a joint: the present one if it moves single joints, else SINGLE."""
     return state.panel.mode if state.panel.mode in JOINT_BY_JOINT else "SINGLE"
 
 

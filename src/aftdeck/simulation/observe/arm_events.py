@@ -26,7 +26,7 @@ _ZONE_TEXTS = {FREE: "clear of its limits", PAST_REACH: "past its reach limit", 
 
 
 def log_arm_events(flight: Flight, state: State) -> None:
-    """Observe the arm, log what has changed, and update the ways out in the state."""
+    """Observe the arm, log changes, and update the escape directions in the state."""
     model, plant = flight.scenario.arm.model, state.plant
     near = observe_near(
         state.arm.model.links,
@@ -46,8 +46,8 @@ def log_arm_events(flight: Flight, state: State) -> None:
     if zones != state.panel.zones:
         _log_zone_changes(flight, state, zones)
     if singular != state.panel.singular:
-        _tell_singular(flight, state, singular)
-    _tell_clearance(flight, state)
+        _log_singularities(flight, state, singular)
+    _log_clearance_level(flight, state)
     state.ways_out = ways_out(flight, state, zones, singular)
 
 
@@ -75,7 +75,7 @@ def _log_zone_changes(flight: Flight, state: State, zones: Zones) -> None:
     state.panel.zones = zones
 
 
-def _tell_singular(flight: Flight, state: State, singular: tuple[str, ...]) -> None:
+def _log_singularities(flight: Flight, state: State, singular: tuple[str, ...]) -> None:
     before, distances = state.panel.singular, state.observed[18:].tolist()
     for name, distance in zip(NAMES, distances, strict=True):
         if name in singular and name not in before:
@@ -85,7 +85,7 @@ def _tell_singular(flight: Flight, state: State, singular: tuple[str, ...]) -> N
     state.panel.singular = singular
 
 
-def _tell_clearance(flight: Flight, state: State) -> None:
+def _log_clearance_level(flight: Flight, state: State) -> None:
     """Log when the minimum clearance falls below a threshold of the scenario, or rises above it again."""
     scenario, worksite, before = flight.scenario, state.worksite, state.panel.clearance
     now: Level = "info"

@@ -31,9 +31,9 @@ Observed = tuple[Vec3, Rows, Six, Vec3, Rows]
 Joints = tuple[Six, Six, Six, Six, Six]
 """Angles, rates, commanded angles, commanded rates, rate limits."""
 Steered = tuple[Six, Six, tuple[float, float], Vec3, Vec3]
-"""Commanded twist, demanded twist, limits of the point of resolution, THC, RHC."""
+"""Commanded twist, demanded twist, limits of the point of resolution, THC deflection, RHC deflection."""
 Scalars = tuple[float, float, float, float, float]
-"""DRIVE, ratio, remaining time, remaining time of the turn, 1 while an automatic motion is under way."""
+"""DRIVE, ratio, remaining time, remaining time of the rotation, 1 while an automatic motion is in progress."""
 Moving = tuple[Vec3, Rows, Vec3]
 """Position, rows and velocity of a body."""
 
@@ -43,19 +43,19 @@ Carried = tuple[tuple[Vec3, Rows], Vec3, Vec3]
 
 @law
 def vec3(values: Array, at: int) -> Vec3:
-    """Return three values from an index on."""
+    """Return three values of an array, beginning at an index."""
     return values[at], values[at + 1], values[at + 2]
 
 
 @law
 def rows(values: Array, at: int) -> Rows:
-    """Return nine values from an index on, as the rows of a matrix."""
+    """Return nine values of an array, beginning at an index, as the rows of a matrix."""
     return vec3(values, at), vec3(values, at + 3), vec3(values, at + 6)
 
 
 @law
 def six(values: Array, at: int) -> Six:
-    """Return six values from an index on."""
+    """Return six values of an array, beginning at an index."""
     return values[at], values[at + 1], values[at + 2], values[at + 3], values[at + 4], values[at + 5]
 
 

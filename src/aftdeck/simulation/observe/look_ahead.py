@@ -1,7 +1,7 @@
-"""Look-ahead: pose of the arm in a few seconds if the sticks stay as they are, found by flying a copy of the arm.
+"""Look-ahead: pose of the arm in a few seconds with the present stick command, computed on a copy of the arm.
 
-The steering's own laws fly the copy (`steering.rehearsal`), so that the prediction is what would come, except for
-contacts. The copy flies through contacts, and the first one is reported.
+The steering's own laws move the copy (`steering.rehearsal`), so that the prediction is exact except for contacts. The
+copy moves through contacts, and the first contact is reported.
 """
 
 from __future__ import annotations
@@ -32,31 +32,31 @@ from aftdeck.worksite.watch.found import CLEARANCE
 LEAST_S, MOST_S = 2.0, 20.0
 """Shortest and longest look-ahead [s]."""
 SAMPLES = 10
-"""Number of poses on the way at which clearances are measured."""
+"""Number of poses along the predicted motion at which clearances are measured."""
 CONTACT = 0.0
-"""Largest clearance that counts as a contact on the way [m]."""
+"""Largest clearance that counts as a contact [m]."""
 DRIVE_AXIS = 6
 """Number of the drive switch among the axes."""
 _ORB_UNL = 4.0
-"""Law that brings the arm to rest when the sticks are released."""
+"""Steering law that brings the arm to rest with the sticks centred."""
 _STILL = 1e-6
 """Largest twist that counts as rest [m/s], [rad/s], and largest joint motion that counts as none [rad]."""
 _LONGEST_STOP = 60.0
-"""Time for which the arm is followed at most until it comes to rest [s]."""
+"""Longest time for which the deceleration of the arm is computed [s]."""
 
 Axis = tuple[int, Literal[-1, 1]]
 """Axis number and sign. 0 to 2: rotation about axes 1 to 3; 3 to 5: translation along them; 6: the drive switch."""
 
 
 class Ahead(msgspec.Struct, frozen=True, gc=False):
-    """Prediction of the arm's motion with the sticks as they are."""
+    """Prediction of the arm's motion with the present stick command."""
 
     seconds: float
-    """Time looked ahead [s]."""
+    """Prediction time [s]."""
     held: bool
-    """Whether the present stick command is flown.
+    """Whether the prediction uses the present stick command.
 
-    False under BRAKES or SAFING, and if the sticks rest; one axis may then be shown at full deflection.
+    False under BRAKES or SAFING, and if the sticks are centred; one axis may then be deflected fully instead.
     """
     moves: bool
     """Whether the arm's pose at that time differs from the present one."""
@@ -67,11 +67,11 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
     cargo: tuple[tuple[Vec3, Rows], ...]
     """Centre and axes (rows) of each payload of the worksite at that time, in L [m]."""
     nearest: Near | None
-    """Watched pair with the least clearance at that time, of the pairs that count for CLEARANCE then; None: no pair."""
+    """Pair with the minimum clearance at that time, of the pairs that then count for CLEARANCE; None if none counts."""
     contact_s: float | None
-    """Time of the first contact on the way, to a tenth of `seconds` [s]; None if no contact is found."""
+    """Time of the first contact, to a tenth of `seconds` [s]; None if no contact is found."""
     stopping: float
-    """Distance that the tip goes on if the sticks are released now [m]."""
+    """Distance that the tip moves until it is at rest, if the sticks are centred now [m]."""
     joint: int
     """Joint nearest to a reach limit at that time, 0 to 5."""
     room: float
@@ -79,23 +79,23 @@ class Ahead(msgspec.Struct, frozen=True, gc=False):
 
 
 def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None = None) -> Ahead:
-    """Fly a copy of the arm for some seconds with the sticks as they are, and return the prediction.
+    """Return a prediction of the arm's motion with the present stick command.
 
     Args:
-        flight: constants of the flight.
+        flight: constants of the run.
         state: the state after a step; not changed.
-        seconds: time to look ahead, `LEAST_S` to `MOST_S` [s].
-        last: the axis to deflect in full if the sticks rest; None for no axis.
+        seconds: prediction time, `LEAST_S` to `MOST_S` [s].
+        last: axis, and its sign, to deflect fully if the sticks are centred; None deflects no axis.
 
     Raises:
         InputError: `seconds` or `last` is not allowed.
     """
     if not LEAST_S <= seconds <= MOST_S:
-        raise InputError(f"one looks {LEAST_S:g} to {MOST_S:g} s ahead, got {seconds:g}")
+        raise InputError(f"seconds: got {seconds:g}, expected {LEAST_S:g} to {MOST_S:g}")
     if last is not None and not (last[0] in range(DRIVE_AXIS + 1) and last[1] in (-1, 1)):
-        raise InputError(f"axes are numbered 0 to {DRIVE_AXIS}, their signs are -1 and 1, got {last}")
+        raise InputError(f"last: got {last}, expected an axis from 0 to {DRIVE_AXIS} and a sign, -1 or 1")
     seconds, last = float(seconds), None if last is None else (int(last[0]), cast("Literal[-1, 1]", int(last[1])))
-    command, steering, held = _asked(state, last)
+    command, steering, held = _initial_command(state, last)
     rules, report = state.rules, np.zeros(REPORT)
     site, worksite, stand, travel = flight.site, state.worksite, state.plant.stand, flight.telescope
     driven = stand.velocity / travel.rate if travel.rate else 0.0
@@ -112,7 +112,7 @@ def look_ahead(flight: Flight, state: State, seconds: float, last: Axis | None =
         frames = frames_at(flight, state, angles, height, worksite.prong.position)
         watch.look_near(frames, frames, period, site.detrimental, 0.0)
         may = permitted(site, watch, frames)
-        # a pair that is lined up now is docked or latched before it penetrates deeply
+        # a pair that is aligned now is docked or latched before it penetrates deeply
         touching = watch.nearest(site.detrimental | (outside & (1 - may)))
         if contact is None and touching >= 0 and watch.found[touching, CLEARANCE] <= CONTACT:
             contact = sample * period
@@ -144,14 +144,14 @@ def _placed(row: list[float]) -> tuple[Vec3, Rows]:
 
 
 def _copies(state: State) -> tuple[Array, Array]:
-    """Return copies of the command and of the steering's state as measured now, to fly on from."""
+    """Return copies of the command and of the steering's state as measured now, from which the prediction starts."""
     steering = state.steering.copy()
     measured(state.plant.angles, state.plant.rates, state.shoulder_offset, steering)
     return state.command.copy(), steering
 
 
-def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
-    """Return the command and the steering's state to fly on from, and whether the sticks are flown as they are."""
+def _initial_command(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
+    """Return the prediction's command and initial state of the steering, and whether the present sticks are used."""
     command, steering = _copies(state)
     held = bool(command[STICKS : STICKS + 6].any() or command[DRIVE])
     if joint_lock_reason(state.panel):
@@ -163,22 +163,22 @@ def _asked(state: State, last: Axis | None) -> tuple[Array, Array, bool]:
         command[DRIVE if axis == DRIVE_AXIS else STICKS + axis] = sign
         command[LAW], command[MOTION_ACTIVE] = state.panel.flown, 0.0  # a stick overrides POSITION HOLD
     if MODES[state.panel.mode].kind == "automatic" and state.panel.sequence != "in progress":
-        command[LAW], command[MOTION_ACTIVE] = _ORB_UNL, 0.0  # the arm rests until PROCEED
+        command[LAW], command[MOTION_ACTIVE] = _ORB_UNL, 0.0  # the arm stays at rest until PROCEED
     return command, steering, held
 
 
 def _stopping(state: State) -> float:
-    """Return the distance from the tip to where the tip comes to rest without a command [m]."""
+    """Return the distance between the tip and the point at which it comes to rest without a command [m]."""
     (command, steering), report = _copies(state), np.zeros(REPORT)
     command[STICKS : STICKS + 6] = 0.0
     command[DRIVE] = command[MOTION_ACTIVE] = 0.0
     if MODES[state.panel.mode].kind != "single":
         command[LAW] = _ORB_UNL
-    rules, gone = state.rules, 0.0
-    while np.abs(steering[TWIST : TWIST + 6]).max() > _STILL and gone < _LONGEST_STOP:
+    rules, elapsed = state.rules, 0.0
+    while np.abs(steering[TWIST : TWIST + 6]).max() > _STILL and elapsed < _LONGEST_STOP:
         rehearse(rules, command, steering, report, 0.5)
         command[MOTION_ACTIVE] = 0.0
-        gone += 0.5
+        elapsed += 0.5
     here, there = (state.arm.forward(angles).position for angles in (state.plant.angles, steering[ANGLES : ANGLES + 6]))
     return math.dist(here, there)
 

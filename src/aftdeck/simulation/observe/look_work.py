@@ -55,7 +55,7 @@ def work_of(flight: Flight, state: State) -> Work:
 
 
 def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
-    """Return every pair that is watched now, nearest first."""
+    """Return every monitored pair, the smallest clearance first."""
     worksite = state.worksite
     watch = worksite.watch.copied()
     watch.update(worksite.before, worksite.frames, flight.scenario.control_period)
@@ -65,7 +65,7 @@ def all_near(flight: Flight, state: State) -> tuple[Near, ...]:
 
 
 def _in_l(site: Site, along: Array) -> Vec3:
-    """Return in L a vector given along the orbiter's axes."""
+    """Return a vector, given along the orbiter's axes, in L."""
     x, y, z = along.tolist()
     if x == y == z == 0.0:
         return _ZERO
@@ -79,7 +79,7 @@ def _six(values: Array) -> Six:
 
 
 def near_of(flight: Flight, state: State, found: Array, group: int) -> Near:
-    """Return what was found (g, 15) of a group, with the names of its two parts."""
+    """Return the record of a monitored pair, from row `group` of `found` (g, 15) and the names of the two parts."""
     row = found[group].tolist()
     a, b = flight.site.layout.named(group)
     touching = row[CLEARANCE] <= CONTACT

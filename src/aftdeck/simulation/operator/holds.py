@@ -1,4 +1,4 @@
-"""RATE HOLD and POSITION HOLD, which keep the rates or the pose after the sticks are released."""
+"""RATE HOLD and POSITION HOLD, which keep the rates or the pose while the sticks are centred."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ AT_REST = 1e-3
 
 
 def effective_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[float, ...]:
-    """Update RATE HOLD, and return the stick command to fly (rotation, then translation)."""
+    """Update RATE HOLD, and return the stick command that acts (rotation, then translation)."""
     panel = state.panel
     given = (*inputs.rotation, *inputs.translation)
     if inputs.rate_hold:
@@ -32,7 +32,7 @@ def effective_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[floa
             log(flight, state, "rate hold", "info", "RATE HOLD off")
         elif any(given):
             panel.rate_hold_sticks = given
-            log(flight, state, "rate hold", "info", "RATE HOLD: the present rates are kept; press again to let go")
+            log(flight, state, "rate hold", "info", "RATE HOLD: the present rates are kept; press again to cancel")
         else:
             log_rejection(
                 flight,
@@ -43,7 +43,7 @@ def effective_sticks(flight: Flight, state: State, inputs: Inputs) -> tuple[floa
 
 
 def hold_position(flight: Flight, state: State) -> None:
-    """Keep the pose in which the arm came to rest, by mode 2, while the sticks rest in a manual mode (POHS)."""
+    """Keep the pose in which the arm came to rest, by mode 2, while the sticks are centred in a manual mode (POHS)."""
     panel = state.panel
     off = not panel.position_hold or MODES[panel.mode].kind != "manual"
     if off or state.command[STICKS : STICKS + 6].any():

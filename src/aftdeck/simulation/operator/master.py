@@ -1,4 +1,4 @@
-"""Master arm moved by the sticks, for use without a device that measures six angles: each axis turns one joint."""
+"""Master arm that the sticks move, for use without a device that measures six angles: each axis moves one joint."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ AXES: tuple[Axis, ...] = ("RHC roll", "RHC pitch", "RHC yaw", "THC X", "THC Y", 
 
 
 def axes_of(model: ArmModel) -> tuple[int, ...]:
-    """Return, for each joint of the master arm, the index in `AXES` of the axis that turns the joint."""
+    """Return, for each joint of the master arm, the index in `AXES` of the axis that moves the joint."""
     return tuple(AXES.index(axis) for axis in model.equipment.master)
 
 
 def turn_master(flight: Flight, state: State) -> None:
-    """Turn the master arm by the sticks in `state.command`; full deflection gives the joint's rate limit.
+    """Move the master arm by the sticks in `state.command`; full deflection gives the joint's rate limit.
 
     The master arm stays within the stops in force. If a device has moved a joint beyond a stop, that joint can only
     move back.

@@ -67,7 +67,7 @@ def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
         _hold_position(flight, state, inputs.position_hold)
     if inputs.brakes is not None and inputs.brakes != panel.brakes:
         panel.brakes = inputs.brakes
-        text = "BRAKES on: every joint stands" if panel.brakes else "BRAKES off"
+        text = "BRAKES on: every joint is stopped" if panel.brakes else "BRAKES off"
         log(flight, state, "brakes", "caution" if panel.brakes else "info", text)
     if inputs.safing is not None and inputs.safing != panel.safing:
         panel.safing = inputs.safing
@@ -78,7 +78,7 @@ def _set_switches(flight: Flight, state: State, inputs: Inputs) -> None:
             log_rejection(
                 flight,
                 state,
-                "the law cannot be changed while a motion is in progress: STOP first",
+                "change of the law refused: a motion is in progress; STOP first",
             )
         else:
             panel.law = inputs.law
@@ -95,7 +95,7 @@ def _hold_position(flight: Flight, state: State, on: bool) -> None:
 def _enter(flight: Flight, state: State, position: str) -> None:
     mode = MODES.get(position)
     if mode is None:
-        log_rejection(flight, state, f"no mode {position!r}: there are {', '.join(MODES)}")
+        log_rejection(flight, state, f"mode {position!r} refused: the modes are {', '.join(MODES)}")
         return
     if mode.loaded and state.carried.payload is None:
         log_rejection(flight, state, f"{position} refused: it moves a payload, and none is in the grasp")
@@ -115,7 +115,7 @@ def _enter(flight: Flight, state: State, position: str) -> None:
 
 
 def make_ready(flight: Flight, state: State, *, keyed: bool = False) -> None:
-    """Reset the motion and request CMD CK of the next target, in automatic modes or if it was just keyed in."""
+    """Reset the motion, and request CMD CK of the next target in automatic modes or if the target was just keyed in."""
     panel = state.panel
     panel.sequence, panel.check, panel.target = "idle", None, next_target(flight, panel)
     state.checking, panel.proceeding = None, False
@@ -126,7 +126,7 @@ def make_ready(flight: Flight, state: State, *, keyed: bool = False) -> None:
 def _key_in(flight: Flight, state: State, target: Target) -> None:
     panel = state.panel
     if panel.sequence == "in progress":
-        log_rejection(flight, state, "no target can be keyed in while a motion is in progress: STOP first")
+        log_rejection(flight, state, "target refused: a motion is in progress; STOP first")
         return
     panel.keyed = target
     log(flight, state, "target", "info", "target keyed in")
@@ -139,8 +139,8 @@ def _stop(flight: Flight, state: State) -> None:
     panel.proceeding = False
     if panel.sequence == "in progress":
         panel.sequence = "ready"
-        how = "the arm stands" if joint_lock_reason(panel) else "the arm slows to rest"
-        log(flight, state, "stop", "info", f"STOP: {how}; PROCEED goes on")
+        how = "the arm is stopped" if joint_lock_reason(panel) else "the arm slows to rest"
+        log(flight, state, "stop", "info", f"STOP: {how}; PROCEED continues the motion")
 
 
 def _proceed(flight: Flight, state: State) -> None:
@@ -149,13 +149,13 @@ def _proceed(flight: Flight, state: State) -> None:
         log_rejection(
             flight,
             state,
-            f"PROCEED does nothing in {panel.mode}: enter OPR CMD or AUTO 1-4 first",
+            f"PROCEED refused: {panel.mode} is not an automatic mode; enter OPR CMD or AUTO 1-4 first",
         )
     elif stopped := joint_lock_reason(panel):
         log_rejection(flight, state, f"PROCEED refused: {stopped}")
     elif panel.sequence != "in progress":
         if panel.point >= len(flight.scenario.sequences.get(panel.mode, ())):
-            panel.point = 0  # a completed sequence starts again
+            panel.point = 0  # after its last point, a sequence starts again
         panel.target = next_target(flight, panel)
         if panel.target is None:
             log_rejection(flight, state, "PROCEED refused: no target is keyed in")

@@ -1,7 +1,7 @@
-"""Scenario's script as an operator: sticks and switches of its phases, step by step.
+"""Scenario's script as an operator: sticks and switches of its phases, for each step.
 
-JSC-12628's phase initialisation of simulated operator inputs. A phase ends at its input time in the manual
-modes, on arrival (ETA) in the automatic ones, and at its angle or time in SINGLE.
+Source: JSC-12628, phase initialisation of simulated operator inputs. A phase ends at its input time in the manual
+modes, on arrival (ETA) in the automatic modes, and at its angle or time in SINGLE.
 """
 
 from __future__ import annotations
@@ -13,37 +13,38 @@ from aftdeck.scenario.target import RelativeTarget, Target
 from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.inputs import Inputs, Vec3
 from aftdeck.simulation.log import log
-from aftdeck.simulation.operator.places import found
-from aftdeck.simulation.payloads.grasp import put_effector, steer
+from aftdeck.simulation.operator.relative_target import resolve_target
+from aftdeck.simulation.payloads.grasp import set_effector, update_steering
 from aftdeck.simulation.state import State
 from aftdeck.steering.layout import ARRIVED, DT, RATE, RATE_UP, RATES, SPEED, TURN
 from aftdeck.steering.limiters import braked
 from aftdeck.steering.mode import MODES
 
 AT_LENGTH = 1e-9
-"""Distance of the stand from `stand_at` within which its phase ends [m]."""
+"""Distance of the telescope from `stand_at` within which its phase ends [m]."""
 AT_ANGLE = 1e-9
 """Distance of a joint from `joint_at` within which its phase ends [rad]."""
 
 
 def play(flight: Flight, state: State) -> Inputs:
-    """Return the script's inputs for the coming step; go to the next phase if the present one has ended."""
+    """Return the script's inputs for the coming step; begin the next phase if the present phase has ended."""
     script, phases = state.script, flight.scenario.phases
     while script.phase < len(phases) and not script.ended:
         phase = phases[script.phase]
         if script.began < 0:
             script.began, state.panel.motion_began = state.tick, state.tick - 1
             log(flight, state, "phase", "info", f"phase {phase.name!r} begins")
-            target = found(flight, state, phase.target) if isinstance(phase.target, RelativeTarget) else phase.target
+            given = phase.target
+            target = resolve_target(flight, state, given) if isinstance(given, RelativeTarget) else given
             if isinstance(target, str):
                 _fail(flight, state, f"phase {phase.name!r} failed: {target}")
                 continue
             _prepare(flight, state, phase)
-            return _opening(flight, state, phase, target)
-        if _over(flight, state, phase, state.tick):
+            return _first_inputs(flight, state, phase, target)
+        if _has_ended(flight, state, phase, state.tick):
             script.phase, script.began = script.phase + 1, -1
             continue
-        return _continuing(flight, state, phase)
+        return _later_inputs(flight, state, phase)
     if not script.ended and phases:
         script.ended = "completed"
     return Inputs(stop=True)
@@ -53,7 +54,7 @@ def hand_over(flight: Flight, state: State) -> None:
     """Cancel the rate limits of the script's phase, because an operator now supplies the inputs."""
     if state.script.limits >= 0:
         state.script.limits = -1
-        steer(flight, state)
+        update_steering(flight, state)
 
 
 def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
@@ -65,8 +66,8 @@ def _prepare(flight: Flight, state: State, phase: PhasePlan) -> None:
     script.limits = limits
     if phase.attaches is not None:
         script.attached = phase.attaches
-        put_effector(flight, state, holding=phase.attaches > 0)
-    steer(flight, state)
+        set_effector(flight, state, holding=phase.attaches > 0)
+    update_steering(flight, state)
 
 
 def end_if_time_is_up(flight: Flight, state: State) -> None:
@@ -76,11 +77,11 @@ def end_if_time_is_up(flight: Flight, state: State) -> None:
         return
     if not scenario.phases:
         script.ended = "time"
-    elif script.phase == len(scenario.phases) - 1 and _over(flight, state, scenario.phases[-1], state.tick + 1):
+    elif script.phase == len(scenario.phases) - 1 and _has_ended(flight, state, scenario.phases[-1], state.tick + 1):
         script.phase, script.ended = script.phase + 1, "completed"
     elif not script.ended:
         name = phase_name(flight, state)
-        _fail(flight, state, f"the scenario's {scenario.duration:g} s ran out in phase {name!r}")
+        _fail(flight, state, f"the scenario's duration of {scenario.duration:g} s ended in phase {name!r}")
 
 
 def phase_name(flight: Flight, state: State) -> str:
@@ -93,8 +94,8 @@ def phase_name(flight: Flight, state: State) -> str:
     return phases[min(state.script.phase, len(phases) - 1)].name if phases else ""
 
 
-def _opening(flight: Flight, state: State, phase: PhasePlan, target: Target | None) -> Inputs:
-    """Return the inputs of a phase's first step: its switches, and its sticks, which stay deflected from then on."""
+def _first_inputs(flight: Flight, state: State, phase: PhasePlan, target: Target | None) -> Inputs:
+    """Return the inputs of a phase's first step: its switches, and its sticks, which stay deflected afterwards."""
     sticks = _sticks(flight, state, phase)
     return Inputs(
         mode=phase.mode,
@@ -115,8 +116,8 @@ def _opening(flight: Flight, state: State, phase: PhasePlan, target: Target | No
     )
 
 
-def _continuing(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
-    if state.panel.sequence == "ready" and _waiting(flight, state):
+def _later_inputs(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
+    if state.panel.sequence == "ready" and _between_points(flight, state):
         return Inputs(proceed=True)
     if phase.joint_at is None:
         return _sticks(flight, state, phase)
@@ -137,7 +138,7 @@ def _sticks(flight: Flight, state: State, phase: PhasePlan) -> Inputs:
 
 @lru_cache(maxsize=64)
 def _deflected(phase: PhasePlan, telescope: float, most: tuple[float, float, float]) -> Inputs:
-    """Return the stick inputs for the speeds `most` at full deflection [m/s], [rad/s], [rad/s of the joint].
+    """Return the stick inputs for the speeds `most` at full deflection: POR [m/s], [rad/s], then joint [rad/s].
 
     The result is cached, because it stays the same for all steps of a phase.
     """
@@ -154,20 +155,20 @@ def _deflected(phase: PhasePlan, telescope: float, most: tuple[float, float, flo
 
 def _deflection(rate: Vec3, most: float) -> Vec3:
     """Return the stick deflection for a velocity; a velocity beyond the limit is scaled and keeps its direction."""
-    whole = max(most, *map(abs, rate))
-    return rate[0] / whole, rate[1] / whole, rate[2] / whole
+    full = max(most, *map(abs, rate))
+    return rate[0] / full, rate[1] / full, rate[2] / full
 
 
 def _telescope(flight: Flight, state: State, phase: PhasePlan) -> float:
-    """Return the telescope's drive, in [-1, 1], that moves the stand to the length that the phase demands."""
+    """Return the telescope's drive, in [-1, 1], for the length that the phase demands."""
     if phase.stand_at is None:
         return 0.0
-    left, rate = phase.stand_at - state.plant.stand.position, flight.telescope.rate
-    return max(-1.0, min(1.0, left / (rate * flight.scenario.control_period)))
+    remaining, rate = phase.stand_at - state.plant.stand.position, flight.telescope.rate
+    return max(-1.0, min(1.0, remaining / (rate * flight.scenario.control_period)))
 
 
-def _waiting(flight: Flight, state: State) -> bool:
-    """Return whether AUTO 1-4 has passed at least one of its points and has points left to reach."""
+def _between_points(flight: Flight, state: State) -> bool:
+    """Return whether AUTO 1-4 has passed at least one of its points but not its last."""
     panel = state.panel
     return 0 < panel.point < len(flight.scenario.sequences.get(panel.mode, ()))
 
@@ -177,12 +178,12 @@ def _at_last_point(flight: Flight, state: State) -> bool:
     return state.panel.point + 1 >= len(flight.scenario.sequences.get(state.panel.mode, ()))
 
 
-def _over(flight: Flight, state: State, phase: PhasePlan, tick: int) -> bool:
-    """Return whether a phase is over before step `tick`; a phase that fails ends the script as a fault."""
+def _has_ended(flight: Flight, state: State, phase: PhasePlan, tick: int) -> bool:
+    """Return whether a phase has ended before step `tick`; a phase that fails ends the script as a fault."""
     elapsed = (tick - state.script.began) * flight.scenario.control_period
     late = phase.duration is not None and elapsed >= phase.duration - 1e-9
     if phase.until is not None or phase.stand_at is not None:
-        if _come_about(state, phase):
+        if _conditions_hold(state, phase):
             return True
         if late:
             _fail(flight, state, f"phase {phase.name!r} failed: not {_awaited(phase)} within its {phase.duration:g} s")
@@ -208,20 +209,20 @@ def _arrived(flight: Flight, state: State, phase: PhasePlan) -> bool:
         return True
     if panel.sequence == "in progress" and state.report[ARRIVED] and _at_last_point(flight, state):
         return True
-    if panel.sequence == "idle" or (panel.sequence == "ready" and not _waiting(flight, state)):
-        _fail(flight, state, f"phase {phase.name!r} failed: its motion was refused or given up")
+    if panel.sequence == "idle" or (panel.sequence == "ready" and not _between_points(flight, state)):
+        _fail(flight, state, f"phase {phase.name!r} failed: its motion was rejected or abandoned")
     return False
 
 
-def _come_about(state: State, phase: PhasePlan) -> bool:
-    """Return whether the event and the stand length that a phase waits for have been reached."""
-    stands = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < AT_LENGTH
-    return stands and (phase.until is None or state.worksite.has_occurred(phase.until))
+def _conditions_hold(state: State, phase: PhasePlan) -> bool:
+    """Return whether the event and the telescope's length that end a phase have been reached."""
+    at_length = phase.stand_at is None or abs(state.plant.stand.position - phase.stand_at) < AT_LENGTH
+    return at_length and (phase.until is None or state.worksite.has_occurred(phase.until))
 
 
 def _awaited(phase: PhasePlan) -> str:
-    """Return a text that says what a phase waits for."""
-    stand = f"the stand at {phase.stand_at:g} m" if phase.stand_at is not None else ""
+    """Return a text that names the event and the telescope's length that end a phase."""
+    stand = f"telescope at {phase.stand_at:g} m" if phase.stand_at is not None else ""
     return " and ".join(part for part in (phase.until or "", stand) if part)
 
 

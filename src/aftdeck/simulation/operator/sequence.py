@@ -15,7 +15,7 @@ from aftdeck.simulation.frame import Six
 from aftdeck.simulation.log import log
 from aftdeck.simulation.motion.standstill import joint_lock_reason, latched_payload_reason
 from aftdeck.simulation.operator.check_request import begin_check
-from aftdeck.simulation.operator.miss import miss
+from aftdeck.simulation.operator.final_error import final_error_text
 from aftdeck.simulation.operator.ways import final_angles
 from aftdeck.simulation.state import Ending, Panel, State
 from aftdeck.steering.layout import ANGLE, ARRIVED, DISTANCE, LAW, MASTER, MOTION_ACTIVE, PLAN, RATIO, TARGET
@@ -37,7 +37,7 @@ def next_target(flight: Flight, panel: Panel) -> Target | None:
 
 
 def begin(flight: Flight, state: State, target: Target, joints: Six | None = None) -> None:
-    """Start an automatic motion; it sets off in this step, or once the arm is at rest (`steering.course`).
+    """Begin an automatic motion; the arm starts in this step, or once it is at rest (`steering.course`).
 
     Args:
         flight: constants of the run.
@@ -75,7 +75,7 @@ def finish(flight: Flight, state: State) -> None:
         and state.report[ANGLE] <= flight.scenario.fly_by_turn
     )
     still = state.report[RATIO] < STANDSTILL
-    if state.report[ARRIVED] or passing or (still and not _beside(flight, state)):
+    if state.report[ARRIVED] or passing or (still and not _final_error(flight, state)):
         _arrive(flight, state, passing)
         return
     panel.blocked = panel.blocked + 1 if still else 0
@@ -87,34 +87,34 @@ def finish(flight: Flight, state: State) -> None:
             if halt == "seat"
             else joint_lock_reason(state.panel) or _STANDSTILLS[halt]
         )
-        log(flight, state, "blocked", "caution", f"automatic motion given up: {why}")
+        log(flight, state, "blocked", "caution", f"automatic motion abandoned: {why}")
 
 
-def _beside(flight: Flight, state: State) -> str:
-    """Return the final error at the present target as text; "" if the arm has reached it or there is no target."""
+def _final_error(flight: Flight, state: State) -> str:
+    """Return the final error at the present target as text; "" if the arm has reached the target or has none."""
     target = state.panel.target
-    return "" if target is None else miss(flight, state.arm, state.plant.angles, target)
+    return "" if target is None else final_error_text(flight, state.arm, state.plant.angles, target)
 
 
 def _arrive(flight: Flight, state: State, passing: bool) -> None:
     """Start the motion to a sequence's next point, wait for PROCEED at a pause point, or end the motion."""
     panel = state.panel
     points = flight.scenario.sequences.get(panel.mode, ())
-    beside = "" if passing else _beside(flight, state)
+    final_error = "" if passing else _final_error(flight, state)
     name = f"{panel.mode}, point {panel.point + 1} of {len(points)}" if points else "target"
-    _tell_arrival(flight, state, name, passing, beside)
-    goes_on = bool(points) and panel.point + 1 < len(points) and not points[panel.point].pause
+    _log_arrival(flight, state, name, passing, final_error)
+    continues = bool(points) and panel.point + 1 < len(points) and not points[panel.point].pause
     panel.point += 1 if points else 0
-    if goes_on:
+    if continues:
         try:
             begin(flight, state, points[panel.point].target)
-            if passing:  # mode 2 has no plan that starts from rest, so the motion starts at once
+            if passing:  # mode 2 has no plan from rest, so the arm need not stop first
                 state.command[MOTION_ACTIVE], panel.motion_began = 1.0, state.tick - 1
         except AftdeckError as error:
-            _end(panel, "given up", beside)
-            log(flight, state, "check", "caution", f"{panel.mode} stops: {error}")
+            _end(panel, "given up", final_error)
+            log(flight, state, "check", "caution", f"{panel.mode} stopped: {error}")
         return
-    _end(panel, "missed" if beside else "reached", beside)
+    _end(panel, "missed" if final_error else "reached", final_error)
     if not points:
         return
     if panel.point == len(points):
@@ -122,17 +122,17 @@ def _arrive(flight: Flight, state: State, passing: bool) -> None:
         log(flight, state, "sequence", "info", f"{panel.mode} complete")
         return
     panel.target = points[panel.point].target
-    log(flight, state, "sequence", "info", "pause point: PROCEED goes on")
+    log(flight, state, "sequence", "info", "pause point: PROCEED continues the sequence")
     begin_check(state, panel.target)
 
 
-def _end(panel: Panel, ending: Ending, beside: str) -> None:
-    panel.sequence, panel.ending, panel.final_error = "idle", ending, beside
+def _end(panel: Panel, ending: Ending, final_error: str) -> None:
+    panel.sequence, panel.ending, panel.final_error = "idle", ending, final_error
 
 
-def _tell_arrival(flight: Flight, state: State, name: str, passing: bool, beside: str) -> None:
+def _log_arrival(flight: Flight, state: State, name: str, passing: bool, final_error: str) -> None:
     """Log that a target was passed, reached or missed, with the final error."""
-    if beside:
-        log(flight, state, "arrived", "caution", f"{name} missed: the motion ended {beside} it")
+    if final_error:
+        log(flight, state, "arrived", "caution", f"{name} missed: final error {final_error}")
     else:
         log(flight, state, "arrived", "info", f"{name} {'passed' if passing else 'reached'}")

@@ -19,15 +19,15 @@ from aftdeck.steering.layout import RATE
 from aftdeck.steering.mode import AUTOMATIC_LAWS, LawChoice
 
 HAIR = 1e-9
-"""Distance past a soft stop that is attributed to rounding of a solution [rad]."""
+"""Distance past a soft stop that counts as rounding of a solution [rad]."""
 
 
 def ways(flight: Flight, state: State, target: Target, law: LawChoice) -> tuple[Way, ...]:
-    """Return the ways to a target that a law can fly, the quickest first.
+    """Return the ways to a target with a steering law, the quickest first.
 
     Raises:
-        UnreachableError, SingularityError: no joint angles put the tip at the target; with the position law, none
-            inside the soft stops.
+        UnreachableError, SingularityError: no joint angles put the tip at the target, or with the position law, no
+            joint angles inside the soft stops.
     """
     if law != "position":
         final_angles(state, target)
@@ -93,7 +93,7 @@ def _branches(flight: Flight, state: State, target: Target) -> list[Array]:
 
 
 def _name(state: State, angles: Array) -> str:
-    """Return a text that names the parts of the arm whose bend is reversed relative to the present pose."""
+    """Return a text that names the parts of the arm that are flipped relative to the present pose."""
     now, then = (state.arm.singularities(q) for q in (state.plant.angles, angles))
     turned = [name for name, a, b in zip(NAMES, now, then, strict=True) if float(a) * float(b) < 0.0]
-    return f"{' and '.join(turned)} turned over" if turned else "as the arm is bent now"
+    return f"{' and '.join(turned)} flipped" if turned else "present configuration"

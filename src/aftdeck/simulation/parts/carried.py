@@ -13,10 +13,10 @@ from aftdeck.steering.rules import Key, rules_of
 
 
 class SteeringSetup(Cache):
-    """Payload in the grasp and the steering's rules with it; `grasp.steer` derives both from the rest of the state.
+    """Payload in the grasp and the steering's rules with it, as `grasp.update_steering` derives them from the state.
 
     Attributes:
-        payload: payload in the grasp, as the steering takes it; None if the grasp is empty.
+        payload: payload in the grasp, in the steering's form; None if the grasp is empty.
         rules: the steering's rules by panel position, rate setting and steering law.
     """
 

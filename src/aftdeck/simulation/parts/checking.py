@@ -1,4 +1,4 @@
-"""CMD CK under way: part of the state, because its rehearsal takes many control steps."""
+"""CMD CK in progress: part of the state, because its rehearsal takes many control steps."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ class Way(msgspec.Struct, frozen=True):
     joints: Six | None
     """Mode 1's final joint angles [rad]; None for a straight line."""
     least: float
-    """Shortest time that the way can take [s]; 0 if not known."""
+    """Lower bound of the time that the way takes [s]; 0 if it is not known."""
     name: str
-    """Text that distinguishes the way from other ways: ``wrist turned over``."""
+    """Text that distinguishes the way from other ways: ``wrist flipped``."""
 
 
 class Tried(msgspec.Struct, frozen=True):
@@ -33,42 +33,42 @@ class Tried(msgspec.Struct, frozen=True):
 
     way: Way
     good: bool
-    """Whether the motion reaches its target, or a seat takes the payload; under `strict`, whether the motion ends."""
+    """Whether the motion reaches its target or a berth fixes the payload; under `strict`, whether the motion ends."""
     cause: Cause
     seconds: float
     """Duration of the motion, or time at which it fails [s]."""
     text: str
-    """Reason of the failure, distance by which the motion misses its target, or seat that takes the payload."""
+    """Reason of the failure, final error of the motion, or berth that fixes the payload."""
     near: str
     """Singularity that the motion passes near, as text; empty if there is none."""
 
 
 class Rehearsed(Cache):
-    """Rehearsal under way.
+    """Rehearsal in progress.
 
     Attributes:
-        start: the state from which the rehearsed motion set out.
-        of: the rehearsed motion.
+        start: state from which the rehearsed motion starts.
+        motion: rehearsal of the motion.
     """
 
     def __init__(self) -> None:
         self.start: State | None = None
-        self.of: Rehearsal | None = None
+        self.motion: Rehearsal | None = None
 
     def copied(self) -> Rehearsed:
-        """Return an empty cache: a copied state flies its own rehearsal."""
+        """Return an empty cache: a copied state makes its own rehearsal."""
         return Rehearsed()
 
 
 class Checking(StatePart):
-    """CMD CK under way.
+    """CMD CK in progress.
 
     Attributes:
         target: target that is checked.
-        start: the state from which the motion is rehearsed, encoded; None until the arm is at rest.
-        ways: ways still to be rehearsed, the one under way first.
+        start: encoded state from which the motion is rehearsed; None until the arm is at rest.
+        ways: ways still to be rehearsed, the present one first.
         tried: results of the ways that have been rehearsed.
-        steps: number of steps rehearsed of the first of `ways`.
+        steps: number of rehearsed steps of the first of `ways`.
         rehearsal: rehearsal of the first of `ways`.
     """
 
@@ -81,7 +81,7 @@ class Checking(StatePart):
 
 
 class Premises(msgspec.Struct, frozen=True):
-    """Values on which a verdict of CMD CK depends; the verdict holds as long as they are equal."""
+    """Values on which a verdict of CMD CK depends; the verdict is valid while they stay equal."""
 
     target: Target
     law: LawChoice

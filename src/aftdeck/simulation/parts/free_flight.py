@@ -20,7 +20,7 @@ class Floating(StatePart):
         motion: (6,) angular velocity in the body's axes [rad/s], then velocity of the centre in L's axes [m/s].
         reference: (3, 3) rotation about which the attitude cycles.
         cycle: (9,) attitude control, as `worksite.drift.limit_cycle` takes it; None if the body turns freely.
-        time: time since the cycle began [s].
+        time: time since the beginning of the cycle [s].
         met: whether a contact stopped or reflected the body in the last step.
     """
 
@@ -48,12 +48,12 @@ class Floating(StatePart):
 def floating(
     pose: Array, velocity: Array, rates: Array, control: model.LimitCycle | None, angles: Array | None = None
 ) -> Floating:
-    """Return the free flight from an instant on; attitude control keeps the attitude of that instant.
+    """Return the free flight that begins at an instant; attitude control keeps the attitude of that instant.
 
     Args:
         pose: (12,) pose at that instant, in L as L was at the start.
         velocity: (3,) velocity of the centre, in L's axes [m/s].
-        rates: (3,) angular velocity in the body's axes [rad/s]; a cycle takes only the signs, as its first directions.
+        rates: (3,) angular velocity in the body's axes [rad/s]; a cycle uses only the signs, as its first directions.
         control: the body's attitude control; None if the body has none.
         angles: (3,) angles within the deadband at that instant [rad]; None for the middle.
     """

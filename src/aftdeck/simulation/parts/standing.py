@@ -1,4 +1,4 @@
-"""Arm on its telescope: the same arm with its shoulder at the present height of the stand."""
+"""Arm on its telescope: the arm with its shoulder at the present height."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from aftdeck.state_part import Cache
 
 
 class Standing(Cache):
-    """Cache of the arm at the height requested last; an arm without a telescope stays unchanged.
+    """Cache of the arm at the height that was requested last; an arm without a telescope stays unchanged.
 
     Attributes:
         height: height of the shoulder above L's origin according to the steering's rules [m].

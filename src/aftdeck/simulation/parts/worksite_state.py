@@ -25,26 +25,26 @@ Halt = Literal["", "seat", "contact", "switch"]
 
 
 class PayloadState(StatePart):
-    """State of a payload: held, fixed to a seat, or both; otherwise it floats. Poses are rows of twelve numbers."""
+    """State of a payload, which is held, fixed to a berth, both, or floating. Poses are rows of twelve numbers."""
 
     held: bool = False
     grasp: list[float] | None = None
-    """Pose in the frame of the last joint, with which it moves unless a seat holds it; None if not held."""
+    """Pose in the frame of the last joint, with which it moves unless a berth holds it; None if not held."""
     steered: list[float] | None = None
-    """The same as the steering uses it: as at capture, at the end of drawing in, or when a seat released it."""
+    """The same pose in the steering, which is updated at capture, when drawn in, and when a berth releases it."""
     fixture_at_capture: list[float] | None = None
-    """Pose of its fixture in the end effector's axes where drawing in began: at capture, or when a seat released it."""
+    """Pose of its fixture in the end effector's axes at the beginning of drawing in: at capture or at unlatching."""
     drawn_at_capture: float = 0.0
     """Fraction by which the carriage was retracted at that time [1]."""
     seat: str = ""
-    """Name of the seat that it is fixed to; "" if none."""
+    """Name of the berth that it is fixed to; "" if none."""
     latches: Latches = Latches()
     offset_at_fixing: list[float] = msgspec.field(default_factory=list)
-    """Its pose relative to its place in the seat, at the time when the seat took it."""
+    """Its pose relative to its final pose in the berth, at the time when the berth fixed it."""
     offset_in_seat: list[float] = msgspec.field(default_factory=list)
-    """Present value of that pose, as the latches draw it in."""
+    """Present value of that pose, while the latches draw it in."""
     released_from: str = ""
-    """Seat that just released it; a port then docks it again only after it has left, or on LATCH."""
+    """Berth that just released it; a port then docks it again only after it has left, or on LATCH."""
     unlatch_asked_at: int = 0
     """Step of the last UNLATCH that waits for a second one as confirmation; 0 if none waits."""
 
@@ -55,33 +55,33 @@ class WorksiteState(StatePart):
     Attributes:
         frames: (F, 12) pose of every coordinate frame, in L.
         before: (F, 12) the same one step ago.
-        monitored_before: (g,) 1 for groups that were watched in the last step.
-        watch: clearances of the watched groups; they follow from `frames`, `before`, `monitored_before` and `nearest`.
-        permitted: (g,) 1 for groups that the task brings into contact; 0 for those of them that touch outside their
-            relation or deeper than it permits.
+        monitored_before: (g,) 1 for pairs that were monitored in the last step.
+        watch: clearances of the monitored pairs; they follow from `frames`, `before`, `monitored_before` and `nearest`.
+        permitted: (g,) 1 for pairs that the task brings into contact, unless they touch outside their relation or
+            deeper than it permits.
         contacts: contacts, and what they inhibit.
-        logged_contacts: groups whose contact is logged.
+        logged_contacts: pairs whose contact is logged.
         cargo: the payloads.
-        floating: free flight of each payload; None while the hand or a seat holds it.
+        floating: free flight of each payload; None while the end effector or a berth holds it.
         held: index of the payload in the grasp; None if there is none.
-        arm_fixed: True if the held payload is fixed to a seat, so that the arm cannot move.
+        arm_fixed: True if the held payload is fixed to a berth, so that the arm cannot move.
         carrier: (c,) for each payload, the row of the frame that carries it; -1 if it floats.
         poses_in_carrier: (c, 12) pose of each payload in that frame; if it floats, in L as L was at the start.
-        nearest: group with the minimum clearance of those that count for CLEARANCE; -1 if none is watched.
-        aligned_with: index of the cargo that the hand is aligned with for capture; None if there is none.
+        nearest: pair with the minimum clearance of those that count for CLEARANCE; -1 if none is monitored.
+        aligned_with: index of the payload that the end effector is aligned with for capture; None if there is none.
         orbiter: (3,) distance that the orbiter has moved forward, starboard and down [m].
         orbiter_velocity: (3,) velocity of the orbiter along the same axes [m/s].
-        prong: prong of the concept's hand: y2 of its inner face.
+        prong: prong of the concept arm's end effector: y2 of its inner face.
         snare: state of the Shuttle's end effector.
         switch: end effector switch.
         effector_mode: END EFFECTOR MODE.
         rigid: MAN CONTR.
         task: the report's mode, 1 to 4.
-        advice: way out of the contacts that was found last; None if there is none.
+        advice: escape direction out of the contacts that was found last; None if there is none.
         orbiter_rejected: True if a translation of the orbiter was rejected in the last step.
         waiting: True if the carriage or the latches are stopped before a contact.
-        halt: what blocked the commanded motion in the last step: "seat" (a seat holds the held payload), "contact" (the
-            motion would deepen one), "switch" (BRAKES, SAFING), or "" (nothing).
+        halt: cause that blocked the commanded motion in the last step: "seat" (a berth holds the held payload),
+            "contact" (the motion would deepen a contact), "switch" (BRAKES, SAFING), or "" (none).
     """
 
     frames: Array
@@ -113,9 +113,9 @@ class WorksiteState(StatePart):
     halt: Halt = ""
 
     @property
-    def _meant(self) -> list[PayloadState]:
-        """Payloads that latching and unlatching refer to: the one in the grasp, or all if none is held."""
-        return [thing for thing in self.cargo if thing.held] or self.cargo
+    def _addressed(self) -> list[PayloadState]:
+        """Payloads to which latching and unlatching refer: the held payload, or all payloads if none is held."""
+        return [payload for payload in self.cargo if payload.held] or self.cargo
 
     def has_occurred(self, what: Until) -> bool:
         """Return whether an event that a script may wait for has occurred."""
@@ -125,13 +125,13 @@ class WorksiteState(StatePart):
             case "released":
                 return self.held is None and self.snare.motion != "release"
             case "latched":
-                return any(thing.seat and not thing.latches.motion for thing in self._meant)
+                return any(payload.seat and not payload.latches.motion for payload in self._addressed)
             case "unlatched":
-                return not any(thing.seat for thing in self._meant)
+                return not any(payload.seat for payload in self._addressed)
 
     def update_attachments(self, site: Site) -> None:
-        """Update the held payload, the carrier of each payload, the watched groups, and those moving with the arm."""
-        self.held = next((k for k, thing in enumerate(self.cargo) if thing.held), None)
+        """Update the held payload, the carrier of each payload, the monitored pairs, and those moving with the arm."""
+        self.held = next((k for k, payload in enumerate(self.cargo) if payload.held), None)
         self.arm_fixed = self.held is not None and self.cargo[self.held].seat != ""
         for k in range(len(self.cargo)):
             self.update_carrier(site, k)
@@ -139,27 +139,27 @@ class WorksiteState(StatePart):
         if self.held is not None:
             self.contacts.arm |= site.of_cargo[self.held]
         self.select_monitored(site)
-        # a group that is no longer watched has not separated: forget its contact, so that "clear of" is not logged
+        # a pair that is no longer watched has not separated: forget its contact, so that "clear of" is not logged
         self.logged_contacts = tuple(group for group in self.logged_contacts if self.watch.active[group])
 
     def select_monitored(self, site: Site) -> None:
-        """Mark all groups as watched, except a held payload with the hand, and a fixed one with what its seat is on."""
+        """Mark all pairs as monitored, except a held payload with the end effector and a fixed one with its berth."""
         active = self.watch.active
         active[:] = 1
-        for k, thing in enumerate(self.cargo):
-            if thing.held:
+        for k, payload in enumerate(self.cargo):
+            if payload.held:
                 active &= 1 - site.held[k]
-            if thing.seat:
-                active &= 1 - site.seated[k, thing.seat]
+            if payload.seat:
+                active &= 1 - site.seated[k, payload.seat]
 
     def update_carrier(self, site: Site, k: int) -> None:
-        """Set the carrier of cargo k (its seat, else the last joint, else none), and its pose in that frame."""
-        thing = self.cargo[k]
-        if (berth := site.berth(k, thing.seat)) is not None:
+        """Set the carrier of payload k (berth, else last joint, else none), and the payload's pose in that frame."""
+        payload = self.cargo[k]
+        if (berth := site.berth(k, payload.seat)) is not None:
             self.carrier[k] = berth.row
-            compose(berth.place, np.array(thing.offset_in_seat), self.poses_in_carrier[k])
-        elif thing.grasp is not None:
-            self.carrier[k], self.poses_in_carrier[k] = site.last_joint, thing.grasp
+            compose(berth.place, np.array(payload.offset_in_seat), self.poses_in_carrier[k])
+        elif payload.grasp is not None:
+            self.carrier[k], self.poses_in_carrier[k] = site.last_joint, payload.grasp
         elif (flight := self.floating[k]) is not None:
             self.carrier[k], self.poses_in_carrier[k] = -1, flight.pose
 
@@ -169,7 +169,7 @@ class WorksiteState(StatePart):
 
 
 def new_worksite_state(site: Site, prong: Travel) -> WorksiteState:
-    """Return a worksite state in which nothing has its start position yet and the prong is open."""
+    """Return a worksite state without start positions, with an open prong."""
     groups, cargo = len(site.layout.groups), len(site.cargo)
     return WorksiteState(
         frames=np.zeros((len(site.layout.frames), POSE)),

@@ -1,9 +1,9 @@
-"""Groups that count for the nearest clearance: all but those that are, or come, together as the task needs it.
+"""Pairs that count for CLEARANCE: all monitored pairs except those that touch, or will touch, as the task needs it.
 
-Otherwise every capture, docking and berthing would raise an alarm. Only the conditions of capture judge a payload that
-the hand is lined up with. A probe or trunnions are lined up if a straight motion over the remaining way would make
-them touch inside their relation (`simulation.relations`). Their contacts are monitored all the same, and a contact that
-inhibits the arm counts.
+Otherwise every capture, docking and berthing would raise an alarm. Only the conditions of capture apply to a payload
+with which the end effector is aligned. A probe or trunnions are aligned if a straight motion over the remaining way
+would make them touch inside their relation (`payloads.relations`). Their contacts are still monitored, and a contact
+that inhibits the arm counts.
 """
 
 from __future__ import annotations
@@ -33,11 +33,12 @@ from aftdeck.worksite.watch.contacts import FRAMES, Contacts
 from aftdeck.worksite.watch.found import CLEARANCE
 
 WIDER, WIDEST = 2.0, 2.4
-"""Factors on the envelope's radius and angles [1]: lined up from inside the first until outside the second; assumed."""
+"""Factors on the capture envelope's radius and angles [1]: alignment begins inside the first and ends outside the
+second (assumed)."""
 
 
 def count(flight: Flight, state: State) -> None:
-    """Update the groups among which the next step finds the nearest, after this step has moved everything."""
+    """Update the pairs that count for the minimum clearance of the next step, after all motion of this step."""
     worksite = state.worksite
     worksite.watch.counts[:], worksite.aligned_with = alarm_pairs(
         flight, worksite.held, worksite.watch, worksite.frames, worksite.aligned_with, worksite.nearest,
@@ -56,55 +57,55 @@ def alarm_pairs(
     permitted: Mask,
     travel: float = inf,
 ) -> tuple[Mask, int | None]:
-    """Return the groups that count for the nearest clearance, and the cargo that the hand is lined up with.
+    """Return the pairs that count for the minimum clearance, and the payload with which the end effector is aligned.
 
     Args:
-        flight: constants of the flight.
-        held: the cargo in the hand, which then captures no other; None if the hand is empty.
-        watch: the watch after its look at `frames`.
+        flight: constants of the run.
+        held: the payload in the grasp; None if the grasp is empty.
+        watch: clearances that were measured at `frames`.
         frames: (F, 12) poses of all frames in L.
-        before: the cargo that the hand was lined up with until now; None if there was none.
-        nearest: the nearest group until now; -1 if there was none.
-        contacts: contacts of the step before; if hand and cargo inhibit the arm, their groups count after all.
-        permitted: (g,) groups of the task, except those that touch where their relation does not permit a contact.
-        travel: distance that two parts can close, at most, until the nearest is looked for [m].
+        before: the payload with which the end effector was aligned before this step; None if there was none.
+        nearest: the pair with the minimum clearance before this step; -1 if there was none.
+        contacts: contacts of the last step; if end effector and payload inhibit the arm, their pairs count after all.
+        permitted: (g,) pairs of the task, except those that touch where their relation does not permit a contact.
+        travel: greatest distance by which two parts can approach before the next minimum is found [m].
 
     Returns:
-        (g,) 1 for groups that should not touch, except those of the hand and the cargo that the hand is lined up with.
-        Then that cargo; None if there is none.
+        (g,) 1 for pairs that should not touch, except those of the end effector and the payload with which it is
+        aligned. Then that payload; None if there is none.
     """
     site = flight.site
     counts = site.detrimental.copy()
-    for group in _outside(site, watch, frames, nearest, permitted, travel):
+    for group in _outside_relation(site, watch, frames, nearest, permitted, travel):
         counts[group] = 1
     k = None
     if held is None and site.bar is not None:
-        k = _about_the_bar(site.bar, watch.placed)
+        k = _about_bar(site.bar, watch.placed)
     elif held is None and site.snares is not None:
-        k = _before_the_snares(site, site.snares, frames, before)
+        k = _before_snares(site, site.snares, frames, before)
     if k is None or (contacts.inhibit.arm and _inhibited(contacts, site.held[k])):
         return counts, k
     return counts & (1 - site.held[k]), k
 
 
 def _inhibited(contacts: Contacts, among: Mask) -> bool:
-    """Return whether a contact of one of these groups inhibits the arm."""
+    """Return whether a contact of one of the pairs `among` (g,) inhibits the arm."""
     return bool(np.any((contacts.count == FRAMES) & (contacts.essential == 0) & (contacts.arm != 0) & (among != 0)))
 
 
-def _outside(
+def _outside_relation(
     site: Site, watch: ClearanceMonitor, frames: Array, nearest: int, permitted: Mask, travel: float
 ) -> Iterator[int]:
-    """Yield the groups of the task that touch, or would touch, where their relation does not permit a contact.
+    """Yield the pairs of the task that touch, or would touch, where their relation does not permit a contact.
 
-    Groups that are too far apart to be the nearest are yielded as well. Arguments as for `alarm_pairs`.
+    Pairs that are too far apart for the minimum clearance are yielded as well. Arguments as for `alarm_pairs`.
     """
     known: dict[tuple[int, Relation], bool] = {}
-    farthest = NEAR  # nothing farther apart is lined up
-    if nearest >= 0 and site.detrimental[nearest]:  # a group farther apart cannot become the nearest
+    farthest = NEAR  # parts farther apart are not aligned
+    if nearest >= 0 and site.detrimental[nearest]:  # a pair farther apart cannot have the minimum clearance
         farthest = min(farthest, watch.found[nearest, CLEARANCE] + travel)
     for meeting in site.meetings:
-        g, of = meeting.group, (meeting.cargo, meeting.relation)
+        g, key = meeting.group, (meeting.cargo, meeting.relation)
         if not watch.active[g]:
             continue
         if watch.found[g, CLEARANCE] <= CONTACT:
@@ -113,34 +114,36 @@ def _outside(
         elif watch.bound[g] >= farthest:  # lower bound of the clearance
             yield g
         else:
-            if of not in known:
-                reported = any(other.group == nearest for other in site.meetings if (other.cargo, other.relation) == of)
-                known[of] = _lined_up(site, frames, meeting, reported=reported)
-            if not known[of]:
+            if key not in known:
+                reported = any(
+                    other.group == nearest for other in site.meetings if (other.cargo, other.relation) == key
+                )
+                known[key] = _is_aligned(site, frames, meeting, reported=reported)
+            if not known[key]:
                 yield g
 
 
-def _lined_up(site: Site, frames: Array, meeting: Meeting, *, reported: bool) -> bool:
-    """Return whether the two parts would touch inside their relation if they went on straight towards each other.
+def _is_aligned(site: Site, frames: Array, meeting: Meeting, *, reported: bool) -> bool:
+    """Return whether the two parts would touch inside their relation after a straight approach to each other.
 
-    If the nearest group until now is of this cargo and relation (`reported`), the parts have to touch inside by the
-    relation's depth, so that no lamp flickers. A hand is lined up with all of a payload at once; the caller finds that.
+    If the minimum clearance was of this payload and relation (`reported`), the parts have to touch inside by the
+    relation's depth, so that the lamp does not flicker. The caller finds alignment of the end effector.
     """
     k, depth = meeting.cargo, meeting.depth
     inside = depth if reported else 0.0
     match meeting.relation:
         case "docking":
             ports = (berth for berth in site.berths[k] if berth.port is not None)
-            return any(_before_the_port(site, frames, k, berth, depth, inside) for berth in ports)
+            return any(_before_port(site, frames, k, berth, depth, inside) for berth in ports)
         case "guides":
             guided = (berth for berth in site.berths[k] if berth.guides is not None)
-            return any(_over_the_guides(site, frames, k, berth, depth, inside) for berth in guided)
+            return any(_over_guides(site, frames, k, berth, depth, inside) for berth in guided)
         case "acquisition" | "capture":
             return False
 
 
-def _before_the_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
-    """Return whether the probe is before the port's face, and docking allows its place after a straight approach."""
+def _before_port(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
+    """Return whether the probe is before the port's face, and inside docking's tolerances after a straight approach."""
     row = site.cargo_row(k)
     found = approached(berth, frames, row)
     if found[BEFORE] < -depth or found[DISTANCE] > NEAR:
@@ -153,7 +156,7 @@ def _before_the_port(site: Site, frames: Array, k: int, berth: Berth, depth: flo
     return bool(found[INSIDE] >= inside and found[DISTANCE] <= berth.docking.distance - inside)
 
 
-def _over_the_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
+def _over_guides(site: Site, frames: Array, k: int, berth: Berth, depth: float, inside: float) -> bool:
     """Return whether every trunnion is over the mouth of its own V-guide, or in that mouth."""
     assert berth.guides is not None
     guides = berth.guides
@@ -162,8 +165,8 @@ def _over_the_guides(site: Site, frames: Array, k: int, berth: Berth, depth: flo
     return least >= -depth and most <= NEAR and room >= inside
 
 
-def _about_the_bar(bar: Bar, placed: Array) -> int | None:
-    """Return the cargo whose bar lies before the palm and between the fingers; None if there is none."""
+def _about_bar(bar: Bar, placed: Array) -> int | None:
+    """Return the payload whose bar is before the palm and between the fingers; None if there is none."""
     found = np.empty(FOUND)
     for k, which in enumerate(bar.which):
         if which is None:
@@ -174,8 +177,8 @@ def _about_the_bar(bar: Bar, placed: Array) -> int | None:
     return None
 
 
-def _before_the_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:
-    """Return the cargo whose pin is near the end effector's axis, in about the right attitude; None without one."""
+def _before_snares(site: Site, snares: Snares, frames: Array, before: int | None) -> int | None:
+    """Return the payload whose pin is aligned with the end effector in position and attitude; None if none is."""
     envelope = snares.envelope
     for k in range(len(snares.fixtures)):
         if (fixture := fixture_in_hand(site, frames, k)) is None:

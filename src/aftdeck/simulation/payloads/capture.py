@@ -12,7 +12,7 @@ from aftdeck.simulation.constants.flight import Flight
 from aftdeck.simulation.constants.hand import Bar, Snares
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.log import log, log_rejection
-from aftdeck.simulation.payloads.grasp import let_go, nearest_fixture, steer, take_hold
+from aftdeck.simulation.payloads.grasp import attach, empty_grasp, nearest_fixture, update_steering
 from aftdeck.simulation.payloads.mechanism import is_blocked
 from aftdeck.simulation.payloads.seating import stay_or_leave
 from aftdeck.simulation.state import State
@@ -30,20 +30,20 @@ def capture(flight: Flight, state: State, inputs: Inputs) -> None:
     """Capture or release a payload, as the end effector's conditions allow.
 
     Args:
-        flight: constants of the flight.
-        state: at the end of the step, with all frames updated.
+        flight: constants of the run.
+        state: state at the end of the step, with all frames updated.
         inputs: inputs of this step; the snares are triggered if `inputs.effector` is not None.
     """
     if state.script.attached:
-        _keep(flight, state, inputs)
+        _reject_switches(flight, state, inputs)
     elif flight.site.bar is not None:
-        _prong(flight, state, flight.site.bar)
+        _capture_by_prong(flight, state, flight.site.bar)
     elif flight.site.snares is not None:
-        _snares(flight, state, flight.site.snares, pressed=inputs.effector is not None)
+        _move_snares(flight, state, flight.site.snares, pressed=inputs.effector is not None)
 
 
-def _keep(flight: Flight, state: State, inputs: Inputs) -> None:
-    """Reject every motion of an end effector whose payload the scenario fixes in the grasp."""
+def _reject_switches(flight: Flight, state: State, inputs: Inputs) -> None:
+    """Reject every command that moves the end effector while the scenario fixes a payload in its grasp."""
     for switch in (inputs.effector, inputs.rigid):
         if switch in ("close", "open", "rigid", "derigid"):
             log_rejection(
@@ -54,8 +54,8 @@ def _keep(flight: Flight, state: State, inputs: Inputs) -> None:
             )
 
 
-def _prong(flight: Flight, state: State, bar: Bar) -> None:
-    """Acquire a payload if the six conditions hold; release it once the fingers are farther apart than allowed."""
+def _capture_by_prong(flight: Flight, state: State, bar: Bar) -> None:
+    """Capture a payload if the six conditions hold; release it once the fingers are farther apart than allowed."""
     worksite = state.worksite
     if worksite.held is not None:
         if bar.fixed_finger - worksite.prong.position > bar.tolerances.spacing:
@@ -64,11 +64,11 @@ def _prong(flight: Flight, state: State, bar: Bar) -> None:
     found = np.empty(FOUND)
     for k, which in enumerate(bar.which):
         if which is not None and acquire(worksite.watch.placed, which, bar.packed, found):
-            _acquired(flight, state, k)
+            _attach(flight, state, k)
             return
 
 
-def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None:
+def _move_snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None:
     """Move the snares and the carriage by one step of CAPTURE, RELEASE or MAN CONTR."""
     worksite, scenario = state.worksite, flight.scenario
     held = k = worksite.held
@@ -83,20 +83,20 @@ def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None
         _TRIGGERS[worksite.switch] if pressed else "",
         _CONTR[worksite.rigid],
     )
-    snare, said = advance(
+    snare, lines = advance(
         worksite.snare, snares.times, command, scenario.control_period, conditions, scenario.arm.model.units
     )
-    halted = (
+    blocked = (
         held is not None and snare.drawn != worksite.snare.drawn and not _draw_in(flight, state, snares, held, snare)
     )
-    for line in said:
-        if line.kind == "refused" or not halted:
+    for line in lines:
+        if line.kind == "refused" or not blocked:
             log(flight, state, line.kind, line.level, line.text)
-    if halted:
+    if blocked:
         return
     worksite.snare = snare
     if held is None and k is not None and snare.captured:
-        _acquired(flight, state, k)
+        _attach(flight, state, k)
     elif held is not None and not snare.captured:
         _release(flight, state, held)
 
@@ -104,45 +104,45 @@ def _snares(flight: Flight, state: State, snares: Snares, pressed: bool) -> None
 def _draw_in(flight: Flight, state: State, snares: Snares, k: int, snare: Snare) -> bool:
     """Draw the pin towards its seat, from the next step on; return False if that would make or deepen a contact.
 
-    A payload that is fixed stays, and the arm gives way (assumed). The carriage's travel during that time is not made
-    up later, so that the payload does not jump when it is unlatched.
+    A fixed payload does not move (assumed: the arm yields). The carriage's travel during that time is not made up
+    later, so that the payload does not jump when it is unlatched.
     """
     site, worksite = flight.site, state.worksite
-    thing = worksite.cargo[k]
-    if thing.seat or thing.fixture_at_capture is None:
+    payload = worksite.cargo[k]
+    if payload.seat or payload.fixture_at_capture is None:
         return True
     left, pin, grasp, drawn = np.empty(POSE), np.empty(POSE), np.empty(POSE), np.empty(POSE)
-    remaining(np.array(thing.fixture_at_capture), 1.0 - (snare.drawn - thing.drawn_at_capture), left)
+    remaining(np.array(payload.fixture_at_capture), 1.0 - (snare.drawn - payload.drawn_at_capture), left)
     compose(site.effector, left, pin)
     compose(pin, inverse(snares.fixture(k)), grasp)
     compose(worksite.frames[site.last_joint], grasp, drawn)
     if is_blocked(flight, state, k, drawn, "carriage"):
         return False
-    thing.grasp = grasp.tolist()
+    payload.grasp = grasp.tolist()
     worksite.update_carrier(site, k)
     if snare.drawn == 1.0:
-        thing.steered = thing.grasp
-        steer(flight, state)
+        payload.steered = payload.grasp
+        update_steering(flight, state)
     return True
 
 
-def _acquired(flight: Flight, state: State, k: int) -> None:
-    """Attach a captured payload to the arm, which ends MODE 1.
+def _attach(flight: Flight, state: State, k: int) -> None:
+    """Attach a captured payload to the arm, which ends task phase 1.
 
-    A payload that merely lies in the concept's bay leaves its seat.
+    A payload in a passive berth leaves it.
     """
-    site, thing = flight.site, state.worksite.cargo[k]
-    if thing.seat and site.is_passive_berth(thing.seat):
-        thing.seat = ""
-    take_hold(flight, state, k)
-    fixed = f", fixed in the {site.seat(thing.seat).title}" if thing.seat else ""
+    site, payload = flight.site, state.worksite.cargo[k]
+    if payload.seat and site.is_passive_berth(payload.seat):
+        payload.seat = ""
+    attach(flight, state, k)
+    fixed = f", fixed in the {site.seat(payload.seat).title}" if payload.seat else ""
     log(flight, state, "acquired", "info", f"{site.cargo[k].title} acquired{fixed}")
 
 
 def _release(flight: Flight, state: State, k: int) -> None:
-    """Release a payload, which then stays in its seat, or floats free and keeps its velocity."""
-    site, thing = flight.site, state.worksite.cargo[k]
-    let_go(flight, state, k)
+    """Release a payload, which then stays in a berth, or floats free with its present velocity."""
+    site, payload = flight.site, state.worksite.cargo[k]
+    empty_grasp(flight, state, k)
     stay_or_leave(flight, state, k)
-    where = f"it stays in the {site.seat(thing.seat).title}" if thing.seat else "it is free"
+    where = f"it stays in the {site.seat(payload.seat).title}" if payload.seat else "it is free"
     log(flight, state, "released", "info", f"{site.cargo[k].title} released: {where}")

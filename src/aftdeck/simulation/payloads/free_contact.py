@@ -1,9 +1,9 @@
 """Contacts of a floating payload with the arm, the walls and other payloads; the payload passes through none of them.
 
-The plant does not model forces. The impulse of such a contact is therefore unknown, and the contact does not move what
-the body meets. The contact stops the body, or reflects the body if the scenario says so (`free_contact`). A body with
+The plant does not model forces. The impulse of such a contact is therefore unknown, and the contact does not move the
+other body. The contact stops the body, or reflects it if the scenario's `free_contact` is "reflect". A body with
 attitude control holds its attitude until the way is free, and then continues in its deadband. The body stops before its
-own motion makes a contact, so that motion never inhibits the arm.
+own motion makes a contact, so that this motion never inhibits the arm.
 """
 
 from __future__ import annotations
@@ -25,28 +25,28 @@ from aftdeck.worksite.watch.found import CLEARANCE, NORMAL, POINT_A, POINT_B
 from aftdeck.worksite.watch.motion import motion
 
 HALVINGS = 8
-"""Bisections of the step in which a body meets something: the body stops within 1/256 of its way in the step."""
+"""Bisections of the step in which a body touches another: the body stops within 1/256 of its way in the step."""
 
 
 def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floating:
-    """Return the free flight of a cargo one control period later, stopped or reflected by what the cargo meets.
+    """Return the free flight of a payload one control period later, stopped or reflected by the parts that it touches.
 
-    If nothing is near, the result is `floating` itself, moved on.
+    If no part is near, the result is `floating` itself after its motion.
 
     Args:
-        flight: constants of the flight.
-        state: state in which all else has been moved in this step.
-        k: the cargo.
-        floating: the cargo's free flight until now.
+        flight: constants of the run.
+        state: state in which everything else has already moved in this step.
+        k: the payload.
+        floating: the payload's free flight before this step.
     """
     period, worksite = flight.scenario.control_period, state.worksite
-    if not measured(worksite.watch.found, flight.site.of_cargo[k]):  # nothing is near enough to be met in this step
+    if not measured(worksite.watch.found, flight.site.of_cargo[k]):  # no part is near enough to touch in this step
         floating.move(period)
         floating.met = False
         return floating
     after = floating.moved(period)
     here = looked_at(worksite.watch, _frames(flight, state, k, floating))
-    group = _met(flight, state, k, here, after)
+    group = _group_in_contact(flight, state, k, here, after)
     if group < 0:
         after.met = False
         return after
@@ -55,7 +55,7 @@ def drifted(flight: Flight, state: State, k: int, floating: Floating) -> Floatin
 
 @law
 def measured(found: Array, groups: Mask) -> bool:
-    """Return whether the clearance of any of these groups, (g,) 1 for each, was small enough to be measured."""
+    """Return whether the clearance of any pair in `groups` (g,) was small enough to be measured."""
     near = False
     for g in range(len(groups)):
         near = near or (groups[g] != 0 and found[g, CLEARANCE] < np.inf)
@@ -63,54 +63,55 @@ def measured(found: Array, groups: Mask) -> bool:
 
 
 def _frames(flight: Flight, state: State, k: int, floating: Floating) -> Array:
-    """Set cargo k to the pose of a free flight, and return the poses of all frames in L, (F, 12)."""
+    """Set payload k to the pose of a free flight, and return the poses of all frames in L, (F, 12)."""
     state.worksite.poses_in_carrier[k] = floating.pose
     return frames_with_prong_at(flight, state, state.worksite.prong.position)
 
 
-def _met(flight: Flight, state: State, k: int, here: ClearanceMonitor, after: Floating) -> int:
-    """Return the group in which a motion of cargo k makes or deepens a contact; -1 if there is none."""
+def _group_in_contact(flight: Flight, state: State, k: int, here: ClearanceMonitor, after: Floating) -> int:
+    """Return the pair in which a motion of payload k makes or deepens a contact; -1 if there is none."""
     return worst_new_contact(here, flight.site.of_cargo[k], _frames(flight, state, k, after))
 
 
 def _stopped(flight: Flight, state: State, k: int, floating: Floating, here: ClearanceMonitor, group: int) -> Floating:
-    """Return the free flight of a body that stops against what it met, or is reflected; log a new contact."""
+    """Return the free flight of a body that a contact stops or reflects; log a new contact."""
     period, site = flight.scenario.control_period, flight.site
     free, share = 0.0, 0.5
     for _ in range(0 if floating.met else HALVINGS):
-        clear = _met(flight, state, k, here, floating.moved((free + share) * period)) < 0
+        clear = _group_in_contact(flight, state, k, here, floating.moved((free + share) * period)) < 0
         free, share = free + share if clear else free, 0.5 * share
     stopped = floating.moved(free * period)
     first = site.layout.frames[site.layout.between_frames[group, 0]] == site.cargo[k].name
     row = here.found[group]
-    into = row[NORMAL : NORMAL + 3] if first else -row[NORMAL : NORMAL + 3]
+    normal = row[NORMAL : NORMAL + 3] if first else -row[NORMAL : NORMAL + 3]
     point = row[POINT_A : POINT_A + 3] if first else row[POINT_B : POINT_B + 3]
     frames = _frames(flight, state, k, floating)
-    arm = point - frames[site.cargo_row(k), :3]
+    lever = point - frames[site.cargo_row(k), :3]
     other = int(site.layout.between_frames[group, 1 if first else 0])
-    against = _velocity(flight, state, site.layout.frames[other])
-    surface = against + _of_arm(flight, state, frames, other, point)
-    straight, turning = _closing(floating, surface, arm, into)
+    other_velocity = _velocity(flight, state, site.layout.frames[other])
+    surface = other_velocity + _of_arm(flight, state, frames, other, point)
+    approach, sweep = _closing(floating, surface, lever, normal)
     reflects = flight.scenario.free_contact == "reflect" and not floating.met
     if reflects:
-        stopped.motion[3:] -= 2.0 * max(straight, 0.0) * into
+        stopped.motion[3:] -= 2.0 * max(approach, 0.0) * normal
     else:
-        stopped.motion[3:] = against
+        stopped.motion[3:] = other_velocity
     if floating.cycle is None:
-        stopped.motion[:3] *= 0.0 if not reflects else -1.0 if turning > 0.0 else 1.0
+        stopped.motion[:3] *= 0.0 if not reflects else -1.0 if sweep > 0.0 else 1.0
     if not floating.met:
-        what, whom = site.layout.named(group) if first else reversed(site.layout.named(group))
-        speed = quantity_text(straight + turning, "m", flight.scenario.arm.model.units) + "/s"
+        own_part, other_part = site.layout.named(group) if first else reversed(site.layout.named(group))
+        speed = quantity_text(approach + sweep, "m", flight.scenario.arm.model.units) + "/s"
         done = "is reflected" if reflects else "stops"
-        log(flight, state, "bump", "caution", f"{what} meets {whom} at {speed} and {done}; impulse unknown")
+        text = f"{own_part} touches {other_part} at {speed} and {done}; impulse unknown"
+        log(flight, state, "bump", "caution", text)
     stopped.met = True
     return stopped
 
 
 def _velocity(flight: Flight, state: State, frame: str) -> Array:
-    """Return the velocity in space (3,) of the frame that a body met, in L's axes [m/s].
+    """Return the velocity in space (3,) of the frame that a body touched, in L's axes [m/s].
 
-    Parts of the arm count as moving with the orbiter: the arm does not carry along a body that stops against it.
+    Parts of the arm count as moving with the orbiter: the arm does not carry a body that it stops.
     """
     site, worksite = flight.site, state.worksite
     for k, one in enumerate(site.cargo):
@@ -133,7 +134,7 @@ def _of_arm(flight: Flight, state: State, frames: Array, frame: int, point: Arra
     return np.array([now.vx, now.vy, now.vz]) + np.cross(turn, point - frames[frame, :3])
 
 
-def _closing(floating: Floating, against: Array, arm: Array, into: Array) -> tuple[float, float]:
-    """Return the speeds at which a touching point closes, from the body's velocity and from its rotation [m/s]."""
+def _closing(floating: Floating, other_velocity: Array, lever: Array, normal: Array) -> tuple[float, float]:
+    """Return the closing speeds at a touching point that result from the body's velocity and its rotation [m/s]."""
     turn = floating.pose[3:].reshape(3, 3) @ floating.motion[:3]
-    return float((floating.motion[3:] - against) @ into), float(np.cross(turn, arm) @ into)
+    return float((floating.motion[3:] - other_velocity) @ normal), float(np.cross(turn, lever) @ normal)

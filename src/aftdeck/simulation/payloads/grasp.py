@@ -1,4 +1,4 @@
-"""Grasp of a worksite payload: its pose while held and after release, and the arm's steering with the payload."""
+"""Grasp of a payload of the worksite: its pose while held and after release, and the arm's steering with it."""
 
 from __future__ import annotations
 
@@ -21,46 +21,46 @@ from aftdeck.worksite.capture.snare import Snare
 from aftdeck.worksite.watch.motion import motion
 
 NEAR = 3.0
-"""Distance from the hand beyond which no capture of a bar or a fixture is under way [m]."""
+"""Distance of a bar or a fixture from the end effector beyond which it is not being captured [m]."""
 
 
-def take_hold(flight: Flight, state: State, k: int) -> None:
-    """Attach a cargo to the frame of the last joint, in the cargo's present pose (MO2SET)."""
+def attach(flight: Flight, state: State, k: int) -> None:
+    """Attach a payload to the frame of the last joint, in the payload's present pose (MO2SET)."""
     worksite = state.worksite
     worksite.cargo[k].held, worksite.floating[k] = True, None
-    regrasp(flight, state, k)
+    reset_grasp(flight, state, k)
     worksite.update_attachments(flight.site)
 
 
-def regrasp(flight: Flight, state: State, k: int) -> None:
-    """Set the grasp of a held cargo, and the steering with the cargo, to the present pose.
+def reset_grasp(flight: Flight, state: State, k: int) -> None:
+    """Set the grasp of a held payload, and the steering with the payload, to the present pose.
 
-    From now on the carriage draws in what remains of the misalignment.
+    From this pose the carriage draws in the remaining misalignment.
     """
-    thing = state.worksite.cargo[k]
-    thing.grasp = thing.steered = in_hand(flight, state, k).tolist()
+    payload = state.worksite.cargo[k]
+    payload.grasp = payload.steered = pose_in_hand(flight, state, k).tolist()
     if (fixture := fixture_in_hand(flight.site, state.worksite.frames, k)) is not None:
-        thing.fixture_at_capture, thing.drawn_at_capture = fixture.tolist(), state.worksite.snare.drawn
-    steer(flight, state)
+        payload.fixture_at_capture, payload.drawn_at_capture = fixture.tolist(), state.worksite.snare.drawn
+    update_steering(flight, state)
 
 
-def steer(flight: Flight, state: State) -> None:
+def update_steering(flight: Flight, state: State) -> None:
     """Set the steering to the payload in the grasp and to the limits of the script's phase.
 
     The steering takes a worksite payload's mass, its axes and, as point of resolution, its centre.
     """
     scenario, script, payload = flight.scenario, state.script, None
-    for k, thing in enumerate(state.worksite.cargo):
-        if thing.held:
-            payload = _payload(flight, k, np.array(thing.steered))
+    for k, worksite_payload in enumerate(state.worksite.cargo):
+        if worksite_payload.held:
+            payload = _payload(flight, k, np.array(worksite_payload.steered))
     if script.attached:
         payload = scenario.own_payloads[script.attached - 1]
     limits = scenario.phases[script.limits].limits if script.limits >= 0 else None
     state.carried = steering_setup(scenario, payload, limits)
 
 
-def put_effector(flight: Flight, state: State, *, holding: bool) -> None:
-    """Set the end effector as with a payload in its grasp (prong closed or snares rigid), or as with none."""
+def set_effector(flight: Flight, state: State, *, holding: bool) -> None:
+    """Set the end effector to its state with a payload (prong closed or snares rigid), or with an empty grasp."""
     worksite = state.worksite
     if flight.site.prong:
         worksite.prong.position = flight.prong.high if holding else flight.prong.low
@@ -72,7 +72,7 @@ def put_effector(flight: Flight, state: State, *, holding: bool) -> None:
 def packed_in_grasp(flight: Flight, state: State) -> Array | None:
     """Return the payload in the grasp as `Payload.packed`, in its present pose; None if the grasp is empty.
 
-    Carriage and latches change the pose of a worksite payload in the hand.
+    Carriage and latches change the pose of a worksite payload in the end effector.
     """
     site, k = flight.site, state.worksite.held
     if k is None:
@@ -84,30 +84,30 @@ def packed_in_grasp(flight: Flight, state: State) -> Array | None:
 
 
 def _payload(flight: Flight, k: int, grasp: Array) -> Payload:
-    """Return cargo k as the arm's laws take it, held with the pose `grasp` (12,) in the frame of the last joint."""
+    """Return payload k in the form of the arm's laws, held with the pose `grasp` (12,) in the last joint's frame."""
     inside = np.empty(POSE)
     relative(flight.site.hand, grasp, inside)
     rotation = inside[3:].reshape(3, 3).copy()
     return Payload(flight.site.cargo[k].mass, rotation, rotation.T @ inside[:3], np.zeros(3))
 
 
-def in_hand(flight: Flight, state: State, k: int) -> Array:
-    """Return a cargo's pose (12,) in the frame of the last joint."""
+def pose_in_hand(flight: Flight, state: State, k: int) -> Array:
+    """Return a payload's pose (12,) in the frame of the last joint."""
     site, frames, grasp = flight.site, state.worksite.frames, np.empty(POSE)
     relative(frames[site.last_joint], frames[site.cargo_row(k)], grasp)
     return grasp
 
 
 def fixture_in_hand(site: Site, frames: Array, k: int) -> Array | None:
-    """Return the pose (12,) of a cargo's grapple fixture in the end effector's axes E.
+    """Return the pose (12,) of a payload's grapple fixture in the end effector's axes E.
 
     Args:
         site: constants of the worksite.
         frames: (F, 12) poses of all frames in L.
-        k: the cargo.
+        k: the payload.
 
     Returns:
-        The pose; None if the hand has no snares or the cargo no fixture.
+        The pose; None if the end effector has no snares or the payload no fixture.
     """
     fixture = site.snares.fixtures[k] if site.snares is not None else None
     if fixture is None:
@@ -118,7 +118,7 @@ def fixture_in_hand(site: Site, frames: Array, k: int) -> Array | None:
 
 
 def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple[int, Array] | None:
-    """Return the cargo whose fixture is nearest, and the fixture's pose (12,) in E; None beyond `within` [m]."""
+    """Return the payload whose fixture is nearest, and the fixture's pose (12,) in E; None beyond `within` [m]."""
     best, least = None, within
     for k in range(len(flight.site.cargo)):
         fixture = fixture_in_hand(flight.site, state.worksite.frames, k)
@@ -127,29 +127,29 @@ def nearest_fixture(flight: Flight, state: State, within: float = NEAR) -> tuple
     return best
 
 
-def let_go(flight: Flight, state: State, k: int) -> None:
+def empty_grasp(flight: Flight, state: State, k: int) -> None:
     """Empty the grasp; enter ORB UNL if the present mode moves a payload."""
     worksite, panel = state.worksite, state.panel
-    thing = worksite.cargo[k]
-    thing.held, thing.grasp, thing.fixture_at_capture, thing.steered, thing.drawn_at_capture = (
+    payload = worksite.cargo[k]
+    payload.held, payload.grasp, payload.fixture_at_capture, payload.steered, payload.drawn_at_capture = (
         False,
         None,
         None,
         None,
         0.0,
     )
-    steer(flight, state)
+    update_steering(flight, state)
     if MODES[panel.mode].loaded:
         panel.mode, panel.rate_hold_sticks, panel.position_hold_target, panel.sequence = "ORB UNL", None, None, "idle"
-        log(flight, state, "mode", "info", "ORB UNL entered: nothing is in the grasp any more")
+        log(flight, state, "mode", "info", "ORB UNL entered: the grasp is now empty")
     worksite.update_attachments(flight.site)
 
 
-def set_free(flight: Flight, state: State, k: int, from_space: bool) -> None:
-    """Let a cargo that nothing holds any more float on with its present motion and its attitude control.
+def start_free_flight(flight: Flight, state: State, k: int, from_space: bool) -> None:
+    """Start the free flight of a released payload, with its present motion and its attitude control.
 
-    A cargo that was fixed in space rests there. A cargo that was held moves as the hand did, with the orbiter's
-    velocity.
+    A payload that was fixed in space stays at rest. A payload that was held has the velocity of the end effector, the
+    orbiter's velocity included.
     """
     site, worksite = flight.site, state.worksite
     row = site.cargo_row(k)

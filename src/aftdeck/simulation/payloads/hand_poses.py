@@ -1,4 +1,4 @@
-"""Poses of a payload and of its grapple fixture in the hand, each in one compiled call."""
+"""Poses of a payload and of its grapple fixture relative to the end effector, each in one compiled call."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from aftdeck.law import law
 
 @law
 def payload_in_hand(frames: Array, last_joint: int, row: int, hand: Array, packed: Array) -> None:
-    """Write a payload's pose in the hand, packed as by `Payload.packed`, with its centre as its point of resolution.
+    """Write a payload's pose in frame 7 into `packed`, as `Payload.packed` does, with its centre as POR.
 
     Args:
         frames: (F, 12) poses of all frames in L.
-        last_joint: row of the frame that carries the hand.
+        last_joint: row of the frame of the last joint.
         row: row of the payload.
-        hand: (12,) pose of the hand in the frame that carries it.
+        hand: (12,) pose of frame 7 in the frame of the last joint.
         packed: (15,) out.
     """
     grasp, inside = np.empty(POSE), np.empty(POSE)
@@ -37,7 +37,7 @@ def fixture_in_effector(
 
     Args:
         frames: (F, 12) poses of all frames in L.
-        last_joint: row of the frame that carries the end effector.
+        last_joint: row of the frame of the last joint.
         effector: (12,) pose of E in that frame.
         row: row of the payload.
         fixture: (12,) pose of the fixture in the payload.

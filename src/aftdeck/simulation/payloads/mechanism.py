@@ -1,4 +1,4 @@
-"""Contact check of the mechanisms that move a held payload: carriage and latches stop before a contact."""
+"""Contact check of carriage and latches, which move a held payload and stop before a contact."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from aftdeck.worksite.watch.contact_motion import worst_new_contact
 
 
 def is_blocked(flight: Flight, state: State, k: int, pose: Array, what: str) -> bool:
-    """Return whether a mechanism must stop because drawing in cargo k would make or deepen a contact.
+    """Return whether a mechanism must stop because drawing in payload k would make or deepen a contact.
 
-    The stop is logged once. Walls along which the cargo slides count as well: a mechanism does not slide the cargo.
+    The stop is logged once. Walls along which the payload slides count as well: a mechanism does not slide the payload.
     Essential contacts that their relation permits do not count.
 
     Args:
         flight: constants of the run.
         state: state whose contacts are up to date.
-        k: index of the cargo, which is held.
-        pose: (12,) pose to which the mechanism would draw the cargo, in L.
+        k: index of the payload, which is held.
+        pose: (12,) pose to which the mechanism would draw the payload, in L.
         what: name of the mechanism, for the log.
     """
     site, worksite = flight.site, state.worksite
@@ -28,6 +28,7 @@ def is_blocked(flight: Flight, state: State, k: int, pose: Array, what: str) -> 
     group = worst_new_contact(worksite.watch, worksite.contacts.arm & (1 - worksite.permitted), after)
     if group >= 0 and not worksite.waiting:
         a, b = site.layout.named(group)
-        log(flight, state, "waits", "caution", f"the {what} waits: it would bring {a} deeper into {b}")
+        text = f"{what} stopped: {a} would penetrate {b} further; move the payload clear"
+        log(flight, state, "waits", "caution", text)
     worksite.waiting = group >= 0
     return worksite.waiting

@@ -1,4 +1,4 @@
-"""Present objective of the hand (capture, docking or berthing) and its conditions, as the panel displays them."""
+"""Present objective (capture, docking or berthing) and its conditions, as the panel displays them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Pursued = tuple[Objective | None, tuple[Condition, ...]]
 
 
 def present_objective(flight: Flight, state: State) -> Pursued:
-    """Return the present objective and its conditions; None and () if nothing is near enough."""
+    """Return the present objective and its conditions; None and () if no fixture, bar or berth is near enough."""
     site, worksite = flight.site, state.worksite
     if (k := worksite.held) is not None:
         berth = None if worksite.arm_fixed else nearest_berth(flight, state, k)
@@ -38,7 +38,7 @@ def present_objective(flight: Flight, state: State) -> Pursued:
 
 
 def holding(flight: Flight, state: State, k: int) -> tuple[Condition, ...]:
-    """Return the conditions of capture at the present grasp of cargo k; () if the worksite has no rule for it."""
+    """Return the conditions of capture at the present grasp of payload k; () if the worksite has no rule for it."""
     site = flight.site
     if site.bar is not None and (which := site.bar.which[k]) is not None:
         found = np.empty(FOUND)

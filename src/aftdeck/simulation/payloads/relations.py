@@ -1,6 +1,6 @@
 """Essential contacts: the relative positions and depths at which two parts may touch because the task needs it.
 
-Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision is essential where the two stand "in the
+Source: *Remote Manipulator Simulation*, final report, chapter IV: a collision is essential if the two parts are "in the
 physical relationship required to achieve acquisition". Outside this relation, or deeper than the worksite's file
 allows, a contact of the same two parts is detrimental.
 """
@@ -28,7 +28,7 @@ from aftdeck.worksite.watch.found import CLEARANCE
 
 
 def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
-    """Return which groups of parts may be in contact at their present positions.
+    """Return the pairs of parts that may be in contact at their present positions.
 
     Args:
         site: constants of the worksite.
@@ -36,15 +36,15 @@ def permitted(site: Site, watch: ClearanceMonitor, frames: Array) -> Mask:
         frames: (F, 12) pose of each frame, in L.
 
     Returns:
-        (g,) 1 for groups that the task brings into contact; 0 for all others. It is also 0 for a group of the task
-        that touches outside its relation, or deeper than its relation permits. A group that does not touch keeps 1.
+        (g,) 1 for pairs that the task brings into contact; 0 for all others, and for a pair of the task that touches
+        outside its relation or deeper than its relation permits. A pair of the task that does not touch has 1.
     """
-    may = site.essential.copy()
+    allowed = site.essential.copy()
     for meeting in site.meetings:
         clearance = watch.found[meeting.group, CLEARANCE]
         if clearance <= CONTACT and not (clearance >= -meeting.depth and _related(site, watch, frames, meeting)):
-            may[meeting.group] = 0
-    return may
+            allowed[meeting.group] = 0
+    return allowed
 
 
 def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meeting) -> bool:
@@ -52,18 +52,18 @@ def _related(site: Site, watch: ClearanceMonitor, frames: Array, meeting: Meetin
     k, depth = meeting.cargo, meeting.depth
     match meeting.relation:
         case "acquisition":
-            return _about_the_bar(site, watch.placed, k, depth)
+            return _about_bar(site, watch.placed, k, depth)
         case "docking":
             ports = (berth for berth in site.berths[k] if berth.port is not None)
-            return any(_at_the_port(site, frames, k, berth, depth) for berth in ports)
+            return any(_at_port(site, frames, k, berth, depth) for berth in ports)
         case "guides":
             guided = (berth for berth in site.berths[k] if berth.guides is not None)
-            return any(_in_the_mouth(site, watch.placed, frames, meeting, berth) for berth in guided)
+            return any(_in_mouth(site, watch.placed, frames, meeting, berth) for berth in guided)
         case "capture":
-            return _in_the_envelope(site, frames, k, depth)
+            return _in_envelope(site, frames, k, depth)
 
 
-def _about_the_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
+def _about_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
     """Return whether the bar is before the palm and between the fingers: conditions 1 to 3 of acquisition."""
     if site.bar is None or (which := site.bar.which[k]) is None:
         return False
@@ -72,20 +72,20 @@ def _about_the_bar(site: Site, placed: Array, k: int, depth: float) -> bool:
     return bool(min(found[PALM], found[FIXED], found[PRONG]) >= -depth)
 
 
-def _at_the_port(site: Site, frames: Array, k: int, berth: Berth, depth: float) -> bool:
+def _at_port(site: Site, frames: Array, k: int, berth: Berth, depth: float) -> bool:
     """Return whether the probe is in the docking envelope, and its face within the docking distance of the port."""
     found = approached(berth, frames, site.cargo_row(k))
     return bool(found[BEFORE] >= -depth and found[INSIDE] >= -depth and found[DISTANCE] <= berth.docking.distance)
 
 
 def trunnions_at(site: Site, frames: Array, k: int, berth: Berth) -> Array:
-    """Return the positions (n, 3) of a cargo's trunnions in the frame that a seat is fixed in [m]."""
-    stands = np.empty(POSE)
-    relative(frames[berth.row], frames[site.cargo_row(k)], stands)
-    return places(site.cargo[k].trunnions, pose_of(stands))
+    """Return the positions (n, 3) of a payload's trunnions in the frame to which a berth is fixed [m]."""
+    in_frame = np.empty(POSE)
+    relative(frames[berth.row], frames[site.cargo_row(k)], in_frame)
+    return places(site.cargo[k].trunnions, pose_of(in_frame))
 
 
-def _in_the_mouth(site: Site, placed: Array, frames: Array, meeting: Meeting, berth: Berth) -> bool:
+def _in_mouth(site: Site, placed: Array, frames: Array, meeting: Meeting, berth: Berth) -> bool:
     """Return whether every trunnion in contact is inside the mouth of its own V-guide."""
     assert berth.guides is not None
     room = inside(trunnions_at(site, frames, meeting.cargo, berth), berth.guides)
@@ -93,7 +93,7 @@ def _in_the_mouth(site: Site, placed: Array, frames: Array, meeting: Meeting, be
 
 
 def _touching(site: Site, placed: Array, meeting: Meeting) -> set[int]:
-    """Return the indices of the group's trunnions that are in contact."""
+    """Return the indices of the pair's trunnions that are in contact."""
     layout, found = site.layout, set()
     for i, j in layout.pairs[layout.begins[meeting.group] : layout.begins[meeting.group + 1]].tolist():
         trunnion = meeting.trunnions[i if i in meeting.trunnions else j]
@@ -102,10 +102,10 @@ def _touching(site: Site, placed: Array, meeting: Meeting) -> set[int]:
     return found
 
 
-def _in_the_envelope(site: Site, frames: Array, k: int, depth: float) -> bool:
+def _in_envelope(site: Site, frames: Array, k: int, depth: float) -> bool:
     """Return whether the pin is in the capture envelope, without the envelope's outer end.
 
-    The snares reach beyond that end, and the base of the fixture may be touched.
+    The snares reach beyond that end, and may touch the base of the fixture.
     """
     if site.snares is None or (fixture := fixture_in_hand(site, frames, k)) is None:
         return False

@@ -1,6 +1,6 @@
 """Sliding along walls: the commanded rates are replaced by rates that keep a payload out of its walls.
 
-Remote Manipulator Simulation, final report, section VII.4.
+Source: Remote Manipulator Simulation, final report, section VII.4.
 """
 
 from __future__ import annotations
@@ -18,23 +18,23 @@ from aftdeck.worksite.sliding.walls import met, slid
 from aftdeck.worksite.watch.contact_motion import deeper
 
 OUT = 0.01
-"""Speed at which a cargo that overlaps a wall is moved out of it [m/s] (assumed)."""
+"""Speed at which a payload that overlaps a wall is moved out of it [m/s] (assumed)."""
 INTO = 1e-7
-"""Greatest increase of a cargo's depth in a wall in one step [m]; more means a contact missing from the touches."""
+"""Greatest increase of a payload's depth in a wall in one step [m]; more shows that the touches lack a contact."""
 
 
 def slide_along(flight: Flight, state: State, telescope: float, held: int) -> float | None:
-    """Change the commanded rates so that the held cargo does not move into the walls that it may slide along.
+    """Change the commanded rates so that the held payload does not move into the walls that it may slide along.
 
     Args:
         flight: constants of the run.
         state: state with the step's commanded rates, which are changed.
-        telescope: commanded drive of the stand, in [-1, 1].
-        held: index of the cargo in the grasp.
+        telescope: commanded drive of the telescope, in [-1, 1].
+        held: index of the payload in the grasp.
 
     Returns:
-        Allowed drive of the stand, in [-1, 1]: the stand stops at a wall. None if the arm must stop to keep the cargo
-        out of a wall.
+        Allowed drive of the telescope, in [-1, 1]; the telescope stops at a wall. None if the arm must stop to keep the
+        payload out of a wall.
     """
     site, worksite, period = flight.site, state.worksite, flight.scenario.control_period
     counts, travel = site.slides[held], flight.telescope
@@ -56,7 +56,7 @@ def slide_along(flight: Flight, state: State, telescope: float, held: int) -> fl
 
 
 def _room(found: Array, speed: float) -> float:
-    """Return the fraction, 0 to 1, of the stand's speed along axis 3 [m/s] that takes no touch (k, 7) into its wall."""
+    """Return the fraction, 0 to 1, of the telescope's speed along axis 3 [m/s] at which no touch (k, 7) deepens."""
     into, gap = -speed * found[:, OUTWARD + 2], np.maximum(-found[:, LEAST], 0.0)
     held_up = into > gap
     return float((gap[held_up] / into[held_up]).min(initial=1.0))

@@ -1,4 +1,4 @@
-"""Task phases, the report's modes 1 to 4: acquisition, extraction, manoeuvring, docked; they change automatically."""
+"""Task phases, the report's modes 1 to 4: acquisition, extraction, manoeuvring, docked. They change automatically."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ TASKS = {ACQUISITION: "acquisition", EXTRACTION: "extraction", MANOEUVRING: "man
 
 
 def change_task(flight: Flight, state: State) -> None:
-    """Set the report's mode from the present state, and log a change."""
+    """Set the task phase from the present state, and log a change."""
     worksite = state.worksite
     now = _task(flight, state)
     if now != worksite.task:
@@ -21,10 +21,10 @@ def change_task(flight: Flight, state: State) -> None:
 
 
 def _task(flight: Flight, state: State) -> int:
-    """Return the report's mode of the present state.
+    """Return the task phase of the present state.
 
-    ACQUISITION: no payload of the worksite is held. DOCKED: held and fixed at a port. EXTRACTION: held with a vertex
-    inside the bay. MANOEUVRING: held elsewhere.
+    ACQUISITION: no payload of the worksite is held. DOCKED: a held payload is fixed at a port. EXTRACTION: a held
+    payload has a vertex inside the bay. MANOEUVRING: a held payload is elsewhere.
     """
     site, worksite = flight.site, state.worksite
     held = worksite.held
@@ -37,7 +37,7 @@ def _task(flight: Flight, state: State) -> int:
 
 
 def in_bay(flight: Flight, state: State, k: int) -> bool:
-    """Return whether a vertex of a cargo is below the bay's top and between its walls; False if there is no bay."""
+    """Return whether a vertex of a payload is below the bay's top and between its walls; False if there is no bay."""
     site = flight.site
     if site.bay is None:
         return False

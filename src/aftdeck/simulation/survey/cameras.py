@@ -1,4 +1,4 @@
-"""Search for cameras inside a part of the arm or inside parts around a payload, for `simulation.survey`."""
+"""Search for cameras inside a part of the arm or inside parts around a payload, for `survey.pairs`."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def _on_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
 def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
     """Yield cameras around the arm that are inside a part of the arm, in poses for which a run logs no contact.
 
-    In such a pose the arm overlaps nothing that a run watches, the camera's own housing included. The body that
+    In such a pose the arm overlaps no part that a run monitors, the camera's own housing included. The body that
     carries the camera is at its start pose.
     """
     model = scenario.arm.model
@@ -75,8 +75,8 @@ def _round_the_arm(scenario: Scenario, cameras: list[Camera]) -> Iterator[Proble
 def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> list[Tried]:
     """Return the poses with the first joint turned so that a point (3,) in L is in the plane of the arm's booms.
 
-    The poses use the points in turn. Poses whose first joint would leave its soft stops are omitted. In a random pose
-    a boom contains a given point once in ten thousand, in these poses once in fifty.
+    The poses use the points one after the other. Poses whose first joint would be outside its soft stops are omitted. A
+    boom contains a given point in one of ten thousand random poses, and in one of fifty of these poses.
     """
     if not points:
         return []
@@ -90,7 +90,7 @@ def _turned_to(scenario: Scenario, tried: list[Tried], points: list[Array]) -> l
     sign, start = np.sign(np.sin(after - ahead)), middle[0]
     found = []
     for k, (angles, stand, prong) in enumerate(tried):
-        # every second round turns by pi: an arm leaning back over its shoulder has the point behind it
+        # every second round adds pi: an arm that leans back over its shoulder has the point behind it
         turn = sign * (_azimuth(points[k % len(points)]) - ahead) + (k // len(points) % 2) * np.pi
         heading = (start + turn + np.pi) % (2.0 * np.pi) - np.pi
         if low <= heading <= high:
@@ -120,7 +120,7 @@ def _met(scenario: Scenario, tried: Sequence[Tried], points: Array) -> Iterator[
 
 
 def _seen_in_a_run(scenario: Scenario, own: Parts) -> bool:
-    """Return whether the arm, given by its parts in L, overlaps a part that a run watches against it."""
+    """Return whether the arm, given by its parts in L, overlaps a part that a run monitors against it."""
     layout = site_of(scenario).layout
     scene = scene_in_l(scenario.arm.model.mount, scenario.worksite.origin)
     around = parts_at(scenario.worksite.solids, scene)
@@ -129,16 +129,16 @@ def _seen_in_a_run(scenario: Scenario, own: Parts) -> bool:
 
 
 def _on_payloads(scenario: Scenario, cameras: list[Camera]) -> Iterator[Problem]:
-    """Yield payload cameras that are inside the hand that holds the payload, or inside parts around it in a seat."""
-    for one in scenario.cargo:
-        own = [camera for camera in cameras if camera.body == one.name]
-        for how, hand in hands(scenario.arm.model, scenario.worksite, one).items():
-            yield from _held(scenario, own, hand, f"with the hand, {how}, at its bar")
+    """Yield payload cameras that are inside the end effector that holds the payload, or inside parts around a berth."""
+    for payload in scenario.cargo:
+        own = [camera for camera in cameras if camera.body == payload.name]
+        for how, hand in hands(scenario.arm.model, scenario.worksite, payload).items():
+            yield from _held(scenario, own, hand, f"with the end effector, {how}, at its bar")
         for seat in scenario.worksite.seats:
-            if seat.lacks(one.probe, one.trunnions):
+            if seat.lacks(payload.probe, payload.trunnions):
                 continue
-            around = parts_at(scenario.worksite.solids, inverted(seat.seated(one.probe)))
-            yield from _held(scenario, own, around, f"with {one.name} in the seat {seat.name!r}")
+            around = parts_at(scenario.worksite.solids, inverted(seat.seated(payload.probe)))
+            yield from _held(scenario, own, around, f"with {payload.name} in the seat {seat.name!r}")
 
 
 def _held(scenario: Scenario, cameras: list[Camera], around: Parts, how: str) -> Iterator[Problem]:

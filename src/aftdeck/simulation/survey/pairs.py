@@ -24,17 +24,17 @@ from aftdeck.worksite.conditions import quantity_text
 def survey(scenario: Scenario) -> list[Problem]:
     """Return all problems found: two names, the depth of the overlap and the location in the scenario's file.
 
-    The survey covers the starts of the scenario; pairs of the arm's parts that no run watches, at combinations of the
-    hard stops; cameras (`simulation.survey_cameras`); and reach (`simulation.survey_reach`).
+    The survey covers the starts of the scenario; pairs of the arm's parts that no run monitors, at combinations of the
+    hard stops; cameras (`survey.cameras`); and reach (`survey.reach`).
 
     Raises:
-        ScenarioError: at a start the arm holds a payload in a way in which its hand could not have captured it.
+        ScenarioError: at a start the arm holds a payload in a pose in which it could not have captured the payload.
     """
     return [*_starts(scenario), *reach(scenario), *_folded(scenario), *cameras(scenario)]
 
 
 def _starts(scenario: Scenario) -> Iterator[Problem]:
-    """Yield the detrimental contacts at the start of the full problem and of each of its parts."""
+    """Yield the detrimental contacts at the initial state and at each start of `[initialise]`."""
     sim = Simulation(scenario)
     units = scenario.arm.model.units
     starts: list[tuple[Where, Inputs]] = [(("initial",), Inputs())]
@@ -47,9 +47,9 @@ def _starts(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _folded(scenario: Scenario) -> Iterator[Problem]:
-    """Yield pairs of arm parts that no run watches and that overlap more at hard stops than at mid-range.
+    """Yield pairs of arm parts that no run monitors and that overlap more at hard stops than at mid-range.
 
-    Skip an arm whose solids cover round parts from outside: such solids overlap by design at a joint.
+    Skip an arm whose solids enclose round parts: such solids overlap by design at a joint.
     """
     model = scenario.arm.model
     if model.equipment.covered:

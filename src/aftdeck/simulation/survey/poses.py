@@ -51,12 +51,12 @@ def bodies(scenario: Scenario, frames: dict[str, Pose]) -> Parts:
 
 
 def joints_text(angles: Array) -> str:
-    """Return a text that describes a pose by its joint angles."""
+    """Return a text that gives the joint angles of a pose."""
     return f"at joint angles {', '.join(f'{math.degrees(angle):.0f}' for angle in angles.tolist())} deg"
 
 
 def inside_soft_stops(scenario: Scenario) -> Iterator[tuple[Array, float, float]]:
-    """Yield `TRIED` poses inside the soft stops, always the same: joint angles [rad], telescope and prong [m].
+    """Yield the same `TRIED` poses inside the soft stops in each call: joint angles [rad], telescope and prong [m].
 
     The telescope's length is random as well; the prong is open.
     """

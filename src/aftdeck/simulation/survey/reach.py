@@ -1,4 +1,4 @@
-"""Search for payloads at their start and targets of the script that are out of reach, for `simulation.survey`."""
+"""Search for payloads at their start and targets of the script that are out of reach, for `survey.pairs`."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from aftdeck.scenario.relative import at_cargo, at_seat, composed, inverted, sce
 from aftdeck.scenario.target import AtCargo, AtSeat, InFrame
 
 
-class _Sent(NamedTuple):
-    """Target of a phase: index of the phase, pose of the tip in the scene, length of the telescope then [m]."""
+class _ScriptTarget(NamedTuple):
+    """Target of a phase: index of the phase, pose of the tip in the scene, length of the telescope [m]."""
 
     phase: int
     tip: Pose
@@ -27,38 +27,40 @@ class _Sent(NamedTuple):
 
 
 def reach(scenario: Scenario) -> Iterator[Problem]:
-    """Yield payloads that the hand cannot reach in their start seat, and the first phase with a target out of reach.
+    """Yield payloads that the arm cannot reach in their start berth, and the first phase with a target out of reach.
 
     A pose is in reach if one of RMANGS's solutions lies inside the soft stops.
     """
     model, stand = scenario.arm.model, scenario.start.stand
-    for k, one in enumerate(scenario.cargo):
-        if one.start.seat and takes(model, one):
-            tip = composed(one.start.pose, at_cargo(model, one, AtCargo(k)))
+    for k, payload in enumerate(scenario.cargo):
+        if payload.start.seat and takes(model, payload):
+            tip = composed(payload.start.pose, at_cargo(model, payload, AtCargo(k)))
             if why := _beyond(scenario, tip, stand):
-                yield Problem(("cargo", k), f"the hand cannot take {one.name} in the seat {one.start.seat!r}: {why}")
-    for sent in _sent(scenario):
-        if why := _beyond(scenario, sent.tip, sent.stand):
-            name = scenario.phases[sent.phase].name
-            yield Problem(("phase", sent.phase), f"the arm cannot reach the target of the phase {name!r}: {why}")
+                where = f"in the seat {payload.start.seat!r}"
+                yield Problem(("cargo", k), f"the end effector cannot reach {payload.name} {where}: {why}")
+    for target in _script_targets(scenario):
+        if why := _beyond(scenario, target.tip, target.stand):
+            name = scenario.phases[target.phase].name
+            yield Problem(("phase", target.phase), f"the arm cannot reach the target of the phase {name!r}: {why}")
             return  # the script would end at this phase
 
 
-def _sent(scenario: Scenario) -> Iterator[_Sent]:
+def _script_targets(scenario: Scenario) -> Iterator[_ScriptTarget]:
     """Yield the targets of the script that are known without a run.
 
-    Targets are unknown after the orbiter has moved. They are also unknown for payloads that move by themselves or were
-    just docked or latched.
+    Targets are unknown after the orbiter has moved, and for payloads that move freely or were just docked or latched.
     """
     model, cargo, start = scenario.arm.model, scenario.cargo, scenario.start
     seats = {seat.name: seat for seat in scenario.worksite.seats}
-    still = [not (one.limit_cycle or one.start.velocity.any() or one.start.rates.any()) for one in cargo]
-    places = {one.name: one.start.pose for one, stays in zip(cargo, still, strict=True) if stays}
+    still = [
+        not (payload.limit_cycle or payload.start.velocity.any() or payload.start.rates.any()) for payload in cargo
+    ]
+    poses = {payload.name: payload.start.pose for payload, rests in zip(cargo, still, strict=True) if rests}
     held, grip, stand = -1, None, start.stand
     if start.grasped is not None:
         held = start.grasped.cargo
-        took = _at(scenario, start.grasped.stand).forward(start.grasped.angles)
-        grip = composed(inverted(cargo[held].start.pose), composed(inverted(_scene(scenario)), took))
+        tip_at_grasp = _at(scenario, start.grasped.stand).forward(start.grasped.angles)
+        grip = composed(inverted(cargo[held].start.pose), composed(inverted(_scene(scenario)), tip_at_grasp))
     for k, phase in enumerate(scenario.phases):
         if any(phase.orbiter):
             return
@@ -66,22 +68,22 @@ def _sent(scenario: Scenario) -> Iterator[_Sent]:
         tip: Pose | None = None
         match phase.target:
             case AtCargo(cargo=held):
-                one = cargo[held]
-                grip = at_cargo(model, one, phase.target)
-                if one.name in places:
-                    tip = composed(places[one.name], grip)
+                payload = cargo[held]
+                grip = at_cargo(model, payload, phase.target)
+                if payload.name in poses:
+                    tip = composed(poses[payload.name], grip)
             case AtSeat(seat=name) as place if grip is not None:
-                one, seat = cargo[held], seats[name]
-                if phase.until is not None:  # the phase ends as soon as the seat takes the payload
+                payload, seat = cargo[held], seats[name]
+                if phase.until is not None:  # the phase ends as soon as the berth fixes the payload
                     place = msgspec.structs.replace(place, above=max(place.above, seat.distance))
-                places[one.name] = at_seat(seat, one, place)
-                tip = composed(places[one.name], grip)
-            case InFrame(frame=name) if name in places or name not in {one.name for one in cargo}:
-                tip = composed(places[name], phase.target.pose) if name in places else phase.target.pose
+                poses[payload.name] = at_seat(seat, payload, place)
+                tip = composed(poses[payload.name], grip)
+            case InFrame(frame=name) if name in poses or name not in {payload.name for payload in cargo}:
+                tip = composed(poses[name], phase.target.pose) if name in poses else phase.target.pose
         if tip is not None and (phase.until is None or isinstance(phase.target, AtSeat)):
-            yield _Sent(k, tip, stand)
+            yield _ScriptTarget(k, tip, stand)
         if phase.until is not None and isinstance(phase.target, AtSeat):
-            places.pop(cargo[held].name, None)
+            poses.pop(cargo[held].name, None)
 
 
 def _beyond(scenario: Scenario, tip: Pose, stand: float) -> str:

@@ -1,4 +1,4 @@
-"""Mode 2, automatic, closed-loop velocity: straight to the target, about one axis, both ending together.
+"""Mode 2, automatic, closed-loop velocity: along a straight line and about one axis, which end together.
 
 Inputs: the final tip pose; PROCEED and STOP.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
@@ -52,7 +52,7 @@ def demand(rules: Array, command: Array, tip: Tip, report: Array) -> Twist:
 
 @law
 def note_arrival(rules: Array, state: Array, report: Array) -> None:
-    """Write into the report whether the tip is inside the end sphere and slow; under `strict`, whether time is up."""
+    """Write into the report whether the motion has ended: tip inside the end sphere and slow; under `strict`, ETA."""
     t = twist_at(state, TWIST)
     w = math.sqrt(t.wx**2 + t.wy**2 + t.wz**2)
     v = math.sqrt(t.vx**2 + t.vy**2 + t.vz**2)

@@ -19,17 +19,17 @@ from aftdeck.steering.limiters import BY_HARD_STOP
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     """Return the joint rates [rad/s] of this step; write a hard stop that acts into the report."""
     joint = int(command[JOINT])
-    asked = command[DRIVE] * rules[RATE + joint]
-    room = rules[HIGH + joint] - state[ANGLES + joint] if asked > 0.0 else state[ANGLES + joint] - rules[LOW + joint]
+    demanded = command[DRIVE] * rules[RATE + joint]
+    room = rules[HIGH + joint] - state[ANGLES + joint] if demanded > 0.0 else state[ANGLES + joint] - rules[LOW + joint]
     most = max(room, 0.0) / rules[DT]
-    if abs(asked) > most:
+    if abs(demanded) > most:
         report[CAUSE], report[LIMITING_JOINT] = BY_HARD_STOP, joint
-        asked = most if asked > 0.0 else -most
+        demanded = most if demanded > 0.0 else -most
     return Rates(
-        asked if joint == 0 else 0.0,
-        asked if joint == 1 else 0.0,
-        asked if joint == 2 else 0.0,
-        asked if joint == 3 else 0.0,
-        asked if joint == 4 else 0.0,
-        asked if joint == 5 else 0.0,
+        demanded if joint == 0 else 0.0,
+        demanded if joint == 1 else 0.0,
+        demanded if joint == 2 else 0.0,
+        demanded if joint == 3 else 0.0,
+        demanded if joint == 4 else 0.0,
+        demanded if joint == 5 else 0.0,
     )

@@ -1,7 +1,7 @@
 """The report's manual modes, 4 to 7, by number: the twist that they demand of the point of resolution.
 
-`msteer` flies these modes, and `way_out` tries their sticks. Each such mode needs a file beside this one, a line here,
-and an entry of `STICK_AXES` in `steering.mode`.
+`msteer` steers in these modes, and `way_out` evaluates their stick directions. Each such mode needs a file in this
+folder, a line in this module, and an entry of `STICK_AXES` in `steering.mode`.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from aftdeck.steering.modes import end_effector, mixed, orbiter, payload
 
 @law
 def demand(rules: Array, command: Array, here: Tip) -> Twist:
-    """Return the twist that the sticks demand in the mode whose number the command holds; zero in other modes."""
+    """Return the twist that the sticks demand in the mode whose number is in `command`; zero in other modes."""
     number = command[LAW]
     if number == 4.0:
         return orbiter.demand(rules, command)

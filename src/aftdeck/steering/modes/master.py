@@ -1,10 +1,10 @@
 """Master arm: the arm follows six joint angles, those of a small arm that the operator moves.
 
-Inputs: the master's six angles, from sliders or a device, at any time; until the operator moves the master, it has the
-arm's angles at the entry of the mode.
+Inputs: the master's six angles, from sliders or a device, at any time. At the entry of the mode the master has the
+arm's angles.
 Limits: each joint's coarse or vernier rate, ramped, and lower with a payload; soft stops: a joint moves up to its stop
-if the master is beyond it, and a joint that is itself past its stop can only move back. Singularities and the tip's
-own limits do not act, because no tip motion is demanded.
+if the master is beyond the stop, and a joint that is past its stop can only move back. Singularities and the limits of
+the tip do not act, because the mode demands no twist of the tip.
 Ends: when the operator leaves it; each joint comes to rest at its master's angle without passing it.
 Source: Remote Manipulator Simulation, final report: the slave follows the six angles of a master arm. The rates and
 the smooth arrival are ours.
@@ -26,7 +26,7 @@ THERE = 1e-9
 
 @law
 def _goal(rules: Array, command: Array, state: Array, i: int) -> float:
-    """Return the goal of joint i [rad]: the master's angle or the stop before it, and never farther past a stop."""
+    """Return the target angle of joint i [rad]: the master's angle within the stops, or the present angle past one."""
     angle = state[ANGLES + i]
     return float(min(max(command[MASTER + i], min(rules[LOW + i], angle)), max(rules[HIGH + i], angle)))
 

@@ -1,6 +1,6 @@
 """Mode 7, manual augmented, mixed: rotation in payload axes, translation in orbiter axes.
 
-Flown by ORB LD with its switch "rotate in payload axes". The commanded point is the payload's point of
+ORB LD selects this mode with its switch "rotate in payload axes". The commanded point is the payload's point of
 resolution; with `strict` it is the tip, as in the source.
 Inputs: THC and RHC, full deflection = POR limits for the payload's mass.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.

@@ -1,10 +1,10 @@
-"""Mode 3, automatic, open-loop velocity: mode 2's first solution, flown without correction.
+"""Mode 3, automatic, open-loop velocity: mode 2's first solution, executed without correction.
 
 Inputs: the final tip pose; PROCEED and STOP.
 Limits: POR limits for speed and acceleration, servo maxima and accelerations of the joints, soft stops, singularities;
 one factor for the whole twist.
-Ends: when its clock has run to ETA. The clock runs at that factor: if limits slow the arm, the arm follows the same
-path more slowly. Under `strict` the clock runs on, as in the source, and the arm stops short of the target.
+Ends: when its clock reaches ETA. The clock runs at that factor: if limits slow the arm, the arm follows the same path
+more slowly. Under `strict` the clock runs at full speed, as in the source, and the arm stops short of the target.
 Source: JSC-12628, subroutines OPERIN (MODE = 3), LATRAJ, VTOPEN, VOTRAN.
 
 Its plan: velocity (3) [m/s] and angular velocity (3) [rad/s] at full speed, then ETA, t_v1, t_w1 and ETAP [s].
@@ -38,7 +38,7 @@ _VELOCITY, _TURNING, _ETA, _T_V1, _T_W1, _ETAP = PLAN, PLAN + 3, PLAN + 6, PLAN 
 
 @law
 def plan(rules: Array, command: Array, state: Array) -> None:
-    """Plan mode 3 (OPERIN): LATRAJ and VTOPEN once, from the arm's present pose; reset the clock."""
+    """Plan mode 3 from the arm's present pose (OPERIN: LATRAJ and VTOPEN once), and reset the clock."""
     aim = latraj(lifted(tip(rules, sines_of(rules, state)), state[SHOULDER_OFFSET]), command[TARGET:PLAN])
     profile = vtopen(rules, aim.distance, aim.angle)
     v, w = profile.speed, profile.turn
@@ -59,7 +59,7 @@ def _share(time: float, eta: float, ramp: float) -> float:
 
 @law
 def demand(rules: Array, command: Array, state: Array, report: Array) -> Twist:
-    """Return the twist in L that mode 3 demands at this phase time; zero until the motion has started."""
+    """Return the twist in L that mode 3 demands at the present phase time; zero before the start of the motion."""
     eta = command[_ETA]
     ahead = 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT] * state[CLOCK_RATE]
     time = state[CLOCK] + ahead

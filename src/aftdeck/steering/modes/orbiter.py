@@ -1,6 +1,6 @@
 """Mode 4, manual augmented, orbiter frame: sticks along and about the orbiter's axes.
 
-Flown by ORB UNL about the tip and by ORB LD about the payload's point of resolution.
+ORB UNL applies it to the tip, ORB LD to the payload's point of resolution.
 Inputs: THC and RHC, full deflection = POR limits.
 Limits: POR limits for speed and acceleration, servo maxima for the joints, soft stops, singularities.
 Ends: when the operator leaves it, or at a scripted phase's time.

@@ -4,12 +4,12 @@ Inputs: the final tip pose (CMD CK chooses among the joint angles that reach it)
 Limits: coarse or vernier joint rates, scaled by the load; the tip's speed and acceleration; joint accelerations; soft
 stops; one factor for all joints. Singularities do not act: no Jacobian is inverted. Under `strict` only the servo
 maxima (RATLMT), as in the source.
-Ends: when its clock has run to ETA = 1/RATIO + V_L/dV_L; the clock advances by the share of the path that was flown.
-Source: JSC-12628, introduction (mode 1), subroutine OPERIN (MODE = 1). The ramps of V_L/dV_L at both ends, and
-the triangle where the move is too short for them, are ours; the source says that acceleration is accounted for.
+Ends: when its clock reaches ETA = 1/RATIO + V_L/dV_L; the clock advances by the share of the path that the arm made.
+Source: JSC-12628, introduction (mode 1), subroutine OPERIN (MODE = 1). The ramps of V_L/dV_L at both ends are ours, and
+so is the triangle of a move that is too short for them; the source says that acceleration is accounted for.
 
-Its plan: the way of each joint (6) [rad], then ETA and ramp time [s], and the share of the way flown per second at
-full rate [1/s]. Until the plan is made, the joints' final angles are in place of their ways.
+Its plan: the rotation of each joint (6) [rad], then ETA and ramp time [s], and the share of the rotation per second at
+full rate [1/s]. Before the plan is made, its first six values are the joints' final angles.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _WAY, _ETA, _RAMP, _FULL = PLAN, PLAN + 6, PLAN + 7, PLAN + 8
 
 @law
 def plan(rules: Array, command: Array, state: Array) -> None:
-    """Plan mode 1 (OPERIN): replace final angles by ways from the present angles, add times, reset the clock."""
+    """Plan mode 1 (OPERIN): replace final angles by rotations from the present angles, add times, reset the clock."""
     ratio = 1.0
     moves = False
     for i in range(6):
@@ -61,7 +61,7 @@ def plan(rules: Array, command: Array, state: Array) -> None:
 
 @law
 def _made(command: Array, time: float) -> float:
-    """Return the share of the way made by a phase time, 0 to 1."""
+    """Return the share of the rotation, 0 to 1, that the plan has made at a phase time."""
     eta: float = command[_ETA]
     ramp: float = command[_RAMP]
     full: float = command[_FULL]
@@ -79,7 +79,7 @@ def _made(command: Array, time: float) -> float:
 
 @law
 def _when(command: Array, made: float) -> float:
-    """Return the phase time at which a share of the way is made: the inverse of `_made`."""
+    """Return the phase time at which the plan has made a share of the rotation: the inverse of `_made`."""
     eta: float = command[_ETA]
     ramp: float = command[_RAMP]
     full: float = command[_FULL]
@@ -93,7 +93,7 @@ def _when(command: Array, made: float) -> float:
 
 @law
 def clock_after(command: Array, time: float, factor: float, period: float) -> float:
-    """Return the phase time [s] at which the plan has the joints after a step of which only a factor was flown."""
+    """Return the plan's time [s] for the joint angles after a step that made only a factor of the planned motion."""
     if factor >= 1.0 or command[MOTION_ACTIVE] == 0.0:
         return time + factor * period
     here = _made(command, time)
@@ -102,7 +102,7 @@ def clock_after(command: Array, time: float, factor: float, period: float) -> fl
 
 @law
 def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
-    """Return mode 1's joint rates [rad/s] for this step; until the motion starts, ramp all joints to rest together."""
+    """Return mode 1's joint rates [rad/s] for this step; before the motion starts, ramp all joints to rest together."""
     if command[MOTION_ACTIVE] != 0.0:
         time = state[CLOCK]
         k = (_made(command, time + rules[DT]) - _made(command, time)) / rules[DT]
@@ -119,5 +119,5 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
 
 @law
 def _share(k: float, of: Array, at: int) -> Rates:
-    """Return `k` times six values of an array, from index `at` on."""
+    """Return `k` times six values of an array, beginning at index `at`."""
     return Rates(k * of[at], k * of[at + 1], k * of[at + 2], k * of[at + 3], k * of[at + 4], k * of[at + 5])

@@ -1,10 +1,10 @@
 """Mode 8, single joint rate: one joint by the drive switch, ramped, the others held at their initial angles.
 
 Inputs: the JOINT rotary and the SINGLE/DIRECT DRIVE switch, full deflection = the joint's coarse or vernier rate.
-Limits: that rate, ramped; hard stops, before which the joint slows to rest. Soft stops do not act: as flown, this
-is the mode that cradles and uncradles the arm and that leads back from a soft stop.
+Limits: that rate, ramped; hard stops, before which the joint slows to rest. Soft stops do not act: on the Shuttle this
+mode cradles and uncradles the arm, and leads back from a soft stop.
 Holds: every other joint at theta_0, its angle when the mode was entered or when another joint was selected. A joint
-that still moved then, or that is pushed away, returns to theta_0.
+that still moved at that time, or that is disturbed, returns to theta_0.
 Ends: when the operator leaves it, or at a scripted phase's time or angle.
 Source: JSC-12628, introduction (mode 8); section 3, subroutine OPERIN.
 """
@@ -26,6 +26,6 @@ def rates(rules: Array, command: Array, state: Array, report: Array) -> Rates:
     selected = int(command[JOINT])
     for i in range(6):
         driven = command[DRIVE] * rules[RATE + i]
-        asked = driven if i == selected else rate_towards(rules, state, command[KEPT + i], i)
-        state[RATES + i] = ramped(rules, state, report, asked, i, BY_HARD_STOP)
+        demanded = driven if i == selected else rate_towards(rules, state, command[KEPT + i], i)
+        state[RATES + i] = ramped(rules, state, report, demanded, i, BY_HARD_STOP)
     return rates_at(state, RATES)

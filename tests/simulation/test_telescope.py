@@ -1,4 +1,4 @@
-"""The concept arm flown while the telescope that it stands on moves."""
+"""Steering of the concept arm while its telescope moves."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ def driven(stand: float) -> aftdeck.Inputs:
     return aftdeck.Inputs(telescope=stand)
 
 
-def test_the_tip_is_where_the_arm_on_a_stand_of_the_present_length_has_it() -> None:
+def test_tip_position_includes_telescope_length() -> None:
     sim = aftdeck.Simulation(concept())
     for frame in flown(sim, 3.0, aftdeck.Inputs(translation=(0.2, 0.1, 0.0), telescope=1.0)):
         tip = sim.scenario.arm.at(stand=(12.0 + frame.time_s) * FOOT).forward(frame.angles)
         assert frame.position == pytest.approx(tip.position, abs=1e-12)
 
 
-def test_the_twist_is_how_the_tip_moves_with_its_stand() -> None:
+def test_twist_includes_telescope_motion() -> None:
     sim = aftdeck.Simulation(concept())
     frames = flown(sim, 2.4, aftdeck.Inputs(translation=(0.2, 0.1, 0.3), telescope=-1.0))
     for before, frame in pairwise(frames[100:]):
@@ -49,7 +49,7 @@ def test_the_twist_is_how_the_tip_moves_with_its_stand() -> None:
 
 @pytest.mark.parametrize("law", ["position", "closed loop", "open loop"])
 @pytest.mark.parametrize("stand", [-1.0, 1.0])
-def test_an_automatic_motion_after_the_stand_has_moved_ends_at_its_pose(law: str, stand: float) -> None:
+def test_automatic_motion_reaches_pose_after_telescope_motion(law: str, stand: float) -> None:
     sim = aftdeck.Simulation(concept(f'mode = "OPR CMD"\nlaw = "{law}"'))
     goal = target(sim.scenario.arm, GOAL)  # at 12 ft
     flown(sim, 1.5, driven(stand))
@@ -61,7 +61,7 @@ def test_an_automatic_motion_after_the_stand_has_moved_ends_at_its_pose(law: str
     assert np.abs(np.degrees(frame.angles) - GOAL).max() > 1.0  # the stand has taken a part of the way
 
 
-def test_the_closed_loop_comes_to_its_pose_while_the_stand_moves() -> None:
+def test_closed_loop_reaches_pose_during_telescope_motion() -> None:
     sim = aftdeck.Simulation(concept('mode = "OPR CMD"'))
     goal = target(sim.scenario.arm, GOAL)
     sim.step(aftdeck.Inputs(target=goal, proceed=True))
@@ -71,7 +71,7 @@ def test_the_closed_loop_comes_to_its_pose_while_the_stand_moves() -> None:
     assert frame.goal is not None and frame.goal.distance < 1e-3
 
 
-def test_position_hold_keeps_the_tip_while_the_stand_moves() -> None:
+def test_position_hold_keeps_tip_during_telescope_motion() -> None:
     sim = aftdeck.Simulation(concept("position_hold = true"))
     start = flown(sim, 0.1, aftdeck.Inputs())[-1]
     frames = flown(sim, 4.0, driven(0.3))
@@ -80,7 +80,7 @@ def test_position_hold_keeps_the_tip_while_the_stand_moves() -> None:
     assert frames[-1].position == pytest.approx(start.position, abs=2e-3)
 
 
-def test_target_angles_given_at_another_length_lead_to_the_pose_and_not_to_the_angles() -> None:
+def test_target_angles_for_another_length_lead_to_the_pose() -> None:
     goal = [f"{angle} deg" for angle in GOAL]
     point = f"[[sequence]]\nslot = 1\n[[sequence.point]]\ntarget = {{ joints = {goal} }}"
     sim = aftdeck.Simulation(concept(f'mode = "AUTO 1"\nlaw = "position"\n{point}'))
@@ -92,7 +92,7 @@ def test_target_angles_given_at_another_length_lead_to_the_pose_and_not_to_the_a
     assert frame.position == pytest.approx(there, abs=1e-3)
 
 
-def test_a_restored_flight_goes_on_with_its_stand_bit_for_bit() -> None:
+def test_restored_telescope_continues_bit_for_bit() -> None:
     made = concept()
     sim = aftdeck.Simulation(made)
     push = aftdeck.Inputs(translation=(0.4, -0.2, 0.1), rotation=(0.0, 0.3, 0.0), telescope=1.0)

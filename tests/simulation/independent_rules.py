@@ -1,4 +1,4 @@
-"""The concept worksite's rules computed anew, in plain NumPy, from what a frame tells and the report's numbers."""
+"""Rules of the concept worksite, computed independently in plain NumPy from a frame and the report's numbers."""
 
 from __future__ import annotations
 
@@ -14,32 +14,32 @@ FOOT = 0.3048
 SCENE = np.diag([1.0, -1.0, -1.0])
 """The scene (x aft, y starboard, z up) in R (x aft, y port, z down), and back."""
 BAR = np.array([[x, y, z] for x in (-1.5, 1.5) for y in (-0.25, 0.25) for z in (0.0, 0.75)])
-"""RECPT [ft], from the middle of the payload's top."""
+"""RECPT [ft], relative to the middle of the payload's top."""
 X, Z = np.eye(3)[[0, 2]]
 FIXED_FINGER = 0.375
 """y2 of HEX 2's face b [ft]."""
 PALM = 2.0
 """x2 of HEX 1's face d [ft]."""
 SPACING, WINDOW, INWARD, TESTED = 0.8, 1.0 / 16.0, 0.5, 8.0
-"""PRGSPC, TOPB, FRONT and REAR, and from where on the fingers are tested [ft]."""
+"""PRGSPC, TOPB, FRONT and REAR, and the greatest distance at which the fingers are tested [ft]."""
 CAE = np.array([-11.5, -16.0, 22.0])
-"""Its centre in the scene [ft]."""
+"""Centre of the CAE in the scene [ft]."""
 CAE_APOTHEM, CAE_HALF = 7.5, 7.5
 DISTANCE, ANGLE = 0.25, math.radians(2.533333)
-"""Docking's [ft], [rad]."""
+"""Tolerances of docking [ft], [rad]."""
 BAY = np.array([[3.0, -7.5, -13.5], [63.0, 7.5, 0.0]])
-"""Inside, in the scene [ft]."""
+"""Least and greatest coordinates of the inside of the bay, in the scene [ft]."""
 
 
 class Size(NamedTuple):
-    """A payload's body [ft]."""
+    """Size of a payload's body [ft]."""
 
     length: float
     across: float
 
     @property
     def top(self) -> float:
-        """Height of its upper side over its axis."""
+        """Height of its upper side above its axis."""
         return self.across / 2.0 * math.cos(math.pi / 6.0)
 
 
@@ -47,36 +47,36 @@ SIZES = {"payload": Size(30.0, 13.0), "free flyer": Size(24.0, 10.0)}
 
 
 def pose(frame: Frame, k: int = 0) -> tuple[Array, Array]:
-    """A cargo's centre [ft] and axes in R."""
+    """Return a payload's centre [ft] and axes in R."""
     cargo = frame.work.cargo[k]
     return np.array(cargo.position) / FOOT, np.array(cargo.orientation)
 
 
 def hexagon(across: float, x: float) -> Array:
-    """(6, 3) corners of a hexagon square to x, a side on top [ft]."""
+    """Return the (6, 3) corners of a hexagon normal to x, with a corner on the positive y axis [ft]."""
     turns = np.arange(6) * math.pi / 3.0
     return np.column_stack([np.full(6, x), across / 2.0 * np.cos(turns), across / 2.0 * np.sin(turns)])
 
 
 def probe(size: Size) -> Array:
-    """(12, 3) vertices of a payload's probe in its axes [ft]."""
+    """Return the (12, 3) vertices of a payload's probe in the payload's axes [ft]."""
     forward = -size.length / 2.0
     return np.concatenate([hexagon(1.0, forward), hexagon(1.0, forward - 1.0)])
 
 
 def vertices(size: Size) -> Array:
-    """All vertices of a payload in its axes: its body's, its probe's, its bar's [ft]."""
+    """Return all vertices of a payload in its axes: of body, probe and bar [ft]."""
     body = [hexagon(size.across, side * size.length / 2.0) for side in (-1.0, 1.0)]
     return np.concatenate([*body, probe(size), BAR + size.top * Z])
 
 
 def acquisition(frame: Frame, k: int = 0) -> Array:
-    """(8,) by how much each condition of acquisition holds [ft]: the six, the lower bound of the fifth, the range."""
+    """Return the (8,) margins of acquisition [ft]: the six conditions, with two bounds of the fifth, and the range."""
     centre, axes = pose(frame, k)
     size = SIZES[frame.work.cargo[k].name]
     palm, hand = np.array(frame.position) / FOOT, np.array(frame.orientation)
     bar = centre + (BAR + size.top * Z) @ axes.T
-    in_hand = (bar - palm) @ hand  # from the palm's centre, in system 2
+    in_hand = (bar - palm) @ hand  # relative to the palm's centre, in frame 2
     spacing = frame.work.hand.spacing
     assert spacing is not None
     over = axes.T @ (palm - centre) - [0.0, 0.0, size.top + 0.75]
@@ -93,13 +93,13 @@ def acquisition(frame: Frame, k: int = 0) -> Array:
 
 
 def port(frame: Frame) -> tuple[Array, Array]:
-    """The port's centre [ft] and the axes of what is docked there, in R: it does not move with the orbiter."""
+    """Return the port's centre [ft] and the axes of a docked payload, in R; the port does not move with the orbiter."""
     away = np.array(frame.work.orbiter) / FOOT
     return SCENE @ (CAE + CAE_APOTHEM * X) - away, SCENE
 
 
 def docking(frame: Frame, k: int = 0, axes: str = "xyz") -> Array:
-    """(n,) by how much each condition of docking holds [ft], the angles' ones [rad]."""
+    """Return the (n,) margins of docking: distances [ft], then angles [rad]."""
     centre, turned = pose(frame, k)
     size = SIZES[frame.work.cargo[k].name]
     at, own = port(frame)
@@ -124,7 +124,7 @@ def docking(frame: Frame, k: int = 0, axes: str = "xyz") -> Array:
 
 
 def depth_in_bay(frame: Frame, k: int = 0) -> float:
-    """How deep a payload's deepest vertex is in the bay [ft]; negative: it is out of it."""
+    """Return the depth of a payload's deepest vertex in the bay [ft]; negative if no vertex is in the bay."""
     centre, axes = pose(frame, k)
     points = (centre + vertices(SIZES[frame.work.cargo[k].name]) @ axes.T) @ SCENE
     inside = np.minimum(points[:, :2] - BAY[0, :2], BAY[1, :2] - points[:, :2]).min(axis=1)

@@ -1,4 +1,4 @@
-"""A payload that the hand is lined up with is no alarm; askew, beside it or in touch with it, it is."""
+"""CLEARANCE during capture: an aligned payload raises no alarm, a misaligned or touching one does."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ UPRIGHT: Vec3 = (0.0, 0.0, 0.0)
 
 
 def first(above: float, x: float = 0.0, y: float = 0.0, turned: Vec3 = UPRIGHT) -> Frame:
-    """The end effector so far over the pin, off it [in] and turned [deg]."""
+    """Return the first frame with the end effector above the pin and beside it [in], rotated [deg]."""
     return aftdeck.Simulation(srms(above, x, y, turned)).step(Inputs())
 
 
@@ -30,7 +30,7 @@ def pair(frame: Frame) -> set[str]:
 
 @pytest.mark.parametrize("above", [2.0, 6.0, 20.0])
 @pytest.mark.parametrize(("x", "turned"), [(0.0, 0.0), (3.0, 0.0), (7.0, 0.0), (0.0, 9.0), (0.0, 18.0)])
-def test_in_line_with_a_pin_the_payload_is_no_alarm(above: float, x: float, turned: float) -> None:
+def test_aligned_payload_raises_no_alarm(above: float, x: float, turned: float) -> None:
     frame = first(above, x, turned=(turned, 0.0, 0.0))
     assert pair(frame) not in (HAND, FIXTURE)
     assert frame.work.clearance_level == "info"
@@ -47,31 +47,31 @@ def test_in_line_with_a_pin_the_payload_is_no_alarm(above: float, x: float, turn
         (0.0, 0.0, (0.0, 0.0, 22.0)),
     ],
 )
-def test_beside_the_pin_or_askew_it_is(x: float, y: float, turned: Vec3) -> None:
+def test_misaligned_payload_raises_alarm(x: float, y: float, turned: Vec3) -> None:
     frame = first(6.0, x, y, turned)
     assert pair(frame) in (HAND, FIXTURE)
     assert frame.work.clearance_level != "info"
 
 
-def test_a_capture_alarms_nobody_and_neither_does_backing_off() -> None:
+def test_capture_and_release_raise_no_alarm() -> None:
     sim = aftdeck.Simulation(srms(2.0, 0.0, 0.0, UPRIGHT))
     frames = fly(sim, 20.0, Inputs(effector="close"))
     frames += fly(sim, 20.0, Inputs(effector="open"))
-    assert {True, False} == {one.held for frame in frames for one in frame.work.cargo}
+    assert {True, False} == {payload.held for frame in frames for payload in frame.work.cargo}
     assert not frames[-1].work.cargo[0].held
     assert {frame.work.clearance_level for frame in frames} == {"info"}
 
 
-def test_the_concepts_hand_about_its_bar_is_no_alarm() -> None:
+def test_concept_arm_about_its_bar_raises_no_alarm() -> None:
     sim = aftdeck.Simulation("concept-1972-script")
     frames = [sim.step() for _ in range(2000) if not sim.ended]
-    before = [frame for frame in frames if not any(one.held for one in frame.work.cargo)]
-    assert len(before) < len(frames), "nothing was acquired"
-    told = [event.text for frame in before for event in frame.events if event.kind == "clearance"]
-    assert not [text for text in told if "finger" in text or "palm" in text], told
+    before = [frame for frame in frames if not any(payload.held for payload in frame.work.cargo)]
+    assert len(before) < len(frames), "no payload was captured"
+    texts = [event.text for frame in before for event in frame.events if event.kind == "clearance"]
+    assert not [text for text in texts if "finger" in text or "palm" in text], texts
 
 
-def test_what_is_lined_up_and_touched_is_told_and_foreseen() -> None:
+def test_contact_of_aligned_payload_is_predicted_and_reported() -> None:
     sim = aftdeck.Simulation(srms(6.0, 0.0, 7.0, UPRIGHT))
     on = Inputs(translation=(0.0, 0.0, 1.0), rate="vernier")
     contact: list[float] = []
@@ -85,7 +85,7 @@ def test_what_is_lined_up_and_touched_is_told_and_foreseen() -> None:
     assert frame.work.contacts and contact and contact[0] < frame.time_s
 
 
-def test_a_touch_that_inhibits_the_arm_is_a_warning_until_it_is_relieved() -> None:
+def test_contact_that_inhibits_the_arm_is_a_warning() -> None:
     sim = aftdeck.Simulation(srms(6.0, 0.0, 7.0, UPRIGHT))
     frames = fly(sim, 12.0, Inputs(translation=(0.0, 0.0, 1.0)))
     inhibited = [frame for frame in frames if frame.work.arm_inhibit]
@@ -99,7 +99,7 @@ def test_a_touch_that_inhibits_the_arm_is_a_warning_until_it_is_relieved() -> No
     assert off.work.clearance_level == "info"
 
 
-def test_a_saved_flight_goes_on_with_the_same_nearest_pair() -> None:
+def test_restored_run_has_same_minimum_clearance_pair() -> None:
     sim = aftdeck.Simulation(srms(6.0, 9.0, 0.0, UPRIGHT))
     back = Inputs(translation=(1.0, 0.0, 0.0))
     for _ in range(60):
@@ -109,12 +109,13 @@ def test_a_saved_flight_goes_on_with_the_same_nearest_pair() -> None:
         assert sim.step(back).work.nearest == now.work.nearest
 
 
-def test_at_its_edge_the_alarm_comes_once() -> None:
+def test_alarm_at_alignment_limit_occurs_once() -> None:
     sim = aftdeck.Simulation(srms(6.0, 7.0))
     levels = [sim.step(Inputs()).work.clearance_level]
     for k in range(400):
         side = 0.25 if k // 10 % 2 else -0.25
         levels.append(sim.step(Inputs(translation=(side, 0.0, 0.0), rate="vernier")).work.clearance_level)
-    assert set(levels) == {"info"}, "trembling within the room between coming and leaving"
+    assert set(levels) == {"info"}, "small motion inside the hysteresis changes the level"
     out = [sim.step(Inputs(translation=(1.0, 0.0, 0.0))).work.clearance_level for _ in range(200)]
-    assert sum("info" in (one, other) for one, other in pairwise(out) if one != other) == 1 and out[-1] != "info"
+    changes = [(before, now) for before, now in pairwise(out) if before != now]
+    assert sum("info" in change for change in changes) == 1 and out[-1] != "info"

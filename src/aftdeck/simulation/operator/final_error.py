@@ -1,4 +1,4 @@
-"""Final error of an automatic motion: one rule for the flight and for CMD CK."""
+"""Final error of an automatic motion: one rule for the motion and for CMD CK."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from aftdeck.scenario.target import Target
 from aftdeck.simulation.constants.flight import Flight
 
 REACHED, REACHED_TURN = 1e-3, math.radians(0.02)
-"""Greatest final error with which a motion has reached its target [m], [rad]; a larger end sphere replaces it.
+"""Greatest final error at which a motion has reached its target [m], [rad]; a larger end sphere replaces it.
 
 Assumed: ten times the final error of mode 3 on random straight moves in steps of 0.02 s
 (`tests/steering/test_straight_moves.py`).
 """
 _FINE = 0.01
-"""Distances below this value are given to a tenth of a millimetre [m]."""
+"""Distances below this value are written to a tenth of a millimetre [m]."""
 
 
-def miss(flight: Flight, arm: Arm, angles: Array, target: Target) -> str:
-    """Return the final error of the tip as text for people, or "" if the tip has reached the target.
+def final_error_text(flight: Flight, arm: Arm, angles: Array, target: Target) -> str:
+    """Return the final error of the tip as text, distance and angle, or "" if the tip has reached the target.
 
     Args:
         flight: constants of the run; the scenario's end sphere decides what counts as reached.
         arm: the arm, with its telescope at the present length.
         angles: (6,) joint angles [rad].
-        target: pose that the tip should have.
+        target: final pose of the motion.
     """
     tip = arm.forward(angles)
     distance = math.dist(tip.position, target.position)
@@ -36,4 +36,4 @@ def miss(flight: Flight, arm: Arm, angles: Array, target: Target) -> str:
         return ""
     way = f"{distance:.2f} m" if distance >= 1.0 else f"{distance * 1e3:.{0 if distance >= _FINE else 1}f} mm"
     turn = math.degrees(angle)
-    return f"{way}, {turn:.1f}° beside" if turn >= 1.0 else f"{way}, {turn:.2f}° beside"
+    return f"{way}, {turn:.1f}°" if turn >= 1.0 else f"{way}, {turn:.2f}°"

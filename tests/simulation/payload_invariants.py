@@ -1,4 +1,4 @@
-"""What has to hold of payloads in every flight: each is there once, moves as what has it moves, and never jumps."""
+"""Invariants of payloads in every run: each exists once, moves with its carrier, and never jumps."""
 
 from __future__ import annotations
 
@@ -14,43 +14,43 @@ from aftdeck.worksite.report import Cargo
 from tests.simulation.flights import in_turn
 
 EXACT = 1e-9
-"""[m], and of the axes' components [1]."""
+"""Tolerance of positions [m] and of axes' components [1]."""
 CARRIAGE, LATCHES = 7.0, 30.0
-"""How long the Shuttle's take from end to end [s]."""
+"""Times of the Shuttle's carriage and latches from end to end [s]."""
 PULLED, TURNED = 0.2, 0.5
-"""More than a pin in the snares is ever off its seat [m], and turned, axes' components summed [1]."""
+"""Upper bounds of the distance of a pin in the snares from its seat [m], and of its rotation, as sum of components."""
 
 
 def posed(cargo: Cargo) -> tuple[Array, Array]:
-    """A cargo's centre [m] and axes, in L."""
+    """Return a payload's centre [m] and axes, in L."""
     return np.array(cargo.position), np.array(cargo.orientation)
 
 
 def in_hand(frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
-    """A cargo's centre [m] and axes in system 7."""
+    """Return a payload's centre [m] and axes in frame 7."""
     hand, (centre, axes) = np.array(frame.orientation), posed(cargo)
     return hand.T @ (centre - frame.position), hand.T @ axes
 
 
 def in_space(frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
-    """A cargo's centre [m] and axes in what does not move with the orbiter."""
+    """Return a payload's centre [m] and axes in space, which does not move with the orbiter."""
     centre, axes = posed(cargo)
     return centre + frame.work.orbiter, axes
 
 
 def in_place(scenario: Scenario, frame: Frame, cargo: Cargo) -> tuple[Array, Array]:
-    """A fixed cargo's centre [m] and axes against what it is fixed to."""
+    """Return a fixed payload's centre [m] and axes relative to its berth."""
     (seat,) = (seat for seat in scenario.worksite.seats if seat.name == cargo.seat)
     return in_space(frame, cargo) if seat.frame == "space" else posed(cargo)
 
 
 def moved(one: tuple[Array, Array], other: tuple[Array, Array]) -> tuple[float, float]:
-    """How far apart two poses are [m], and how much they are turned [1]."""
+    """Return the distance between two poses [m], and the greatest difference of their axes' components [1]."""
     return float(np.linalg.norm(one[0] - other[0])), float(np.abs(one[1] - other[1]).max())
 
 
 def check_possession(scenario: Scenario, frames: list[Frame]) -> None:
-    """Every frame by itself, and every step by who had the payload before it."""
+    """Check every frame, and every step of each payload by its carrier before the step."""
     names = [cargo.name for cargo in scenario.cargo]
     for frame in frames:
         check_frame(names, frame)
@@ -60,7 +60,7 @@ def check_possession(scenario: Scenario, frames: list[Frame]) -> None:
 
 
 def check_frame(names: list[str], frame: Frame) -> None:
-    """Each payload is there once; one at most is held, by the hand that says so; no seat holds two."""
+    """Check that each payload exists once, at most one is held and shown as held, and no berth holds two."""
     work = frame.work
     assert [cargo.name for cargo in work.cargo] == names
     held = [cargo for cargo in work.cargo if cargo.held]
@@ -79,7 +79,7 @@ def check_frame(names: list[str], frame: Frame) -> None:
 
 
 def check_step(scenario: Scenario, before: Frame, now: Frame, was: Cargo, is_now: Cargo) -> None:
-    """A step's motion of a payload is that of what had it at the step's beginning."""
+    """Check that the motion of a payload in a step is that of its carrier at the beginning of the step."""
     period, where = scenario.control_period, f"{now.time_s} s: {was} to {is_now}"
     if was.seat:
         reach = 2.0 * period / LATCHES * PULLED
@@ -99,10 +99,10 @@ def check_step(scenario: Scenario, before: Frame, now: Frame, was: Cargo, is_now
 
 
 def drawn(scenario: Scenario, cargo: Cargo) -> bool:
-    """Whether the seat that a cargo is in has latches that draw it in."""
+    """Return whether the berth of a payload has latches that draw it in."""
     return any(seat.latch == "command" for seat in scenario.worksite.seats if seat.name == cargo.seat)
 
 
 def _fixed_as(was: Cargo, is_now: Cargo) -> Cargo:
-    """A cargo as it is, against the seat that it was in."""
+    """Return a payload with its present pose and its previous berth."""
     return Cargo(is_now.name, is_now.position, is_now.orientation, is_now.velocity, is_now.held, was.seat)

@@ -1,0 +1,51 @@
+"""Targets relative to a payload, a berth or a body, resolved when their phase begins."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from aftdeck.arrays import Array
+from aftdeck.bodies.pose import POSE, compose, inverse, pose_of, row_of
+from aftdeck.scenario.relative import at_cargo, at_seat
+from aftdeck.scenario.target import AtCargo, AtSeat, InFrame, RelativeTarget, Target, target_at
+from aftdeck.simulation.constants.flight import Flight
+from aftdeck.simulation.payloads.grasp import pose_in_hand
+from aftdeck.simulation.state import State
+
+
+def resolve_target(flight: Flight, state: State, target: RelativeTarget) -> Target | str:
+    """Return the present pose of a relative target, or the reason as text if it has none."""
+    site, frames = flight.site, state.worksite.frames
+    match target:
+        case AtSeat():
+            return _at_seat(flight, state, target)
+        case AtCargo(cargo=k):
+            over = row_of(at_cargo(flight.scenario.arm.model, site.cargo[k], target))
+            return target_at(pose_of(_composed(frames[site.cargo_row(k)], over)))
+        case InFrame():
+            carrier = frames[site.layout.frames.index(target.frame)]
+            return target_at(pose_of(_composed(carrier, row_of(target.pose))))
+
+
+def _at_seat(flight: Flight, state: State, target: AtSeat) -> Target | str:
+    """Return the tip pose at which the held payload is in a berth, or at the given distance from that pose.
+
+    Returns:
+        The target, or the reason as text if the grasp is empty or the berth does not accept the payload.
+    """
+    site, worksite = flight.site, state.worksite
+    k = worksite.held
+    if k is None:
+        return "the grasp is empty: there is no payload to move to a berth"
+    berth = site.berth(k, target.seat)
+    if berth is None:
+        return f"the {site.seat(target.seat).title} does not accept {site.cargo[k].title}"
+    seated = _composed(worksite.frames[berth.row], row_of(at_seat(berth.seat, site.cargo[k], target)))
+    joint = _composed(seated, inverse(pose_in_hand(flight, state, k)))
+    return target_at(pose_of(_composed(joint, site.hand)))
+
+
+def _composed(outer: Array, inner: Array) -> Array:
+    out = np.empty(POSE)
+    compose(outer, inner, out)
+    return out
