@@ -151,7 +151,7 @@ def some(scenario: Scenario, files: list[Path], rng: random.Random) -> None:
     for lifetime, flight in zip(lifetimes, flights, strict=True):
         time.sleep(max(begin + lifetime - time.perf_counter(), 0.0))
         flight.look()
-        time.sleep(rng.uniform(0.0, 2.0 * writer.LOOK_S))  # anywhere between two looks
+        time.sleep(rng.uniform(0.0, 2.0 * writer.POLL_S))  # anywhere between two looks
         print(msgspec.json.encode(flight.kill()).decode(), flush=True)
 
 

@@ -18,8 +18,8 @@ from aftdeck.recording.index import Index
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.recording.run import record
+from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.sink import Sink
-from aftdeck.recording.tape import SessionRecorder
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
@@ -107,7 +107,7 @@ def test_a_disk_that_takes_nothing_at_all_leaves_no_trap(tmp_path: Path) -> None
 
 
 def test_a_writer_that_falls_far_behind_stops_and_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(writer, "MOST_WAITING", 30)
+    monkeypatch.setattr(writer, "MAX_WAITING", 30)
     monkeypatch.setattr(writer, "BEGIN_S", 0.0)
     plain, freed = Sink.write, threading.Event()
 
@@ -152,35 +152,35 @@ def test_a_tape_without_a_place_complains_once_and_lets_fly(
 ) -> None:
     folder = tmp_path if len(name) > 200 else tmp_path / "file"
     (tmp_path / "file").touch()
-    tape = SessionRecorder(folder, None)
+    recorder = SessionRecorder(folder, None)
     made = bay(name=name)
-    tape.begin(made, 0)
-    tape.step(Inputs(), Simulation(made).step(Inputs()), None)
-    (text,) = tape.take_errors()
+    recorder.begin(made, 0)
+    recorder.step(Inputs(), Simulation(made).step(Inputs()), None)
+    (text,) = recorder.take_errors()
     assert text.startswith("nothing is recorded: ") and "cannot be written" in text
-    assert tape.take_errors() == [] and tape.running_s is None and tape.file is None
-    tape.end("restarted")
-    tape.close()
+    assert recorder.take_errors() == [] and recorder.running_s is None and recorder.file is None
+    recorder.end("restarted")
+    recorder.close()
     assert capsys.readouterr().err == f"aftdeck: {text}\n"
 
 
 def test_flights_that_begin_in_one_second_get_names_of_their_own(tmp_path: Path) -> None:
     made = bay()
-    tape = SessionRecorder(tmp_path, None)
+    recorder = SessionRecorder(tmp_path, None)
     for _ in range(5):
-        tape.begin(made, 0)
-        tape.step(Inputs(), Simulation(made).step(Inputs()), None)
-        tape.end("restarted")
-    tape.close()
-    assert tape.take_errors() == []
+        recorder.begin(made, 0)
+        recorder.step(Inputs(), Simulation(made).step(Inputs()), None)
+        recorder.end("restarted")
+    recorder.close()
+    assert recorder.take_errors() == []
     files = list(tmp_path.glob("test-*.mcap"))
     assert len(files) == 5 and all(verify(path).equal for path in files)
 
 
 def test_a_tape_without_a_folder_records_nothing(tmp_path: Path) -> None:
-    tape = SessionRecorder(None, Index(tmp_path / "list.sqlite"))
+    recorder = SessionRecorder(None, Index(tmp_path / "list.sqlite"))
     made = bay()
-    tape.begin(made, 0)
-    tape.step(Inputs(), Simulation(made).step(Inputs()), None)
-    tape.close()
-    assert tape.running_s is None and list(tmp_path.iterdir()) == []
+    recorder.begin(made, 0)
+    recorder.step(Inputs(), Simulation(made).step(Inputs()), None)
+    recorder.close()
+    assert recorder.running_s is None and list(tmp_path.iterdir()) == []

@@ -18,7 +18,7 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import opening
 from aftdeck.recording.index import Entry, Index
 from aftdeck.recording.run import record
-from aftdeck.recording.tape import SessionRecorder
+from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.trial import Trial
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
@@ -217,10 +217,10 @@ def test_a_list_that_cannot_be_used_is_told_and_the_run_goes_on(tmp_path: Path, 
         index.entries()
     path = tmp_path / "run.mcap"
     assert record(MADE, path, index=index).summary.ended == "completed"
-    tape = SessionRecorder(tmp_path / "flights", index)
-    tape.begin(MADE, 0)
-    tape.step(Inputs(), Simulation(MADE).step(Inputs()), None)
-    tape.close()
+    recorder = SessionRecorder(tmp_path / "flights", index)
+    recorder.begin(MADE, 0)
+    recorder.step(Inputs(), Simulation(MADE).step(Inputs()), None)
+    recorder.close()
     assert [f.stat().st_size > 0 for f in (tmp_path / "flights").iterdir()] == [True]
 
 

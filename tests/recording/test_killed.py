@@ -13,7 +13,7 @@ import pytest
 from aftdeck.recording.index import Index
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
-from aftdeck.recording.writer import LOOK_S
+from aftdeck.recording.writer import POLL_S
 from tests.recording import killed_flights
 from tests.recording.killed_flights import PERIOD_S, Killed, Look
 
@@ -38,7 +38,7 @@ def kept_away(looks: list[Look], since_s: float) -> float:
     It is what is left of the pauses between its looks, less its own work and its sleep.
     """
     pauses = [
-        after.time_s - max(before.time_s, since_s) - (after.worked_s - before.worked_s) - LOOK_S
+        after.time_s - max(before.time_s, since_s) - (after.worked_s - before.worked_s) - POLL_S
         for before, after in itertools.pairwise(looks)
         if after.time_s > since_s
     ]

@@ -52,7 +52,7 @@ def long_flight(path: Path, made: aftdeck.Scenario, seconds: float, patch: pytes
     looks = itertools.count()
     clock = {name: getattr(time, name) for name in ("perf_counter", "time_ns", "sleep")}
     patch.setattr(writer, "time", SimpleNamespace(monotonic=lambda: next(looks) * period, **clock))
-    patch.setattr(writer, "MOST_WAITING", 2000)
+    patch.setattr(writer, "MAX_WAITING", 2000)
     recorder = Recorder(path, made, 0)
     used = {}
     for k in range(round(seconds / period)):

@@ -80,7 +80,7 @@ def rerun(
     frames = hashlib.sha256()
 
     def again() -> Iterator[FrameRecord]:
-        for inputs, frame in _flown_again(recording, sim):
+        for inputs, frame in _steps_again(recording, sim):
             frames.update(bytes.fromhex(frame.sha256))
             if recorder is not None:
                 recorder.step(inputs, frame)
@@ -115,7 +115,7 @@ def rerun(
     )
 
 
-def _flown_again(recording: Recording, sim: Simulation) -> Iterator[tuple[Inputs | None, Frame]]:
+def _steps_again(recording: Recording, sim: Simulation) -> Iterator[tuple[Inputs | None, Frame]]:
     """Yield each step's inputs and frame in another simulation; a script continues to its own end, not beyond it."""
     inputs: Inputs | None = Inputs()
     old, new = recording.opening.control_period_s, sim.scenario.control_period

@@ -21,7 +21,7 @@ from mcap.records import Chunk, DataEnd, Header, McapRecord
 from mcap.stream_reader import breakup_chunk
 
 MAGIC = b"\x89MCAP0\r\n"
-MOST_UNPACKED = 2**28
+MAX_UNPACKED = 2**28
 """Longest chunk that is unpacked [bytes]; the writer closes a chunk at less than a hundredth of it."""
 UNDER_WAY = 2**64 - 1
 """Value of a length field while its chunk is being written."""
@@ -59,7 +59,7 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
         body = file.read(min(length, max(size - file.tell(), 0)))
         if opcode not in _KNOWN:
             raise DamageError(f"it has a record of kind {opcode}, which no recording has")
-        if _told_length(opcode, body) not in (None, UNDER_WAY, length):
+        if _computed_length(opcode, body) not in (None, UNDER_WAY, length):
             raise DamageError("a record's length is wrong")
         if len(body) < length:
             break
@@ -71,7 +71,7 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
             return
         total = zlib.crc32(body, zlib.crc32(start, total))
         if opcode == Opcode.CHUNK:
-            if _told_length(opcode, body) == UNDER_WAY:
+            if _computed_length(opcode, body) == UNDER_WAY:
                 break
             yield from _unpacked(body)
         elif opcode == Opcode.HEADER:
@@ -81,7 +81,7 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
         raise DamageError("it has an end, but not all that comes before it")
 
 
-def _told_length(opcode: int, body: bytes) -> int | None:
+def _computed_length(opcode: int, body: bytes) -> int | None:
     """Return a record's length, computed from the lengths of its parts.
 
     Returns:
@@ -110,7 +110,7 @@ def _header(body: bytes) -> Header:
 def _unpacked(body: bytes) -> list[McapRecord]:
     try:
         chunk = Chunk.read(ReadDataStream(BytesIO(body)))
-        if chunk.uncompressed_size > MOST_UNPACKED:
+        if chunk.uncompressed_size > MAX_UNPACKED:
             raise DamageError(f"a chunk says that it has {chunk.uncompressed_size} bytes")
         return breakup_chunk(chunk, validate_crc=True)
     except _BROKEN as error:

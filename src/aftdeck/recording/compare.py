@@ -11,7 +11,7 @@ import msgspec
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.resample import SAME_TIME
 
-_NOT_FLOWN = {"wall_s", "latency_ms", "sha256", "tick", "events"}
+_NOT_COMPARED = {"wall_s", "latency_ms", "sha256", "tick", "events"}
 """Fields that are not compared because they do not describe the run's state; events are compared separately."""
 
 
@@ -60,7 +60,7 @@ def alike(before: FrameRecord, after: FrameRecord) -> bool:
 def _changes(before: FrameRecord, after: FrameRecord) -> Iterator[FieldChange]:
     for name in FrameRecord.__struct_fields__:
         old, new = getattr(before, name), getattr(after, name)
-        if old != new and name not in _NOT_FLOWN:
+        if old != new and name not in _NOT_COMPARED:
             yield FieldChange(name, _shown(old), _shown(new))
 
 

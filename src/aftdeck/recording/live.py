@@ -43,7 +43,7 @@ class Live:
             raise RecordingError(f"viewers cannot attach at {host}:{port}: {why}; give another port") from None
         self.address = f"ws://{host}:{self._server.port}"
 
-    def asked(self) -> list[str]:
+    def requested_topics(self) -> list[str]:
         """Return the topics that viewers subscribed to since the last call; costs nothing if there are none."""
         topics = []
         while not self._listener.topics.empty():

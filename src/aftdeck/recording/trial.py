@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from aftdeck.lines import one_line
 
-MOST_OF_A_PARTICIPANT = 40
+MAX_PARTICIPANT_LENGTH = 40
 """Maximum length of a participant's code [characters]."""
-MOST_OF_A_CONDITION = 120
+MAX_CONDITION_LENGTH = 120
 """Maximum length of a condition [characters]."""
 
 
@@ -29,6 +29,6 @@ def trial(participant: str | None, condition: str | None) -> Trial:
         InputError: a word is empty or too long, is not one printable line, or begins or ends with a space.
     """
     return Trial(
-        "" if participant is None else one_line("a participant's code", participant, MOST_OF_A_PARTICIPANT),
-        "" if condition is None else one_line("a condition", condition, MOST_OF_A_CONDITION),
+        "" if participant is None else one_line("a participant's code", participant, MAX_PARTICIPANT_LENGTH),
+        "" if condition is None else one_line("a condition", condition, MAX_CONDITION_LENGTH),
     )

@@ -45,13 +45,13 @@ from aftdeck.simulation.summary import Summary
 
 FLUSH_S = 0.5
 """Time after which a chunk of the file is closed [s]."""
-LOOK_S = 0.05
+POLL_S = 0.05
 """Interval at which the writer checks its queue [s]: to wake it at each step would cost the simulation more."""
-MOST_WAITING = 20_000
+MAX_WAITING = 20_000
 """Maximum number of entries that wait to be written; if the disk falls further behind, the recording ends."""
 BEGIN_S = 2.0
 """Longest wait of a session's first run for the first message in its file [s]."""
-PATIENCE_S = 30.0
+MAX_DISK_WAIT_S = 30.0
 """Longest wait for the disk at the end of a run [s]."""
 
 Ended = Literal["completed", "time", "fault", "stopped", "restarted"]
@@ -71,7 +71,7 @@ class _End(NamedTuple):
 
 _CHANNEL = {kind: topic for topic, (kind, _) in CHANNELS.items()}
 """Channel of each type of message."""
-_Told = ControllersRecord | Shown | LightRecord
+_Ready = ControllersRecord | Shown | LightRecord
 """Types that are handed over as the messages to be written, and that `Viewing` does not show."""
 
 
@@ -121,7 +121,7 @@ class Recorder:
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
         self._opening = opening(scenario, seed, self._began_ns, changes, trial)
-        self._waiting: deque[_Step | Note | _Told | _End] = deque()
+        self._waiting: deque[_Step | Note | _Ready | _End] = deque()
         self._over = threading.Event()
         self._live = live
         self._scenario = scenario
@@ -140,8 +140,8 @@ class Recorder:
             return
         self._waiting.append(_Step(inputs, frame, time.perf_counter() - self._began, latency_ms))
         self.steps += 1
-        if len(self._waiting) > MOST_WAITING:
-            self._fail(f"{MOST_WAITING} steps wait to be written: the disk is too slow")
+        if len(self._waiting) > MAX_WAITING:
+            self._fail(f"{MAX_WAITING} steps wait to be written: the disk is too slow")
 
     def note(self, event: Event) -> None:
         """Hand over a line that the station wrote in the log."""
@@ -168,7 +168,7 @@ class Recorder:
 
     def wait_for_room(self) -> None:
         """Wait while the disk is far behind; for runs that are not paced by a clock."""
-        while len(self._waiting) > MOST_WAITING // 2 and not self.failure:
+        while len(self._waiting) > MAX_WAITING // 2 and not self.failure:
             time.sleep(0.001)
 
     def finish(self, ended: Ended, summary: Summary | None = None) -> None:
@@ -189,10 +189,10 @@ class Recorder:
         return self._thread.is_alive()
 
     def wait(self) -> None:
-        """Wait until everything is written; after `PATIENCE_S` the recording fails."""
-        self._thread.join(PATIENCE_S)
+        """Wait until everything is written; after `MAX_DISK_WAIT_S` the recording fails."""
+        self._thread.join(MAX_DISK_WAIT_S)
         if self._thread.is_alive():
-            self._fail(f"the disk took nothing for {PATIENCE_S:g} s")
+            self._fail(f"the disk took nothing for {MAX_DISK_WAIT_S:g} s")
 
     # --- the writer's thread ------------------------------------------------------------------------------
 
@@ -223,10 +223,10 @@ class Recorder:
             listing.join()
             self._list(lambda index, path: index.end(path, ended, time_s))
 
-    def _list(self, tell: Callable[[Index, Path], None]) -> None:
+    def _list(self, update: Callable[[Index, Path], None]) -> None:
         try:
             if self._index is not None and self.path is not None:
-                tell(self._index, self.path)
+                update(self._index, self.path)
         except (RecordingError, OSError) as error:
             self.unlisted = str(error)
 
@@ -245,10 +245,10 @@ class Recorder:
         view.open()
         frames = hashlib.sha256()
         ticks, time_s, now = 0, 0.0, self._began_ns
-        item: _Step | Note | _Told | _End | None = None
+        item: _Step | Note | _Ready | _End | None = None
         while not isinstance(item, _End):
             if not self._waiting:
-                self._over.wait(LOOK_S)
+                self._over.wait(POLL_S)
             item = self._waiting.popleft() if self._waiting else None
             if isinstance(item, _Step):
                 frames.update(bytes.fromhex(item.frame.sha256))
@@ -261,7 +261,7 @@ class Recorder:
             elif isinstance(item, Note):
                 channels.log("/notes", item, now)
                 view.line(item, now)
-            elif isinstance(item, _Told):
+            elif isinstance(item, _Ready):
                 channels.log(_CHANNEL[type(item)], item, now)
             if time.monotonic() >= due:
                 if file is not None:
