@@ -11,7 +11,7 @@ from aftdeck.station.messages.frame import Frame
 from aftdeck.station.server.page import MAX_REJECTIONS, NOT_IN_CONTROL
 from aftdeck.station.session import page_inputs
 from aftdeck.station.session.page_inputs import SILENCE
-from tests.station.pages import Station
+from tests.station.pages import Station, until
 
 
 def hand_overs(station: Station) -> list[str]:
