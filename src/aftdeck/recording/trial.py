@@ -1,4 +1,4 @@
-"""Participant and condition of a run: a study's own words, stored only in the recording."""
+"""Participant and condition of a run: texts of a study, stored only in the recording."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MAX_CONDITION_LENGTH = 120
 
 
 class Trial(NamedTuple):
-    """Participant and condition that a study gives for a run; empty if not given. No page of the run receives them."""
+    """Participant and condition of a run in a study; empty if not given. No page receives them."""
 
     participant: str = ""
     condition: str = ""
@@ -23,10 +23,10 @@ NO_TRIAL = Trial()
 
 
 def trial(participant: str | None, condition: str | None) -> Trial:
-    """Return a trial with these words; None leaves a word empty.
+    """Return a trial with these texts; None leaves a text empty.
 
     Raises:
-        InputError: a word is empty or too long, is not one printable line, or begins or ends with a space.
+        InputError: a text is empty or too long, is not one printable line, or begins or ends with a space.
     """
     return Trial(
         "" if participant is None else one_line("a participant's code", participant, MAX_PARTICIPANT_LENGTH),

@@ -51,7 +51,7 @@ def write_html(path: Path, out: Path) -> None:
     """
     page = _whole_page(built_page())
     if out.exists():
-        raise RecordingError(f"{out}: exists already and is not overwritten; give another name")
+        raise RecordingError(f"{out}: exists already and is not overwritten; give another name", "exists")
     with PlaybackStore(path) as store:
         text = _fitting(page, store, path)
     try:
@@ -59,7 +59,7 @@ def write_html(path: Path, out: Path) -> None:
         with out.open("x", encoding="utf-8") as file:
             file.write(text)
     except OSError as error:
-        raise RecordingError(f"{out}: cannot be written: {error.strerror or error}") from None
+        raise RecordingError(f"{out}: cannot be written: {error.strerror or error}", "unwritable") from None
 
 
 def _fitting(page: str, store: PlaybackStore, path: Path) -> str:

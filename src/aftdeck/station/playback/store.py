@@ -142,7 +142,7 @@ class PlaybackStore:
                     self._pack(waiting)
                     waiting = []
         if not ticks:
-            raise RecordingError(f"{recording.path}: ends before its first step and cannot be played")
+            raise RecordingError(f"{recording.path}: ends before its first step and cannot be played", "empty")
         if waiting:
             self._pack(waiting)
         return PlaybackIndex(
