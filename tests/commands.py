@@ -1,4 +1,4 @@
-"""The command line, called as a user would."""
+"""Command line, called in this process."""
 
 from __future__ import annotations
 

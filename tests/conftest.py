@@ -1,7 +1,7 @@
-"""What all tests share.
+"""Fixtures and hooks of all tests.
 
-The browser tests run where a Chromium is found, and say so where none is. Hypothesis looks for new examples at every
-run, for as long as it takes; with ``--hypothesis-profile=ci``, as `.ci/run` has it, for the same ones each time.
+Browser tests run if a Chromium is found; otherwise the summary reports them. Hypothesis tries new examples in every
+run; with ``--hypothesis-profile=ci``, as in `.ci/run`, the same examples.
 """
 
 import os
@@ -24,28 +24,28 @@ HOW_TO_GET_ONE = "install chromium, or name one in AFTDECK_CHROMIUM"
 
 not_run = pytest.StashKey[int]()
 
-# A slow machine fails nothing: no example has a time to keep.
+# no time limit for examples, so that a slow machine fails no test
 settings.register_profile("default", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 
 
 def find_chromium() -> Path | None:
-    """Returns the Chromium to test with: AFTDECK_CHROMIUM, else one on PATH, else one in its usual place.
+    """Return the Chromium for the tests: AFTDECK_CHROMIUM, or one on PATH, or one in a usual folder.
 
     Raises:
-        pytest.UsageError: where AFTDECK_CHROMIUM names no file.
+        pytest.UsageError: AFTDECK_CHROMIUM is not a file.
     """
     if named := os.environ.get("AFTDECK_CHROMIUM"):
         if not Path(named).is_file():
-            raise pytest.UsageError(f"AFTDECK_CHROMIUM is {named!r}, which is no file.")
+            raise pytest.UsageError(f"AFTDECK_CHROMIUM is {named!r}, which is not a file.")
         return Path(named)
     on_path = (Path(found) for name in CHROMIUM_NAMES if (found := shutil.which(name)))
     in_place = (place for place in CHROMIUM_PLACES if place.is_file())
     return next(on_path, None) or next(in_place, None)
 
 
-@pytest.hookimpl(trylast=True)  # after `-m` and `-k` have chosen
+@pytest.hookimpl(trylast=True)  # after the selection by `-m` and `-k`
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leaves out the browser tests where there is no Chromium, or refuses if one is required."""
+    """Deselect the browser tests if no Chromium is found; raise an error if one is required."""
     browser = [item for item in items if item.get_closest_marker("browser")]
     if not browser or find_chromium():
         return
@@ -57,7 +57,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
-    """Says at the end which tests were left out for want of a Chromium."""
+    """Report the number of browser tests that were deselected."""
     if count := config.stash.get(not_run, 0):
         terminalreporter.section("no Chromium found", yellow=True)
         terminalreporter.line(f"{count} browser tests were not run: {HOW_TO_GET_ONE}.")
@@ -65,18 +65,18 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
 
 @pytest.fixture(scope="session", autouse=True)
 def data_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """The user's data folder of all tests and of the programs that they start: an empty one, not the user's own."""
+    """Set an empty data folder for the tests and the programs that they start, in place of the user's."""
     folder = tmp_path_factory.mktemp("data")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("XDG_DATA_HOME", str(folder))
-        if platformdirs.user_data_path() != folder:  # where no variable says where it is
+        if platformdirs.user_data_path() != folder:  # on systems where no variable sets it
             patch.setattr(platformdirs, "user_data_dir", lambda name, **_: str(folder / name))
         yield folder
 
 
 @pytest.fixture(scope="session")
 def chromium() -> Path:
-    """The Chromium that the browser tests drive."""
+    """Path of the Chromium for the browser tests."""
     found = find_chromium()
     assert found is not None, "tests that use this fixture carry the marker `browser`"
     return found
@@ -84,5 +84,5 @@ def chromium() -> Path:
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Run:
-    """The command line, in this process."""
+    """Command line in this process."""
     return Run(capsys, monkeypatch)

@@ -1,7 +1,7 @@
-"""A flight where nothing is there but the simulation: ``python -m tests.elsewhere SCENARIO STEPS``.
+"""Run without libraries, threads and files: ``python -m tests.elsewhere SCENARIO STEPS``.
 
-The server's, the recording's and the terminal's libraries are missing, no thread can be started, and once the scenario
-is loaded no file can be opened.
+The libraries of server, recording and terminal cannot be imported. After the scenario is loaded, no thread can be
+started and no file can be opened.
 """
 
 from __future__ import annotations
@@ -21,23 +21,23 @@ MISSING = frozenset({"foxglove", "mcap", "rich", "starlette", "typer", "uvicorn"
 
 
 class _Missing(importlib.abc.MetaPathFinder):
-    """Finds none of the missing libraries, and leaves the others to who comes after it."""
+    """Finder that raises an error for the missing libraries, and leaves others to the next finder."""
 
     def find_spec(self, name: str, path: Sequence[str] | None, target: ModuleType | None = None) -> ModuleSpec | None:
-        """As the import system asks for it."""
+        """Raise ModuleNotFoundError for a missing library; otherwise return None."""
         if name.partition(".")[0] in MISSING:
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
         return None
 
 
 def _refused(*given: Any, **_: Any) -> NoReturn:
-    raise AssertionError(f"not while it flies: {given}")
+    raise AssertionError(f"not allowed during a run: {given}")
 
 
 def main(name: str, steps: int) -> None:
-    """Fly a scenario's script for some steps and print how far it came [s]."""
+    """Run a scenario's script for some steps, and print the simulated time [s]."""
     sys.meta_path.insert(0, _Missing())
-    from aftdeck.simulation.run import Simulation  # noqa: PLC0415, only now are they missing
+    from aftdeck.simulation.run import Simulation  # noqa: PLC0415, imported after the libraries were made missing
 
     sim = Simulation(name)
     threading.Thread.start = _refused  # type: ignore[method-assign]

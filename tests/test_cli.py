@@ -1,3 +1,5 @@
+"""Command line, without the commands on recordings."""
+
 from __future__ import annotations
 
 import json
@@ -15,7 +17,7 @@ from aftdeck.scenario.load import built_in, load_scenario
 from tests.commands import Run
 
 WAIT_S = 300.0
-"""The longest that a program may take [s]."""
+"""Longest time for a program [s]."""
 
 
 def in_a_process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[bytes]:
@@ -35,7 +37,7 @@ def test_help_lists_every_command(run: Run) -> None:
 
 
 @pytest.mark.parametrize("command", ["fly", "run", "check", "scenarios", "arms", "arm"])
-def test_every_commands_help_has_an_example_and_fits_80_columns(run: Run, command: str) -> None:
+def test_help_of_every_command_has_an_example_and_fits_80_columns(run: Run, command: str) -> None:
     code, out, _ = run(command, "--help")
     assert code == 0
     assert f"aftdeck {command}" in out.partition("Example")[2]
@@ -46,52 +48,55 @@ def test_version_is_that_of_the_package(run: Run) -> None:
     assert run("--version") == (0, f"{aftdeck.__version__}\n", "")
 
 
-def test_no_command_shows_the_help(run: Run) -> None:
+def test_missing_command_prints_the_help(run: Run) -> None:
     code, out, err = run()
     assert code == 2
     assert "scenarios" in out + err
 
 
 @pytest.mark.parametrize(
-    ("arguments", "sentence"),
+    ("arguments", "part"),
     [
-        (("soar",), "No such command 'soar'"),
-        (("run",), "Missing argument 'SCENARIO'"),
-        (("run", "first-flight", "--fast"), "No such option: --fast"),
-        (("fly", "--port", "many"), "Invalid value for '--port'"),
-        (("arm", "srms", "sideways"), "'sideways' is not one of"),
-        (("arm", "srms", "forward", *"000000", "--frame", "moon"), "'moon' is not one of"),
+        (("soar",), "'soar'"),
+        (("run",), "'SCENARIO'"),
+        (("run", "first-flight", "--fast"), "--fast"),
+        (("fly", "--port", "many"), "'--port'"),
+        (("arm", "srms", "sideways"), "'sideways'"),
+        (("arm", "srms", "forward", *"000000", "--frame", "moon"), "'moon'"),
     ],
 )
-def test_wrong_usage_ends_with_2_and_says_what_is_wrong(run: Run, arguments: tuple[str, ...], sentence: str) -> None:
+def test_wrong_usage_exits_with_2_and_names_the_argument(run: Run, arguments: tuple[str, ...], part: str) -> None:
     code, out, err = run(*arguments)
     assert (code, out) == (2, "")
-    assert sentence in err
+    assert part in err
 
 
 @pytest.mark.parametrize(
-    ("arguments", "sentence"),
+    ("arguments", "parts"),
     [
-        (("run", "nowhere"), "aftdeck: no scenario 'nowhere': built in are concept-1972, "),
-        (("run", "nowhere.toml"), "aftdeck: nowhere.toml: cannot be read: No such file or directory"),
-        (("fly", "nowhere"), "aftdeck: no scenario 'nowhere'"),
-        (("fly", "--port", "70000"), "aftdeck: ports are numbered 0 to 65535, got 70000"),
-        (("fly", "--port", "-1"), "aftdeck: ports are numbered 0 to 65535, got -1"),
-        (("fly", "--host", ".."), "aftdeck: the host '..' is not known"),
-        (("arm", "canadarm9", "limits"), "aftdeck: no arm 'canadarm9'"),
-        (("arm", "srms", "forward", "1", "2"), "aftdeck: forward takes 6 numbers, got 2: 1 2"),
-        (("arm", "srms", "limits", "1"), "aftdeck: limits takes 0 numbers, got 1: 1"),
-        (("arm", "srms", "forward", *"00000", "x"), "aftdeck: forward: 'x' is no number"),
-        (("arm", "srms", "forward", *"00000", "nan"), "aftdeck: forward: numbers are finite, got 'nan'"),
-        (("arm", "srms", "forward", *"00000", "-inf"), "aftdeck: forward: numbers are finite, got '-inf'"),
-        (("arm", "srms", "forward", *"00000", "1e999"), "aftdeck: forward: numbers are finite, got '1e999'"),
-        (("arm", "srms", "inverse", "99", *"00000"), "aftdeck: the arm cannot reach this pose"),
+        (arguments, parts)
+        for arguments, *parts in [
+            (("run", "nowhere"), "'nowhere'", "concept-1972, "),
+            (("run", "nowhere.toml"), "nowhere.toml: ", "No such file or directory"),
+            (("fly", "nowhere"), "'nowhere'", "concept-1972, "),
+            (("fly", "--port", "70000"), "0 to 65535", "got 70000"),
+            (("fly", "--port", "-1"), "0 to 65535", "got -1"),
+            (("fly", "--host", ".."), "'..'"),
+            (("arm", "canadarm9", "limits"), "'canadarm9'"),
+            (("arm", "srms", "forward", "1", "2"), "forward", "6", "got 2: 1 2"),
+            (("arm", "srms", "limits", "1"), "limits", "0", "got 1: 1"),
+            (("arm", "srms", "forward", *"00000", "x"), "forward: 'x'"),
+            (("arm", "srms", "forward", *"00000", "nan"), "forward: ", "got 'nan'"),
+            (("arm", "srms", "forward", *"00000", "-inf"), "forward: ", "got '-inf'"),
+            (("arm", "srms", "forward", *"00000", "1e999"), "forward: ", "got '1e999'"),
+            (("arm", "srms", "inverse", "99", *"00000"), "pose"),
+        ]
     ],
 )
-def test_bad_input_ends_with_2_and_one_sentence(run: Run, arguments: tuple[str, ...], sentence: str) -> None:
+def test_invalid_input_exits_with_2_and_one_line(run: Run, arguments: tuple[str, ...], parts: list[str]) -> None:
     code, out, err = run(*arguments)
     assert (code, out) == (2, "")
-    assert err.startswith(sentence)
+    assert err.startswith("aftdeck: ") and all(part in err for part in parts), err
     assert err.count("\n") == 1
 
 
@@ -109,7 +114,7 @@ def test_run_prints_the_summary_as_json(run: Run) -> None:
     assert degrees == pytest.approx([0.0, 25.0, -25.0, 5.0, 0.0, 0.0], abs=1e-3)
 
 
-def test_run_prints_the_summary_for_people(run: Run) -> None:
+def test_run_prints_the_summary_as_text(run: Run) -> None:
     code, out, err = run("run", "uncradle")
     assert (code, err) == (0, "")
     assert out.startswith("uncradle: completed after ")
@@ -132,7 +137,7 @@ duration = "1 s"
 """
 
 
-def test_a_run_that_ends_in_a_fault_ends_with_1(run: Run, tmp_path: Path) -> None:
+def test_run_that_ends_in_a_fault_exits_with_1(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "late.toml"
     path.write_text(FAULT, encoding="utf-8")
     code, out, _ = run("run", str(path))
@@ -150,7 +155,7 @@ def test_check_passes_every_built_in_scenario(run: Run) -> None:
         assert run.json("check", name) == {"scenario": name, "problems": [], "cautions": []}
 
 
-def test_run_tells_cautions_on_standard_error_alone(run: Run, tmp_path: Path) -> None:
+def test_run_prints_cautions_on_standard_error_only(run: Run, tmp_path: Path) -> None:
     text = load_scenario("concept-1972").text.replace('"payload"', '"free flyer"')
     path = tmp_path / "wide.toml"
     duration = next(line for line in text.splitlines() if line.startswith("duration"))
@@ -178,16 +183,16 @@ def test_check_lists_every_error_with_its_line(run: Run, tmp_path: Path) -> None
     assert len(json.loads(out)["problems"]) == 3
 
 
-def test_check_tells_what_the_hand_could_not_have_taken_so(run: Run, tmp_path: Path) -> None:
+def test_check_reports_an_impossible_capture(run: Run, tmp_path: Path) -> None:
     text = load_scenario("concept-1972").text
     file = tmp_path / "over.toml"
     file.write_text(text.replace('above = "0.36 in"', 'above = "1 in"'))
     code, out, err = run("check", str(file))
     assert (code, out) == (2, "")
-    assert "over: initialise.extraction.grasped: Payload " in err
+    assert "over: initialise.extraction.grasped: " in err
 
 
-def test_check_tells_of_a_missing_arm_as_of_any_other_error(run: Run, tmp_path: Path) -> None:
+def test_check_reports_a_missing_arm(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "armless.toml"
     path.write_text(FAULT.replace('"srms"', '"nowhere.toml"'), encoding="utf-8")
     code, out, _ = run("check", str(path), "--json")
@@ -204,7 +209,7 @@ def test_check_tells_of_a_missing_arm_as_of_any_other_error(run: Run, tmp_path: 
      ("arm", "srms", "limits", "--deg"), ("arm", "concept-1972", "limits", "--deg"), ("arm", "concept-1972", "modes")],
     ids=" ".join,
 )  # fmt: skip
-def test_tables_fit_80_columns_and_break_between_words_only(run: Run, arguments: tuple[str, ...]) -> None:
+def test_tables_fit_80_columns(run: Run, arguments: tuple[str, ...]) -> None:
     code, out, err = run(*arguments)
     assert (code, err) == (0, "")
     assert max(len(line) for line in out.splitlines()) <= 80
@@ -212,7 +217,7 @@ def test_tables_fit_80_columns_and_break_between_words_only(run: Run, arguments:
         assert all(f"\n{joint} " in out for joint in aftdeck.load_arm(arguments[1]).joints)
 
 
-def test_lists_are_read_by_scripts(run: Run) -> None:
+def test_lists_are_printed_as_json(run: Run) -> None:
     _, out, _ = run("scenarios", "--json")
     assert [row["name"] for row in json.loads(out)] == list(built_in())
     _, out, _ = run("arms", "--json")
@@ -225,7 +230,7 @@ def test_lists_are_read_by_scripts(run: Run) -> None:
     }  # fmt: skip
 
 
-def test_limits_are_given_in_the_unit_asked_for(run: Run) -> None:
+def test_limits_are_printed_in_the_given_unit(run: Run) -> None:
     limits = run.json("arm", "srms", "limits", "--deg")
     assert (limits["angle_unit"], limits["rate_unit"]) == ("deg", "deg/s")
     in_radians = run.json("arm", "srms", "limits")
@@ -239,17 +244,17 @@ NEGATIVE = ("-10", "25.5", "-2.5e1", "-.5", "-0", "+7")
 
 @pytest.mark.parametrize("frame", ["L", "orbiter", "panel"])
 @pytest.mark.parametrize("name", ["srms", "concept-1972"])
-def test_inverse_answers_forward_in_every_frame_with_negative_numbers(run: Run, name: str, frame: str) -> None:
+def test_inverse_reverses_forward_in_every_coordinate_frame(run: Run, name: str, frame: str) -> None:
     pose = run.json("arm", name, "forward", *NEGATIVE, "--deg", "--frame", frame)
     assert pose["frame"] == frame
     assert pose["position_unit"] == ("in" if frame == "panel" else "m")
     numbers = [*pose["position"], pose["roll"], pose["pitch"], pose["yaw"]]
     answer = run.json("arm", name, "inverse", *(repr(x) for x in numbers), "--deg", "--frame", frame)
-    wanted = [float(text) for text in NEGATIVE]
-    assert any(row == pytest.approx(wanted, abs=1e-6) for row in answer["solutions"])
+    expected = [float(text) for text in NEGATIVE]
+    assert any(row == pytest.approx(expected, abs=1e-6) for row in answer["solutions"])
 
 
-def test_the_cradled_arm_shows_the_panels_cradled_numbers(run: Run) -> None:
+def test_cradled_arm_has_the_panels_cradled_position(run: Run) -> None:
     pose = run.json("arm", "srms", "forward", *"000000", "--frame", "panel")
     assert pose["position"] == pytest.approx([-1282.5, -108.0, -445.0], abs=0.5)
 
@@ -257,7 +262,7 @@ def test_the_cradled_arm_shows_the_panels_cradled_numbers(run: Run) -> None:
 # --- terminals and pipes ----------------------------------------------------------------------------------
 
 
-def test_a_terminal_without_the_signs_is_no_error() -> None:
+def test_ascii_terminal_gets_question_marks() -> None:
     plain = in_a_process("scenarios", PYTHONIOENCODING="ascii", PYTHONUTF8="0")
     assert (plain.returncode, plain.stderr) == (0, b"")
     assert b"+25?" in plain.stdout
@@ -266,11 +271,11 @@ def test_a_terminal_without_the_signs_is_no_error() -> None:
     assert "+25°" in texts["uncradle"]
 
 
-def test_a_terminal_with_the_signs_shows_them() -> None:
+def test_utf_8_terminal_gets_all_characters() -> None:
     assert "+25°, elbow to" in in_a_process("scenarios", PYTHONIOENCODING="utf-8", COLUMNS="200").stdout.decode()
 
 
-def test_a_reader_that_goes_early_is_no_error() -> None:
+def test_reader_that_closes_the_pipe_early_is_no_error() -> None:
     read, write = os.pipe()
     os.close(read)
     command = [sys.executable, "-m", "aftdeck", "scenarios"]
@@ -282,7 +287,7 @@ def test_a_reader_that_goes_early_is_no_error() -> None:
     assert ended.returncode == 141
 
 
-def test_help_imports_none_of_the_slow_libraries() -> None:
+def test_help_imports_no_slow_library() -> None:
     code = (
         "import sys\nfrom aftdeck.cli import main\nsys.argv = ['aftdeck', '--help']\n"
         "try:\n    main()\nexcept SystemExit:\n    pass\n"

@@ -1,4 +1,4 @@
-"""The simulation needs no threads, no files once loaded, and none of the server's or recording's libraries."""
+"""The simulation needs no threads, no files after loading, and no libraries of server or recording."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ STEPS = 12
 
 
 @pytest.mark.parametrize("name", ["first-flight", "concept-1972-script", "srms-berth"])
-def test_a_scenario_flies_where_nothing_is_there_but_the_simulation(name: str) -> None:
-    """Uncompiled, as in a Python without a compiler: compiled laws are read from files when they are first called."""
+def test_scenario_runs_without_threads_files_and_libraries(name: str) -> None:
+    """Laws are not compiled here, because compiled laws are read from files at their first call."""
     done = subprocess.run(
         [sys.executable, "-m", "tests.elsewhere", name, str(STEPS)],
         cwd=Path(__file__).parents[1],

@@ -1,4 +1,4 @@
-"""Reading TOML into types: all errors at once, each with its line; nothing brings the reader down."""
+"""Decoding of TOML into types: all errors together, each with its line, also for hostile files."""
 
 from __future__ import annotations
 
@@ -27,8 +27,7 @@ class Outer(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 DEEP_S, MANY_S = 30.0, 3.0
-"""The longest that a deep file and one of many errors may take [s], of this thread's own time: what a busy machine
-gives to others does not count. They take 2 and 0.1 s."""
+"""Maximum processor time for a deep file and for a file with many errors [s]; they take 2 and 0.1 s."""
 
 
 def problems(text: str) -> list[str]:
@@ -38,7 +37,7 @@ def problems(text: str) -> list[str]:
     return list(caught.value.problems)
 
 
-def test_a_good_file_becomes_its_type(tmp_path: Path) -> None:
+def test_valid_file_becomes_its_type(tmp_path: Path) -> None:
     file = tmp_path / "good.toml"
     file.write_text('title = "é"\npair = ["1 in", 2]\n[inner]\nsize = "1 ft"\n[[part]]\nsize = 3\n', encoding="utf-8")
     found = parse(Outer, read(file))
@@ -47,7 +46,7 @@ def test_a_good_file_becomes_its_type(tmp_path: Path) -> None:
     assert [part.size for part in found.part] == [3.0]
 
 
-def test_every_error_comes_at_once_with_its_line() -> None:
+def test_all_errors_are_reported_with_their_lines() -> None:
     text = "\n".join(
         ["titel = 'x'", "pair = [1]", "[inner]", "size = 'long'", "[[part]]", "size = 1", "[[part]]", "colour = 'red'"]
     )
@@ -61,7 +60,7 @@ def test_every_error_comes_at_once_with_its_line() -> None:
     assert any(p == "a.toml:7: part[1]: the field 'size' is missing" for p in found)
 
 
-def test_wrong_toml_says_where() -> None:
+def test_invalid_toml_is_reported_with_its_line() -> None:
     assert problems("title = \n") == ["a.toml: Invalid value (at line 1, column 9)"]
     assert "a.toml: Cannot overwrite a value" in problems("title = 'a'\ntitle = 'b'\n")[0]
 
@@ -77,7 +76,7 @@ def test_wrong_toml_says_where() -> None:
         ("title = 1979-05-27", "title"),
     ],
 )
-def test_a_value_of_the_wrong_kind_says_what_was_expected(text: str, what: str) -> None:
+def test_value_of_the_wrong_type_is_reported_with_the_expected_type(text: str, what: str) -> None:
     head = "" if "title" in text else "title = 'x'\n"
     assert any(what in problem for problem in problems(head + text))
 
@@ -99,64 +98,64 @@ def test_a_value_of_the_wrong_kind_says_what_was_expected(text: str, what: str) 
     ],
     ids=["dotted", "header", "in a number", "in a list", "lists", "tables", "int", "ints", "open", "nul", "spaces"],
 )
-def test_deep_and_long_files_are_refused_quickly_and_briefly(text: str) -> None:
+def test_deep_and_long_files_are_rejected_quickly(text: str) -> None:
     began = time.thread_time()
     found = problems(text)
     assert time.thread_time() - began < DEEP_S
     assert all(problem.startswith("a.toml") and "\n" not in problem for problem in found)
 
 
-def test_thousands_of_errors_are_told_in_a_second_or_two() -> None:
+def test_thousands_of_errors_are_reported_quickly() -> None:
     began = time.thread_time()
     assert len(problems("title = 'x'\n" + "".join(f"a{i} = 1\n" for i in range(5000)))) == 5000
     assert time.thread_time() - began < MANY_S
 
 
-def test_a_missing_file_is_named_with_the_reason(tmp_path: Path) -> None:
-    with pytest.raises(ScenarioError, match=r"none\.toml: cannot be read: No such file or directory"):
+def test_missing_file_is_named_with_the_reason(tmp_path: Path) -> None:
+    with pytest.raises(ScenarioError, match=r"none\.toml: .*No such file"):
         read(tmp_path / "none.toml")
 
 
-def test_a_folder_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(ScenarioError, match="cannot be read"):
+def test_folder_is_rejected(tmp_path: Path) -> None:
+    with pytest.raises(ScenarioError, match=str(tmp_path)):
         read(tmp_path)
 
 
-def test_a_name_that_no_file_can_have_is_refused() -> None:
+def test_impossible_file_name_is_rejected() -> None:
     for name in ("a\0b.toml", "x" * 5000 + ".toml"):
-        with pytest.raises(ScenarioError, match="cannot be read"):
+        with pytest.raises(ScenarioError):
             read(Path(name))
 
 
-def test_a_huge_file_is_refused_unread(tmp_path: Path) -> None:
+def test_huge_file_is_rejected_without_reading(tmp_path: Path) -> None:
     file = tmp_path / "huge.toml"
     with file.open("wb") as handle:
         handle.seek(10_000_000_000)
         handle.write(b"x")
-    with pytest.raises(ScenarioError, match=f"has 10000000001 bytes; at most {MOST_BYTES} are read"):
+    with pytest.raises(ScenarioError, match=rf"10000000001 bytes.* {MOST_BYTES}\b"):
         read(file)
 
 
-def test_a_binary_file_is_refused_with_the_byte(tmp_path: Path) -> None:
+def test_binary_file_is_rejected_with_the_byte(tmp_path: Path) -> None:
     file = tmp_path / "binary.toml"
     file.write_bytes(b"ok = 1\n" + bytes(range(256)))
-    with pytest.raises(ScenarioError, match=r"is not UTF-8 text \(byte 135\)"):
+    with pytest.raises(ScenarioError, match="byte 135"):
         read(file)
 
 
-def test_what_is_no_file_is_refused_rather_than_read_for_ever() -> None:
-    with pytest.raises(ScenarioError, match="it is not a file"):
+def test_device_is_rejected_without_reading() -> None:
+    with pytest.raises(ScenarioError, match="/dev/zero"):
         read(Path("/dev/zero"))
 
 
-def test_a_pipe_is_refused_rather_than_waited_for(tmp_path: Path) -> None:
+def test_pipe_is_rejected_without_waiting(tmp_path: Path) -> None:
     pipe = tmp_path / "pipe.toml"
     os.mkfifo(pipe)
-    with pytest.raises(ScenarioError, match="it is not a file"):
+    with pytest.raises(ScenarioError, match=r"pipe\.toml"):
         read(pipe)
 
 
-def test_line_of_finds_keys_headers_and_the_nearest_above() -> None:
+def test_line_of_finds_keys_headers_and_the_nearest_line_above() -> None:
     text = "a = 1\n[t]\nb.c = 2\n[[l]]\nx = 1\n[[l]]\nx = 2\n[l.sub]\ny = 1\n"
     assert line_of(("a",), text) == 1
     assert line_of(("t",), text) == 2

@@ -1,4 +1,4 @@
-"""Places in error messages: an index counts every item of the file's list, and the line is that of the item."""
+"""Locations in error messages: an index counts all items of the list in the file; the line is that of the item."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ FILES: tuple[type[msgspec.Struct], ...] = (
     light._File,
 )
 DEEPEST = 4
-"""Groups of shapes hold groups of shapes: lists of tables so far down are looked at."""
+"""Maximum depth of the lists of tables that are tested; groups of shapes contain groups of shapes."""
 
 
 def structs(kind: Any) -> list[type[msgspec.Struct]]:
-    """The structs that a field's value can be."""
+    """Return the structs among the types of a field's value."""
     if get_origin(kind) is Union or type(kind).__name__ == "UnionType":
         return [struct for member in get_args(kind) for struct in structs(member)]
     if getattr(kind, "__metadata__", None):
@@ -48,48 +48,48 @@ def structs(kind: Any) -> list[type[msgspec.Struct]]:
 
 
 def lists_of_tables(kind: type[msgspec.Struct], depth: int = DEEPEST) -> Iterator[tuple[str | None, ...]]:
-    """The way to each list of tables in a type: keys, with None after each that is a list."""
+    """Yield the path of each list of tables in a type: keys, with None after each list."""
     for name, hint in get_type_hints(kind, include_extras=False).items():
         member = next((k for k in (hint, *get_args(hint)) if get_origin(k) is tuple), None)
         listed = get_args(member)[0] if member is not None and get_args(member)[1:] == (...,) else None
         for inner in structs(listed if listed is not None else hint):
-            way: tuple[str | None, ...] = (name, None) if listed is not None else (name,)
+            path: tuple[str | None, ...] = (name, None) if listed is not None else (name,)
             if listed is not None:
-                yield way
-            if depth > len(way):
-                yield from ((*way, *rest) for rest in lists_of_tables(inner, depth - len(way)))
+                yield path
+            if depth > len(path):
+                yield from ((*path, *rest) for rest in lists_of_tables(inner, depth - len(path)))
 
 
-WAYS = sorted({(kind, way) for kind in FILES for way in lists_of_tables(kind)}, key=str)
+PATHS = sorted({(kind, path) for kind in FILES for path in lists_of_tables(kind)}, key=str)
 
 
-def test_the_lists_of_tables_are_found() -> None:
-    found = {(kind.__name__, place(tuple(0 if part is None else part for part in way))) for kind, way in WAYS}
+def test_lists_of_tables_are_found() -> None:
+    found = {(kind.__name__, place(tuple(0 if part is None else part for part in path))) for kind, path in PATHS}
     assert {("ScenarioFile", "phase[0]"), ("ScenarioFile", "sequence[0].point[0]")} <= found
     assert {("WorksiteFile", "body[0].solids[0]"), ("YawArmFile", "por[0]"), ("_File", "camera[0]")} <= found
     assert len(found) > 20
 
 
-@pytest.mark.parametrize(("kind", "way"), WAYS, ids=lambda value: getattr(value, "__name__", None) or str(value))
+@pytest.mark.parametrize(("kind", "path"), PATHS, ids=lambda value: getattr(value, "__name__", None) or str(value))
 @settings(max_examples=8)
 @given(data=st.data())
-def test_an_unknown_field_is_told_with_its_own_index_and_line(
-    kind: type[msgspec.Struct], way: tuple[str | None, ...], data: st.DataObject
+def test_unknown_field_is_reported_with_its_index_and_line(
+    kind: type[msgspec.Struct], path: tuple[str | None, ...], data: st.DataObject
 ) -> None:
-    """`[[a]]` tables, each with some `[[a.b]]`: a field that no type has stands in some of the innermost."""
+    """Write tables `[[a]]`, each with some `[[a.b]]`, and an unknown field in some of the innermost tables."""
     union, lines, expected = kind, [], {}
     if (config := kind.__struct_config__).tag:  # a family of arms
         union, lines = cast("type[msgspec.Struct]", ArmFile), [f'{config.tag_field} = "{config.tag}"']
 
     def write(depth: int, header: list[str], where: tuple[str | int, ...]) -> None:
-        if depth == len(way):
+        if depth == len(path):
             if data.draw(st.booleans()):
                 lines.append("nonsense = 1")
                 expected[place((*where, "nonsense"))] = len(lines)
             return
-        part = way[depth]
+        part = path[depth]
         assert part is not None
-        if depth + 1 < len(way) and way[depth + 1] is None:
+        if depth + 1 < len(path) and path[depth + 1] is None:
             for k in range(data.draw(st.integers(1, 3))):
                 lines.append(f"[[{'.'.join((*header, part))}]]")
                 write(depth + 2, [*header, part], (*where, part, k))
@@ -98,15 +98,15 @@ def test_an_unknown_field_is_told_with_its_own_index_and_line(
 
     write(0, [], ())
     _, problems = examine(union, Text("f.toml", "\n".join(lines)))
-    told = [problem.sentence("f.toml", "\n".join(lines)) for problem in problems]
-    found = {m[2]: int(m[1]) for m in (re.match(r"f\.toml:(\d+): (\S*nonsense): ", one) for one in told) if m}
-    if any("nonsense" in one for one in told):  # a union whose kind is not given is complained of as a whole
+    sentences = [problem.sentence("f.toml", "\n".join(lines)) for problem in problems]
+    found = {m[2]: int(m[1]) for m in (re.match(r"f\.toml:(\d+): (\S*nonsense): ", one) for one in sentences) if m}
+    if any("nonsense" in one for one in sentences):  # a union without its kind is one error
         assert found == expected
 
 
 WORKSITE = tomllib.loads((Path(worksite_file.__file__).parents[1] / "concept-1972.toml").read_text())
 INSIDE = [float(x) for x in load_worksite("concept-1972").solids[0].vertices.mean(axis=0)]
-"""A place in a solid of the orbiter's, in the scene."""
+"""Position in a solid of the orbiter, in the scene."""
 STILL = [
     i
     for i, camera in enumerate(WORKSITE["camera"])
@@ -118,8 +118,8 @@ STILL = [
 @pytest.mark.slow
 @settings(max_examples=8)
 @given(st.permutations(STILL), st.integers(1, len(STILL) - 1))
-def test_a_camera_is_counted_among_all_that_are_listed(order: list[int], broken: int) -> None:
-    """Some cameras cannot be made, the others stand in a solid: each is told by its own index."""
+def test_index_of_a_camera_counts_all_cameras(order: list[int], broken: int) -> None:
+    """Some cameras have an unknown drive, the others are in a solid: each error has the index of its camera."""
     wrong = tomlkit.parse(tomlkit.dumps(WORKSITE)).unwrap()
     for i in order[:broken]:
         wrong["camera"][i]["drive"] = "none such"
@@ -127,14 +127,16 @@ def test_a_camera_is_counted_among_all_that_are_listed(order: list[int], broken:
         wrong["camera"][i]["position"] = INSIDE
     found = worksite_problems(wrong)
     names = {f"camera[{i}]": WORKSITE["camera"][i]["name"] for i in STILL}
-    told = {m[1]: m[2] for m in (re.search(r": (camera\[\d+\])\S*: camera ([^ ']+)", one) for one in found) if m}
-    assert told == names
+    found_indices = {
+        m[1]: m[2] for m in (re.search(r": (camera\[\d+\])\S*: camera ([^ ']+)", one) for one in found) if m
+    }
+    assert found_indices == names
 
 
 @settings(max_examples=6)
 @given(st.permutations(range(4)), st.integers(1, 3))
-def test_a_cargo_is_counted_among_all_that_are_listed(order: list[int], broken: int) -> None:
-    """Some cargoes start in no seat, another's part is that of a body: each is told by its own index."""
+def test_index_of_a_payload_counts_all_payloads(order: list[int], broken: int) -> None:
+    """Some payloads start in an unknown berth, one has the part of a body: each error has the index of its payload."""
     wrong = tomlkit.parse(tomlkit.dumps(WORKSITE)).unwrap()
     first = dict(wrong["cargo"][0])
     part = load_worksite("concept-1972").solids[0].part
@@ -144,8 +146,8 @@ def test_a_cargo_is_counted_among_all_that_are_listed(order: list[int], broken: 
         wrong["cargo"][i]["start"] = {"seat": "none such"}
     wrong["cargo"][order[broken]]["name"] = part
     found = worksite_problems(wrong)
-    told = {int(m[1]) for m in (re.search(r": cargo\[(\d+)\]: ", one) for one in found) if m}
-    assert told == set(order[: broken + 1])
+    found_indices = {int(m[1]) for m in (re.search(r": cargo\[(\d+)\]: ", one) for one in found) if m}
+    assert found_indices == set(order[: broken + 1])
     assert [one for one in found if f": cargo[{order[broken]}]: the part {part!r}" in one]
 
 
@@ -157,7 +159,7 @@ def worksite_problems(raw: dict[str, Any]) -> tuple[str, ...]:
 
 @settings(max_examples=4)
 @given(st.lists(st.booleans(), min_size=1, max_size=5))
-def test_a_phase_without_a_name_is_called_by_its_place_in_the_file(named: list[bool]) -> None:
+def test_phase_without_a_name_is_called_by_its_index(named: list[bool]) -> None:
     phases = "".join(
         '[[phase]]\nmode = "ORB UNL"\nduration = 1\n' + (f'name = "own {k}"\n' if own else "")
         for k, own in enumerate(named)

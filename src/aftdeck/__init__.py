@@ -1,6 +1,6 @@
-"""Aftdeck: simulator of a space manipulator at work, with or without a person in the loop.
+"""Aftdeck: simulator of a space manipulator, with manual or scripted operation.
 
-Names are loaded on first use, so that importing the package takes almost no time.
+A name is loaded on first use, so that importing the package takes almost no time.
 """
 
 from __future__ import annotations

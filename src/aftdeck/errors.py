@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Literal
 
 
 class AftdeckError(Exception):
@@ -49,7 +50,7 @@ class UnreachableError(AftdeckError):
 
     Attributes:
         excess: distance beyond the reach [m], or angle beyond a joint limit [rad].
-        joint: joint whose limit is exceeded on the branch that comes nearest; None if the pose is out of reach.
+        joint: joint whose limit is exceeded on the nearest branch; None if the pose is out of reach.
     """
 
     def __init__(self, message: str, excess: float, joint: str | None = None) -> None:
@@ -61,7 +62,7 @@ class ScenarioError(AftdeckError):
     """A scenario, worksite or arm file with errors, all reported at once.
 
     Attributes:
-        problems: one sentence each, beginning with its place (``file.toml:12: phase[1].rate: ...``).
+        problems: one sentence each, beginning with its location (``file.toml:12: phase[1].rate: ...``).
     """
 
     def __init__(self, problems: Sequence[str]) -> None:
@@ -77,5 +78,17 @@ class SimulationError(AftdeckError):
     """A failure of the simulation itself (a number is not finite); the message gives the time and the cause."""
 
 
+RecordingFault = Literal["other", "unreadable", "foreign", "empty", "damaged", "newer layout", "exists", "unwritable"]
+"""Cause of a `RecordingError`: ``foreign``, the file is not a recording; ``empty``, it ends before its first second."""
+
+
 class RecordingError(AftdeckError):
-    """A recording file that cannot be written, read or understood; the message says which file and why."""
+    """A recording file that cannot be written, read or re-simulated; the message names the file and the cause.
+
+    Attributes:
+        fault: cause of the error.
+    """
+
+    def __init__(self, message: str, fault: RecordingFault = "other") -> None:
+        super().__init__(message)
+        self.fault = fault

@@ -1,4 +1,4 @@
-"""Decoding of TOML files into types; all errors are reported at once, each with its place."""
+"""Decoding of TOML files into types; all errors are reported together, each with its line."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ _HALF_PI_2 = 2.563344151594519e-12
 
 
 class _Declared:
-    """Declared law, until `load` puts the compiled one in its place; a name that it misses still works, more slowly."""
+    """Declared law, which `load` replaces by the compiled one; a name that `load` misses still works, more slowly."""
 
     def __init__(self, function: Callable[..., Any], fused: bool) -> None:
         functools.update_wrapper(self, function)
@@ -55,7 +55,7 @@ class _Declared:
 
     @functools.cached_property
     def compiled(self) -> Callable[..., Any]:
-        """The law itself, which Numba compiles at its first call."""
+        """Law as a function that Numba compiles at its first call."""
         return _compiled(self.__wrapped__, fused=self._fused)  # type: ignore[attr-defined]
 
     def __call__(self, *given: Any) -> Any:

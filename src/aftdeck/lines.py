@@ -9,7 +9,7 @@ def one_line(what: str, text: str, most: int) -> str:
     """Return the text unchanged if it is one line of visible characters.
 
     Args:
-        what: what the text is, for the error, such as ``a name``.
+        what: name of the text for the error, such as ``a name``.
         text: text as given.
         most: maximum number of characters.
 
@@ -18,14 +18,11 @@ def one_line(what: str, text: str, most: int) -> str:
             line breaks.
     """
     if not text.strip():
-        raise InputError(f"{what} needs at least one letter or digit, got {text!r}")
+        raise InputError(f"{what} must have at least one visible character, got {text!r}")
     if len(text) > most:
-        raise InputError(f"{what} has {most} characters at most, got {len(text)}: {text[:most]!r}…")
+        raise InputError(f"{what} may have {most} characters at most, got {len(text)}: {text[:most]!r}…")
     if not text.isprintable():
-        raise InputError(
-            f"{what} stands on one line, of letters, digits, signs and plain spaces; got {text!r}, with signs that "
-            "cannot be seen"
-        )
+        raise InputError(f"{what} must be one line of visible characters and plain spaces, got {text!r}")
     if text != text.strip():
         raise InputError(f"{what} begins and ends without a space, got {text!r}")
     return text

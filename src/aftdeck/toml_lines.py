@@ -1,6 +1,6 @@
 """Line numbers in a TOML text: the line on which each table, key and list item begins.
 
-`tomllib` returns values without their places. This scanner reads the same grammar (TOML 1.0) only to find places. It
+`tomllib` returns values without their lines. This scanner reads the same grammar (TOML 1.0) only to find lines. It
 expects a text that `tomllib` has already accepted, and reports no errors itself.
 """
 
@@ -42,12 +42,12 @@ class Located:
 
 @lru_cache(maxsize=4)
 def located(text: str) -> Located:
-    """Return the places of everything in a TOML text that `tomllib` accepts."""
+    """Return the lines of all tables, keys and list items in a TOML text that `tomllib` accepts."""
     return _Scanner(text).file()
 
 
 class _Scanner:
-    """Scanner with a position in a text; each method reads on from that position."""
+    """Scanner with a position in a text; each method reads from that position and advances it."""
 
     def __init__(self, text: str) -> None:
         self._text, self._at = text, 0

@@ -138,23 +138,23 @@ class Time(Quantity):
 
 
 @functools.cache
-def _size(unit: str, wanted: str) -> float | None:
-    """Return the size of a unit in wanted units, or None if the two units are not of the same kind."""
+def _size(unit: str, target: str) -> float | None:
+    """Return the size of `unit` in units of `target`, or None if the two are not of the same kind."""
     if unit in _USUAL:
         si, size = _USUAL[unit]
-        return size if si == wanted else None
-    return size_by_pint(unit, wanted)
+        return size if si == target else None
+    return size_by_pint(unit, target)
 
 
-def size_by_pint(unit: str, wanted: str) -> float | None:
-    """Return the size of any unit that pint knows in wanted units, or None if the two are not of the same kind."""
+def size_by_pint(unit: str, target: str) -> float | None:
+    """Return the size of a unit that pint knows in units of `target`, or None if the two are not of the same kind."""
     import pint  # noqa: PLC0415  (takes 0.3 s; only files with unusual units need it)
 
     try:
         quantity = _registry().Quantity(1.0, unit)
         # compare units, not dimensions: pint gives radians no dimension and would accept 5 Hz as 5 rad/s
-        if quantity.to_root_units().units == _registry().Quantity(1.0, wanted).to_root_units().units:
-            return float(quantity.m_as(wanted))
+        if quantity.to_root_units().units == _registry().Quantity(1.0, target).to_root_units().units:
+            return float(quantity.m_as(target))
     except pint.PintError:
         pass
     return None

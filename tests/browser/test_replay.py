@@ -14,7 +14,7 @@ from aftdeck.station.playback.one_file import write_html
 from tests.browser.conftest import NARROW, SIZES, OpenPage
 from tests.browser.flight import WAIT_MS, Flight
 from tests.browser.looks import assert_readable, assert_tidy
-from tests.station.recordings import playing, recorded
+from tests.station.recordings import playing, record_run
 
 pytestmark = pytest.mark.browser
 
@@ -27,7 +27,7 @@ TRIAL = Trial("P07", "command delay 2 s, wrist camera off, second of three sessi
 @pytest.fixture(scope="module")
 def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("replay") / "flight.mcap"
-    recorded(path, 600, trial=TRIAL)
+    record_run(path, 600, trial=TRIAL)
     return path
 
 

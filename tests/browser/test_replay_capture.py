@@ -11,7 +11,7 @@ from playwright.sync_api import expect
 from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight
 from tests.browser.looks import assert_readable, assert_tidy
-from tests.station.recordings import grappled, playing
+from tests.station.recordings import playing, record_capture
 
 pytestmark = pytest.mark.browser
 
@@ -24,7 +24,7 @@ AXIS = "[...document.querySelectorAll('.timeline .axis span')].map((mark) => mar
 def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """Address of the recording's server, for `open_page`."""
     path: Path = tmp_path_factory.mktemp("replay") / "capture.mcap"
-    grappled(path)
+    record_capture(path)
     with playing(path) as address:
         yield address
 

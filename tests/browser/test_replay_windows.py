@@ -12,7 +12,7 @@ from tests.browser.conftest import SIZES, OpenPage
 from tests.browser.flight import Flight, shows
 from tests.browser.looks import assert_readable, assert_tidy
 from tests.browser.test_windows import tag, torn_off, who
-from tests.station.recordings import playing, recorded
+from tests.station.recordings import playing, record_run
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -24,7 +24,7 @@ FOLLOWS = who("Keys play here too")
 def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """Address of a recording's server, for `open_page`."""
     path: Path = tmp_path_factory.mktemp("windows") / "flight.mcap"
-    recorded(path, STEPS)
+    record_run(path, STEPS)
     with playing(path) as address:
         yield address
 

@@ -1,4 +1,4 @@
-"""Flights by random sticks, recorded for the tests."""
+"""Recordings of runs with random sticks, and a reader by another library."""
 
 from __future__ import annotations
 
@@ -17,9 +17,12 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from tests.recording.protobuf import Decoder
 
+NOTE = "manual control"
+"""Text of the note."""
 
-class Seen(NamedTuple):
-    """A message as the mcap library reads it, decoded by the schema beside it."""
+
+class Decoded(NamedTuple):
+    """Message as read by the mcap library, decoded by its schema."""
 
     schema: str
     encoding: str
@@ -27,8 +30,8 @@ class Seen(NamedTuple):
     content: dict[str, Any]
 
 
-def fly(scenario: str, path: Path | None, steps: int, live: Live | None = None) -> list[Frame]:
-    """Fly by random sticks, half way in another mode, and record it; a note is written at the end."""
+def record_random_sticks(scenario: str, path: Path | None, steps: int, live: Live | None = None) -> list[Frame]:
+    """Record a run with random sticks, a change of the mode and a final note; return its frames."""
     loaded = load_scenario(scenario)
     simulation = Simulation(loaded)
     recorder = Recorder(path, loaded, 1, live=live)
@@ -39,15 +42,15 @@ def fly(scenario: str, path: Path | None, steps: int, live: Live | None = None) 
         inputs = Inputs(translation=(x, y, z), rotation=(roll, pitch, yaw), mode="END EFF" if k == steps // 2 else None)
         frames.append(simulation.step(inputs))
         recorder.step(inputs, frames[-1])
-    recorder.note(Event(frames[-1].time_s, "hand", "caution", "you have the sticks"))
+    recorder.note(Event(frames[-1].time_s, "hand", "caution", NOTE))
     recorder.close("stopped")
     assert not recorder.failure
     return frames
 
 
-def read(path: Path) -> dict[str, list[Seen]]:
-    """All messages of a file, by topic."""
-    seen: dict[str, list[Seen]] = {}
+def read(path: Path) -> dict[str, list[Decoded]]:
+    """Return all messages of a file, by topic."""
+    found: dict[str, list[Decoded]] = {}
     decoders: dict[str, Decoder] = {}
     with path.open("rb") as file:
         for schema, channel, message in make_reader(file).iter_messages():
@@ -57,6 +60,6 @@ def read(path: Path) -> dict[str, list[Seen]]:
                 content = decoder.decode(message.data)
             else:
                 content = json.loads(message.data)
-            told = Seen(schema.name, channel.message_encoding, message.log_time, content)
-            seen.setdefault(channel.topic, []).append(told)
-    return seen
+            decoded = Decoded(schema.name, channel.message_encoding, message.log_time, content)
+            found.setdefault(channel.topic, []).append(decoded)
+    return found

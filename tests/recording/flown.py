@@ -1,4 +1,4 @@
-"""Flights into session files, and files put together message by message, for tests."""
+"""Recordings for the tests: of runs, and with changed messages."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ from tests.steering.random_runs import equipped, inputs, start
 
 @functools.cache
 def bay(extra: str = "", name: str = "test") -> Scenario:
-    """A scenario over the bay with more lines of TOML, loaded once."""
+    """Return a scenario above the bay with these additional lines of TOML, loaded once."""
     return scenario(extra=extra, name=name)
 
 
-def recorded(
+def record_steps(
     path: Path, made: Scenario, given: Iterator[Inputs | None], steps: int, ended: Ended = "stopped"
 ) -> list[tuple[Inputs | None, Frame]]:
-    """Fly a number of steps into a file; what was flown and what came of it."""
+    """Record a number of steps; return their inputs and frames."""
     sim = aftdeck.Simulation(made)
     recorder = Recorder(path, made, sim.seed)
     flown = []
@@ -47,10 +47,10 @@ def recorded(
     return flown
 
 
-def random_flight(
+def record_random_run(
     path: Path, seed: int, steps: int, extra: str = "", name: str = "test"
 ) -> list[tuple[Inputs | None, Frame]]:
-    """Fly with random sticks, switches, targets and holds from a random pose, with a payload or none, into a file."""
+    """Record a run from a random pose with random inputs, with or without a payload; return inputs and frames."""
     rng = np.random.default_rng(seed)
     first = start(rng)
     made = scenario(first.tolist(), extra + equipped(rng, first, "32000 lb" if seed % 2 else ""), name)
@@ -67,28 +67,28 @@ def random_flight(
 
 
 def messages(path: Path) -> list[Message]:
-    """All of a recording's messages."""
+    """Return all messages of a recording."""
     return list(Recording(path).messages())
 
 
-def as_far(path: Path) -> tuple[list[Message], str]:
-    """A recording's messages as far as it can be read, and what was then said."""
+def read_until_error(path: Path) -> tuple[list[Message], RecordingError | None]:
+    """Return the messages of a recording before its first error, and the error or None."""
     found: list[Message] = []
     try:
         for message in Recording(path).messages():
             found.append(message)
     except RecordingError as error:
-        return found, str(error)
-    return found, ""
+        return found, error
+    return found, None
 
 
 def rewritten(
     source: Path, out: Path, change: dict[str, bytes], *, profile: str = "aftdeck", leave_out: tuple[str, ...] = ()
 ) -> None:
-    """A recording written anew by another library, with the first message of some topics changed."""
+    """Write a recording again with another library, with other first messages on some topics."""
     topics: dict[int, str] = {}
     channels: dict[str, int] = {}
-    left = dict(change)
+    changes = dict(change)
     with source.open("rb") as file, out.open("wb") as new:
         writer = Writer(new, compression=CompressionType.ZSTD)
         writer.start(profile, "a test")
@@ -100,14 +100,14 @@ def rewritten(
             elif isinstance(record, McapMessage):
                 topic = topics[record.channel_id]
                 if topic not in leave_out:
-                    data = left.pop(topic, record.data)
+                    data = changes.pop(topic, record.data)
                     writer.add_message(channels[topic], record.log_time, data, record.publish_time)
-        finish: Callable[[], None] = writer.finish  # without types in its library
+        finish: Callable[[], None] = writer.finish  # its library has no types
         finish()
 
 
 def chunks(whole: bytes) -> list[tuple[int, int, int]]:
-    """Where a file's records begin, their kinds and lengths."""
+    """Return offset, type and length of each record of a file."""
     found, at = [], 8
     while at + 9 <= len(whole):
         kind, length = struct.unpack_from("<BQ", whole, at)

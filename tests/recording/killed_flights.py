@@ -1,7 +1,7 @@
-"""A program that records flights at real-time pace and kills each of them: ``killed_flights.py FOLDER COUNT SEED``.
+"""Program that records runs in real time and kills each of them: ``killed_flights.py FOLDER COUNT SEED``.
 
-Prints a line of JSON, a `Killed`, for each. The laws are loaded once, then each flight is a fork; nothing starts a
-thread before that.
+It prints a `Killed` as a line of JSON for each run. It loads the laws once, and then forks a process for each run. No
+thread is started before the forks.
 """
 
 from __future__ import annotations
@@ -29,58 +29,57 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.warm import warm_up
 
 AT_ONCE = 5
-"""So few that each has its share of two slow processors."""
+"""Number of simultaneous runs; two slow processors are sufficient for them."""
 LEAST_S, MOST_S = 0.0, 2.0
-"""A flight lives for a time between these, from the first step of the last of those that fly at once."""
+"""Range of the time from the first step of the last simultaneous run until a run is killed [s]."""
 PERIOD_S = 0.02
 WAIT_S = 60.0
-"""The longest that anything is waited for [s]."""
+"""Longest wait for a condition [s]."""
 
 
-class Look(NamedTuple):
-    """A writer looks for what waits to be written."""
+class Check(NamedTuple):
+    """Check of the queue by a recorder's thread."""
 
     time_s: float
-    """On the machine's clock."""
+    """Time on the machine's clock."""
     worked_s: float
-    """The processor's time that the writer's thread has had so far."""
+    """Processor time that the recorder's thread has used so far."""
 
 
 class Killed(msgspec.Struct):
-    """A flight that was killed."""
+    """Run that was killed."""
 
     file: str
     handed_over_s: list[float]
-    """When each step was handed over to the recorder."""
-    looks: list[Look]
+    """Times at which the steps were handed over to the recorder."""
+    checks: list[Check]
 
 
 class Index(listing.Index):
-    """A list of recordings that tells once a recording is in it."""
+    """List of recordings that sets `begun` when a recording is added."""
 
     def __init__(self) -> None:
         super().__init__()
         self.begun = threading.Event()
 
     def begin(self, path: Path, opening: Opening) -> None:
-        """A recording has begun."""
+        """Add a recording, and set `begun`."""
         super().begin(path, opening)
         self.begun.set()
 
 
-def fly(scenario: Scenario, path: Path, steps: int, looks: int, seed: int) -> NoReturn:
-    """Fly into a file until killed; tell one pipe of each step that was handed over, one of the writer's looks.
+def fly(scenario: Scenario, path: Path, steps: int, checks: int, seed: int) -> NoReturn:
+    """Record a run until killed; write to one pipe each step handed over, to the other each check of the queue.
 
-    It flies once the file is in the list, to which a thread of the recorder's sees. Where the machine pauses, the
-    flight does, and does not catch up.
+    The run starts when the file is in the list of recordings. If the machine pauses, the run does not catch up.
     """
 
-    def look() -> float:
-        os.write(looks, struct.pack("dd", *Look(time.perf_counter(), time.thread_time())))
+    def monotonic() -> float:
+        os.write(checks, struct.pack("dd", *Check(time.perf_counter(), time.thread_time())))
         return time.monotonic()
 
     clock = {name: getattr(time, name) for name in ("perf_counter", "time_ns", "sleep")}
-    vars(writer)["time"] = SimpleNamespace(monotonic=look, **clock)
+    vars(writer)["time"] = SimpleNamespace(monotonic=monotonic, **clock)
     sim = aftdeck.Simulation(scenario)
     index = Index()
     recorder = writer.Recorder(path, scenario, 0, index=index)
@@ -96,74 +95,74 @@ def fly(scenario: Scenario, path: Path, steps: int, looks: int, seed: int) -> No
         time.sleep(max(due - time.perf_counter(), 0.0))
 
 
-class Flight:
-    """A flight under way in a process of its own."""
+class ForkedRun:
+    """Run in its own process."""
 
     def __init__(self, scenario: Scenario, path: Path, seed: int) -> None:
         self.path = path
         self._steps, steps = os.pipe()
-        self._looks, looks = os.pipe()
-        self._seen: list[Look] = []
+        self._checks, checks = os.pipe()
+        self._read_checks: list[Check] = []
         self._process = os.fork()
         if self._process == 0:
-            fly(scenario, path, steps, looks, seed)
+            fly(scenario, path, steps, checks, seed)
         os.close(steps)
-        os.close(looks)
+        os.close(checks)
         self._handed_over: list[float] = []
 
-    def begins(self) -> None:
-        """Wait for its first step."""
+    def wait_for_first_step(self) -> None:
+        """Wait for the first step."""
         (first,) = struct.unpack("d", self._read(self._steps, 8))
         self._handed_over.append(first)
 
-    def look(self) -> None:
-        """Wait for its writer to look for what waits, from now on."""
+    def wait_for_check(self) -> None:
+        """Wait until the recorder's thread checks the queue after now."""
         now = time.perf_counter()
-        while not self._seen or self._seen[-1].time_s < now:
-            self._seen.append(Look._make(struct.unpack("dd", self._read(self._looks, 16))))
+        while not self._read_checks or self._read_checks[-1].time_s < now:
+            self._read_checks.append(Check._make(struct.unpack("dd", self._read(self._checks, 16))))
 
     def kill(self) -> Killed:
-        """Kill it; what is known of it."""
+        """Kill the process, and return the data about its run."""
         os.kill(self._process, signal.SIGKILL)
         os.waitpid(self._process, 0)
-        with os.fdopen(self._steps, "rb") as steps, os.fdopen(self._looks, "rb") as looks:
+        with os.fdopen(self._steps, "rb") as steps, os.fdopen(self._checks, "rb") as checks:
             self._handed_over += [t for (t,) in struct.iter_unpack("d", steps.read())]
-            self._seen += map(Look._make, struct.iter_unpack("dd", looks.read()))
-        return Killed(str(self.path), self._handed_over, self._seen)
+            self._read_checks += map(Check._make, struct.iter_unpack("dd", checks.read()))
+        return Killed(str(self.path), self._handed_over, self._read_checks)
 
     def _read(self, pipe: int, count: int) -> bytes:
         data = os.read(pipe, count)
         if len(data) < count:
-            raise SystemExit(f"{self.path}: the flight ended before it was killed")
+            raise SystemExit(f"{self.path}: the process ended before it was killed")
         return data
 
 
-def some(scenario: Scenario, files: list[Path], rng: random.Random) -> None:
-    """Fly a few flights at once, kill each after a random time, and print what is known of them.
+def kill_some(scenario: Scenario, files: list[Path], rng: random.Random) -> None:
+    """Record a few runs simultaneously, kill each after a random time, and print the data about them.
 
-    Each is killed soon after its writer has looked for what waits: one that no longer does is waited for in vain.
+    Each is killed soon after its recorder's thread has checked the queue.
     """
-    flights = [Flight(scenario, path, number) for number, path in enumerate(files)]
-    for flight in flights:
-        flight.begins()
+    runs = [ForkedRun(scenario, path, number) for number, path in enumerate(files)]
+    for forked in runs:
+        forked.wait_for_first_step()
     begin = time.perf_counter()
-    lifetimes = sorted(rng.uniform(LEAST_S, MOST_S) for _ in flights)
-    for lifetime, flight in zip(lifetimes, flights, strict=True):
+    lifetimes = sorted(rng.uniform(LEAST_S, MOST_S) for _ in runs)
+    for lifetime, forked in zip(lifetimes, runs, strict=True):
         time.sleep(max(begin + lifetime - time.perf_counter(), 0.0))
-        flight.look()
-        time.sleep(rng.uniform(0.0, 2.0 * writer.LOOK_S))  # anywhere between two looks
-        print(msgspec.json.encode(flight.kill()).decode(), flush=True)
+        forked.wait_for_check()
+        time.sleep(rng.uniform(0.0, 2.0 * writer.POLL_S))  # at any time between two checks
+        print(msgspec.json.encode(forked.kill()).decode(), flush=True)
 
 
 def main(folder: Path, count: int, seed: int) -> None:
-    """Fly and kill `count` flights, a few at a time."""
+    """Record and kill `count` runs, a few at a time."""
     listing.BUSY_S = writer.BEGIN_S = WAIT_S
     scenario = aftdeck.load_scenario("first-flight")
     warm_up(scenario)
     files = [folder / f"killed-{k}.mcap" for k in range(count)]
     rng = random.Random(seed)
     for first in range(0, count, AT_ONCE):
-        some(scenario, files[first : first + AT_ONCE], rng)
+        kill_some(scenario, files[first : first + AT_ONCE], rng)
 
 
 if __name__ == "__main__":

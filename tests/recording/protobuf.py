@@ -1,4 +1,4 @@
-"""Reads protobuf messages by the schema that a file carries: enough of the format for Foxglove's messages."""
+"""Reader of protobuf messages by the schema in a file: the part of the format that Foxglove's messages need."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class _Field(NamedTuple):
 
 
 class Decoder:
-    """Decodes messages of one schema: a FileDescriptorSet and the full name of the message in it."""
+    """Decoder for messages of one schema, given by a FileDescriptorSet and the full name of the message in it."""
 
     def __init__(self, descriptors: bytes, name: str) -> None:
         self._name = name
@@ -37,13 +37,13 @@ class Decoder:
         for raw in content.get(2, []):
             field = _fields(raw)
             of = field[6][0].decode().removeprefix(".") if 6 in field else ""
-            told = _Field(field[1][0].decode(), field[5][0], field[4][0] == _REPEATED, of)
-            self._types[name][field[3][0]] = told
+            described = _Field(field[1][0].decode(), field[5][0], field[4][0] == _REPEATED, of)
+            self._types[name][field[3][0]] = described
         for inner in content.get(3, []):
             self._add(name, inner)
 
     def decode(self, data: bytes) -> dict[str, Any]:
-        """A message; what was not sent is there as its default."""
+        """Return a message; a field that was not sent has its default."""
         return self._message(data, self._name)
 
     def _message(self, data: bytes, name: str) -> dict[str, Any]:
@@ -54,13 +54,13 @@ class Decoder:
     def _value(self, field: _Field, sent: list[Any]) -> Any:
         if field.repeated and field.kind == _FIXED32 and sent:
             return [n for part in sent for (n,) in struct.iter_unpack("<I", part)]
-        values = [self._one(field, raw) for raw in sent]
+        values = [self._single(field, raw) for raw in sent]
         if field.repeated:
             return values
         default = {_DOUBLE: 0.0, _STRING: "", _BYTES: b"", _MESSAGE: None}.get(field.kind, 0)
         return values[-1] if values else default
 
-    def _one(self, field: _Field, raw: Any) -> Any:
+    def _single(self, field: _Field, raw: Any) -> Any:
         if field.kind == _MESSAGE:
             return self._message(raw, field.of)
         if field.kind == _DOUBLE:
@@ -69,7 +69,7 @@ class Decoder:
 
 
 def _fields(data: bytes) -> Fields:
-    """The raw values of a message by their numbers."""
+    """Return the raw values of a message by field number."""
     found: Fields = {}
     for number, value in _walk(data):
         found.setdefault(number, []).append(value)

@@ -1,7 +1,8 @@
-"""A recording holds all that its run started from: it is flown again after every file of it is gone."""
+"""Header of a recording: a run can be re-simulated after all its files are deleted."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import hypothesis.strategies as st
@@ -34,16 +35,18 @@ duration = "2 s"
 """
 
 
-def slower(text: str) -> str:
-    """An arm's file whose servos are as quick as each other."""
+def with_equal_servos(text: str) -> str:
+    """Return an arm's file with equal servo rates."""
     before, after = text.split("[rates.servo]\nvalue = ")
     return f"{before}[rates.servo]\nvalue = {['2.7 deg/s'] * 6}\n{after.partition(chr(10))[2]}"
 
 
 def own_files(folder: Path, shapes: str = "looks.toml") -> Path:
-    """A scenario with an arm, shapes and a worksite of its own, in folders of their own."""
+    """Write a scenario with its own arm, shapes and worksite in several folders; return its path."""
     (folder / "arms" / "mine").mkdir(parents=True)
-    arm = slower((ARMS / "srms.toml").read_text()).replace('shapes = "srms.shapes.toml"', f'shapes = "{shapes}"')
+    arm = with_equal_servos((ARMS / "srms.toml").read_text()).replace(
+        'shapes = "srms.shapes.toml"', f'shapes = "{shapes}"'
+    )
     (folder / "arms" / "mine" / "arm.toml").write_text(arm)
     looks = folder / "arms" / "mine" / shapes
     looks.parent.mkdir(parents=True, exist_ok=True)
@@ -54,19 +57,19 @@ def own_files(folder: Path, shapes: str = "looks.toml") -> Path:
     return path
 
 
-def emptied(folder: Path) -> None:
+def delete_files(folder: Path) -> None:
     for path in sorted(folder.rglob("*"), reverse=True):
         path.rmdir() if path.is_dir() else path.unlink()
 
 
 @pytest.mark.parametrize("shapes", ["looks.toml", "../shapes/looks.toml", "below/looks.toml"])
-def test_a_run_of_own_files_is_repeated_after_they_are_gone(
+def test_run_of_own_files_is_verified_after_they_are_deleted(
     tmp_path: Path, shapes: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder, path = tmp_path / "own", tmp_path / "run.mcap"
     made = aftdeck.load_scenario(own_files(folder, shapes))
     record(made, path)
-    emptied(folder)
+    delete_files(folder)
     monkeypatch.chdir(tmp_path)
     assert verify(path).equal
     again = scenario_of(Recording(path).opening)
@@ -77,29 +80,29 @@ def test_a_run_of_own_files_is_repeated_after_they_are_gone(
     assert (again.name, again.text) == ("mine", made.text)
 
 
-def test_an_own_arm_flies_otherwise_and_its_recording_repeats_itself(tmp_path: Path) -> None:
+def test_rerun_with_an_own_arm_differs_and_verifies(tmp_path: Path) -> None:
     folder, path, out = tmp_path / "own", tmp_path / "run.mcap", tmp_path / "changed.mcap"
     own_files(folder)
     (tmp_path / "plain.toml").write_text(SCENARIO.format(arm="srms", worksite="orbiter"))
     record(tmp_path / "plain.toml", path)
     with pytest.MonkeyPatch.context() as patch:
-        patch.chdir(folder)  # a path is sought from where the person stands
+        patch.chdir(folder)  # a path is relative to the working folder
         outcome = rerun(path, ("arm=arms/mine/arm.toml", "worksite=site.toml"), out)
     assert outcome.first is not None and "rate_limits" in {c.field for c in outcome.first.fields}
-    emptied(folder)
+    delete_files(folder)
     assert verify(out).equal
     back = rerun(out, ("arm=srms",))
     assert back.frames_sha256 != outcome.frames_sha256
     assert back.frames_sha256 == rerun(path, ("rate=coarse",)).frames_sha256
 
 
-def test_the_concept_arm_is_recorded_whole_and_takes_over_a_run_of_the_shuttles(tmp_path: Path) -> None:
+def test_rerun_exchanges_concept_arm_and_shuttle_arm(tmp_path: Path) -> None:
     folder, path, out = tmp_path / "own", tmp_path / "run.mcap", tmp_path / "shuttle.mcap"
     folder.mkdir()
     (folder / "arm.toml").write_text("# mine\n" + (ARMS / "concept-1972.toml").read_text())
     (folder / "mine.toml").write_text(SCENARIO.format(arm="arm.toml", worksite="orbiter"))
     summary = record(folder / "mine.toml", path).summary
-    emptied(folder)
+    delete_files(folder)
     assert verify(path).equal
     again = scenario_of(Recording(path).opening)
     assert again.arm.model.text.startswith("# mine\n") and again.arm.model.shapes is None
@@ -109,15 +112,13 @@ def test_the_concept_arm_is_recorded_whole_and_takes_over_a_run_of_the_shuttles(
 
 
 @pytest.mark.parametrize("name", ["../" * 20 + "etc/looks.toml", "/etc/looks.toml"])
-def test_a_recording_writes_nothing_outside_its_own_folder(tmp_path: Path, name: str) -> None:
+def test_shapes_file_outside_the_recording_is_rejected(tmp_path: Path, name: str) -> None:
     start = opening(aftdeck.load_scenario("uncradle"), 0, 0)
-    with pytest.raises(RecordingError, match="a place outside the recording"):
+    with pytest.raises(RecordingError, match=re.escape(repr(name))):
         scenario_of(msgspec.structs.replace(start, shapes_file=name))
 
 
-def test_nothing_is_left_of_the_files_that_a_scenario_was_made_of(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_rebuilding_a_scenario_leaves_no_temporary_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     scenario_of(opening(aftdeck.load_scenario("uncradle"), 0, 0))
     assert list(tmp_path.iterdir()) == []
@@ -144,15 +145,15 @@ def test_nothing_is_left_of_the_files_that_a_scenario_was_made_of(
         ("title=# no", ("title",), "# no"),
     ],
 )
-def test_a_change_is_read_as_toml_where_it_is_toml(text: str, where: tuple[str | int, ...], value: object) -> None:
+def test_value_of_a_change_is_read_as_toml_if_valid(text: str, where: tuple[str | int, ...], value: object) -> None:
     assert parse_change(text) == (where, value)
 
 
 @given(st.text())
-def test_any_text_is_a_change_or_is_refused(text: str) -> None:
+def test_any_text_is_a_change_or_an_input_error(text: str) -> None:
     try:
         where, _ = parse_change(text)
     except InputError as error:
-        assert "a change is KEY=VALUE" in str(error)
+        assert "KEY=VALUE" in str(error)
     else:
         assert where and "=" in text

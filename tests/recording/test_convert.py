@@ -1,4 +1,4 @@
-"""Inputs and frames become messages and come back."""
+"""Conversion of inputs and frames to messages and back."""
 
 from __future__ import annotations
 
@@ -37,15 +37,15 @@ COARSER = {
     "ratio",
     "singularity",
 }
-"""What is recorded to seven decimals."""
+"""Fields that are recorded to seven decimals."""
 GRAIN = 0.5000001 * 10**-9
-"""Rounding of a number."""
+"""Greatest rounding error of a number."""
 COARSE_WORK = 0.5000001 * 10**-5
-"""Rounding of what is measured between bodies."""
-PLACES = {"stand", "orbiter", "orbiter_velocity", "master"}
-"""Of the worksite, what is recorded as finely as the arm."""
-TURNED = 4e-9
-"""Of an attitude's matrix: each entry is made of products of its quaternion's four rounded numbers."""
+"""Greatest rounding error of clearances and other quantities between bodies."""
+FINE_FIELDS = {"stand", "orbiter", "orbiter_velocity", "master"}
+"""Fields of the worksite with as many decimals as those of the arm."""
+ROTATION_ERROR = 4e-9
+"""Greatest error of a rotation matrix: its entries are products of rounded components of a quaternion."""
 
 stick = st.floats(-1.0, 1.0)
 three = st.tuples(stick, stick, stick)
@@ -57,7 +57,7 @@ targets = st.builds(
     rotation=st.tuples(place, place, place),
     joints=st.none() | st.tuples(*[number] * 6),
 )
-anything = st.builds(
+any_inputs = st.builds(
     Inputs,
     translation=three,
     rotation=three,
@@ -88,27 +88,27 @@ def through_json(record: msgspec.Struct) -> Any:
     return decode(type(record), encode(record))
 
 
-@given(anything, st.integers(1, 10**7))
-def test_inputs_come_back_to_the_last_bit(operator: Inputs, tick: int) -> None:
+@given(any_inputs, st.integers(1, 10**7))
+def test_inputs_survive_to_the_last_bit(operator: Inputs, tick: int) -> None:
     record = through_json(input_record(tick, operator))
     assert record.tick == tick
-    # encoded, so that 0.0 and -0.0 are told apart
+    # compared as bytes, to distinguish 0.0 and -0.0
     assert msgspec.msgpack.encode(inputs_of(record)) == msgspec.msgpack.encode(plain_inputs(operator))
 
 
-def test_a_step_that_the_script_flew_has_nobodys_inputs() -> None:
+def test_scripted_step_has_no_inputs() -> None:
     assert inputs_of(through_json(input_record(7, None))) is None
 
 
-def test_sticks_given_as_numpys_numbers_are_recorded_as_they_were_flown() -> None:
-    given_by_a_policy: Any = tuple(np.array([0.1, -0.0, 1.0]))
-    record = through_json(input_record(1, Inputs(translation=given_by_a_policy, drive=np.float64(0.3))))
+def test_sticks_given_as_numpy_numbers_are_recorded() -> None:
+    sticks: Any = tuple(np.array([0.1, -0.0, 1.0]))
+    record = through_json(input_record(1, Inputs(translation=sticks, drive=np.float64(0.3))))
     assert record.translation == (0.1, 0.0, 1.0)
     assert record.drive == 0.3
 
 
 def near(one: Any, other: Any, grain: float) -> bool:
-    """Whether all numbers of two values are alike, and everything else equal."""
+    """Return whether all numbers of two values differ by at most `grain`, and all else is equal."""
     if isinstance(one, float) and isinstance(other, float | int):
         return abs(one - other) <= grain
     if isinstance(one, msgspec.Struct) and type(one) is type(other):
@@ -123,10 +123,10 @@ def check_work(was: Work, now: Work) -> None:
         one, other = getattr(was, name), getattr(now, name)
         if name == "cargo":
             for a, b in zip(one, other, strict=True):
-                assert near(a.orientation, b.orientation, TURNED)
+                assert near(a.orientation, b.orientation, ROTATION_ERROR)
                 assert near(a, msgspec.structs.replace(b, orientation=a.orientation), GRAIN)
         else:
-            assert near(one, other, GRAIN if name in PLACES else COARSE_WORK), name
+            assert near(one, other, GRAIN if name in FINE_FIELDS else COARSE_WORK), name
 
 
 def check_round_trip(frame: Frame) -> None:
@@ -136,14 +136,14 @@ def check_round_trip(frame: Frame) -> None:
     for name in Frame.__struct_fields__:
         was, now = getattr(frame, name), getattr(back, name)
         if name in ("orientation", "wrist_pitch"):
-            assert near(was, now, TURNED), name
+            assert near(was, now, ROTATION_ERROR), name
         elif name == "payload" and was is not None:
-            assert near(was.position, now.position, GRAIN) and near(was.orientation, now.orientation, TURNED)
+            assert near(was.position, now.position, GRAIN) and near(was.orientation, now.orientation, ROTATION_ERROR)
         elif name == "goal" and was is not None:
             assert now is not None
-            assert near(was.rotation, now.rotation, TURNED) and near(was.position, now.position, GRAIN)
-            left, left_now = ((g.distance, g.angle, g.remaining_s) for g in (was, now))
-            assert near(left, left_now, GRAIN)
+            assert near(was.rotation, now.rotation, ROTATION_ERROR) and near(was.position, now.position, GRAIN)
+            remaining, remaining_now = ((g.distance, g.angle, g.remaining_s) for g in (was, now))
+            assert near(remaining, remaining_now, GRAIN)
         elif name == "work":
             check_work(was, now)
         elif name == "sha256":
@@ -154,7 +154,7 @@ def check_round_trip(frame: Frame) -> None:
 
 @settings(max_examples=6)
 @given(st.integers(0, 2**32))
-def test_frames_of_random_flights_come_back_to_nine_decimals(seed: int) -> None:
+def test_frames_of_random_runs_survive_to_their_decimals(seed: int) -> None:
     rng = np.random.default_rng(seed)
     first = start(rng)
     sim = aftdeck.Simulation(scenario(first.tolist(), equipped(rng, first, "32000 lb" if seed % 2 else "")))
@@ -166,7 +166,7 @@ def test_frames_of_random_flights_come_back_to_nine_decimals(seed: int) -> None:
 
 
 @pytest.mark.parametrize("name", ["concept-1972-script", "srms-berth", "free-flyer"])
-def test_frames_of_a_worksite_come_back(name: str) -> None:
+def test_frames_of_a_worksite_survive(name: str) -> None:
     sim = aftdeck.Simulation(name)
     for k in range(2500):
         frame = sim.step()
@@ -175,7 +175,7 @@ def test_frames_of_a_worksite_come_back(name: str) -> None:
 
 
 @pytest.mark.parametrize("mode", MODES)
-def test_a_frame_of_every_panel_position_is_told_in_finite_numbers(mode: str) -> None:
+def test_frame_of_every_mode_survives(mode: str) -> None:
     rng = np.random.default_rng(1)
     sim = aftdeck.Simulation(
         scenario(extra=equipped(rng, np.array((-31.0, 79.0, -103.0, -77.0, 17.0, -128.0)), "32000 lb"))
@@ -184,13 +184,12 @@ def test_a_frame_of_every_panel_position_is_told_in_finite_numbers(mode: str) ->
     check_round_trip(sim.step(Inputs(translation=(0.5, 0.0, -0.2), drive=1.0)))
 
 
-def test_a_field_of_the_frame_is_recorded_without_a_second_declaration() -> None:
-    """A frame with one more field is written and read with it."""
-    wind = Annotated[float, field_meta("of nothing", "m/s", decimals=2)]
+def test_added_frame_field_is_recorded_without_second_declaration() -> None:
+    wind = Annotated[float, field_meta("wind speed", "m/s", decimals=2)]
     kind = msgspec.defstruct("WithMore", [("wind", wind)], bases=(FrameRecord,), frozen=True)
     sim = aftdeck.Simulation("first-flight")
     made = frame_record(sim.step(Inputs()), 0.0, None)
     known = {name: getattr(made, name) for name in FrameRecord.__struct_fields__}
     back: Any = decode(kind, encode(kind(**known, wind=1.2345)))
     assert back.wind == 1.23 and back.angles == as_read(made).angles
-    assert schema(kind)["properties"]["wind"] == {"type": "number", "description": "of nothing [m/s]"}
+    assert schema(kind)["properties"]["wind"] == {"type": "number", "description": "wind speed [m/s]"}

@@ -1,3 +1,5 @@
+"""Bodies as Foxglove's scene entities."""
+
 from __future__ import annotations
 
 import math
@@ -22,8 +24,8 @@ from aftdeck.worksite.model import Body
 from tests.recording.protobuf import Decoder
 
 SMALL = 150_000
-"""Most bytes of a scene, packed."""
-TURNED = (0.3, -0.5, 1.1)
+"""Maximum size of a compressed scene [bytes]."""
+ROTATED = (0.3, -0.5, 1.1)
 PLACED = (1.0, 2.0, 3.0)
 
 
@@ -34,14 +36,14 @@ def decoded(message: fox.SceneUpdate) -> dict[str, Any]:
 
 
 def entity_of(*shapes: Shape) -> dict[str, Any]:
-    update = fox.SceneUpdate(entities=[entity(Body("thing", shapes), fox.Timestamp(7, 0))])
+    update = fox.SceneUpdate(entities=[entity(Body("body", shapes), fox.Timestamp(7, 0))])
     (shown,) = decoded(update)["entities"]
     assert isinstance(shown, dict)
     return shown
 
 
 def corners(primitive: dict[str, Any], unit: np.ndarray[Any, np.dtype[np.float64]]) -> Any:
-    """Points of a unit primitive, sized and placed."""
+    """Return the points of a unit primitive, scaled and moved as the primitive."""
     size = [primitive["size"][k] for k in "xyz"]
     turn = Rotation.from_quat([primitive["pose"]["orientation"][k] for k in "xyzw"])
     return turn.apply(unit * size) + [primitive["pose"]["position"][k] for k in "xyz"]
@@ -55,8 +57,8 @@ CUBE = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-
 
 
 @pytest.mark.parametrize("mirror", [False, True])
-def test_boxes_are_cubes_with_the_same_corners(mirror: bool) -> None:
-    box = Box(material="foil", size=(1.0, 2.0, 3.0), position=PLACED, rotation=TURNED)
+def test_boxes_become_cubes_with_the_same_corners(mirror: bool) -> None:
+    box = Box(material="foil", size=(1.0, 2.0, 3.0), position=PLACED, rotation=ROTATED)
     group = Group(shapes=(box,), mirror=mirror)
     cubes = entity_of(group)["cubes"]
     meshes = [moved(solid(shape), pose) for shape, pose in placed((group,))]
@@ -68,9 +70,9 @@ def test_boxes_are_cubes_with_the_same_corners(mirror: bool) -> None:
 
 @pytest.mark.parametrize("mirror", [False, True])
 @pytest.mark.parametrize("axis", ["x", "y", "z"])
-def test_cylinders_are_cylinders_with_the_same_rims(axis: Any, mirror: bool) -> None:
+def test_cylinders_become_cylinders_with_the_same_rims(axis: Any, mirror: bool) -> None:
     cone = Cylinder(
-        material="metal", axis=axis, length=3.0, radius=0.9, radius_end=0.4, position=PLACED, rotation=TURNED
+        material="metal", axis=axis, length=3.0, radius=0.9, radius_end=0.4, position=PLACED, rotation=ROTATED
     )
     group = Group(shapes=(cone,), mirror=mirror)
     for shown, (_, pose) in zip(entity_of(group)["cylinders"], placed((group,)), strict=True):
@@ -83,13 +85,13 @@ def test_cylinders_are_cylinders_with_the_same_rims(axis: Any, mirror: bool) -> 
             assert around @ along == pytest.approx(np.zeros(8), abs=1e-9)
 
 
-def test_spheres_are_spheres() -> None:
+def test_spheres_become_spheres() -> None:
     (ball,) = entity_of(Sphere(material="metal", radius=0.4, position=PLACED))["spheres"]
     assert [ball["size"][k] for k in "xyz"] == pytest.approx([0.8] * 3)
     assert [ball["pose"]["position"][k] for k in "xyz"] == pytest.approx(PLACED)
 
 
-def test_other_shapes_are_triangles_one_list_a_material() -> None:
+def test_other_shapes_become_one_triangle_list_for_each_material() -> None:
     plate = Plate(material="tiles", normal="z", outline=((0, 0), (1, 0), (0, 1)), thickness=0.5, position=PLACED)
     (shown,) = entity_of(plate, plate)["triangles"]
     mesh = moved(solid(plate), next(placed((plate,)))[1])
@@ -99,11 +101,11 @@ def test_other_shapes_are_triangles_one_list_a_material() -> None:
 
 
 @pytest.mark.parametrize("scenario", ["first-flight", "loaded"])
-def test_a_scene_is_small(scenario: str) -> None:
+def test_scene_is_small(scenario: str) -> None:
     message = scene_update(bodies_of(load_scenario(scenario)), fox.Timestamp(7, 0))
     assert len(zstandard.ZstdCompressor(1).compress(message.encode())) < SMALL
 
 
-def test_a_scene_takes_the_place_of_the_one_before() -> None:
+def test_scene_replaces_the_scene_before() -> None:
     (gone,) = decoded(scene_update((), fox.Timestamp(7, 0)))["deletions"]
     assert gone["type"] == fox.SceneEntityDeletionType.All.value

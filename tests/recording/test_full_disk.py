@@ -1,4 +1,4 @@
-"""A disk that is full, a folder that cannot be written: a sentence, and the flight goes on."""
+"""Full disks and folders that cannot be written: the recording ends with an error, the run continues."""
 
 from __future__ import annotations
 
@@ -18,30 +18,30 @@ from aftdeck.recording.index import Index
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
 from aftdeck.recording.run import record
+from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.sink import Sink
-from aftdeck.recording.tape import SessionRecorder
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.simulation.warm import warm_up
-from tests.recording.flown import bay, recorded
+from tests.recording.flown import bay, record_steps
 
 ROOM = 100_000
-"""Bytes that a file may have where the disk is full."""
+"""Maximum size of a file on the full disk [bytes]."""
 SCRIPT = '[[phase]]\nmode = "ORB UNL"\ntranslation = [0.6, 0, 0.2]\nduration = "20 s"'
 WAIT_S = 60.0
-"""The longest that anything is waited for [s]."""
+"""Longest wait for a condition [s]."""
 
 
 @pytest.fixture(scope="module", autouse=True)
 def compiled() -> None:
-    """The laws are compiled before a disk is full: Numba keeps them on one, and breaks down where it cannot."""
+    """Compile the laws before the disk is full, because Numba writes them to it."""
     warm_up(bay(extra=SCRIPT))
 
 
 @contextmanager
 def full_disk(room: int = ROOM) -> Iterator[None]:
-    """No file may grow beyond `room` bytes: the operating system refuses what is beyond, as on a full disk."""
+    """Limit the size of every file to `room` bytes: the system rejects more, as on a full disk."""
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (room, hard))
     try:
@@ -51,13 +51,13 @@ def full_disk(room: int = ROOM) -> Iterator[None]:
 
 
 def check_kept(path: Path) -> None:
-    """What was written before opens, and repeats itself."""
+    """Check that the written part of a recording is readable and verifies."""
     verdict = verify(path)
     assert verdict.equal and verdict.cut and verdict.frames > 0
     assert 0 < path.stat().st_size <= ROOM
 
 
-def test_a_run_onto_a_full_disk_says_so_and_keeps_what_was_flown_before(
+def test_run_onto_a_full_disk_raises_and_keeps_the_written_part(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(writer, "FLUSH_S", 0.001)
@@ -66,13 +66,14 @@ def test_a_run_onto_a_full_disk_says_so_and_keeps_what_was_flown_before(
     index = Index(tmp_path / "list.sqlite")
     with full_disk(), pytest.raises(RecordingError) as caught:
         record(made, path, index=index)
-    assert str(caught.value) == f"{path}: recording stopped, the flight goes on: File too large"
+    text = str(caught.value)
+    assert text.startswith(f"{path}: ") and text.endswith(": File too large")
     check_kept(path)
     (entry,) = index.entries()
     assert (entry.ended, entry.state) == ("cut", "here")
 
 
-def test_a_flight_goes_on_while_its_disk_is_full(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_run_continues_on_a_full_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(writer, "FLUSH_S", 0.001)
     made = bay()
     sim = Simulation(made)
@@ -94,7 +95,7 @@ def test_a_flight_goes_on_while_its_disk_is_full(tmp_path: Path, monkeypatch: py
     assert Recording(path).opening.scenario == "test"
 
 
-def test_a_disk_that_takes_nothing_at_all_leaves_no_trap(tmp_path: Path) -> None:
+def test_disk_without_any_space_leaves_an_empty_recording(tmp_path: Path) -> None:
     made = bay()
     path = tmp_path / "none.mcap"
     with full_disk(0):
@@ -102,12 +103,13 @@ def test_a_disk_that_takes_nothing_at_all_leaves_no_trap(tmp_path: Path) -> None
         recorder.step(None, Simulation(made).step())
         recorder.close("stopped")
     assert recorder.failure.endswith("File too large")
-    with pytest.raises(RecordingError, match="nothing in it to read"):
+    with pytest.raises(RecordingError) as caught:
         Recording(path)
+    assert caught.value.fault == "empty"
 
 
-def test_a_writer_that_falls_far_behind_stops_and_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(writer, "MOST_WAITING", 30)
+def test_recording_ends_when_the_queue_is_full(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(writer, "MAX_WAITING", 30)
     monkeypatch.setattr(writer, "BEGIN_S", 0.0)
     plain, freed = Sink.write, threading.Event()
 
@@ -123,64 +125,66 @@ def test_a_writer_that_falls_far_behind_stops_and_says_so(tmp_path: Path, monkey
         recorder.step(None, sim.step())
     assert recorder.failure == ""
     recorder.step(None, sim.step())
-    assert recorder.failure.endswith("30 steps wait to be written: the disk is too slow")
+    assert "30 steps" in recorder.failure
     freed.set()
     recorder.close("stopped")
 
 
 @pytest.mark.parametrize("below", ["file/run.mcap", "file/deeper/run.mcap"])
-def test_a_folder_that_cannot_be_made_is_told_before_the_flight(tmp_path: Path, below: str) -> None:
+def test_folder_that_cannot_be_created_is_rejected_before_the_run(tmp_path: Path, below: str) -> None:
     (tmp_path / "file").touch()
-    with pytest.raises(RecordingError, match=r"run\.mcap: cannot be written: (Not a directory|File exists)"):
+    with pytest.raises(RecordingError, match=r"run\.mcap: .*(Not a directory|File exists)") as caught:
         record(bay(extra=SCRIPT), tmp_path / below)
+    assert caught.value.fault == "unwritable"
 
 
-def test_a_folder_that_is_missing_is_made(tmp_path: Path) -> None:
+def test_missing_folder_is_created(tmp_path: Path) -> None:
     path = tmp_path / "a" / "b" / "c.mcap"
-    recorded(path, bay(), itertools.repeat(Inputs()), 5)
+    record_steps(path, bay(), itertools.repeat(Inputs()), 5)
     assert verify(path).frames == 5
 
 
-def test_a_folder_in_place_of_a_file_is_not_written_over(tmp_path: Path) -> None:
-    with pytest.raises(RecordingError, match="exists already"):
+def test_folder_in_place_of_a_file_is_not_overwritten(tmp_path: Path) -> None:
+    with pytest.raises(RecordingError) as caught:
         record(bay(extra=SCRIPT), tmp_path)
+    assert caught.value.fault == "exists"
 
 
 @pytest.mark.parametrize("name", ["test", "n" * 250])
-def test_a_tape_without_a_place_complains_once_and_lets_fly(
+def test_session_recorder_reports_an_unusable_folder_once(
     tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = tmp_path if len(name) > 200 else tmp_path / "file"
     (tmp_path / "file").touch()
-    tape = SessionRecorder(folder, None)
+    recorder = SessionRecorder(folder, None)
     made = bay(name=name)
-    tape.begin(made, 0)
-    tape.step(Inputs(), Simulation(made).step(Inputs()), None)
-    (text,) = tape.take_errors()
-    assert text.startswith("nothing is recorded: ") and "cannot be written" in text
-    assert tape.take_errors() == [] and tape.running_s is None and tape.file is None
-    tape.end("restarted")
-    tape.close()
+    recorder.begin(made, 0)
+    recorder.step(Inputs(), Simulation(made).step(Inputs()), None)
+    (text,) = recorder.take_errors()
+    assert str(folder) in text
+    assert recorder.take_errors() == [] and recorder.running_s is None and recorder.file is None
+    recorder.end("restarted")
+    recorder.close()
     assert capsys.readouterr().err == f"aftdeck: {text}\n"
 
 
-def test_flights_that_begin_in_one_second_get_names_of_their_own(tmp_path: Path) -> None:
+def test_runs_that_begin_in_one_second_have_different_names(tmp_path: Path) -> None:
     made = bay()
-    tape = SessionRecorder(tmp_path, None)
+    recorder = SessionRecorder(tmp_path, None)
     for _ in range(5):
-        tape.begin(made, 0)
-        tape.step(Inputs(), Simulation(made).step(Inputs()), None)
-        tape.end("restarted")
-    tape.close()
-    assert tape.take_errors() == []
+        recorder.begin(made, 0)
+        recorder.step(Inputs(), Simulation(made).step(Inputs()), None)
+        recorder.end("restarted")
+    recorder.close()
+    assert recorder.take_errors() == []
     files = list(tmp_path.glob("test-*.mcap"))
     assert len(files) == 5 and all(verify(path).equal for path in files)
 
 
-def test_a_tape_without_a_folder_records_nothing(tmp_path: Path) -> None:
-    tape = SessionRecorder(None, Index(tmp_path / "list.sqlite"))
+def test_session_recorder_without_a_folder_records_nothing(tmp_path: Path) -> None:
+    recorder = SessionRecorder(None, Index(tmp_path / "list.sqlite"))
     made = bay()
-    tape.begin(made, 0)
-    tape.step(Inputs(), Simulation(made).step(Inputs()), None)
-    tape.close()
-    assert tape.running_s is None and list(tmp_path.iterdir()) == []
+    recorder.begin(made, 0)
+    recorder.step(Inputs(), Simulation(made).step(Inputs()), None)
+    recorder.close()
+    assert recorder.running_s is None and list(tmp_path.iterdir()) == []

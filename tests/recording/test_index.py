@@ -1,10 +1,11 @@
-"""The list of recordings."""
+"""List of recordings."""
 
 from __future__ import annotations
 
 import contextlib
 import itertools
 import os
+import re
 import sqlite3
 import subprocess
 import sys
@@ -18,17 +19,17 @@ from aftdeck.errors import RecordingError
 from aftdeck.recording.bundle import opening
 from aftdeck.recording.index import Entry, Index
 from aftdeck.recording.run import record
-from aftdeck.recording.tape import SessionRecorder
+from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.trial import Trial
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from tests.recording.flown import bay, recorded
+from tests.recording.flown import bay, record_steps
 
 SCRIPT = '[[phase]]\nmode = "ORB UNL"\ntranslation = [0.6, 0, 0.2]\nduration = "0.2 s"'
 MADE = bay(extra=SCRIPT)
 WAIT_S = 60.0
-"""The longest that anything is waited for [s]."""
+"""Longest wait for a condition [s]."""
 
 
 @pytest.fixture
@@ -36,15 +37,15 @@ def index(tmp_path: Path) -> Index:
     return Index(tmp_path / "data" / "list.sqlite")
 
 
-def listed(index: Index, path: Path, name: str = "test", ended: str = "completed", day: int = 1) -> None:
-    """An entry for a file that may be there or not."""
+def add_entry(index: Index, path: Path, name: str = "test", ended: str = "completed", day: int = 1) -> None:
+    """Add an entry; its file may be missing."""
     start = opening(bay(name=name), 0, day * 86_400 * 10**9)
     index.begin(path, start)
     if ended:
         index.end(path, ended, 1.5)
 
 
-def test_a_run_is_listed_with_its_end(index: Index, tmp_path: Path) -> None:
+def test_run_is_listed_with_its_end(index: Index, tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     summary = record(MADE, path, seed=4, index=index).summary
     (entry,) = index.entries()
@@ -53,8 +54,12 @@ def test_a_run_is_listed_with_its_end(index: Index, tmp_path: Path) -> None:
     assert entry.bytes == path.stat().st_size
 
 
-def test_a_recording_under_way_is_listed_as_such(index: Index, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("aftdeck.recording.index.FRESH_S", 1000.0)  # however long the list takes
+def test_recording_in_progress_is_listed_and_not_deleted(
+    index: Index, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(
+        "aftdeck.recording.index.FRESH_S", 1000.0
+    )  # so that the file counts as new, even on a slow machine
     path = tmp_path / "run.mcap"
     recorder = Recorder(path, MADE, 0, index=index)
     recorder.step(None, Simulation(MADE).step())
@@ -63,18 +68,18 @@ def test_a_recording_under_way_is_listed_as_such(index: Index, tmp_path: Path, m
         assert time.monotonic() < end, recorder.unlisted
     (entry,) = index.entries()
     assert (entry.ended, entry.state) == ("recording", "here")
-    with pytest.raises(RecordingError, match="is being recorded, and is not deleted"):
+    with pytest.raises(RecordingError, match=re.escape(str(path))):
         index.delete([entry])
     assert path.exists()
     recorder.close("stopped")
     assert [e.ended for e in index.entries()] == ["stopped"]
 
 
-def left_behind(index: Index, path: Path, size: int) -> Entry:
-    """The entry of a recording whose program was killed, and whose file has so many of its bytes."""
-    recorded(path, MADE, itertools.repeat(Inputs()), 30)
+def entry_after_kill(index: Index, path: Path, size: int) -> Entry:
+    """Return the entry of a recording of a killed program, whose file has this size."""
+    record_steps(path, MADE, itertools.repeat(Inputs()), 30)
     path.write_bytes(path.read_bytes()[:size])
-    listed(index, path, ended="")
+    add_entry(index, path, ended="")
     old = path.stat().st_mtime - 60.0
     os.utime(path, (old, old))
     (entry,) = index.entries()
@@ -90,21 +95,21 @@ def left_behind(index: Index, path: Path, size: int) -> Entry:
         (0, "recording", "unreadable"),
     ],
 )
-def test_a_killed_programs_file_is_looked_at(index: Index, tmp_path: Path, size: int, ended: str, state: str) -> None:
-    entry = left_behind(index, tmp_path / "run.mcap", size)
+def test_file_of_a_killed_program_is_read(index: Index, tmp_path: Path, size: int, ended: str, state: str) -> None:
+    entry = entry_after_kill(index, tmp_path / "run.mcap", size)
     assert (entry.ended, entry.state) == (ended, state)
     assert entry.bytes == (tmp_path / "run.mcap").stat().st_size
 
 
-def test_a_file_that_is_gone_is_listed_as_gone(index: Index, tmp_path: Path) -> None:
-    listed(index, tmp_path / "gone.mcap")
-    listed(index, tmp_path / ("n" * 300))
+def test_missing_file_is_listed_as_gone(index: Index, tmp_path: Path) -> None:
+    add_entry(index, tmp_path / "gone.mcap")
+    add_entry(index, tmp_path / ("n" * 300))
     assert {e.state for e in index.entries()} == {"gone"}
 
 
-def test_filters_choose(index: Index, tmp_path: Path) -> None:
+def test_filters_select_entries(index: Index, tmp_path: Path) -> None:
     for day, (name, ended) in enumerate([("a", "time"), ("b", "fault"), ("a", "stopped"), ("a", "fault")], 1):
-        listed(index, tmp_path / f"{day}.mcap", name, ended, day)
+        add_entry(index, tmp_path / f"{day}.mcap", name, ended, day)
     assert [Path(e.path).stem for e in index.entries()] == ["4", "3", "2", "1"]
     assert [Path(e.path).stem for e in index.entries(scenario="a")] == ["4", "3", "1"]
     assert [Path(e.path).stem for e in index.entries(ended="fault")] == ["4", "2"]
@@ -113,7 +118,7 @@ def test_filters_choose(index: Index, tmp_path: Path) -> None:
     assert index.entries("c") == []
 
 
-def test_a_list_of_an_earlier_version_is_read_and_goes_on(index: Index, tmp_path: Path) -> None:
+def test_list_of_an_earlier_version_is_read_and_extended(index: Index, tmp_path: Path) -> None:
     index.path.parent.mkdir(parents=True)
     with contextlib.closing(sqlite3.connect(index.path)) as database, database:
         database.execute(
@@ -124,40 +129,40 @@ def test_a_list_of_an_earlier_version_is_read_and_goes_on(index: Index, tmp_path
         row = (str(tmp_path / "old.mcap"), "test", "test", 0, "0.0.1", "1969-12-31", "time", 1.0, 10)
         database.execute("insert into recordings values (?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
     record(MADE, tmp_path / "new.mcap", index=index, trial=Trial("P07", "A"))
-    told = [(Path(e.path).stem, e.participant, e.condition) for e in index.entries()]
-    assert told == [("new", "P07", "A"), ("old", "", "")]
+    entries = [(Path(e.path).stem, e.participant, e.condition) for e in index.entries()]
+    assert entries == [("new", "P07", "A"), ("old", "", "")]
 
 
-def test_forgetting_leaves_the_files(index: Index, tmp_path: Path) -> None:
+def test_forget_keeps_the_files(index: Index, tmp_path: Path) -> None:
     record(MADE, tmp_path / "run.mcap", index=index)
     index.forget(index.entries())
     assert index.entries() == [] and (tmp_path / "run.mcap").exists()
 
 
-def test_deleting_takes_files_and_entries(index: Index, tmp_path: Path) -> None:
+def test_delete_removes_files_and_entries(index: Index, tmp_path: Path) -> None:
     record(MADE, tmp_path / "run.mcap", index=index)
     record(MADE, tmp_path / "kept.mcap", index=index)
-    listed(index, tmp_path / "gone.mcap")
+    add_entry(index, tmp_path / "gone.mcap")
     index.delete([e for e in index.entries() if "kept" not in e.path])
     assert [Path(e.path).name for e in index.entries()] == ["kept.mcap"]
     assert sorted(p.name for p in tmp_path.glob("*.mcap")) == ["kept.mcap"]
 
 
-def test_what_cannot_be_deleted_is_told_and_stays_listed(index: Index, tmp_path: Path) -> None:
+def test_file_that_cannot_be_deleted_is_reported_and_stays_listed(index: Index, tmp_path: Path) -> None:
     (tmp_path / "folder.mcap").mkdir()
-    listed(index, tmp_path / "folder.mcap")
-    with pytest.raises(RecordingError, match=r"folder\.mcap: cannot be deleted: "):
+    add_entry(index, tmp_path / "folder.mcap")
+    with pytest.raises(RecordingError, match=r"folder\.mcap: "):
         index.delete(index.entries())
     assert len(index.entries()) == 1
 
 
-def test_a_path_recorded_anew_is_one_entry(index: Index, tmp_path: Path) -> None:
-    listed(index, tmp_path / "run.mcap", "a")
-    listed(index, tmp_path / "run.mcap", "b")
+def test_path_recorded_again_is_one_entry(index: Index, tmp_path: Path) -> None:
+    add_entry(index, tmp_path / "run.mcap", "a")
+    add_entry(index, tmp_path / "run.mcap", "b")
     assert [e.scenario for e in index.entries()] == ["b"]
 
 
-def test_a_name_that_is_no_text_is_told_and_recorded_all_the_same(index: Index, tmp_path: Path) -> None:
+def test_run_with_a_file_name_that_is_not_text_is_recorded(index: Index, tmp_path: Path) -> None:
     path = tmp_path / os.fsdecode(b"\xff.mcap")
     record(MADE, path, index=index)
     assert path.exists()
@@ -180,7 +185,7 @@ for k in range(10):
 """
 
 
-def test_several_programs_write_at_once(index: Index) -> None:
+def test_several_programs_write_simultaneously(index: Index) -> None:
     start = msgspec.json.encode(msgspec.structs.replace(opening(MADE, 0, 0), shapes_text="", worksite_text=""))
     programs = [
         subprocess.Popen([sys.executable, "-c", TEN, str(index.path), str(n), start], stderr=subprocess.PIPE)
@@ -193,7 +198,7 @@ def test_several_programs_write_at_once(index: Index) -> None:
     assert all(e.ended == "completed" and e.time_s == float(Path(e.path).stem) for e in entries)
 
 
-def unusable(path: Path, how: str) -> None:
+def make_unusable(path: Path, how: str) -> None:
     match how:
         case "garbage":
             path.write_bytes(b"no database at all, " * 100)
@@ -209,24 +214,22 @@ def unusable(path: Path, how: str) -> None:
 
 
 @pytest.mark.parametrize("how", ["garbage", "a folder", "another table", "below a file"])
-def test_a_list_that_cannot_be_used_is_told_and_the_run_goes_on(tmp_path: Path, how: str) -> None:
+def test_unusable_list_is_reported_and_the_run_is_recorded(tmp_path: Path, how: str) -> None:
     (tmp_path / "data").mkdir()
     index = Index(tmp_path / "data" / "list.sqlite")
-    unusable(index.path, how)
-    with pytest.raises(RecordingError, match=r"list\.sqlite: the list of recordings cannot be used: "):
+    make_unusable(index.path, how)
+    with pytest.raises(RecordingError, match=r"list\.sqlite: "):
         index.entries()
     path = tmp_path / "run.mcap"
     assert record(MADE, path, index=index).summary.ended == "completed"
-    tape = SessionRecorder(tmp_path / "flights", index)
-    tape.begin(MADE, 0)
-    tape.step(Inputs(), Simulation(MADE).step(Inputs()), None)
-    tape.close()
+    recorder = SessionRecorder(tmp_path / "flights", index)
+    recorder.begin(MADE, 0)
+    recorder.step(Inputs(), Simulation(MADE).step(Inputs()), None)
+    recorder.close()
     assert [f.stat().st_size > 0 for f in (tmp_path / "flights").iterdir()] == [True]
 
 
-def test_a_list_held_by_another_program_holds_up_no_recording(
-    index: Index, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_locked_list_does_not_stop_a_recording(index: Index, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert index.entries() == []
     monkeypatch.setattr("aftdeck.recording.index.BUSY_S", 0.5)
     other = sqlite3.connect(index.path, isolation_level=None)
@@ -239,13 +242,13 @@ def test_a_list_held_by_another_program_holds_up_no_recording(
     finally:
         other.close()
     assert recorder.failure == ""
-    assert "the list of recordings cannot be used: database is locked" in recorder.unlisted
+    assert recorder.unlisted.startswith(f"{index.path}: ") and "locked" in recorder.unlisted
 
 
-def test_a_list_with_more_columns_is_read(index: Index, tmp_path: Path) -> None:
-    listed(index, tmp_path / "a.mcap")
+def test_list_with_more_columns_is_read(index: Index, tmp_path: Path) -> None:
+    add_entry(index, tmp_path / "a.mcap")
     with sqlite3.connect(index.path) as database:
         database.execute("alter table recordings add column weather text")
     database.close()
-    listed(index, tmp_path / "b.mcap")
+    add_entry(index, tmp_path / "b.mcap")
     assert len(index.entries()) == 2

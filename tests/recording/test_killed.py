@@ -1,4 +1,4 @@
-"""A program that is killed loses at most its last second: every file opens, and verifies as far as it goes."""
+"""A record_and_kill program loses at most its last second: every file can be read and verifies up to its end."""
 
 from __future__ import annotations
 
@@ -13,65 +13,65 @@ import pytest
 from aftdeck.recording.index import Index
 from aftdeck.recording.reader import Recording
 from aftdeck.recording.replay import verify
-from aftdeck.recording.writer import LOOK_S
+from aftdeck.recording.writer import POLL_S
 from tests.recording import killed_flights
-from tests.recording.killed_flights import PERIOD_S, Killed, Look
+from tests.recording.killed_flights import PERIOD_S, Check, Killed
 
-MOST_LOST_S = 1.0
+MAX_LOST_S = 1.0
 WAIT_S = 500.0
-"""The longest that a hundred flights may take on a slow machine that compiles the laws first [s]."""
+"""Longest time for a hundred runs on a slow machine that compiles the laws first [s]."""
 
 
-def killed(folder: Path, count: int) -> list[Killed]:
-    """Flights that were killed."""
+def record_and_kill(folder: Path, count: int) -> list[Killed]:
+    """Record and kill runs in a subprocess, and return the data about them."""
     command = [sys.executable, killed_flights.__file__, str(folder), str(count), "5"]
     done = subprocess.run(command, capture_output=True, timeout=WAIT_S, check=False)
     assert (done.returncode, done.stderr) == (0, b"")
-    flights = [msgspec.json.decode(line, type=Killed) for line in done.stdout.splitlines()]
-    assert len(flights) == count
-    return flights
+    runs = [msgspec.json.decode(line, type=Killed) for line in done.stdout.splitlines()]
+    assert len(runs) == count
+    return runs
 
 
-def kept_away(looks: list[Look], since_s: float) -> float:
-    """How long a writer was kept from its work since a time [s]: by a busy machine, or by its disk.
+def delay(checks: list[Check], since_s: float) -> float:
+    """Return how long a recorder's thread was delayed since a time by a busy machine or disk [s].
 
-    It is what is left of the pauses between its looks, less its own work and its sleep.
+    This is the sum of the pauses between its checks of the queue, without its own work and its sleep.
     """
     pauses = [
-        after.time_s - max(before.time_s, since_s) - (after.worked_s - before.worked_s) - LOOK_S
-        for before, after in itertools.pairwise(looks)
+        after.time_s - max(before.time_s, since_s) - (after.worked_s - before.worked_s) - POLL_S
+        for before, after in itertools.pairwise(checks)
         if after.time_s > since_s
     ]
     return sum(max(pause, 0.0) for pause in pauses)
 
 
-def lost(flight: Killed) -> float:
-    """How much of a killed flight is not in its file, in its writer's own time [s]."""
-    recording = Recording(Path(flight.file))
-    kept, handed_over = sum(1 for _ in recording.steps()), len(flight.handed_over_s)
+def lost_s(run_: Killed) -> float:
+    """Return the length of the part of a run that is not in its file, without delays by the machine [s]."""
+    recording = Recording(Path(run_.file))
+    kept, handed_over = sum(1 for _ in recording.steps()), len(run_.handed_over_s)
     assert recording.cut and recording.ended == ""
-    assert kept <= handed_over + 1  # the last may be recorded, and no longer be told of
+    assert kept <= handed_over + 1  # the last step may be recorded but not reported
     if kept >= handed_over:
         return 0.0
-    return (handed_over - kept) * PERIOD_S - kept_away(flight.looks, flight.handed_over_s[kept])
+    return (handed_over - kept) * PERIOD_S - delay(run_.checks, run_.handed_over_s[kept])
 
 
 def check(folder: Path, count: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    flights = killed(folder, count)
-    for flight in flights:
-        assert lost(flight) <= MOST_LOST_S, flight.file
-    for flight in flights[:: max(count // 5, 1)]:
-        verdict = verify(Path(flight.file))
+    runs = record_and_kill(folder, count)
+    for run_ in runs:
+        assert lost_s(run_) <= MAX_LOST_S, run_.file
+    for run_ in runs[:: max(count // 5, 1)]:
+        verdict = verify(Path(run_.file))
         assert verdict.equal and verdict.cut
     monkeypatch.setattr("aftdeck.recording.index.FRESH_S", -1.0)
     listed = {entry.path: entry for entry in Index().entries()}
-    assert {listed[flight.file].ended for flight in flights} == {"cut"}
+    assert {listed[run_.file].ended for run_ in runs} == {"cut"}
 
 
-def test_a_killed_flights_file_is_whole_to_its_last_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_killed_program_loses_at_most_a_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     check(tmp_path, 2, monkeypatch)
 
 
 @pytest.mark.slow
-def test_a_hundred_killed_flights_lose_a_second_at_most(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_hundred_killed_programs_lose_at_most_a_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     check(tmp_path, 100, monkeypatch)

@@ -1,4 +1,4 @@
-"""Two hours of flight: the file stays small, and memory flat."""
+"""Recordings of hours: the file stays small, and memory does not grow."""
 
 from __future__ import annotations
 
@@ -24,35 +24,37 @@ from tests.steering.random_runs import inputs
 
 HOUR_S = 3600.0
 WARM_S = 600.0
-"""What a program still fetches at its beginning is not counted [s]."""
-MOST_GROWN = 16e6
-"""Of memory in what is left of two hours: the file's index, kept for its end [bytes]."""
-MOST_A_MINUTE = 1.5e6
+"""Time at the beginning in which growth of the memory is not counted [s]."""
+MAX_GROWTH = 16e6
+"""Maximum growth of the memory in two hours, mostly by the index of the file [bytes]."""
+MAX_MINUTE_SIZE = 1.5e6
+"""Maximum size of a recording for each minute [bytes]."""
 
 
 def memory() -> int:
-    """Resident memory [bytes]."""
+    """Return the resident memory [bytes]."""
     return int(subprocess.check_output(["ps", "-o", "rss=", "-p", str(os.getpid())])) * 1024
 
 
 def steps_of(made: aftdeck.Scenario, count: int) -> list[tuple[Inputs, Frame]]:
-    """A flight with random sticks and switches."""
+    """Return inputs and frames of a run with random inputs."""
     sim = aftdeck.Simulation(made)
     operator = inputs(np.random.default_rng(8), sim)
     return [(given, sim.step(given)) for given, _ in zip(operator, range(count), strict=False)]
 
 
-def long_flight(path: Path, made: aftdeck.Scenario, seconds: float, patch: pytest.MonkeyPatch) -> dict[float, int]:
-    """A long flight into a file, chunks closed at least as often as at real-time pace; memory by time [s].
+def record_long_run(path: Path, made: aftdeck.Scenario, seconds: float, patch: pytest.MonkeyPatch) -> dict[float, int]:
+    """Record a long run with chunks as in real time; return the memory by simulated time [s].
 
-    A minute is flown; its steps are handed over again and again. The writer's clock goes a step each time it looks.
+    One minute is simulated, and its steps are recorded repeatedly. The recorder's clock advances one control period at
+    each check of the queue.
     """
     period = made.control_period
     flown = steps_of(made, round(60.0 / period))
-    looks = itertools.count()
+    checks = itertools.count()
     clock = {name: getattr(time, name) for name in ("perf_counter", "time_ns", "sleep")}
-    patch.setattr(writer, "time", SimpleNamespace(monotonic=lambda: next(looks) * period, **clock))
-    patch.setattr(writer, "MOST_WAITING", 2000)
+    patch.setattr(writer, "time", SimpleNamespace(monotonic=lambda: next(checks) * period, **clock))
+    patch.setattr(writer, "MAX_WAITING", 2000)
     recorder = Recorder(path, made, 0)
     used = {}
     for k in range(round(seconds / period)):
@@ -68,21 +70,19 @@ def long_flight(path: Path, made: aftdeck.Scenario, seconds: float, patch: pytes
 
 
 @pytest.mark.slow
-def test_memory_stays_flat_over_two_hours(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_memory_does_not_grow_over_two_hours(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "long.mcap"
-    used = long_flight(path, scenario(extra="control_period = 0.08"), 2.0 * HOUR_S, monkeypatch)
+    used = record_long_run(path, scenario(extra="control_period = 0.08"), 2.0 * HOUR_S, monkeypatch)
     warm = max(size for when, size in used.items() if when < WARM_S)
-    assert max(used.values()) - warm < MOST_GROWN
-    assert path.stat().st_size < MOST_A_MINUTE * 120.0
+    assert max(used.values()) - warm < MAX_GROWTH
+    assert path.stat().st_size < MAX_MINUTE_SIZE * 120.0
     recording = Recording(path)
     assert sum(1 for _ in recording.steps()) == round(2.0 * HOUR_S / 0.08)
     assert recording.ended == "stopped" and recording.time_s == pytest.approx(2.0 * HOUR_S)
 
 
 @pytest.mark.slow
-def test_a_minute_of_random_sticks_takes_a_megabyte_and_a_half_at_most(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_minute_of_random_inputs_takes_at_most_1_5_megabytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "busy.mcap"
-    long_flight(path, scenario(), 300.0, monkeypatch)
-    assert path.stat().st_size / 5.0 <= MOST_A_MINUTE
+    record_long_run(path, scenario(), 300.0, monkeypatch)
+    assert path.stat().st_size / 5.0 <= MAX_MINUTE_SIZE

@@ -1,4 +1,4 @@
-"""A recording flown again gives the same frames, bit for bit."""
+"""Verification and re-run of recordings."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from aftdeck.recording.replay import verify
 from aftdeck.recording.run import record
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.summary import Summary
-from tests.recording.flown import bay, messages, random_flight, recorded, rewritten
+from tests.recording.flown import bay, messages, record_random_run, record_steps, rewritten
 from tests.scenario.missions import SCRIPTED
 
 QUICK = ("uncradle", "sequence")
@@ -38,7 +38,7 @@ mode = "ORB UNL"
 translation = [0.6, 0, 0.2]
 duration = "2 s"
 """
-"""A script that takes the arm some seconds."""
+"""Script of a few seconds."""
 PUSH = Inputs((0.5, -0.2, 0.1), (0.0, 0.3, 0.0))
 
 
@@ -50,9 +50,9 @@ def run_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def hand_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def manual_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("hand") / "hand.mcap"
-    recorded(path, bay(), itertools.repeat(PUSH), 200)
+    record_steps(path, bay(), itertools.repeat(PUSH), 200)
     return path
 
 
@@ -68,23 +68,23 @@ def check_equal(name: str, path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", QUICK)
-def test_a_scripted_run_repeats_itself(name: str, tmp_path: Path) -> None:
+def test_scripted_run_verifies(name: str, tmp_path: Path) -> None:
     check_equal(name, tmp_path / "run.mcap")
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in SCRIPTED if name not in QUICK])
-def test_every_other_scripted_run_repeats_itself(name: str, tmp_path: Path) -> None:
+def test_every_other_scripted_run_verifies(name: str, tmp_path: Path) -> None:
     check_equal(name, tmp_path / "run.mcap")
 
 
-def check_random_flight(path: Path, seed: int, steps: int, extra: str = "") -> None:
+def check_random_run(path: Path, seed: int, steps: int, extra: str = "") -> None:
     path.unlink(missing_ok=True)
-    flown = random_flight(path, seed, steps, extra)
+    flown = record_random_run(path, seed, steps, extra)
     verdict = verify(path)
     assert verdict.equal and verdict.frames == steps
-    told = [(m.tick, m.translation) for m in messages(path) if isinstance(m, Input)]
-    assert told == [(k, i.translation) for k, (i, _) in enumerate(flown, 1) if i is not None]
+    recorded_inputs = [(m.tick, m.translation) for m in messages(path) if isinstance(m, Input)]
+    assert recorded_inputs == [(k, i.translation) for k, (i, _) in enumerate(flown, 1) if i is not None]
 
 
 _hypothesis = settings(
@@ -96,33 +96,33 @@ _hypothesis = settings(
 @given(
     st.integers(0, 2**32), st.sampled_from(["", "command_delay = 0.3\n", 'soft_stops = "as-flown"\nstrict = true\n'])
 )
-def test_a_flight_with_random_sticks_and_switches_repeats_itself(tmp_path: Path, seed: int, extra: str) -> None:
-    check_random_flight(tmp_path / "random.mcap", seed, 150, extra)
+def test_run_with_random_inputs_verifies(tmp_path: Path, seed: int, extra: str) -> None:
+    check_random_run(tmp_path / "random.mcap", seed, 150, extra)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(20))
-def test_a_long_flight_with_random_sticks_and_switches_repeats_itself(tmp_path: Path, seed: int) -> None:
-    check_random_flight(tmp_path / "random.mcap", seed, 2000)
+def test_long_run_with_random_inputs_verifies(tmp_path: Path, seed: int) -> None:
+    check_random_run(tmp_path / "random.mcap", seed, 2000)
 
 
-def test_a_demonstration_that_is_taken_over_by_hand_repeats_itself(tmp_path: Path) -> None:
+def test_demonstration_with_change_to_manual_control_verifies(tmp_path: Path) -> None:
     path = tmp_path / "taken.mcap"
     script: Iterator[Inputs | None] = itertools.chain(itertools.repeat(None, 100), itertools.repeat(PUSH))
-    recorded(path, aftdeck.load_scenario("first-flight"), script, 200)
+    record_steps(path, aftdeck.load_scenario("first-flight"), script, 200)
     assert verify(path).equal
     assert [m.by for m in messages(path) if isinstance(m, FrameRecord)] == ["script"] * 100 + ["hand"] * 100
 
 
-def test_a_run_with_another_seed_is_repeated_with_that_seed(tmp_path: Path) -> None:
+def test_run_with_another_seed_verifies(tmp_path: Path) -> None:
     path = tmp_path / "seeded.mcap"
     record(bay(extra=SCRIPT), path, seed=77)
     assert Recording(path).opening.seed == 77
     assert verify(path).equal
 
 
-def changed_frame(source: Path, out: Path) -> FrameRecord:
-    """A copy of a recording whose first frame is another."""
+def with_changed_frame(source: Path, out: Path) -> FrameRecord:
+    """Write a copy of a recording with a changed first frame, and return this frame."""
     first = next(m for m in messages(source) if isinstance(m, FrameRecord))
     angles = (first.angles[0] + 1e-3, *first.angles[1:])
     wrong = msgspec.structs.replace(first, angles=angles, sha256="0" * 16)
@@ -130,53 +130,51 @@ def changed_frame(source: Path, out: Path) -> FrameRecord:
     return wrong
 
 
-def test_a_frame_that_differs_is_found_with_what_differs(hand_file: Path, tmp_path: Path) -> None:
-    wrong = changed_frame(hand_file, tmp_path / "wrong.mcap")
+def test_changed_frame_is_found_with_its_fields(manual_file: Path, tmp_path: Path) -> None:
+    wrong = with_changed_frame(manual_file, tmp_path / "wrong.mcap")
     verdict = verify(tmp_path / "wrong.mcap")
     assert (verdict.equal, verdict.different, verdict.frames) == (False, 1, 200)
     assert verdict.first is not None and verdict.first.tick == wrong.tick == 1
     assert [change.field for change in verdict.first.fields] == ["angles"]
 
 
-def test_inputs_that_differ_are_found_where_they_were_flown(hand_file: Path, tmp_path: Path) -> None:
+def test_changed_inputs_are_found_in_their_step(manual_file: Path, tmp_path: Path) -> None:
     other = encode(Input(tick=1, translation=(-0.5, -0.2, 0.1)))
-    rewritten(hand_file, tmp_path / "wrong.mcap", {"/inputs": other})
+    rewritten(manual_file, tmp_path / "wrong.mcap", {"/inputs": other})
     verdict = verify(tmp_path / "wrong.mcap")
     assert not verdict.equal and verdict.first is not None
     assert verdict.first.tick == 1
     assert "translation" in {change.field for change in verdict.first.fields}
 
 
-def test_a_sum_that_differs_is_found(hand_file: Path, tmp_path: Path) -> None:
-    closing = messages(hand_file)[-1]
+def test_changed_digest_of_all_frames_is_found(manual_file: Path, tmp_path: Path) -> None:
+    closing = messages(manual_file)[-1]
     assert isinstance(closing, Closing)
     other = msgspec.json.encode(msgspec.structs.replace(closing, frames_sha256="0" * 64))
-    rewritten(hand_file, tmp_path / "wrong.mcap", {"/closing": other})
+    rewritten(manual_file, tmp_path / "wrong.mcap", {"/closing": other})
     verdict = verify(tmp_path / "wrong.mcap")
     assert (verdict.equal, verdict.different) == (False, 0)
 
 
-def opened_as(source: Path, out: Path, **changes: object) -> None:
-    """A copy of a recording whose first message says something else."""
+def with_header(source: Path, out: Path, **changes: object) -> None:
+    """Write a copy of a recording with these changes of the header."""
     start = msgspec.structs.replace(Recording(source).opening, **changes)
     rewritten(source, out, {"/opening": msgspec.json.encode(start)})
 
 
-def test_a_file_of_another_version_says_so_and_is_tried(hand_file: Path, tmp_path: Path) -> None:
-    opened_as(hand_file, tmp_path / "old.mcap", version="0.0.1", machine="another")
+def test_file_of_another_version_is_verified_and_named(manual_file: Path, tmp_path: Path) -> None:
+    with_header(manual_file, tmp_path / "old.mcap", version="0.0.1", machine="another")
     verdict = verify(tmp_path / "old.mcap")
     assert verdict.equal
     assert (verdict.recorded_by, verdict.version) == ("0.0.1", aftdeck.__version__)
     assert not verdict.same_machine
 
 
-def test_a_file_whose_digests_are_made_of_something_else_is_compared_by_its_values(
-    hand_file: Path, tmp_path: Path
-) -> None:
-    opened_as(hand_file, tmp_path / "old.mcap", version="0.0.1", digests="")
+def test_file_with_digests_of_other_fields_is_compared_by_values(manual_file: Path, tmp_path: Path) -> None:
+    with_header(manual_file, tmp_path / "old.mcap", version="0.0.1", digests="")
     verdict = verify(tmp_path / "old.mcap")
-    assert verdict.equal and not verdict.whole and verify(hand_file).whole
-    first = next(message for message in messages(hand_file) if isinstance(message, FrameRecord))
+    assert verdict.equal and not verdict.whole and verify(manual_file).whole
+    first = next(message for message in messages(manual_file) if isinstance(message, FrameRecord))
     forged = msgspec.structs.replace(first, position=(9.0, 9.0, 9.0))
     rewritten(tmp_path / "old.mcap", tmp_path / "forged.mcap", {"/frames": encode(forged)})
     verdict = verify(tmp_path / "forged.mcap")
@@ -184,48 +182,49 @@ def test_a_file_whose_digests_are_made_of_something_else_is_compared_by_its_valu
     assert [change.field for change in verdict.first.fields] == ["position"]
 
 
-def test_a_file_of_another_version_that_cannot_be_repeated_says_why(hand_file: Path, tmp_path: Path) -> None:
-    text = Recording(hand_file).opening.scenario_text
-    opened_as(hand_file, tmp_path / "new.mcap", version="9.0.0", scenario_text=f"gravity = 9.81\n{text}")
-    with pytest.raises(RecordingError, match=r"made by Aftdeck 9\.0\.0, which this one, .*does not repeat: .*gravity"):
+def test_unloadable_file_of_another_version_is_reported(manual_file: Path, tmp_path: Path) -> None:
+    text = Recording(manual_file).opening.scenario_text
+    with_header(manual_file, tmp_path / "new.mcap", version="9.0.0", scenario_text=f"gravity = 9.81\n{text}")
+    with pytest.raises(RecordingError, match=r"Aftdeck 9\.0\.0 .*gravity"):
         verify(tmp_path / "new.mcap")
 
 
-def test_damage_in_a_file_of_another_version_is_called_damage(hand_file: Path, tmp_path: Path) -> None:
-    opened_as(hand_file, tmp_path / "old.mcap", version="0.0.1")
+def test_damage_in_a_file_of_another_version_is_damage(manual_file: Path, tmp_path: Path) -> None:
+    with_header(manual_file, tmp_path / "old.mcap", version="0.0.1")
     whole = bytearray((tmp_path / "old.mcap").read_bytes())
     whole[len(whole) // 2] ^= 16
     (tmp_path / "old.mcap").write_bytes(whole)
-    with pytest.raises(RecordingError, match=r"^[^:]*old\.mcap: is damaged after [0-9.]+ s"):
+    with pytest.raises(RecordingError, match=r"^[^:]*old\.mcap: .* [0-9.]+ s: ") as caught:
         verify(tmp_path / "old.mcap")
+    assert caught.value.fault == "damaged"
 
 
-def test_progress_goes_from_nothing_to_all(run_file: Path) -> None:
+def test_progress_increases_to_at_most_1(run_file: Path) -> None:
     shares: list[float] = []
     assert verify(run_file, shares.append).equal
     assert shares == sorted(shares) and 0.0 < shares[0] <= shares[-1] <= 1.0
 
 
-# --- with something changed -------------------------------------------------------------------------------
+# --- re-run with changes -------------------------------------------------------------------------------
 
 
-def test_what_already_was_so_changes_nothing(hand_file: Path) -> None:
-    outcome = rerun(hand_file, ("rate=coarse", "control_period=0.02", "arm=srms"))
+def test_rerun_with_equal_values_has_no_difference(manual_file: Path) -> None:
+    outcome = rerun(manual_file, ("rate=coarse", "control_period=0.02", "arm=srms"))
     assert outcome.first is None and outcome.events == () and outcome.compared == 200
     assert outcome.greatest_tip_m.value == outcome.greatest_joint_rad.value == outcome.tip_at_end_m == 0.0
-    closing = messages(hand_file)[-1]
+    closing = messages(manual_file)[-1]
     assert isinstance(closing, Closing) and outcome.frames_sha256 == closing.frames_sha256
 
 
-def test_a_delay_parts_the_runs_when_the_sticks_move(tmp_path: Path) -> None:
+def test_rerun_with_a_delay_differs_when_the_sticks_move(tmp_path: Path) -> None:
     path = tmp_path / "hand.mcap"
-    recorded(path, bay(), itertools.chain(itertools.repeat(Inputs(), 50), itertools.repeat(PUSH)), 100)
+    record_steps(path, bay(), itertools.chain(itertools.repeat(Inputs(), 50), itertools.repeat(PUSH)), 100)
     outcome = rerun(path, ("command_delay=0.5",))
     assert outcome.first is not None and outcome.first.time_s == pytest.approx(51 * 0.02)
     assert outcome.greatest_tip_m.value > 0.0
 
 
-def test_a_slower_arm_takes_longer_and_the_log_says_when(run_file: Path) -> None:
+def test_rerun_in_vernier_takes_longer_and_has_later_lines(run_file: Path) -> None:
     outcome = rerun(run_file, ("phase[0].rate=vernier",))
     assert (outcome.ended_before, outcome.ended_after) == ("completed", "completed")
     assert outcome.time_after_s > outcome.time_before_s
@@ -236,7 +235,7 @@ def test_a_slower_arm_takes_longer_and_the_log_says_when(run_file: Path) -> None
 @pytest.mark.parametrize(
     "changes", [("phase[0].rate=vernier",), ("command_delay=0.2", "seed=9"), ("control_period=0.04",)]
 )
-def test_a_changed_runs_own_recording_repeats_itself(run_file: Path, tmp_path: Path, changes: tuple[str, ...]) -> None:
+def test_recording_of_a_rerun_verifies(run_file: Path, tmp_path: Path, changes: tuple[str, ...]) -> None:
     out = tmp_path / "changed.mcap"
     outcome = rerun(run_file, changes, out)
     assert Recording(out).opening.changes == changes
@@ -246,7 +245,7 @@ def test_a_changed_runs_own_recording_repeats_itself(run_file: Path, tmp_path: P
     assert Recording(out).opening.seed == (9 if "seed=9" in changes else 4)
 
 
-def test_a_changed_recording_is_changed_again(run_file: Path, tmp_path: Path) -> None:
+def test_recording_of_a_rerun_can_be_rerun(run_file: Path, tmp_path: Path) -> None:
     one, two = tmp_path / "one.mcap", tmp_path / "two.mcap"
     rerun(run_file, ("phase[0].rate=vernier",), one)
     outcome = rerun(one, ("phase[0].rate=coarse",), two)
@@ -257,7 +256,7 @@ def test_a_changed_recording_is_changed_again(run_file: Path, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("period", ["0.01", "0.005"])
-def test_a_finer_period_flies_a_script_from_its_first_step(run_file: Path, tmp_path: Path, period: str) -> None:
+def test_rerun_with_a_finer_period_runs_the_script(run_file: Path, tmp_path: Path, period: str) -> None:
     out = tmp_path / "fine.mcap"
     rerun(run_file, (f"control_period={period}",), out)
     assert {m.by for m in messages(out) if isinstance(m, FrameRecord)} == {"script"}
@@ -266,8 +265,8 @@ def test_a_finer_period_flies_a_script_from_its_first_step(run_file: Path, tmp_p
 
 
 @pytest.mark.parametrize("period", [0.01, 0.04])
-def test_another_period_flies_as_long_as_the_person_did(hand_file: Path, period: float) -> None:
-    outcome = rerun(hand_file, (f"control_period={period}",))
+def test_rerun_with_another_period_has_the_length_of_the_inputs(manual_file: Path, period: float) -> None:
+    outcome = rerun(manual_file, (f"control_period={period}",))
     assert outcome.time_after_s == pytest.approx(outcome.time_before_s)
     assert outcome.greatest_tip_m.value < 0.01
 
@@ -275,21 +274,21 @@ def test_another_period_flies_as_long_as_the_person_did(hand_file: Path, period:
 @pytest.mark.parametrize(
     ("change", "error", "text"),
     [
-        ("rate", InputError, "a change is KEY=VALUE"),
-        ("=5", InputError, "a change is KEY=VALUE"),
+        ("rate", InputError, "'rate'"),
+        ("=5", InputError, "'=5'"),
         ("rate=fast", ScenarioError, "coarse, vernier"),
-        ("speed=3", ScenarioError, "unknown field; allowed here"),
-        ("command_delay=0.33", ScenarioError, "is a whole number of control periods"),
+        ("speed=3", ScenarioError, "speed"),
+        ("command_delay=0.33", ScenarioError, r"0\.33 s"),
         ("command_delay=nan", ScenarioError, "command_delay"),
-        ("control_period=1e-320", ScenarioError, r"lies between 0\.001 and 0\.2 s"),
-        ("phase[9].rate=vernier", InputError, "there is no item 9"),
-        ("title.rate=vernier", InputError, "is no table"),
+        ("control_period=1e-320", ScenarioError, r"0\.001 and 0\.2 s"),
+        ("phase[9].rate=vernier", InputError, "item 9"),
+        ("title.rate=vernier", InputError, "title"),
         ("arm=nowhere.toml", ScenarioError, "nowhere"),
-        ("arm=5", InputError, "a built-in name or a path"),
+        ("arm=5", InputError, "arm .*got 5"),
         ("seed=-1", ScenarioError, "seed"),
     ],
 )
-def test_a_wrong_change_is_refused_and_no_file_is_made(
+def test_invalid_change_is_rejected_without_writing_a_file(
     run_file: Path, tmp_path: Path, change: str, error: type[Exception], text: str
 ) -> None:
     out = tmp_path / "out.mcap"
@@ -298,16 +297,18 @@ def test_a_wrong_change_is_refused_and_no_file_is_made(
     assert not out.exists()
 
 
-def test_no_recording_is_written_over(run_file: Path) -> None:
+def test_existing_recording_is_not_overwritten(run_file: Path) -> None:
     before = run_file.read_bytes()
-    with pytest.raises(RecordingError, match="exists already, and no recording is written over"):
+    with pytest.raises(RecordingError) as caught:
         rerun(run_file, ("rate=vernier",), run_file)
-    with pytest.raises(RecordingError, match="exists already"):
+    assert caught.value.fault == "exists"
+    with pytest.raises(RecordingError) as caught:
         record(bay(extra=SCRIPT), run_file)
+    assert caught.value.fault == "exists"
     assert run_file.read_bytes() == before
 
 
-def test_the_opening_tells_what_the_run_started_from(run_file: Path) -> None:
+def test_header_has_scenario_title_and_version(run_file: Path) -> None:
     start = messages(run_file)[0]
     made = bay(extra=SCRIPT, name="script")
     assert isinstance(start, Opening)

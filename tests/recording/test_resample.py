@@ -1,4 +1,4 @@
-"""Inputs at another control period: no switch is lost, none is doubled."""
+"""Inputs resample_to another control period: no switch is lost or doubled."""
 
 from __future__ import annotations
 
@@ -37,66 +37,66 @@ steps = st.builds(
 
 
 def numbered(made: list[Input]) -> list[Input]:
-    return [msgspec.structs.replace(one, tick=tick) for tick, one in enumerate(made, 1)]
+    return [msgspec.structs.replace(step, tick=tick) for tick, step in enumerate(made, 1)]
 
 
-flights = st.lists(steps, max_size=40).map(numbered)
+input_lists = st.lists(steps, max_size=40).map(numbered)
 
 
-def at(inputs: list[Input], new: float, old: float = OLD) -> list[Input]:
+def resample_to(inputs: list[Input], new: float, old: float = OLD) -> list[Input]:
     return list(resampled(iter(inputs), old, new))
 
 
 @settings(max_examples=40)
-@given(flights)
-def test_the_same_period_changes_nothing(inputs: list[Input]) -> None:
-    assert at(inputs, OLD) == inputs
+@given(input_lists)
+def test_same_period_changes_nothing(inputs: list[Input]) -> None:
+    assert resample_to(inputs, OLD) == inputs
 
 
 @settings(max_examples=40)
-@given(flights, st.sampled_from(PERIODS))
-def test_the_flight_lasts_as_long_to_the_step(inputs: list[Input], new: float) -> None:
-    made = at(inputs, new)
-    assert [one.tick for one in made] == list(range(1, len(made) + 1))
+@given(input_lists, st.sampled_from(PERIODS))
+def test_length_is_kept_to_one_step(inputs: list[Input], new: float) -> None:
+    made = resample_to(inputs, new)
+    assert [step.tick for step in made] == list(range(1, len(made) + 1))
     whole = len(inputs) * Fraction(str(OLD)) / Fraction(str(new))
     assert whole <= len(made) < whole + 1
 
 
 @settings(max_examples=40)
-@given(flights, st.sampled_from(PERIODS))
-def test_no_switch_is_lost_and_none_is_doubled(inputs: list[Input], new: float) -> None:
-    made = at(inputs, new)
+@given(input_lists, st.sampled_from(PERIODS))
+def test_no_switch_is_lost_or_doubled(inputs: list[Input], new: float) -> None:
+    made = resample_to(inputs, new)
     for name in SWITCHES:
-        moved = [getattr(one, name) for one in inputs if getattr(one, name) is not None]
-        flown = [getattr(one, name) for one in made if getattr(one, name) is not None]
-        # a coarser step flies the last of several positions
-        assert len(flown) <= len(moved) and flown[-1:] == moved[-1:]
+        moves = [getattr(step, name) for step in inputs if getattr(step, name) is not None]
+        new_moves = [getattr(step, name) for step in made if getattr(step, name) is not None]
+        # a longer step uses the last of several positions
+        assert len(new_moves) <= len(moves) and new_moves[-1:] == moves[-1:]
         if new <= OLD:
-            assert flown == moved
+            assert new_moves == moves
     for name in ("proceed", "stop", "rate_hold"):
-        pressed = sum(getattr(one, name) for one in inputs)
-        flown_presses = sum(getattr(one, name) for one in made)
-        assert flown_presses == pressed if new <= OLD else flown_presses <= pressed
-    assert sum(one.rate_hold for one in made) % 2 == sum(one.rate_hold for one in inputs) % 2
+        presses = sum(getattr(step, name) for step in inputs)
+        new_presses = sum(getattr(step, name) for step in made)
+        assert new_presses == presses if new <= OLD else new_presses <= presses
+    assert sum(step.rate_hold for step in made) % 2 == sum(step.rate_hold for step in inputs) % 2
 
 
 @settings(max_examples=40)
-@given(flights, st.sampled_from(PERIODS))
-def test_sticks_stand_where_they_last_stood(inputs: list[Input], new: float) -> None:
-    period, step = Fraction(str(OLD)), Fraction(str(new))
-    for one in at(inputs, new):
-        begun = [given for given in inputs if (given.tick - 1) * period < one.tick * step]
-        assert (one.translation, one.drive) == (begun[-1].translation, begun[-1].drive)
+@given(input_lists, st.sampled_from(PERIODS))
+def test_sticks_are_the_latest_ones(inputs: list[Input], new: float) -> None:
+    old_period, new_period = Fraction(str(OLD)), Fraction(str(new))
+    for step in resample_to(inputs, new):
+        begun = [given for given in inputs if (given.tick - 1) * old_period < step.tick * new_period]
+        assert (step.translation, step.drive) == (begun[-1].translation, begun[-1].drive)
 
 
 @settings(max_examples=40)
-@given(flights, st.sampled_from([p for p in PERIODS if p >= OLD]))
-def test_a_switch_is_moved_in_the_step_in_which_the_person_moved_it(inputs: list[Input], new: float) -> None:
-    made = at(inputs, new)
-    for given_then in inputs:
-        if given_then.stop:
-            # the first new step that ends after the old one has begun
-            tick = next(k for k in itertools.count(1) if k * new - 1e-9 > (given_then.tick - 1) * OLD)
+@given(input_lists, st.sampled_from([p for p in PERIODS if p >= OLD]))
+def test_stop_acts_in_the_step_of_its_time(inputs: list[Input], new: float) -> None:
+    made = resample_to(inputs, new)
+    for old_step in inputs:
+        if old_step.stop:
+            # the first new step that ends after the old step has begun
+            tick = next(k for k in itertools.count(1) if k * new - 1e-9 > (old_step.tick - 1) * OLD)
             assert made[tick - 1].stop
 
 
@@ -104,21 +104,21 @@ def test_a_switch_is_moved_in_the_step_in_which_the_person_moved_it(inputs: list
     ("first", "second", "proceeds"),
     [("proceed", "stop", False), ("stop", "proceed", True)],
 )
-def test_stop_after_proceed_stops_though_both_come_in_one_step(first: str, second: str, proceeds: bool) -> None:
+def test_later_of_stop_and_proceed_in_a_step_wins(first: str, second: str, proceeds: bool) -> None:
     presses = [Input(tick=1), Input(tick=2), msgspec.structs.replace(Input(tick=3), **{first: True})]
-    (_, one) = at([*presses, msgspec.structs.replace(Input(tick=4), **{second: True})], 0.04)
-    assert one.stop and one.proceed == proceeds
+    (_, step) = resample_to([*presses, msgspec.structs.replace(Input(tick=4), **{second: True})], 0.04)
+    assert step.stop and step.proceed == proceeds
 
 
-def test_a_targets_parts_stay_together() -> None:
+def test_target_is_not_mixed_from_two_targets() -> None:
     turn = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     by_joints = Input(tick=1, target=Target((1.0, 2.0, 3.0), turn, (0.0,) * 6))
     by_pose = Input(tick=2, target=Target((4.0, 5.0, 6.0), turn))
-    (one,) = at([by_joints, by_pose], 0.04)
-    assert one.target == by_pose.target
+    (step,) = resample_to([by_joints, by_pose], 0.04)
+    assert step.target == by_pose.target
 
 
-def test_a_script_flies_every_step_of_its_own() -> None:
+def test_scripted_steps_stay_scripted() -> None:
     script = [Input(tick=tick, script=True) for tick in range(1, 11)]
     for new in PERIODS:
-        assert all(one.script for one in at(script, new))
+        assert all(step.script for step in resample_to(script, new))

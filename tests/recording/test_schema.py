@@ -1,3 +1,5 @@
+"""JSON schemas of the channels."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -12,28 +14,28 @@ PLAIN = {"number", "integer", "string", "boolean"}
 SHARED = {"type", "description"}
 
 
-def check(told: dict[str, Any], where: str) -> None:
-    """What viewers take: plain values, objects of properties, lists of one kind that is itself no list."""
-    kind = told["type"]
+def check(checked: dict[str, Any], where: str) -> None:
+    """Check that a schema has only plain values, objects with properties, and lists that contain no lists."""
+    kind = checked["type"]
     if kind == "object":
-        assert set(told) <= SHARED | {"title", "properties"}, where
-        assert told["properties"], where
-        for name, value in told["properties"].items():
+        assert set(checked) <= SHARED | {"title", "properties"}, where
+        assert checked["properties"], where
+        for name, value in checked["properties"].items():
             check(value, f"{where}.{name}")
     elif kind == "array":
-        assert set(told) <= SHARED | {"items"}, where
-        assert told["items"]["type"] != "array", where
-        check(told["items"], f"{where}[]")
+        assert set(checked) <= SHARED | {"items"}, where
+        assert checked["items"]["type"] != "array", where
+        check(checked["items"], f"{where}[]")
     else:
         assert kind in PLAIN, where
-        assert set(told) <= SHARED | {"enum"}, where
+        assert set(checked) <= SHARED | {"enum"}, where
 
 
 @pytest.mark.parametrize("topic", CHANNELS)
-def test_schemas_are_of_the_plain_kind_that_viewers_read(topic: str) -> None:
+def test_schemas_have_the_simple_form_that_viewers_read(topic: str) -> None:
     kind: type[Message] = CHANNELS[topic][0]
-    told = schema(kind)
-    assert told["type"] == "object"
-    assert told["title"] == f"aftdeck.{kind.__name__}"
-    assert set(told["properties"]) == set(kind.__struct_fields__)
-    check(told, topic)
+    checked = schema(kind)
+    assert checked["type"] == "object"
+    assert checked["title"] == f"aftdeck.{kind.__name__}"
+    assert set(checked["properties"]) == set(kind.__struct_fields__)
+    check(checked, topic)

@@ -1,3 +1,5 @@
+"""Channels in Foxglove's schemas."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -12,10 +14,10 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
-from tests.recording.flights import Seen, fly, read
+from tests.recording.flights import NOTE, Decoded, read, record_random_sticks
 
 ROUNDING = 1e-4
-"""Of what is shown: rounded numbers, added up along the arm [m, rad]."""
+"""Greatest error of a pose from numbers that are rounded at each link [m, rad]."""
 
 SCHEMAS = {
     "/tf": "foxglove.FrameTransforms",
@@ -40,20 +42,20 @@ position = [0, 0, 1.5]
 """
 
 
-class Flown(NamedTuple):
+class RecordedRun(NamedTuple):
     scenario: str
     frames: list[Frame]
-    topics: dict[str, list[Seen]]
+    topics: dict[str, list[Decoded]]
 
 
 @pytest.fixture(scope="module", params=["loaded", "concept"])
-def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Flown:
+def recorded(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> RecordedRun:
     folder: Path = tmp_path_factory.mktemp("viewing")
     path, name = folder / "run.mcap", str(request.param)
     if name == "concept":
         name = str(folder / "concept.toml")
         Path(name).write_text(CONCEPT)
-    return Flown(name, fly(name, path, 203), read(path))
+    return RecordedRun(name, record_random_sticks(name, path, 203), read(path))
 
 
 def stamp(content: dict[str, Any]) -> int:
@@ -66,7 +68,7 @@ def transform(position: dict[str, float], turn: dict[str, float]) -> RigidTransf
     return RigidTransform.from_components(np.array([position[k] for k in "xyz"]), rotation)
 
 
-def tree(*messages: Seen) -> dict[str, tuple[str, RigidTransform]]:
+def tree(*messages: Decoded) -> dict[str, tuple[str, RigidTransform]]:
     return {
         t["child_frame_id"]: (t["parent_frame_id"], transform(t["translation"], t["rotation"]))
         for message in messages
@@ -83,35 +85,35 @@ def in_root(frames: dict[str, tuple[str, RigidTransform]], name: str) -> RigidTr
     return pose
 
 
-def drawn_frames(flown: Flown) -> list[tuple[Frame, int]]:
-    return [(frame, i) for i, frame in enumerate(flown.frames[::5])]
+def drawn_frames(recorded: RecordedRun) -> list[tuple[Frame, int]]:
+    return [(frame, i) for i, frame in enumerate(recorded.frames[::5])]
 
 
-def test_channels_have_foxgloves_schemas(flown: Flown) -> None:
+def test_channels_have_foxgloves_schemas(recorded: RecordedRun) -> None:
     for topic, schema in SCHEMAS.items():
-        assert {(m.schema, m.encoding) for m in flown.topics[topic]} == {(schema, "protobuf")}
+        assert {(m.schema, m.encoding) for m in recorded.topics[topic]} == {(schema, "protobuf")}
 
 
-def test_what_moves_is_shown_ten_times_a_second_and_the_rest_once(flown: Flown) -> None:
+def test_moving_quantities_are_sent_ten_times_a_second(recorded: RecordedRun) -> None:
     for topic in ("/tf", "/joints", "/joints/commanded", "/tip"):
-        assert len(flown.topics[topic]) == 41
-    assert len(flown.topics["/tf_static"]) == len(flown.topics["/scene"]) == 1
+        assert len(recorded.topics[topic]) == 41
+    assert len(recorded.topics["/tf_static"]) == len(recorded.topics["/scene"]) == 1
 
 
-def test_times_are_those_of_the_frames(flown: Flown) -> None:
-    began = flown.topics["/opening"][0].time_ns
+def test_times_are_those_of_the_frames(recorded: RecordedRun) -> None:
+    began = recorded.topics["/opening"][0].time_ns
     for topic in ("/joints", "/tip", "/joints/commanded"):
-        for (frame, _), message in zip(drawn_frames(flown), flown.topics[topic], strict=True):
+        for (frame, _), message in zip(drawn_frames(recorded), recorded.topics[topic], strict=True):
             assert message.time_ns == began + round(frame.time_s * 1e9)
             assert stamp(message.content) == message.time_ns
-    for message in flown.topics["/tf"]:
+    for message in recorded.topics["/tf"]:
         assert {stamp(t) for t in message.content["transforms"]} == {message.time_ns}
 
 
-def test_joints_are_the_frames_joints(flown: Flown) -> None:
-    names = list(load_scenario(flown.scenario).arm.joints)
+def test_joints_are_the_frames_joints(recorded: RecordedRun) -> None:
+    names = list(load_scenario(recorded.scenario).arm.joints)
     for (frame, _), measured, commanded in zip(
-        drawn_frames(flown), flown.topics["/joints"], flown.topics["/joints/commanded"], strict=True
+        drawn_frames(recorded), recorded.topics["/joints"], recorded.topics["/joints/commanded"], strict=True
     ):
         for message, angles, rates in (
             (measured, frame.angles, frame.rates),
@@ -129,12 +131,12 @@ def same(pose: RigidTransform, seven: NDArray[np.float64]) -> None:
     assert turned.magnitude() == pytest.approx(0.0, abs=ROUNDING)
 
 
-def test_every_body_stands_where_the_page_draws_it(flown: Flown) -> None:
-    displays = Displays(load_scenario(flown.scenario))
-    names = [body.name for body in welcome_of(load_scenario(flown.scenario), demo=False).bodies]
-    assert ("payload" in names) == (flown.scenario == "loaded")  # the other has no shape
-    for (frame, _), message in zip(drawn_frames(flown), flown.topics["/tf"], strict=True):
-        frames = tree(flown.topics["/tf_static"][0], message)
+def test_every_body_has_the_pose_that_the_page_draws(recorded: RecordedRun) -> None:
+    displays = Displays(load_scenario(recorded.scenario))
+    names = [body.name for body in welcome_of(load_scenario(recorded.scenario), demo=False).bodies]
+    assert ("payload" in names) == (recorded.scenario == "loaded")  # the other has no shape
+    for (frame, _), message in zip(drawn_frames(recorded), recorded.topics["/tf"], strict=True):
+        frames = tree(recorded.topics["/tf_static"][0], message)
         assert set(frames) == {*names, "payload", "L", "tip"}
         assert frame.payload is not None
         held = (in_root(frames, "L").inv() * in_root(frames, "payload")).as_matrix()
@@ -145,37 +147,42 @@ def test_every_body_stands_where_the_page_draws_it(flown: Flown) -> None:
             same(in_root(frames, name), seven)
 
 
-def test_the_tip_is_the_frames_tip_both_as_a_pose_in_L_and_as_a_frame(flown: Flown) -> None:
-    for (frame, i), message in zip(drawn_frames(flown), flown.topics["/tip"], strict=True):
+def test_tip_is_sent_as_a_pose_in_L_and_as_a_coordinate_frame(recorded: RecordedRun) -> None:
+    for (frame, i), message in zip(drawn_frames(recorded), recorded.topics["/tip"], strict=True):
         assert message.content["frame_id"] == "L"
         shown = message.content["pose"]
         pose = transform(shown["position"], shown["orientation"])
         assert pose.translation == pytest.approx(frame.position, abs=ROUNDING)
         assert pose.rotation.as_matrix() == pytest.approx(np.array(frame.orientation), abs=ROUNDING)
-        frames = tree(flown.topics["/tf_static"][0], flown.topics["/tf"][i])
+        frames = tree(recorded.topics["/tf_static"][0], recorded.topics["/tf"][i])
         offset = (in_root(frames, "L") * pose).inv() * in_root(frames, "tip")
         assert offset.as_exp_coords() == pytest.approx(np.zeros(6), abs=ROUNDING)
 
 
-def test_the_log_has_every_event_and_note(flown: Flown) -> None:
+def test_log_has_every_event_and_note(recorded: RecordedRun) -> None:
     levels = {"info": 2, "caution": 3, "warning": 4}
-    told = [
-        (m.content["level"], m.content["name"], m.content["message"], m.time_ns - flown.topics["/opening"][0].time_ns)
-        for m in flown.topics["/log"]
+    lines = [
+        (
+            m.content["level"],
+            m.content["name"],
+            m.content["message"],
+            m.time_ns - recorded.topics["/opening"][0].time_ns,
+        )
+        for m in recorded.topics["/log"]
     ]
     events = [
-        (levels[e.level], e.kind, e.text, round(frame.time_s * 1e9)) for frame in flown.frames for e in frame.events
+        (levels[e.level], e.kind, e.text, round(frame.time_s * 1e9)) for frame in recorded.frames for e in frame.events
     ]
-    note = (3, "hand", "you have the sticks", round(flown.frames[-1].time_s * 1e9))
+    note = (3, "hand", NOTE, round(recorded.frames[-1].time_s * 1e9))
     assert events
-    assert told == [*events, note]
+    assert lines == [*events, note]
 
 
-def test_the_scene_has_every_body_in_a_frame_that_is_told_of(flown: Flown) -> None:
-    (message,) = flown.topics["/scene"]
+def test_scene_has_every_body_in_a_coordinate_frame_that_is_sent(recorded: RecordedRun) -> None:
+    (message,) = recorded.topics["/scene"]
     entities = message.content["entities"]
-    frames = tree(flown.topics["/tf_static"][0], flown.topics["/tf"][0])
+    frames = tree(recorded.topics["/tf_static"][0], recorded.topics["/tf"][0])
     assert all(entity["frame_id"] == entity["id"] and entity["frame_locked"] for entity in entities)
     named = {entity["frame_id"] for entity in entities}
     assert named <= set(frames) - {"L", "tip"} and set(frames) - named <= {"L", "tip", "payload"}
-    assert ("payload" in named) == (flown.scenario == "loaded")
+    assert ("payload" in named) == (recorded.scenario == "loaded")

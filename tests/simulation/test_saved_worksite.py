@@ -17,7 +17,7 @@ from aftdeck.recording.replay import verify
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.run import SavedSimulation
-from tests.recording.flown import recorded
+from tests.recording.flown import record_steps
 from tests.simulation.concept import AT_PORT, ON_BAR, scenario, vec3
 from tests.simulation.flights import anything, srms
 
@@ -105,7 +105,7 @@ def test_recording_of_moving_worksite_verifies(flight: object, tmp_path: Path, s
     made, operator = flight(rng)
     path = tmp_path / "flight.mcap"
     path.unlink(missing_ok=True)
-    flown = recorded(path, made, operator, 1000)
+    flown = record_steps(path, made, operator, 1000)
     verdict = verify(path)
     assert verdict.equal and verdict.frames == len(flown)
 

@@ -1,4 +1,4 @@
-"""What the tests of the station share."""
+"""Fixtures of the tests of the station."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from tests.station.pages import Station, scenario, served
 
 @pytest.fixture(autouse=True)
 def patient_station(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A station that waits for its pages: sticks stand where a test last put them, however slowly it goes on.
+    """Disable the time limits for sticks and hello, so that a slow machine fails no test.
 
-    The tests of silent sticks and of pages that say no hello set how long the station waits.
+    Tests of these limits set them themselves.
     """
     monkeypatch.setattr(page_inputs, "SILENCE", math.inf)
     monkeypatch.setattr(page, "HELLO_WITHIN", 1000.0)
@@ -31,6 +31,6 @@ def station() -> Iterator[Station]:
 
 @pytest.fixture(scope="module")
 def shared() -> Iterator[Station]:
-    """One station for all the tests that leave the arm where it stands."""
+    """Station shared by all tests that do not move the arm."""
     with served(Session(scenario())) as station:
         yield station

@@ -1,4 +1,4 @@
-"""A session without a server: stepped by its test, or by its driver."""
+"""Sessions without a server, stepped by the test or by a driver."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from aftdeck.station.session.driver import Driver
 from aftdeck.station.session.session import Session
 from tests.station.pages import scenario, until
 
-MOST_STEPS = 5000
-"""Largest number of steps in which something comes about: a hundred seconds of a run."""
+MAX_STEPS = 5000
+"""Maximum number of steps to wait for a condition: a hundred seconds of a run."""
 
 _frames = msgspec.json.Decoder(Frame)
 
 
 class Flown(Session):
-    """A session whose time stands still until the test moves it on: `now` is what its clock shows [s]."""
+    """Session whose clock shows `now` [s], which only the test changes."""
 
     def __init__(
         self,
@@ -46,7 +46,7 @@ def flying(
     record: Path | None = None,
     trial: Trial = NO_TRIAL,
 ) -> Iterator[Flown]:
-    """A session that has shown its first frame."""
+    """Yield a session after its first step."""
     session = Flown(made or scenario(name), demo=demo, record=record, trial=trial)
     session.begin()
     try:
@@ -57,20 +57,20 @@ def flying(
 
 
 def shown(session: Session) -> Frame:
-    """The newest frame."""
+    """Return the newest frame."""
     return _frames.decode(session.newest)
 
 
 def comes(session: Session, met: Callable[[Frame], bool], what: str) -> Frame:
-    """The frame of the first step from now on that is as wanted."""
-    for _ in range(MOST_STEPS):
+    """Step until `met` accepts the frame, and return that frame; `what` names the condition."""
+    for _ in range(MAX_STEPS):
         if met(frame := steps(session, 1)):
             return frame
-    pytest.fail(f"{MOST_STEPS} steps in vain: {what}")
+    pytest.fail(f"not within {MAX_STEPS} steps: {what}")
 
 
 def steps(session: Session, number: int = 10) -> Frame:
-    """The frame after so many steps."""
+    """Do `number` steps, and return the last frame."""
     for _ in range(number):
         session.step()
     return shown(session)
@@ -78,7 +78,7 @@ def steps(session: Session, number: int = 10) -> Frame:
 
 @contextmanager
 def driven(*, record: Path | None = None) -> Iterator[Driver]:
-    """A session that its driver steps in real time, and that has shown its first frame."""
+    """Yield the driver of a session that runs in real time, after its first step."""
     driver = Driver(Session(scenario(), record=record))
     driver.start(lambda: None)
     try:

@@ -28,12 +28,10 @@ from aftdeck.station.session.preparation import ready
 from aftdeck.station.session.session import Session
 
 WAIT_S = 60.0
-"""The longest that anything is waited for [s]; nothing that works takes as long, on a busy machine either."""
+"""Longest wait for a condition [s]; without a fault no wait takes as long, even on a busy machine."""
 LATE_S = 0.5
-"""A stretch of frames may come this late [s]."""
+"""Delay that a series of frames may have [s]."""
 STILL = (0.0, 0.0, 0.0)
-OBSERVES = "you watch; another page flies"
-"""Reason for rejecting a command of a page that is not in control."""
 
 _messages: msgspec.json.Decoder[to_page.FromServer] = msgspec.json.Decoder(to_page.FromServer)
 _M = TypeVar("_M", bound=msgspec.Struct)
@@ -41,41 +39,41 @@ _M = TypeVar("_M", bound=msgspec.Struct)
 
 @functools.cache
 def scenario(name: str = "first-flight") -> Scenario:
-    """A built-in scenario, loaded once."""
+    """Return a built-in scenario, loaded once."""
     return load_scenario(name)
 
 
 def text_of(message: msgspec.Struct) -> str:
-    """A message as it goes over the wire."""
+    """Return a message as JSON text."""
     return msgspec.json.encode(message).decode()
 
 
 def until(met: Callable[[], bool], what: str) -> None:
-    """Wait until something is so."""
+    """Wait until `met` returns True; `what` names the condition."""
     end = time.monotonic() + WAIT_S
     while not met():
-        assert time.monotonic() < end, f"waited {WAIT_S:g} s in vain: {what}"
+        assert time.monotonic() < end, f"not within {WAIT_S:g} s: {what}"
         time.sleep(0.002)
 
 
 def in_time(begun: float, steps: int) -> bool:
-    """Whether steps that began at this time [s] took as long as they should.
+    """Return whether this number of steps, begun at this time [s], took no longer than they should.
 
-    A busy machine delays some stretches of a flight, what holds the flight up delays every one: a test waits `until`
-    one is in time.
+    A busy machine delays some series of steps, a fault delays every series. A test therefore waits `until` one series
+    is in time.
     """
     return time.monotonic() - begun < steps * scenario().control_period + LATE_S
 
 
 class Page:
-    """A page as the server sees one."""
+    """Page that the server cannot distinguish from one in a browser."""
 
     def __init__(self, socket: ClientConnection) -> None:
         self.socket = socket
         self.seq = -1
 
     def say(self, message: msgspec.Struct | str | bytes) -> None:
-        """Send a message, or anything else."""
+        """Send a message, or any text or bytes."""
         self.socket.send(message if isinstance(message, str | bytes) else text_of(message))
 
     def next_seq(self) -> int:
@@ -83,37 +81,37 @@ class Page:
         return self.seq
 
     def push(self, translation: kinds.Vec3 = STILL, rotation: kinds.Vec3 = STILL, drive: float = 0.0) -> int:
-        """Move the sticks; returns the message's number."""
+        """Send stick deflections, and return the number of the message."""
         seq = self.next_seq()
         self.say(from_page.Sticks(seq, translation, rotation, drive))
         return seq
 
     def hear(self) -> to_page.FromServer:
-        """The next message."""
+        """Return the next message."""
         return _messages.decode(self.socket.recv(timeout=WAIT_S))
 
     def wait_for(self, kind: type[_M], met: Callable[[_M], bool] = lambda _: True) -> _M:
-        """The next message of a kind that is as wanted."""
+        """Return the next message of a type that `met` accepts."""
         end = time.monotonic() + WAIT_S
         while True:
             message = self.hear()
             if isinstance(message, kind) and met(message):
                 return message
-            assert time.monotonic() < end, f"no {kind.__name__} as wanted came within {WAIT_S:g} s"
+            assert time.monotonic() < end, f"no such {kind.__name__} within {WAIT_S:g} s"
 
     def flown(self, seq: int) -> Frame:
-        """The first frame that has flown sticks of this number."""
+        """Return the first frame whose `stick_seq` has reached this number."""
         return self.wait_for(Frame, lambda frame: frame.display.stick_seq >= seq)
 
     def is_answered(self, steps: int) -> bool:
-        """Whether so many steps come at the control period, told by sticks that each frame answers."""
+        """Return whether this number of steps takes as long as it should, if each frame answers a stick message."""
         first, begun = self.flown(self.push()), time.monotonic()
         last = first
         while last.tick < first.tick + steps:
             last = self.flown(self.push())
         return in_time(begun, steps)
 
-    def refusal(self) -> str:
+    def rejection(self) -> str:
         return self.wait_for(to_page.Refused).text
 
     def greet(self) -> Welcome:
@@ -122,7 +120,7 @@ class Page:
 
 
 def closing(page: Page) -> ConnectionClosed:
-    """How the server ends a connection."""
+    """Wait until the server closes the connection, and return its close frame."""
     end = time.monotonic() + WAIT_S
     while time.monotonic() < end:
         try:
@@ -133,14 +131,14 @@ def closing(page: Page) -> ConnectionClosed:
 
 
 class Server:
-    """A station's server on a free port of this machine."""
+    """Server of a station, on a free port of this machine."""
 
     def __init__(self, port: int) -> None:
         self.port = port
         self.address = f"127.0.0.1:{port}"
 
     def get(self, path: str, headers: dict[str, str] | None = None) -> tuple[int, str]:
-        """Status and text of an HTTP request, whose path is sent as it is."""
+        """Return status and text of the answer to an HTTP request; its path is sent unchanged."""
         link = HTTPConnection("127.0.0.1", self.port, timeout=WAIT_S)
         try:
             link.request("GET", path, headers=headers or {})
@@ -150,8 +148,8 @@ class Server:
             link.close()
 
     @contextmanager
-    def stranger(self, *, buffered: int | None = None, origin: str | None = None) -> Iterator[Page]:
-        """A connection that has not said hello; `buffered`: messages that it takes unread, None: all."""
+    def unannounced(self, *, buffered: int | None = None, origin: str | None = None) -> Iterator[Page]:
+        """Yield a page that has not sent hello; `buffered`: number of unread messages that it accepts, None: all."""
         url = f"ws://{self.address}/ws"
         own = None if origin is None else Origin(origin)
         with connect(
@@ -161,26 +159,26 @@ class Server:
 
     @contextmanager
     def page(self) -> Iterator[Page]:
-        """A page that has been welcomed."""
-        with self.stranger() as page:
+        """Yield a page that has received its welcome."""
+        with self.unannounced() as page:
             page.greet()
             yield page
 
 
 class Station(Server):
-    """A session served on a free port of this machine."""
+    """Session served on a free port of this machine."""
 
     def __init__(self, session: Session, port: int) -> None:
         super().__init__(port)
         self.session = session
 
-    def is_unhurt(self, *, at_start: bool = True) -> None:
-        """Check that frames come at the control period, and that the arm stands where it started.
+    def check_running(self, *, at_start: bool = True) -> None:
+        """Check that frames arrive at the control period, and that the arm has not moved.
 
-        Each try is a page of its own, to which nothing old is under way.
+        Each try uses a new page, which receives no old messages.
         """
 
-        def frames_come(steps: int = 6) -> bool:
+        def frames_arrive(steps: int = 6) -> bool:
             with self.page() as page:
                 first, begun = page.wait_for(Frame), time.monotonic()
                 last = page.wait_for(Frame, lambda frame: frame.tick >= first.tick + steps)
@@ -188,7 +186,7 @@ class Station(Server):
                     assert last.angles == tuple(scenario().initial_angles.tolist())
                 return in_time(begun, steps)
 
-        until(frames_come, "frames at the control period")
+        until(frames_arrive, "frames at the control period")
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""Recordings to play, and a server that plays one."""
+"""Recordings for the tests, and a server that plays a recording."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ from threading import Thread
 
 import msgspec
 
+from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import ControllerRecord
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.recording.writer import Recorder
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
-from aftdeck.station.playback.reel import PlaybackStore
+from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.server.playback_server import replay_app
 from aftdeck.station.server.serve import listen, make_server
 from tests.simulation.flights import srms
@@ -25,25 +26,37 @@ CONTROLLERS = (
     ControllerRecord("keyboard", "Keyboard", 0.0, 0.0, ("KeyW +X", "KeyS -X"), ()),
     ControllerRecord("thc joystick", "Test stick", 0.08, 0.3, ("a1 -X", "a0 +Y"), (0.0, 0.1)),
 )
-NOTE = Event(0.5, "page", "caution", "a line of the station's")
+NOTE = Event(0.5, "page", "caution", "log line of the station")
 
 
-def recorded(path: Path, steps: int = 600, *, script: bool = True, trial: Trial = NO_TRIAL) -> list[Frame]:
-    """Record a flight by hand: forward at first, then turning as well, at last the script's; its frames."""
+def files(folder: Path) -> list[Path]:
+    """Return the recordings in a folder, in the order of their beginning."""
+    return sorted(folder.glob("*.mcap"), key=lambda path: Recording(path).opening.began)
+
+
+def ended(path: Path) -> str:
+    """Return the reason for the end of a recorded run."""
+    recording = Recording(path)
+    list(recording.messages())
+    return recording.ended
+
+
+def record_run(path: Path, steps: int = 600, *, script: bool = True, trial: Trial = NO_TRIAL) -> list[Frame]:
+    """Record a manual run that translates, then also rotates, and at last is scripted; return its frames."""
     simulation = Simulation(scenario())
     recorder = Recorder(path, simulation.scenario, 0, trial=trial)
     recorder.controllers(0.0, CONTROLLERS)
     frames = []
     for i in range(steps):
-        turning = i > steps // 2
-        hand = Inputs(
+        rotates = i > steps // 2
+        manual = Inputs(
             translation=(0.5, 0.0, 0.0),
-            rotation=(0.0, 0.4 if turning else 0.0, 0.0),
+            rotation=(0.0, 0.4 if rotates else 0.0, 0.0),
             rate="vernier" if i == steps // 4 else None,
         )
-        flown = hand if i < steps * 3 // 4 or not script else None
+        flown = manual if i < steps * 3 // 4 or not script else None
         frames.append(simulation.step(flown))
-        recorder.step(flown, frames[-1], latency_ms=40.0 if turning else None)
+        recorder.step(flown, frames[-1], latency_ms=40.0 if rotates else None)
         if i == 0:
             recorder.shown(frames[-1].time_s, (("C",), ("WR",)))
         if i == steps // 2:
@@ -54,10 +67,10 @@ def recorded(path: Path, steps: int = 600, *, script: bool = True, trial: Trial 
     return frames
 
 
-def grappled(path: Path) -> list[Frame]:
-    """Record a capture by hand, an inch aside and 3 deg off, brakes, another camera, and release; its frames.
+def record_capture(path: Path) -> list[Frame]:
+    """Record a manual capture, 1 in and 3 deg off, with brakes, a camera change and release; return its frames.
 
-    Then the end effector comes near the payload where no pin is, and goes away.
+    Afterwards the end effector approaches the payload away from the pin, and retreats.
     """
     simulation = Simulation(srms(4.0, 1.0, turned=(0.0, 3.0, 0.0)))
     recorder = Recorder(path, simulation.scenario, 0)
@@ -77,7 +90,7 @@ def grappled(path: Path) -> list[Frame]:
     recorder.shown(frames[-1].time_s, (("A",), ("WR",)))
     fly(20, Inputs(), Inputs(brakes=True))
     fly(360, Inputs(), Inputs(brakes=False, effector="open"))
-    recorder.shown(frames[-1].time_s, ((), ()))  # the page is loaded anew
+    recorder.shown(frames[-1].time_s, ((), ()))  # the page is reloaded
     fly(10, Inputs())
     recorder.shown(frames[-1].time_s, (("A",), ("WR",)))
     fly(60, Inputs(translation=(0.0, 0.0, -0.4)), Inputs(rate="coarse"))
@@ -93,10 +106,10 @@ def grappled(path: Path) -> list[Frame]:
 
 @contextmanager
 def playing(path: Path) -> Iterator[str]:
-    """The address at which a recording is served."""
+    """Serve a recording, and yield its address."""
     listener = listen("127.0.0.1", 0)
-    with PlaybackStore(path) as reel:
-        server = make_server(replay_app(reel, path))
+    with PlaybackStore(path) as store:
+        server = make_server(replay_app(store, path))
         thread = Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
         thread.start()
         try:

@@ -1,4 +1,4 @@
-"""A station's preparation that waits for the test."""
+"""Preparation of a station that waits for the test."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from aftdeck.station.session.preparation import Preparation
 from aftdeck.station.session.session import Session
 from tests.station.pages import WAIT_S, scenario
 
-Say = Callable[[str], None]
+Report = Callable[[str], None]
 
 
 class Slow:
-    """A preparation that goes on only when the test says so."""
+    """Preparation that continues when the test sets `go`."""
 
     def __init__(self, error: Exception | None = None) -> None:
-        self.session = Session(scenario())  # made first: compiling its laws takes longer than a page waits
+        self.session = Session(scenario())  # made here, because compiling the laws takes longer than a page waits
         self.go, self.error, self.failed = Event(), error, Event()
         self.coming = Preparation(self.make)
 
-    def make(self, say: Say) -> Session:
-        say("Loading.")
+    def make(self, report: Report) -> Session:
+        report("Loading.")
         assert self.go.wait(WAIT_S)
         if self.error is not None:
             raise self.error

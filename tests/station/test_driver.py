@@ -1,4 +1,4 @@
-"""The thread that steps a session in real time."""
+"""Driver: the thread that steps a session in real time."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.replay import verify
 from aftdeck.station.messages import from_page
-from aftdeck.station.session.driver import MOST_BEHIND, Driver, Phase
+from aftdeck.station.session.driver import MAX_CATCH_UP, Driver, Phase
+from aftdeck.station.session.page_inputs import MAX_WAITING
 from aftdeck.station.session.session import Session
 from tests.station.flying import driven, shown
 from tests.station.pages import STILL, WAIT_S, in_time, scenario, until
@@ -38,7 +39,7 @@ def test_steps_keep_the_control_period_and_gain_no_more_than_the_delay() -> None
         first = shown(session).tick
         until(lambda: shown(session).tick >= first + 50, "50 steps")
         last = shown(session).tick
-        assert (last - first) * 0.02 < time.monotonic() - begun + MOST_BEHIND + 0.05
+        assert (last - first) * 0.02 < time.monotonic() - begun + MAX_CATCH_UP + 0.05
         return in_time(begun, 50)
 
     with driven() as driver:
@@ -63,7 +64,7 @@ def test_commands_from_many_threads_are_all_taken_or_rejected() -> None:
         for thread in threads:
             thread.join(WAIT_S)
         until(lambda: shown(session).rate == "vernier", "a command is taken")
-    assert all("commands are waiting" in text for text in rejected)
+    assert all(str(MAX_WAITING) in text for text in rejected)
 
 
 def test_recorded_wall_time_is_real_and_simulated_time_keeps_to_it(tmp_path: Path) -> None:
@@ -76,7 +77,7 @@ def test_recorded_wall_time_is_real_and_simulated_time_keeps_to_it(tmp_path: Pat
     walls = [frame.wall_s for frame in frames]
     assert walls == sorted(walls)
     wall, simulated = walls[-1] - walls[0], frames[-1].time_s - frames[0].time_s
-    assert simulated - MOST_BEHIND - 0.05 < wall < took
+    assert simulated - MAX_CATCH_UP - 0.05 < wall < took
 
 
 def test_failing_step_is_reported_with_its_time_and_the_recording_is_kept(

@@ -1,4 +1,4 @@
-"""How the light stands in flight: whoever flies sets it, all pages are told, and a replay has it again."""
+"""Lighting: the page in control sets it, all pages get it, and recordings and playback keep it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from aftdeck.recording.records import LightRecord
 from aftdeck.recording.replay import verify
 from aftdeck.scenario.light import Lighting, LockedExposure
 from aftdeck.station.messages import from_page
-from aftdeck.station.playback.reel import PlaybackStore
+from aftdeck.station.playback.store import PlaybackStore
 from tests.station.flying import comes, flying, shown, steps
 from tests.station.pages import scenario, text_of
 
@@ -23,48 +23,47 @@ NIGHT = Lighting("night", ("end effector",), (LockedExposure("B", 1.25),))
 _from_page: msgspec.json.Decoder[from_page.FromPage] = msgspec.json.Decoder(from_page.FromPage)
 
 
-def test_light_is_the_scenarios_until_it_is_set_and_again_after_a_restart() -> None:
+def test_restart_sets_the_scenarios_lighting_again() -> None:
     own = scenario().lighting
     with flying() as session:
         assert shown(session).display.lighting == own
         session.light(from_page.SetLight(0, NIGHT))
         comes(session, lambda frame: frame.display.lighting == NIGHT, "night")
-        assert [event.text for event in session.log.since(0) if event.kind == "light"] == [
-            "light: night; lamps lit: end effector"
-        ]
+        (line,) = [event.text for event in session.log.since(0) if event.kind == "light"]
+        assert "night" in line and "end effector" in line
         session.command(from_page.Restart(1))
         assert comes(session, lambda frame: frame.tick == 1, "the first instant again").display.lighting == own
 
 
-def test_light_is_set_while_the_script_flies_on() -> None:
+def test_lighting_can_be_set_while_the_script_runs() -> None:
     with flying(demo=True) as session:
         session.light(from_page.SetLight(0, NIGHT))
         assert comes(session, lambda frame: frame.display.lighting == NIGHT, "night").by == "script"
 
 
 @pytest.mark.parametrize(
-    ("wrong", "said"),
+    ("wrong", "part"),
     [
-        (Lighting("noon", ()), "no condition of light 'noon': there are high sun"),
-        (Lighting("night", ("bow",)), "no lamp 'bow': there are fwd floods"),
-        (Lighting("night", (), (LockedExposure("Q", 0.0),)), "no camera 'Q': there are A, B"),
+        (Lighting("noon", ()), "condition 'noon'.* high sun"),
+        (Lighting("night", ("bow",)), "lamp 'bow'.* fwd floods"),
+        (Lighting("night", (), (LockedExposure("Q", 0.0),)), "camera 'Q'.* A, B"),
     ],
 )
-def test_what_there_is_not_is_refused_and_changes_nothing(wrong: Lighting, said: str) -> None:
+def test_unknown_condition_lamp_or_camera_is_rejected(wrong: Lighting, part: str) -> None:
     with flying() as session:
-        with pytest.raises(CommandError, match=said):
+        with pytest.raises(CommandError, match=part):
             session.light(from_page.SetLight(0, wrong))
         assert steps(session, 5).display.lighting == scenario().lighting
 
 
 @pytest.mark.parametrize("stops", ["1e9", "-21", "NaN", '"much"'])
-def test_an_exposure_beyond_all_cameras_is_not_understood(stops: str) -> None:
+def test_exposure_out_of_range_is_rejected(stops: str) -> None:
     text = text_of(from_page.SetLight(0, NIGHT)).replace("1.25", stops)
     with pytest.raises(msgspec.DecodeError):
         _from_page.decode(text)
 
 
-def test_a_recording_keeps_the_light_as_it_changes_and_a_replay_has_it_again(tmp_path: Path) -> None:
+def test_recording_keeps_changes_of_the_lighting_for_playback(tmp_path: Path) -> None:
     own = scenario().lighting
     with flying(record=tmp_path) as session:
         steps(session, 20)
@@ -83,9 +82,9 @@ def test_a_recording_keeps_the_light_as_it_changes_and_a_replay_has_it_again(tmp
         ("high sun", own.lamps),
     ]
     assert [(lock.camera, lock.stops) for lock in records[1].locked] == [("B", 1.25)]
-    assert verify(path).equal, "light is no part of what is flown"
-    with PlaybackStore(path) as reel:
-        moments = itertools.chain.from_iterable(reel.block(n) for n in range(reel.blocks))
+    assert verify(path).equal, "lighting is not an input"
+    with PlaybackStore(path) as store:
+        moments = itertools.chain.from_iterable(store.block(n) for n in range(store.blocks))
         lights = {moment.frame.tick: moment.frame.display.lighting for moment in moments}
     assert {tick for tick, light in lights.items() if light == NIGHT} == set(range(first, last))
     assert all(light == own for tick, light in lights.items() if not first <= tick < last)

@@ -1,4 +1,4 @@
-"""A station under load: floods of messages, pages that never read, pages that come and go."""
+"""Station under load: floods of messages, pages that never read, and many connections."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from aftdeck.simulation.frame import Frame as Flown
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.frame import Frame
-from aftdeck.station.session.page_inputs import MOST_WAITING
+from aftdeck.station.session.page_inputs import MAX_WAITING
 from tests.station.pages import STILL, WAIT_S, Page, Station, closing, until
 
 
@@ -24,9 +24,9 @@ def test_flood_of_commands_ends_its_page_and_not_the_run(station: Station) -> No
             for seq in range(10_000):
                 page.say(from_page.SelectJoint(seq, seq % 6))
         except ConnectionClosed:
-            pass  # the end comes while the flood goes on
+            pass  # the server closes the connection during the flood
         closing(page)
-    station.is_unhurt()
+    station.check_running()
 
 
 def test_flood_of_sticks_ends_with_the_newest(shared: Station) -> None:
@@ -34,49 +34,49 @@ def test_flood_of_sticks_ends_with_the_newest(shared: Station) -> None:
         for _ in range(10_000):
             page.push()
         page.wait_for(Frame, lambda frame: frame.display.stick_seq == 9_999)
-    shared.is_unhurt()
+    shared.check_running()
 
 
 def test_stop_is_never_rejected_and_overtakes_waiting_commands(
     station: Station, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     simulation, queue = station.session._sim, station.session._inputs._commands
-    step, stands, steps = simulation.step, Event(), Event()
+    step, waits, released = simulation.step, Event(), Event()
 
     def wait(inputs: Inputs | None = None) -> Flown:
-        stands.set()
-        assert steps.wait(WAIT_S)
+        waits.set()
+        assert released.wait(WAIT_S)
         return step(inputs)
 
     with station.page() as page, ExitStack() as held:
-        held.callback(steps.set)
+        held.callback(released.set)
         monkeypatch.setattr(simulation, "step", wait)
-        assert stands.wait(WAIT_S)
-        for _ in range(MOST_WAITING):
+        assert waits.wait(WAIT_S)
+        for _ in range(MAX_WAITING):
             page.say(from_page.SelectJoint(page.next_seq(), 5))
         page.push(translation=(0.5, 0.0, 0.0))
-        until(lambda: len(queue) == MOST_WAITING, "the queue is full")
+        until(lambda: len(queue) == MAX_WAITING, "the queue is full")
         page.say(from_page.Stop(page.next_seq()))
         page.say(from_page.SelectRate(page.next_seq(), "vernier"))
-        until(lambda: len(queue) == 2, "STOP and what comes after it alone wait")
-        steps.set()
+        until(lambda: len(queue) == 2, "only STOP and the command after it wait")
+        released.set()
         frame = page.wait_for(Frame, lambda frame: frame.rate == "vernier")
         assert (frame.joint, frame.translation) == (0, STILL)
 
 
 def test_page_that_never_reads_delays_no_other(station: Station) -> None:
-    with station.page() as flier, station.stranger(buffered=1) as sleeper:
-        sleeper.socket.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
-        sleeper.greet()
-        until(lambda: flier.is_answered(150), "150 frames at the control period")
-    station.is_unhurt()
+    with station.page() as operator, station.unannounced(buffered=1) as silent:
+        silent.socket.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        silent.greet()
+        until(lambda: operator.is_answered(150), "150 frames at the control period")
+    station.check_running()
 
 
 def test_many_observers_that_never_read_delay_no_page(station: Station) -> None:
-    with ExitStack() as sleepers:
+    with ExitStack() as silent_pages:
         for _ in range(10):
-            sleepers.enter_context(station.stranger(buffered=1)).greet()
-        station.is_unhurt()
+            silent_pages.enter_context(station.unannounced(buffered=1)).greet()
+        station.check_running()
 
 
 def test_stick_is_answered_by_the_next_frame(shared: Station) -> None:
@@ -93,16 +93,16 @@ def test_stick_is_answered_by_the_next_frame(shared: Station) -> None:
 
 
 def test_pages_connect_and_disconnect_at_once(shared: Station) -> None:
-    def visit() -> None:
+    def connect_often() -> None:
         for _ in range(5):
             with shared.page() as page:
                 page.push(translation=(0.0, 0.0, 0.0))
                 page.wait_for(Frame)
 
-    visitors = [Thread(target=visit) for _ in range(6)]
-    for visitor in visitors:
-        visitor.start()
-    for visitor in visitors:
-        visitor.join(WAIT_S)
-    until(lambda: not any(visitor.is_alive() for visitor in visitors), "all have gone")
-    shared.is_unhurt()
+    threads = [Thread(target=connect_often) for _ in range(6)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(WAIT_S)
+    until(lambda: not any(thread.is_alive() for thread in threads), "all threads have ended")
+    shared.check_running()

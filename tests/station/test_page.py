@@ -1,4 +1,4 @@
-"""One page's connection: its hello, its messages, and their answers."""
+"""Connection of one page: its hello, its messages, and the answers."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ import pytest
 from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.server import page as station_page
-from aftdeck.station.server.page import MOST_PAGES, MOST_WRONG
+from aftdeck.station.server.page import MAX_PAGES, MAX_REJECTIONS, TOO_MANY_PAGES
 from tests.station.pages import STILL, Page, Station, closing, text_of
 
 
 def test_page_is_welcomed_and_gets_frames(shared: Station) -> None:
-    with shared.stranger() as page:
+    with shared.unannounced() as page:
         welcome = page.greet()
         assert (welcome.protocol, welcome.scenario) == (kinds.PROTOCOL, "first-flight")
         frame = page.wait_for(Frame)
         assert len(frame.display.poses) == 7 * len(welcome.bodies)
 
 
-NO_HELLO = {
+INVALID_HELLO = {
     "no hello": '{"type":"proceed","seq":1}',
     "no JSON": "hello",
     "empty": "",
@@ -35,25 +35,25 @@ NO_HELLO = {
 }
 
 
-@pytest.mark.parametrize("first", NO_HELLO.values(), ids=NO_HELLO)
+@pytest.mark.parametrize("first", INVALID_HELLO.values(), ids=INVALID_HELLO)
 def test_wrong_first_message_ends_the_connection(shared: Station, first: str | bytes) -> None:
-    with shared.stranger() as page:
+    with shared.unannounced() as page:
         page.say(first)
-        assert "must be a hello" in ended(page)
-    shared.is_unhurt()
+        assert "hello" in reason_of_close(page)
+    shared.check_running()
 
 
 def test_page_of_another_protocol_is_disconnected(shared: Station) -> None:
-    with shared.stranger() as page:
+    with shared.unannounced() as page:
         page.say('{"type":"hello","protocol":99}')
-        text = ended(page)
+        text = reason_of_close(page)
         assert "99" in text and str(kinds.PROTOCOL) in text
-    shared.is_unhurt()
+    shared.check_running()
 
 
-def ended(page: Page) -> str:
-    """The reason with which the server ends a connection, as a message and, as far as it fits, as the close's own."""
-    text = page.refusal()
+def reason_of_close(page: Page) -> str:
+    """Return the reason with which the server closes the connection; check that the close frame has it too."""
+    text = page.rejection()
     closed = closing(page)
     assert closed.rcvd is not None
     assert closed.rcvd.code == 1008
@@ -63,30 +63,30 @@ def ended(page: Page) -> str:
 
 def test_page_without_a_hello_is_disconnected(shared: Station, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(station_page, "HELLO_WITHIN", 0.1)
-    with shared.stranger() as page:
-        assert "0.1 s" in page.refusal()
+    with shared.unannounced() as page:
+        assert "0.1 s" in page.rejection()
         closing(page)
-    shared.is_unhurt()
+    shared.check_running()
 
 
 def test_page_beyond_the_maximum_number_is_rejected(shared: Station) -> None:
     with ExitStack() as pages:
-        for _ in range(MOST_PAGES):
+        for _ in range(MAX_PAGES):
             pages.enter_context(shared.page())
-        with shared.stranger() as late:
+        with shared.unannounced() as late:
             late.say(from_page.Hello(kinds.PROTOCOL))
-            assert late.refusal() == f"{MOST_PAGES} pages are connected already"
+            assert late.rejection() == TOO_MANY_PAGES
             closing(late)
-    shared.is_unhurt()
+    shared.check_running()
 
 
 def controllers(count: int = 1, **changed: object) -> str:
-    """A message that tells of keyboards, with something changed in them."""
+    """Return a `Controllers` message with keyboards, each with these changes."""
     used = {"kind": "keyboard", "name": "Keyboard", "deadband": 0, "expo": 0, "bindings": ["KeyW +X"], "centres": []}
     return json.dumps({"type": "controllers", "seq": 1, "controllers": [used | changed] * count})
 
 
-NOT_UNDERSTOOD = {
+INVALID = {
     "empty": "",
     "cut short": '{"type":"proceed"',
     "a list": "[]",
@@ -123,21 +123,21 @@ NOT_UNDERSTOOD = {
 }
 
 
-@pytest.mark.parametrize("text", NOT_UNDERSTOOD.values(), ids=NOT_UNDERSTOOD)
+@pytest.mark.parametrize("text", INVALID.values(), ids=INVALID)
 def test_invalid_message_is_rejected_and_the_page_stays(shared: Station, text: str) -> None:
     with shared.page() as page:
         page.say(text)
-        assert page.refusal().startswith("message not understood: ")
+        assert page.wait_for(to_page.Refused).seq == -1
         seq = page.push()
         page.wait_for(Frame, lambda frame: frame.display.stick_seq == seq)
-    shared.is_unhurt()
+    shared.check_running()
 
 
 def test_binary_message_is_rejected(shared: Station) -> None:
     with shared.page() as page:
         page.say(text_of(from_page.Proceed(0)).encode())
-        assert "binary" in page.refusal()
-    shared.is_unhurt()
+        assert "binary" in page.rejection()
+    shared.check_running()
 
 
 REFUSED = {
@@ -162,7 +162,7 @@ def test_rejected_command_names_what_was_given_and_what_is_allowed(
         refused = page.wait_for(to_page.Refused)
         assert refused.seq == 0
         assert all(part in refused.text for part in parts), refused.text
-    shared.is_unhurt()
+    shared.check_running()
 
 
 def test_commands_that_the_simulation_rejects_are_logged(shared: Station) -> None:
@@ -175,7 +175,7 @@ def test_commands_that_the_simulation_rejects_are_logged(shared: Station) -> Non
             texts += [event.text for event in events if event.kind in ("check", "refused")]
         assert texts[0].startswith("CMD CK FAIL")
         assert texts[1].startswith("PROCEED") and "ORB UNL" in texts[1]
-    shared.is_unhurt()
+    shared.check_running()
 
 
 def test_message_out_of_order_is_not_executed(station: Station) -> None:
@@ -184,11 +184,11 @@ def test_message_out_of_order_is_not_executed(station: Station) -> None:
         page.say(from_page.SelectJoint(6, 2))
         page.say(from_page.SelectJoint(7, 3))
         for number in (6, 7):
-            text = page.refusal()
-            assert f"message {number} " in text and "after message 7" in text
+            refused = page.wait_for(to_page.Refused)
+            assert refused.seq == number and "7" in refused.text
         first = page.wait_for(Frame)
         assert page.wait_for(Frame, lambda frame: frame.tick > first.tick + 4).joint == 1
-    station.is_unhurt()
+    station.check_running()
 
 
 def test_too_long_message_ends_its_own_page_only(shared: Station) -> None:
@@ -199,24 +199,25 @@ def test_too_long_message_ends_its_own_page_only(shared: Station) -> None:
         assert closed.rcvd.code == 1009
         first = other.wait_for(Frame)
         other.wait_for(Frame, lambda frame: frame.tick > first.tick + 10)
-    shared.is_unhurt()
+    shared.check_running()
 
 
 def test_page_that_sends_only_invalid_messages_is_disconnected(shared: Station) -> None:
     with shared.page() as page:
-        for _ in range(MOST_WRONG):
+        for _ in range(MAX_REJECTIONS):
             page.say("nonsense")
-        said = f"{MOST_WRONG} messages were refused; the connection is closed"
-        page.wait_for(to_page.Refused, lambda refused: refused.text == said)
+        for _ in range(MAX_REJECTIONS):
+            page.rejection()
+        assert str(MAX_REJECTIONS) in page.rejection()
         closing(page)
-    shared.is_unhurt()
+    shared.check_running()
 
 
 def test_page_with_some_invalid_messages_stays(shared: Station) -> None:
     with shared.page() as page:
-        for _ in range(MOST_WRONG + 5):
+        for _ in range(MAX_REJECTIONS + 5):
             page.say("nonsense")
-            page.refusal()
+            page.rejection()
             page.push()
         page.wait_for(Frame, lambda frame: frame.display.stick_seq == page.seq)
-    shared.is_unhurt()
+    shared.check_running()

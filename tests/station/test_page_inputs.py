@@ -1,4 +1,4 @@
-"""Inputs of the page in control as a state machine with the time passed in."""
+"""Inputs of the page in control: a state machine whose caller passes the time."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from aftdeck.errors import CommandError
 from aftdeck.simulation.camera_drives import CameraDrive
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.commands import travel
-from aftdeck.station.session.page_inputs import LOST, MOST_WAITING, STILL, PageInputs
+from aftdeck.station.session.page_inputs import LOST, MAX_WAITING, STILL, PageInputs
 
 SILENCE = 0.5
 PAN = CameraDrive("A", pan=1.0)
 
 
 @pytest.fixture(autouse=True)
-def impatient_station(monkeypatch: pytest.MonkeyPatch, patient_station: None) -> None:
-    """The station's own silence, in place of the endless one of the other tests."""
+def limited_silence(monkeypatch: pytest.MonkeyPatch, patient_station: None) -> None:
+    """Set the station's time limit, which `patient_station` has removed."""
     monkeypatch.setattr("aftdeck.station.session.page_inputs.SILENCE", SILENCE)
 
 
@@ -32,28 +32,26 @@ def sticks(seq: int, forward: float) -> from_page.Sticks:
     st.lists(st.tuples(st.floats(0.0, 3.0), st.floats(-1.0, 1.0), st.booleans()), max_size=60),
     st.integers(0, 5),
 )
-def test_deflected_sticks_act_only_while_their_page_is_heard(
-    events: list[tuple[float, float, bool]], delay: int
-) -> None:
-    """Whatever a page sends and however long it pauses: no deflection acts after a silence, or before centring."""
-    inputs, now, heard, centred_since_loss = PageInputs(delay), 10.0, -math.inf, True
+def test_deflected_sticks_act_only_while_messages_arrive(events: list[tuple[float, float, bool]], delay: int) -> None:
+    """No deflection acts after `SILENCE` without a message, nor after `LOST` before the sticks were centred."""
+    inputs, now, last_message, centred_since_loss = PageInputs(delay), 10.0, -math.inf, True
     zeroed = False
     for seq, (pause, forward, sends) in enumerate(events):
         now += pause
         if sends:
-            if zeroed and now - heard > LOST:
+            if zeroed and now - last_message > LOST:
                 centred_since_loss = False
             centred_since_loss = centred_since_loss or forward == 0.0
-            heard, zeroed = now, False
+            last_message, zeroed = now, False
             try:
                 inputs.steer(sticks(seq, forward), now)
             except CommandError:
                 assert not centred_since_loss and forward != 0.0
         taken = inputs.take(now, rate_held=False)
         acts = any(travel(taken.sticks))
-        zeroed = zeroed or (bool(taken.left) and not acts)
-        assert not acts or (now - heard <= SILENCE and centred_since_loss)
-        assert taken.left in ("", "sticks silent")
+        zeroed = zeroed or (bool(taken.cause) and not acts)
+        assert not acts or (now - last_message <= SILENCE and centred_since_loss)
+        assert taken.cause in ("", "sticks silent")
 
 
 @given(st.lists(st.integers(0, 10_000), min_size=1, max_size=40), st.integers(0, 30))
@@ -65,21 +63,21 @@ def test_numbers_of_sticks_leave_the_delay_after_its_length(numbers: list[int], 
     assert flown == ([-1] * delay + numbers)[: len(numbers)]
 
 
-def test_each_step_takes_one_command_in_their_order() -> None:
+def test_each_step_executes_one_command_in_order() -> None:
     inputs = PageInputs(0)
-    sent = [from_page.SelectJoint(seq, seq % 6) for seq in range(MOST_WAITING)]
+    sent = [from_page.SelectJoint(seq, seq % 6) for seq in range(MAX_WAITING)]
     for message in sent:
         inputs.command(message)
     with pytest.raises(CommandError):
         inputs.command(from_page.Proceed(99))
-    assert [inputs.take(1.0, rate_held=False).command for _ in range(MOST_WAITING + 1)] == [*sent, None]
+    assert [inputs.take(1.0, rate_held=False).command for _ in range(MAX_WAITING + 1)] == [*sent, None]
 
 
 def test_stop_deletes_commands_and_centres_the_sticks() -> None:
     inputs, stop = PageInputs(0), from_page.Stop(40)
     inputs.steer(sticks(1, 1.0), 1.0)
     inputs.turn(PAN, 1.0)
-    for seq in range(MOST_WAITING):
+    for seq in range(MAX_WAITING):
         inputs.command(from_page.SelectJoint(seq, 0))
     inputs.command(stop)
     taken = inputs.take(1.0, rate_held=False)
@@ -87,7 +85,7 @@ def test_stop_deletes_commands_and_centres_the_sticks() -> None:
     assert inputs.take(1.0, rate_held=False).command is None
 
 
-def test_handing_over_needs_centred_sticks_and_is_reported_once() -> None:
+def test_hand_over_needs_centred_sticks_and_is_logged_once() -> None:
     inputs = PageInputs(0)
     inputs.steer(sticks(1, 0.5), 1.0)
     with pytest.raises(CommandError):
@@ -97,11 +95,11 @@ def test_handing_over_needs_centred_sticks_and_is_reported_once() -> None:
     inputs.command(from_page.SelectJoint(3, 1))
     inputs.hand_over("1 to 2")
     taken = inputs.take(1.0, rate_held=False)
-    assert (taken.left, taken.handed_over, taken.command) == ("handed over", "1 to 2", None)
+    assert (taken.cause, taken.handed_over, taken.command) == ("handed over", "1 to 2", None)
     assert inputs.take(1.0, rate_held=False)[3:5] == ("", "")
 
 
-def test_a_restart_empties_the_command_delay() -> None:
+def test_restart_empties_the_command_delay() -> None:
     inputs = PageInputs(2)
     inputs.steer(sticks(7, 0.0), 1.0)
     for _ in range(2):
@@ -111,15 +109,15 @@ def test_a_restart_empties_the_command_delay() -> None:
 
 
 @pytest.mark.parametrize("silent_s", [0.9 * SILENCE, 1.1 * SILENCE])
-def test_a_silent_page_turns_no_camera(silent_s: float) -> None:
+def test_silent_page_moves_no_camera(silent_s: float) -> None:
     inputs = PageInputs(0)
     inputs.turn(PAN, 1.0)
     camera = inputs.take(1.0 + silent_s, rate_held=False).camera
     assert camera == (PAN if silent_s < SILENCE else STILL)
 
 
-def test_a_held_rate_needs_a_page_that_is_heard() -> None:
+def test_rate_hold_ends_when_the_page_is_silent() -> None:
     inputs = PageInputs(0)
     inputs.steer(sticks(1, 0.0), 1.0)
-    assert inputs.take(1.0 + 1.1 * SILENCE, rate_held=False).left == ""
-    assert inputs.take(1.0 + 1.1 * SILENCE, rate_held=True).left == "sticks silent"
+    assert inputs.take(1.0 + 1.1 * SILENCE, rate_held=False).cause == ""
+    assert inputs.take(1.0 + 1.1 * SILENCE, rate_held=True).cause == "sticks silent"

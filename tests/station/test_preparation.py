@@ -1,7 +1,8 @@
-"""The station's start: the server answers before the session is made, and tells what is done or went wrong."""
+"""Start of the station: the server answers before the session is made, and reports progress and errors."""
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -17,7 +18,7 @@ from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.messages.welcome import Welcome
 from aftdeck.station.server.app import make_app
-from aftdeck.station.server.page import MOST_PAGES
+from aftdeck.station.server.page import MAX_PAGES, TOO_MANY_PAGES
 from tests.station.pages import WAIT_S, Page, Server, scenario, serving, until
 from tests.station.slow import Slow
 
@@ -42,7 +43,7 @@ def server(slow: Slow) -> Iterator[Server]:
     yield from served(slow)
 
 
-def hears_of_progress(page: Page) -> None:
+def wait_for_progress(page: Page) -> None:
     page.say(HELLO)
     page.wait_for(to_page.Preparing, lambda message: message.text == "Loading.")
 
@@ -55,8 +56,8 @@ def test_page_is_served_before_the_session_is_made(server: Server) -> None:
 
 
 def test_waiting_page_gets_progress_and_then_its_welcome_and_frames(slow: Slow, server: Server) -> None:
-    with server.stranger() as page:
-        hears_of_progress(page)
+    with server.unannounced() as page:
+        wait_for_progress(page)
         slow.go.set()
         assert page.wait_for(Welcome).scenario == "first-flight"
         assert page.wait_for(to_page.Role).flying
@@ -64,51 +65,51 @@ def test_waiting_page_gets_progress_and_then_its_welcome_and_frames(slow: Slow, 
     assert server.get("/health") == (200, "flying\n")
 
 
-def test_page_that_leaves_while_it_waits_does_not_get_the_sticks(slow: Slow, server: Server) -> None:
-    with server.stranger() as gone:
-        hears_of_progress(gone)
+def test_page_that_leaves_while_it_waits_does_not_take_control(slow: Slow, server: Server) -> None:
+    with server.unannounced() as left_page:
+        wait_for_progress(left_page)
     slow.go.set()
     until(lambda: server.get("/health") == (200, "flying\n"), "the session starts")
     with server.page() as page:
         page.wait_for(to_page.Role, lambda role: role.flying and role.watchers == 0)
 
 
-def test_page_of_another_version_is_rejected_while_it_would_wait(server: Server) -> None:
-    with server.stranger() as page:
+def test_page_of_another_protocol_is_rejected_during_preparation(server: Server) -> None:
+    with server.unannounced() as page:
         page.say(from_page.Hello(99))
-        assert page.refusal().startswith("this page speaks protocol 99")
+        assert re.search(rf"\b99\b.*\b{kinds.PROTOCOL}\b", page.rejection())
 
 
 def test_no_more_pages_may_wait_than_may_be_connected(server: Server) -> None:
-    pages = [server.stranger() for _ in range(MOST_PAGES + 1)]
+    pages = [server.unannounced() for _ in range(MAX_PAGES + 1)]
     try:
         for page in pages[:-1]:
-            hears_of_progress(page.__enter__())
+            wait_for_progress(page.__enter__())
         late = pages[-1].__enter__()
         late.say(HELLO)
-        assert late.refusal() == f"{MOST_PAGES} pages are connected already"
+        assert late.rejection() == TOO_MANY_PAGES
     finally:
         for page in pages:
             page.__exit__(None, None, None)
 
 
 @pytest.mark.parametrize(
-    ("error", "sentence"),
+    ("error", "part"),
     [
         (ScenarioError(["deploy.toml:14: phase[1].rate: wrong"]), "deploy.toml:14: phase[1].rate: wrong"),
-        (ZeroDivisionError("by zero"), "the station cannot start: ZeroDivisionError('by zero')"),
+        (ZeroDivisionError("by zero"), "ZeroDivisionError('by zero')"),
     ],
 )
-def test_failed_preparation_is_reported_to_every_page_in_a_sentence(error: Exception, sentence: str) -> None:
+def test_failed_preparation_is_reported_to_every_page(error: Exception, part: str) -> None:
     slow = Slow(error)
     for server in served(slow):
-        with server.stranger() as early, server.stranger() as late:
-            hears_of_progress(early)
+        with server.unannounced() as early, server.unannounced() as late:
+            wait_for_progress(early)
             slow.go.set()
             assert slow.failed.wait(WAIT_S)
             late.say(HELLO)
             for page in (early, late):
-                assert page.refusal() == sentence
+                assert part in page.rejection()
                 with pytest.raises(ConnectionClosed):
                     page.hear()
         assert server.get("/health") == (200, "failed\n")
@@ -120,5 +121,5 @@ def test_scenario_that_cannot_be_loaded_ends_the_program_with_its_problems(tmp_p
     command = [sys.executable, "-m", "aftdeck", "fly", str(tmp_path / "own.toml"), "--no-browser", "--port", "0"]
     done = subprocess.run(command, check=False, capture_output=True, text=True, timeout=300)
     assert done.returncode == 2
-    assert "no arm 'no such arm'" in done.stderr
+    assert "'no such arm'" in done.stderr
     assert "Traceback" not in done.stderr

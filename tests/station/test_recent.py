@@ -1,4 +1,4 @@
-"""The last minutes of a flight, as windows that draw strips are told of them."""
+"""Last minutes of a run, for pages that draw strips."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from aftdeck.station.messages import from_page, kinds, to_page
 from aftdeck.station.messages.frame import Lamp
 from aftdeck.station.playback.strips import readings, sources
 from aftdeck.station.session import recent
-from aftdeck.station.session.recent import RecentFlight
+from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.session import Session
 from tests.station.pages import scenario, served
 
-LIT = Lamp("RATE LIM", "caution", "a test's")
+LIT = Lamp("RATE LIM", "caution", "cause")
 PERIOD = scenario().control_period
 EVERY = round(recent.SPACING_S / PERIOD)
 
 
-class Flown:
-    """A flight whose last minutes are kept."""
+class KeptRun:
+    """Run whose last minutes are kept."""
 
     def __init__(self) -> None:
         self.simulation = Simulation(scenario())
-        self.recent = RecentFlight(scenario())
+        self.recent = RecentRun(scenario())
 
     def fly(self, steps: int, *lamps: Lamp, monitors: tuple[tuple[str, ...], ...] = (("A",), ("B",))) -> None:
         for _ in range(steps):
@@ -32,50 +32,50 @@ class Flown:
             self.recent.add(frame, lamps, None, monitors)
 
 
-def test_a_window_is_told_at_first_of_all_that_is_kept_then_of_what_is_new() -> None:
-    flown = Flown()
-    flown.fly(3 * EVERY)
-    found = flown.recent.news(None)
+def test_page_receives_all_data_first_and_then_only_new_data() -> None:
+    run = KeptRun()
+    run.fly(3 * EVERY)
+    found = run.recent.news(None)
     assert found is not None
     first, mark = found
     assert [strip.name for strip in first.strips] == [source.name for source in sources(scenario())]
     assert [sample.time_s for sample in first.samples] == pytest.approx([(1 + i * EVERY) * PERIOD for i in range(3)])
-    assert flown.recent.news(mark) is None
-    flown.fly(EVERY)
-    found = flown.recent.news(mark)
+    assert run.recent.news(mark) is None
+    run.fly(EVERY)
+    found = run.recent.news(mark)
     assert found is not None
     assert (found[0].strips, len(found[0].samples), found[0].lanes) == ((), 1, ())
 
 
-def test_a_sample_holds_every_curve_s_value() -> None:
-    flown = Flown()
-    flown.fly(50 * EVERY + 1)
-    found = flown.recent.news(None)
+def test_sample_has_the_value_of_every_curve() -> None:
+    run = KeptRun()
+    run.fly(50 * EVERY + 1)
+    found = run.recent.news(None)
     assert found is not None
-    assert flown.simulation.frame is not None
-    exact = readings(scenario())(flown.simulation.frame, None)
+    assert run.simulation.frame is not None
+    exact = readings(scenario())(run.simulation.frame, None)
     assert found[0].samples[-1].values == pytest.approx(exact, abs=0.51 * 10**-recent.DECIMALS)
 
 
-def test_lanes_are_told_again_when_something_begins() -> None:
-    flown = Flown()
-    flown.fly(EVERY)
-    found = flown.recent.news(None)
+def test_lanes_are_sent_again_when_an_interval_begins() -> None:
+    run = KeptRun()
+    run.fly(EVERY)
+    found = run.recent.news(None)
     assert found is not None
-    flown.fly(EVERY, LIT, monitors=(("A",), ("C", "D")))
-    later = flown.recent.news(found[1])
+    run.fly(EVERY, LIT, monitors=(("A",), ("C", "D")))
+    later = run.recent.news(found[1])
     assert later is not None
     lanes = {lane.name: [stretch.label for stretch in lane.stretches] for lane in later[0].lanes}
     assert lanes["MON 2"] == ["B", "C | D"]
     assert lanes["Alarms"] == ["", "RATE LIM"]
 
 
-def test_what_is_older_than_the_last_minutes_is_forgotten(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_data_older_than_the_last_minutes_is_deleted(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(recent, "KEPT_S", 2.0)
-    flown = Flown()
+    run = KeptRun()
     for i in range(40):
-        flown.fly(EVERY, monitors=(("A",), (f"{i}",)))
-    found = flown.recent.news(None)
+        run.fly(EVERY, monitors=(("A",), (f"{i}",)))
+    found = run.recent.news(None)
     assert found is not None
     news, _ = found
     assert len(news.samples) == 20
@@ -85,12 +85,12 @@ def test_what_is_older_than_the_last_minutes_is_forgotten(monkeypatch: pytest.Mo
     assert second.stretches[0].end_s >= news.samples[0].time_s - 2 * recent.SPACING_S
 
 
-def test_only_a_window_that_draws_strips_is_sent_them_and_a_restart_begins_anew() -> None:
-    with served(Session(scenario())) as station, station.stranger() as strips, station.page() as page:
+def test_only_pages_with_strips_receive_them_and_a_restart_clears_them() -> None:
+    with served(Session(scenario())) as station, station.unannounced() as strips, station.page() as page:
         strips.say(from_page.Hello(kinds.PROTOCOL, shows=True, strips=True))
         assert strips.wait_for(to_page.Recent).strips
         assert not strips.wait_for(to_page.Recent).strips
         page.say(from_page.Restart(page.next_seq()))
-        anew = strips.wait_for(to_page.Recent, lambda told: bool(told.strips))
-        assert anew.samples[0].time_s == pytest.approx(PERIOD)
+        first = strips.wait_for(to_page.Recent, lambda recent: bool(recent.strips))
+        assert first.samples[0].time_s == pytest.approx(PERIOD)
         assert not any(isinstance(page.hear(), to_page.Recent) for _ in range(30))

@@ -1,5 +1,8 @@
+"""Start and end of the station: process, socket, address and browser."""
+
 from __future__ import annotations
 
+import re
 import signal
 import socket
 import subprocess
@@ -21,12 +24,12 @@ from aftdeck.station.session.session import Session
 from tests.station.pages import WAIT_S, Page, scenario, served
 
 START_S = 300.0
-"""The longest that `aftdeck fly` may take until it answers, or ends [s]; the first start compiles the laws."""
+"""Longest time until `aftdeck fly` answers, or ends [s]; the first start compiles the laws."""
 
 
 @pytest.fixture
 def running() -> Iterator[subprocess.Popen[str]]:
-    """`aftdeck fly` in a process of its own, that takes SIGINT as one in a terminal does."""
+    """Start `aftdeck fly` in a process that handles SIGINT as in a terminal."""
     command = [sys.executable, "-m", "aftdeck", "fly", "--no-browser", "--port", "0"]
     process = subprocess.Popen(
         command,
@@ -49,20 +52,20 @@ def address(process: subprocess.Popen[str]) -> str:
     return line.partition("http://")[2].strip().rstrip("/")
 
 
-def test_control_c_ends_a_flight_with_a_page_without_a_traceback(running: subprocess.Popen[str]) -> None:
-    place = address(running)
-    url = f"ws://{place}/ws"
+def test_control_c_ends_a_station_with_a_page_without_traceback(running: subprocess.Popen[str]) -> None:
+    host = address(running)
+    url = f"ws://{host}/ws"
     with connect(url, compression=None, max_queue=None, open_timeout=START_S, close_timeout=0.2) as link:
         Page(link).greet()
         assert running.stdout is not None
-        assert next(line for line in running.stdout if "Flying" in line) == "Flying 'First flight'. End with Ctrl+C.\n"
+        assert any("'First flight'" in line and "Ctrl+C" in line for line in running.stdout)
         running.send_signal(signal.SIGINT)
         assert running.wait(START_S) in (0, 130)
     assert running.stderr is not None
     assert running.stderr.read() == ""
 
 
-def test_control_c_during_the_start_ends_it_without_a_traceback(running: subprocess.Popen[str]) -> None:
+def test_control_c_during_the_start_ends_without_traceback(running: subprocess.Popen[str]) -> None:
     address(running)
     running.send_signal(signal.SIGINT)
     assert running.wait(START_S) in (0, 130)
@@ -70,7 +73,7 @@ def test_control_c_during_the_start_ends_it_without_a_traceback(running: subproc
     assert "Traceback" not in running.stderr.read()
 
 
-def test_a_station_listens_on_this_machine_alone() -> None:
+def test_station_listens_on_this_machine_only() -> None:
     listener = listen("127.0.0.1", 0)
     with listener:
         assert listener.getsockname()[0] == "127.0.0.1"
@@ -81,54 +84,54 @@ def test_a_station_listens_on_this_machine_alone() -> None:
                 socket.create_connection((str(other), port), timeout=WAIT_S)
 
 
-def test_frames_are_sent_without_waiting_for_more() -> None:
+def test_listener_disables_nagles_algorithm() -> None:
     with listen("127.0.0.1", 0) as listener:
-        # asyncio turns Nagle's algorithm off on connections whose listener names TCP, and on no others
+        # asyncio disables Nagle's algorithm only for listeners whose protocol is TCP explicitly
         assert listener.proto == socket.IPPROTO_TCP
 
 
-def test_a_port_in_use_is_named() -> None:
+def test_port_in_use_is_named() -> None:
     with listen("127.0.0.1", 0) as taken:
         port = taken.getsockname()[1]
-        with pytest.raises(StationError, match=rf"^port {port} on 127\.0\.0\.1 is in use: give another with --port"):
+        with pytest.raises(StationError, match=rf"{port} on 127\.0\.0\.1.* --port"):
             listen("127.0.0.1", port)
 
 
 @pytest.mark.parametrize("port", [-1, 65536, 70000, 10**12])
-def test_a_port_that_is_none_is_refused(port: int) -> None:
-    with pytest.raises(StationError, match=f"^ports are numbered 0 to 65535, got {port}$"):
+def test_invalid_port_is_rejected(port: int) -> None:
+    with pytest.raises(StationError, match=f"0 to 65535, got {port}$"):
         listen("127.0.0.1", port)
 
 
 @pytest.mark.parametrize("host", ["..", "no such host", "a" * 300, "256.256.256.256", "::g"])
-def test_a_host_that_is_none_is_refused(host: str) -> None:
-    with pytest.raises(StationError, match=r"^the host '.*' is not known: "):
+def test_unknown_host_is_rejected(host: str) -> None:
+    with pytest.raises(StationError, match=re.escape(repr(host))):
         listen(host, 0)
 
 
-def test_an_address_of_another_machine_is_refused() -> None:
-    with pytest.raises(StationError, match=r"^cannot listen on 192\.0\.2\.1, port 0: "):
+def test_address_of_another_machine_is_rejected() -> None:
+    with pytest.raises(StationError, match=r"192\.0\.2\.1, port 0"):
         listen("192.0.2.1", 0)
 
 
-def test_a_missing_page_is_told_with_what_to_do(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_missing_page_is_reported_with_the_remedy(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(station_built, "STATIC", tmp_path)
-    with pytest.raises(StationError, match=r"the station's page is missing \(.*index\.html\): build it with"):
+    with pytest.raises(StationError, match=r"index\.html.*`make fly`"):
         serve(scenario, None, host="127.0.0.1", port=0, open_browser=False, demo=False)
 
 
-def test_the_server_bounds_the_length_of_messages() -> None:
+def test_server_limits_the_length_of_messages() -> None:
     assert make_server(make_app(ready(Session(scenario())))).config.ws_max_size == 16_384
 
 
-def test_a_name_of_this_machine_serves_pages_too() -> None:
+def test_station_on_localhost_serves_pages() -> None:
     with served(Session(scenario()), "localhost") as station:
         assert station.get("/health", {"Host": f"localhost:{station.port}"}) == (200, "flying\n")
 
 
-@pytest.mark.parametrize("wanted", [True, False])
-def test_the_browser_is_opened_where_wanted(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str], wanted: bool
+@pytest.mark.parametrize("open_browser", [True, False])
+def test_browser_is_opened_on_request(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str], open_browser: bool
 ) -> None:
     opened: list[str] = []
 
@@ -143,6 +146,6 @@ def test_the_browser_is_opened_where_wanted(
     monkeypatch.setattr(station_built, "STATIC", tmp_path)
     monkeypatch.setattr(station_serve, "make_server", Idle)
     monkeypatch.setattr(webbrowser, "open", opened.append)
-    serve(scenario, None, host="127.0.0.1", port=0, open_browser=wanted, demo=False)
-    said = capsys.readouterr().out
-    assert opened == ([said.split()[2]] if wanted else [])
+    serve(scenario, None, host="127.0.0.1", port=0, open_browser=open_browser, demo=False)
+    printed = capsys.readouterr().out
+    assert opened == ([printed.split()[2]] if open_browser else [])

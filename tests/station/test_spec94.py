@@ -1,4 +1,4 @@
-"""The page of targets and payloads: its numbers are those that the steering and the sequences have."""
+"""Data for SPEC 94 agree with the steering and the sequences."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from aftdeck.station.conversion.frame_of import Displays
 from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page
 from aftdeck.station.session.commands import inputs_of
-from aftdeck.station.session.page_inputs import HANDS_OFF
+from aftdeck.station.session.page_inputs import CENTRED
 from tests.station.pages import scenario
 from tests.steering.flying import BAY, PAYLOAD
-from tests.steering.flying import scenario as written
+from tests.steering.flying import scenario as scenario_of_text
 
 RATES = ("coarse", "vernier")
 LOADED = "srms-berth"
@@ -24,7 +24,7 @@ LOADED = "srms-berth"
 
 @pytest.mark.parametrize("rate", RATES)
 @pytest.mark.parametrize("name", [LOADED, "loaded", "first-flight", "concept-1972"])
-def test_the_tables_limits_are_those_in_force(name: str, rate: str) -> None:
+def test_limits_of_the_table_are_those_of_the_steering(name: str, rate: str) -> None:
     sim = Simulation(scenario(name))
     displays, payloads = Displays(sim.scenario), welcome_of(sim.scenario, demo=False).payloads
     setting = RATES.index(rate)
@@ -38,7 +38,7 @@ def test_the_tables_limits_are_those_in_force(name: str, rate: str) -> None:
 
 
 @pytest.mark.parametrize(("name", "held"), [(LOADED, 1), ("loaded", 1), ("first-flight", 0), ("srms-deploy", 0)])
-def test_the_payload_id_is_that_of_what_is_in_the_grasp(name: str, held: int) -> None:
+def test_payload_id_is_that_of_the_captured_payload(name: str, held: int) -> None:
     sim = Simulation(scenario(name))
     displays = Displays(sim.scenario)
     assert displays.frame(sim.step(Inputs()), 0).display.payload_id == held
@@ -47,10 +47,10 @@ def test_the_payload_id_is_that_of_what_is_in_the_grasp(name: str, held: int) ->
     assert table[0].mass == 0.0 and all(row.mass > 0.0 for row in table[1:])
 
 
-def test_a_payload_that_a_phase_attaches_has_its_id_its_row_and_its_point_of_resolution() -> None:
+def test_payload_attached_by_a_phase_has_id_row_and_por() -> None:
     heavy, light = (PAYLOAD.replace("[payload]", "[phase.payload]").format(mass=f"{m} lb") for m in (32000, 1000))
     still = '[[phase]]\nmode = "ORB UNL"\nduration = 0.08\n'
-    made = written(BAY, f"control_period = 0.08\n{still}{still}{heavy}{still}{light}{still}detached = true\n")
+    made = scenario_of_text(BAY, f"control_period = 0.08\n{still}{still}{heavy}{still}{light}{still}detached = true\n")
     sim, displays = Simulation(made), Displays(made)
     frames = [sim.step() for _ in range(4)]
     shown = [displays.frame(frame, 0) for frame in frames]
@@ -61,13 +61,13 @@ def test_a_payload_that_a_phase_attaches_has_its_id_its_row_and_its_point_of_res
         assert frame.payload is not None
         centre, axes = map(np.array, frame.payload)
         hand = made.arm.end_effector(np.array(frame.orientation))
-        there = frame.position + hand @ np.array(page.display.por_offset)
-        assert axes.T @ (there - centre) == pytest.approx([0.3, -0.4, 0.1], abs=1e-9)
+        point = frame.position + hand @ np.array(page.display.por_offset)
+        assert axes.T @ (point - centre) == pytest.approx([0.3, -0.4, 0.1], abs=1e-9)
     assert [page.display.por_offset == (0.0, 0.0, 0.0) for page in shown] == [True, False, False, True]
 
 
 @pytest.mark.parametrize("name", [LOADED, "loaded"])
-def test_the_offset_leads_from_the_tip_to_the_point_that_orb_ld_moves(name: str) -> None:
+def test_por_offset_is_the_vector_to_the_point_that_orb_ld_moves(name: str) -> None:
     sim = Simulation(scenario(name))
     arm = sim.scenario.arm
     for _ in range(20):
@@ -80,14 +80,14 @@ def test_the_offset_leads_from_the_tip_to_the_point_that_orb_ld_moves(name: str)
 
 
 @pytest.mark.parametrize("name", built_in())
-def test_a_stored_point_keyed_in_is_the_pose_that_the_sequence_flies_to(name: str) -> None:
+def test_stored_point_keyed_in_is_the_pose_of_the_sequence(name: str) -> None:
     loaded = scenario(name)
-    told = {sequence.position: sequence.points for sequence in welcome_of(loaded, demo=False).sequences}
-    assert set(told) == set(loaded.sequences)
+    stored = {sequence.position: sequence.points for sequence in welcome_of(loaded, demo=False).sequences}
+    assert set(stored) == set(loaded.sequences)
     for position, points in loaded.sequences.items():
-        for shown, point in zip(told[position], points, strict=True):
+        for shown, point in zip(stored[position], points, strict=True):
             message = from_page.SetTarget(0, shown.position, shown.attitude)
-            target = inputs_of(HANDS_OFF, message, loaded.arm).target
+            target = inputs_of(CENTRED, message, loaded.arm).target
             assert target is not None
             pose = target.pose
             assert pose.position == pytest.approx(point.target.pose.position, abs=1e-9)
@@ -95,6 +95,6 @@ def test_a_stored_point_keyed_in_is_the_pose_that_the_sequence_flies_to(name: st
             assert shown.pause == point.pause
 
 
-def test_the_singularity_is_cautioned_of_where_the_arm_says_so() -> None:
+def test_singularity_threshold_is_that_of_the_arm() -> None:
     loaded = scenario("first-flight")
     assert welcome_of(loaded, demo=False).singular == loaded.arm.model.singular

@@ -1,4 +1,4 @@
-"""Strips keep what matters when they are thinned."""
+"""Thinning of strips keeps ends, extremes and gaps."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ VALUES = st.one_of(st.floats(-1e6, 1e6), st.just(math.nan))
 
 
 @given(arrays(np.float64, st.integers(1, 60), elements=VALUES))
-def test_a_short_line_loses_only_points_inside_a_level_part(values: np.ndarray) -> None:
+def test_short_curve_loses_only_points_between_equal_values(values: np.ndarray) -> None:
     kept = thin(values)
     assert (kept[0], kept[-1]) == (0, len(values) - 1)
     assert (np.diff(kept) > 0).all()
@@ -27,7 +27,7 @@ def test_a_short_line_loses_only_points_inside_a_level_part(values: np.ndarray) 
 
 
 @given(st.integers(0, 2**32 - 1), st.integers(1, 20_000))
-def test_a_long_line_keeps_its_ends_and_the_extremes_of_every_part(seed: int, length: int) -> None:
+def test_long_curve_keeps_its_ends_and_the_extremes_of_every_part(seed: int, length: int) -> None:
     values = np.random.default_rng(seed).normal(size=length).cumsum()
     kept = thin(values)
     assert len(kept) <= 2 * BUCKETS + 2
@@ -39,7 +39,7 @@ def test_a_long_line_keeps_its_ends_and_the_extremes_of_every_part(seed: int, le
             assert (drawn.min(), drawn.max()) == (part.min(), part.max())
 
 
-def test_a_gap_keeps_both_its_edges() -> None:
+def test_gap_keeps_both_edges() -> None:
     values = np.ones(10_000)
     values[3001:4007] = math.nan
     kept = thin(values).tolist()
@@ -47,7 +47,7 @@ def test_a_gap_keeps_both_its_edges() -> None:
     assert all(np.isnan(values[i]) == (3001 <= i < 4007) for i in kept)
 
 
-def test_the_worst_rate_is_the_one_nearest_to_its_limit() -> None:
+def test_worst_rate_is_that_of_the_joint_nearest_to_its_limit() -> None:
     limits: Six = (0.1, 0.1, 0.1, 0.2, 0.2, 0.4)
     assert worst_rate((0.05, 0.0, -0.06, 0.1, 0.0, -0.28), limits) == (-0.28 / -0.4, 5)
     assert worst_rate((0.0,) * 6, limits) == (0.0, -1)

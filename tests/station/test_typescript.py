@@ -1,4 +1,4 @@
-"""The page's types are those of the protocol."""
+"""TypeScript that is generated from the messages."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Sample(msgspec.Struct, tag_field="kind", tag="sample"):
     level: Literal["low", "high"] | None = None
 
 
-def test_the_committed_file_is_the_generated_one() -> None:
+def test_committed_file_is_the_generated_one() -> None:
     assert GENERATED.read_text(encoding="utf-8") == typescript(), "run `make generate`"
 
 
@@ -34,15 +34,15 @@ def test_every_message_becomes_an_interface_with_its_type() -> None:
             assert f"export interface {message.__name__} {{\n  readonly type: '{tag}';" in text
 
 
-def test_the_hello_which_no_union_holds_is_there_too() -> None:
+def test_hello_becomes_an_interface() -> None:
     assert "export interface Hello {\n  readonly type: 'hello';" in typescript()
 
 
-def test_the_version_of_the_protocol_is_the_pages_too() -> None:
+def test_version_of_the_protocol_is_generated() -> None:
     assert f"export const PROTOCOL = {kinds.PROTOCOL};" in typescript()
 
 
-def test_a_struct_keeps_its_tag_its_fields_in_order_and_their_comments() -> None:
+def test_struct_keeps_its_tag_its_fields_in_order_and_comments() -> None:
     assert _Writer().interface(Sample) == (
         "/** A sample. */\n"
         "export interface Sample {\n"
@@ -54,13 +54,13 @@ def test_a_struct_keeps_its_tag_its_fields_in_order_and_their_comments() -> None
     )
 
 
-def test_a_type_that_json_cannot_carry_is_refused() -> None:
-    with pytest.raises(TypeError, match=r"complex.* has no TypeScript here; use numbers"):
+def test_type_without_a_json_form_is_rejected() -> None:
+    with pytest.raises(TypeError, match="complex"):
         _Writer().structure(complex)
 
 
-def test_two_structs_of_one_name_are_refused() -> None:
+def test_two_structs_of_one_name_are_rejected() -> None:
     writer = _Writer()
     writer.structure(Sample)
-    with pytest.raises(TypeError, match="two structs are called Sample; the page needs a name for each"):
+    with pytest.raises(TypeError, match="Sample"):
         writer.structure(msgspec.defstruct("Sample", []))

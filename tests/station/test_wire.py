@@ -1,3 +1,5 @@
+"""Frames and welcome as pages receive them."""
+
 from __future__ import annotations
 
 import math
@@ -19,24 +21,24 @@ from aftdeck.station.conversion.welcome_of import welcome_of
 from aftdeck.station.messages import from_page, kinds
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session.commands import inputs_of
-from aftdeck.station.session.page_inputs import HANDS_OFF
+from aftdeck.station.session.page_inputs import CENTRED
 from tests.station.pages import scenario
 from tests.steering.flying import BAY, PAYLOAD
-from tests.steering.flying import scenario as written
+from tests.steering.flying import scenario as scenario_of_text
 
 OVER_THE_PIN = Path(__file__).parents[1] / "browser" / "over-the-pin.toml"
 SCENE = np.diag([-1.0, 1.0, -1.0])
 
 
 def flown(inputs: Inputs, steps: int = 40, name: str = "first-flight") -> tuple[Simulation, Frame]:
-    """A simulation after some steps, and its last frame for the page."""
+    """Return a simulation after some steps, and its last frame as a page receives it."""
     sim = Simulation(scenario(name))
     for _ in range(steps):
         frame = sim.step(inputs)
     return sim, Displays(scenario(name)).frame(frame, 7)
 
 
-def test_the_frames_panel_numbers_are_those_of_the_arm() -> None:
+def test_read_outs_are_those_of_the_arm() -> None:
     sim, shown = flown(Inputs(translation=(1.0, 0.5, 0.0), rotation=(0.0, 0.3, 0.0)))
     arm = sim.scenario.arm
     position, attitude = arm.panel(arm.forward(shown.angles))
@@ -46,16 +48,16 @@ def test_the_frames_panel_numbers_are_those_of_the_arm() -> None:
     assert np.array(shown.display.commanded.position) / 0.0254 == pytest.approx(arm.panel(commanded)[0], abs=1e-9)
 
 
-def test_first_flight_starts_over_the_bays_middle_looking_down() -> None:
+def test_first_flight_starts_above_the_bay_pointing_down() -> None:
     _, shown = flown(Inputs(), steps=1)
     assert np.array(shown.display.actual.position) / 0.0254 == pytest.approx([-942.0, 0.0, -557.48], abs=1e-6)
     assert np.degrees(shown.display.actual.attitude) == pytest.approx([270.0, 0.0, 0.0], abs=1e-6)
 
 
-def test_a_target_on_the_panel_is_the_pose_that_the_panel_shows() -> None:
+def test_target_keyed_in_from_the_panel_is_the_pose_shown() -> None:
     sim, shown = flown(Inputs(rotation=(0.2, 0.4, -0.3)))
     message = from_page.SetTarget(0, shown.display.actual.position, shown.display.actual.attitude)
-    target = inputs_of(HANDS_OFF, message, sim.scenario.arm).target
+    target = inputs_of(CENTRED, message, sim.scenario.arm).target
     assert target is not None
     pose = target.pose
     tip = sim.scenario.arm.forward(shown.angles)
@@ -64,14 +66,14 @@ def test_a_target_on_the_panel_is_the_pose_that_the_panel_shows() -> None:
 
 
 @pytest.mark.parametrize("telescope", [0.0, 1.0, -1.0])
-def test_what_is_commanded_rides_on_the_telescope_as_the_arm_does(telescope: float) -> None:
+def test_commanded_pose_moves_with_the_telescope(telescope: float) -> None:
     _, shown = flown(Inputs(telescope=telescope), name="concept-1972")
     assert shown.display.commanded.position == pytest.approx(shown.display.actual.position, abs=1e-9)
     assert shown.display.commanded.attitude == pytest.approx(shown.display.actual.attitude, abs=1e-9)
 
 
 @pytest.mark.parametrize("mode", ["ORB LD", "PL"])
-def test_what_is_shown_of_a_payload_that_was_captured_is_its_own_point_and_axes(mode: str) -> None:
+def test_read_outs_with_a_captured_payload_are_its_point_and_axes(mode: str) -> None:
     sim, shown = flown(Inputs(mode=mode), steps=1, name="srms-berth")
     (cargo,) = shown.work.cargo
     assert cargo.held
@@ -89,14 +91,14 @@ def test_what_is_shown_of_a_payload_that_was_captured_is_its_own_point_and_axes(
 
 
 @pytest.mark.parametrize("name", ["concept-1972", "srms-deploy"])
-def test_a_payload_is_where_the_welcome_has_that_seat(name: str) -> None:
+def test_berth_of_a_payload_is_in_the_welcome(name: str) -> None:
     _, shown = flown(Inputs(), steps=1, name=name)
     (cargo,) = shown.work.cargo
     assert cargo.seat in [seat.name for seat in welcome_of(scenario(name), demo=False).work.seats]
 
 
 @pytest.mark.parametrize("axis", range(3))
-def test_velocities_are_the_rates_of_the_numbers_shown(axis: int) -> None:
+def test_velocities_are_the_rates_of_the_read_outs(axis: int) -> None:
     push = [0.0, 0.0, 0.0]
     push[axis] = 1.0
     displays = Displays(scenario())
@@ -106,11 +108,11 @@ def test_velocities_are_the_rates_of_the_numbers_shown(axis: int) -> None:
     before = displays.frame(sim.step(Inputs(translation=(push[0], push[1], push[2]))), 0)
     after = displays.frame(sim.step(Inputs(translation=(push[0], push[1], push[2]))), 0)
     moved = (np.array(after.display.actual.position) - before.display.actual.position) / 0.02
-    assert moved == pytest.approx(after.display.actual.velocity, abs=2e-3)  # it turns within a step
+    assert moved == pytest.approx(after.display.actual.velocity, abs=2e-3)  # the tip also rotates within a step
     assert moved[axis] > 0.01
 
 
-def test_turn_rates_stand_in_the_order_pitch_yaw_roll() -> None:
+def test_angular_rates_are_in_the_order_pitch_yaw_roll() -> None:
     for axis, place in ((0, 2), (1, 0), (2, 1)):
         turn = [0.0, 0.0, 0.0]
         turn[axis] = 1.0
@@ -119,7 +121,7 @@ def test_turn_rates_stand_in_the_order_pitch_yaw_roll() -> None:
         assert rates[place] == max(rates, key=abs) > 0.001
 
 
-def test_the_control_axes_are_the_orbiters_or_the_end_effectors_own() -> None:
+def test_control_axes_are_those_of_the_orbiter_or_end_effector() -> None:
     sim, shown = flown(Inputs())
     w, x, y, z = shown.display.axes
     assert Rotation.from_quat([x, y, z, w]).as_matrix() == pytest.approx(SCENE, abs=1e-12)
@@ -131,17 +133,17 @@ def test_the_control_axes_are_the_orbiters_or_the_end_effectors_own() -> None:
     assert Rotation.from_quat([x, y, z, w]).as_matrix() == pytest.approx(SCENE @ own.rotation, abs=1e-12)
 
 
-def test_a_lamp_burns_with_its_cause() -> None:
+def test_lit_lamp_has_its_cause() -> None:
     _, cradled = flown(Inputs(), steps=1, name="uncradle")
-    burning = {lamp.name: lamp.text for lamp in cradled.display.lamps}
-    assert {"REACH LIM", "SOFT STOP", "SINGULAR"} <= set(burning)
-    assert all(burning.values())
+    lit_lamps = {lamp.name: lamp.text for lamp in cradled.display.lamps}
+    assert {"REACH LIM", "SOFT STOP", "SINGULAR"} <= set(lit_lamps)
+    assert all(lit_lamps.values())
     _, free = flown(Inputs(), steps=1)
     assert free.display.lamps == ()
 
 
 def lit(sim: Simulation, until: str, **inputs: Any) -> dict[str, str]:
-    """Levels of the end effector's lamps once a flag of it is lit that was not."""
+    """Step until an end effector flag is lit, and return the levels of the end effector's lamps."""
     frame = sim.step(Inputs(**inputs))
     while until not in frame.work.hand.flags:
         frame = sim.step(Inputs())
@@ -150,21 +152,21 @@ def lit(sim: Simulation, until: str, **inputs: Any) -> dict[str, str]:
     return {lamp.name: lamp.level for lamp in lamps(sim.scenario, frame) if lamp.name in names}
 
 
-def test_derigidize_and_release_burn_while_a_payload_is_let_go() -> None:
+def test_derigidize_and_release_are_lit_during_a_release() -> None:
     sim = Simulation(scenario("srms-berth"))
     assert lit(sim, "RIGID") == {}
     assert lit(sim, "DERIGID", effector="open") == {"DERIGIDIZE": "info", "RELEASE": "info"}
     assert lit(sim, "OPEN") == {}
 
 
-def test_derigidize_is_a_caution_where_a_payload_was_left_so() -> None:
+def test_derigidize_is_a_caution_when_the_switch_is_off() -> None:
     sim = Simulation(scenario("srms-berth"))
     sim.step(Inputs(effector_mode="manual"))
     assert lit(sim, "DERIGID", rigid="derigid") == {"DERIGIDIZE": "info"}
     assert lit(sim, "DERIGID", rigid="off") == {"DERIGIDIZE": "caution"}
 
 
-def test_an_empty_end_effector_is_told_how_far_the_next_fixture_is() -> None:
+def test_empty_end_effector_has_the_distance_to_the_next_fixture() -> None:
     _, held = flown(Inputs(), steps=1, name="srms-berth")
     assert held.display.fixture is None
     _, shown = flown(Inputs(), steps=1, name="srms-deploy")
@@ -176,10 +178,10 @@ def test_an_empty_end_effector_is_told_how_far_the_next_fixture_is() -> None:
     assert frame.display.fixture == pytest.approx(depth.value, abs=1e-3)
 
 
-def test_the_way_to_the_fixture_is_along_the_axes_that_the_sticks_move_along() -> None:
+def test_vector_to_the_fixture_is_along_the_axes_of_the_sticks() -> None:
     sim = Simulation(scenario("tutorial"))
     displays = Displays(sim.scenario)
-    for mode, axis in (("END EFF", 0), ("ORB UNL", 2)):  # the hand looks straight down
+    for mode, axis in (("END EFF", 0), ("ORB UNL", 2)):  # the end effector points straight down
         sim.step(Inputs(mode=mode))
         before = displays.frame(sim.step(Inputs()), 0).display.to_fixture
         assert before is not None
@@ -194,7 +196,7 @@ def test_the_way_to_the_fixture_is_along_the_axes_that_the_sticks_move_along() -
     assert displays.frame(sim.step(Inputs()), 0).display.to_fixture is None
 
 
-def test_a_frame_and_the_welcome_come_back_from_json_as_they_went() -> None:
+def test_frame_and_welcome_survive_json() -> None:
     _, shown = flown(Inputs(translation=(1.0, 0.0, 0.0)))
     welcome = welcome_of(scenario(), demo=True)
     for message in (shown, welcome):
@@ -202,7 +204,7 @@ def test_a_frame_and_the_welcome_come_back_from_json_as_they_went() -> None:
     assert welcome.phases[0] == "up"
 
 
-def test_the_controllers_with_full_mappings_fit_into_a_message() -> None:
+def test_controllers_with_full_mappings_fit_into_a_message() -> None:
     used = from_page.ControllerInUse(
         "rhc joystick",
         "🕹" * 80,
@@ -219,7 +221,7 @@ def test_the_controllers_with_full_mappings_fit_into_a_message() -> None:
         msgspec.json.decode(msgspec.json.encode(from_page.Controllers(0, (used,) * 6)), type=from_page.Controllers)
 
 
-def test_the_longest_message_of_a_page_is_far_below_the_limit() -> None:
+def test_other_messages_are_far_below_the_length_limit() -> None:
     third, pi = -1.0 / 3.0, -math.pi * 1e-300
     longest = [
         from_page.Sticks(2**53 - 1, (third, third, third), (pi, pi, pi), third),
@@ -228,9 +230,11 @@ def test_the_longest_message_of_a_page_is_far_below_the_limit() -> None:
     assert max(len(msgspec.json.encode(message)) for message in longest) < kinds.MAX_MESSAGE_BYTES / 8
 
 
-def test_every_body_has_a_pose_whether_a_payload_without_shape_is_held_or_detached() -> None:
+def test_every_body_has_a_pose_with_and_without_an_own_payload() -> None:
     still = '[[phase]]\nmode = "ORB UNL"\nduration = 0.08\n'
-    made = written(BAY, f"control_period = 0.08\n{PAYLOAD.format(mass='1000 lb')}\n{still}{still}detached = true\n")
+    made = scenario_of_text(
+        BAY, f"control_period = 0.08\n{PAYLOAD.format(mass='1000 lb')}\n{still}{still}detached = true\n"
+    )
     sim, displays, bodies = Simulation(made), Displays(made), welcome_of(made, demo=False).bodies
     for held in (True, False):
         frame = sim.step()

@@ -1,4 +1,4 @@
-"""The command line: `app` with a module for each group of commands, and `main`, which runs it."""
+"""Command line: `app`, with one module for each group of commands, and `main`, which runs it."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ COMMANDS = (_flights, _arm, _recordings)
 """Modules that add their commands to `app` when they are imported, in the order of its help."""
 
 READER_GONE = 141
-"""Exit code if the reader of a pipe has closed it: a shell's exit code for SIGPIPE."""
+"""Exit code after the reader of a pipe has closed it: a shell's exit code for SIGPIPE."""
 
 
 def main() -> None:
-    """Run the command line; after bad input, print a sentence and exit with code 2.
+    """Run the command line; after invalid input, print one sentence and exit with code 2.
 
     A character that the terminal cannot show is printed as a question mark. If the reader of a pipe closes it early
     (``| head``), the program ends without a message.

@@ -1,6 +1,6 @@
-"""The command line's application, and the options that several commands share.
+"""Application of the command line, and the options that several commands share.
 
-Commands are thin: they read, call, print. Libraries are imported when a command needs them.
+A command only reads its arguments, calls functions and prints. It imports libraries when it needs them.
 """
 
 from __future__ import annotations
@@ -11,23 +11,23 @@ import typer
 
 app = typer.Typer(
     name="aftdeck",
-    help="Aftdeck simulates a space manipulator at work: fly the Shuttle's arm, by hand or by script.",
+    help="Simulator of a space manipulator: operate the Shuttle's arm manually or by script.",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
 
-Json = Annotated[bool, typer.Option("--json", help="Print JSON, for scripts.")]
+Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 ScenarioName = Annotated[str, typer.Argument(metavar="SCENARIO", help="A built-in name or a path to a .toml file.")]
-Seed = Annotated[int | None, typer.Option(help="In place of the scenario's seed.")]
+Seed = Annotated[int | None, typer.Option(help="Random seed; overrides the scenario's seed.")]
 Host = Annotated[str, typer.Option(help="Address to listen on.")]
-Port = Annotated[int, typer.Option(help="Port to listen on; 0 takes any free one.")]
+Port = Annotated[int, typer.Option(help="Port to listen on; 0 selects a free port.")]
 NoBrowser = Annotated[bool, typer.Option("--no-browser", help="Do not open a browser.")]
 
 
-def _print_version(wanted: bool) -> None:
-    if wanted:
+def _print_version(given: bool) -> None:
+    if given:
         from aftdeck.version import __version__
 
         print(__version__)
@@ -37,7 +37,7 @@ def _print_version(wanted: bool) -> None:
 @app.callback()
 def _options(
     _version: Annotated[
-        bool, typer.Option("--version", help="Print the version and stop.", is_eager=True, callback=_print_version)
+        bool, typer.Option("--version", help="Print the version and exit.", is_eager=True, callback=_print_version)
     ] = False,
 ) -> None:
     pass

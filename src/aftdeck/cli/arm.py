@@ -1,4 +1,4 @@
-"""``aftdeck arm``: poses, joint angles, limits and modes of an arm."""
+"""Command ``arm``: poses, joint angles, limits and modes of an arm."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ class FrameChoice(StrEnum):
 
 
 @app.command(
-    short_help="Ask an arm for poses, joint angles, limits, modes.",
+    short_help="Print poses, joint angles, limits or modes of an arm.",
     epilog="Examples: aftdeck arm srms forward 0 25 -25 5 0 0 --deg --frame panel; "
     "aftdeck arm srms inverse 10 0 -2 0 0 0 --deg",
     context_settings={"ignore_unknown_options": True},
 )
 def arm(
-    name: Annotated[str, typer.Argument(metavar="NAME", help="A built-in arm or a path to an arm file.")],
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Name of a built-in arm, or path of an arm file.")],
     question: Annotated[Question, typer.Argument(metavar="forward|inverse|limits|modes")],
     numbers: Annotated[
         list[str] | None,
@@ -53,11 +53,11 @@ def arm(
             "ENDORI's roll, elevation, azimuth of frame 7; in panel: inches and the end effector's attitude).",
         ),
     ] = None,
-    deg: Annotated[bool, typer.Option("--deg", help="Angles in degrees, in and out; else radians.")] = False,
-    frame: Annotated[FrameChoice, typer.Option(help="Frame of the pose.")] = FrameChoice.L,
+    deg: Annotated[bool, typer.Option("--deg", help="Read and print angles in degrees; default radians.")] = False,
+    frame: Annotated[FrameChoice, typer.Option(help="Coordinate frame of the pose.")] = FrameChoice.L,
     as_json: Json = False,
 ) -> None:
-    """Ask an arm: where is the tip, which joint angles reach a pose, what are its limits and modes."""
+    """Print the tip's pose at given joint angles, the joint angles of a pose, or the arm's limits or modes."""
     from aftdeck.kinematics.arm import load_arm
 
     loaded = load_arm(name)
@@ -75,15 +75,15 @@ def arm(
 
 def _numbers(given: list[str], expected: int, question: str) -> list[float]:
     if len(given) != expected:
-        raise InputError(f"{question} takes {expected} numbers, got {len(given)}: {' '.join(given)}")
+        raise InputError(f"{question} needs {expected} numbers, got {len(given)}: {' '.join(given)}")
     values = []
     for text in given:
         try:
             value = float(text)
         except ValueError:
-            raise InputError(f"{question}: {text!r} is no number") from None
+            raise InputError(f"{question}: {text!r} is not a number") from None
         if not math.isfinite(value):
-            raise InputError(f"{question}: numbers are finite, got {text!r}")
+            raise InputError(f"{question}: numbers must be finite, got {text!r}")
         values.append(value)
     return values
 
@@ -106,7 +106,7 @@ def _forward(loaded: Arm, values: list[float], deg: bool, frame: str, as_json: b
 
 
 def _shown(loaded: Arm, pose: Pose, frame: str) -> tuple[list[float], tuple[float, ...], str]:
-    """Return a pose's position in `frame`, its angles there [rad], and the position's unit."""
+    """Return a pose's position in `frame`, its angles in `frame` [rad], and the position's unit."""
     from aftdeck.frames import oriend
 
     if frame == "panel":
@@ -128,8 +128,8 @@ def _inverse(loaded: Arm, values: list[float], deg: bool, frame: str, as_json: b
     if frame == "panel":
         pose = loaded.from_panel([v * INCH for v in values[:3]], [pitch, yaw, roll])
     else:
-        given = Pose(np.array(values[:3]), endori(roll, pitch, yaw))
-        pose = loaded.model.mount.from_("orbiter" if frame == "orbiter" else "L", given)
+        in_frame = Pose(np.array(values[:3]), endori(roll, pitch, yaw))
+        pose = loaded.model.mount.from_("orbiter" if frame == "orbiter" else "L", in_frame)
     solutions = loaded.inverse(pose)
     rows = (np.degrees(solutions) if deg else solutions).tolist()
     if as_json:
@@ -158,7 +158,7 @@ def _limits(loaded: Arm, deg: bool, as_json: bool) -> None:
 
 
 def _shown_limits(rows: Sequence[Mapping[str, object]], names: tuple[str, ...], ending: str) -> list[dict[str, object]]:
-    """Return the rows' limits with these names, as text."""
+    """Return the limits with these names from the rows, as text."""
     return [{"joint": row["joint"]} | {name: _range(row[name + ending]) for name in names} for row in rows]
 
 

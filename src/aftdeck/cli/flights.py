@@ -1,4 +1,4 @@
-"""Commands that run scenarios (``fly``, ``run``), check them, and list scenarios and arms."""
+"""Commands ``fly``, ``run``, ``check``, ``scenarios`` and ``arms``."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from aftdeck.cli.app import Host, Json, NoBrowser, Port, ScenarioName, Seed, app
-from aftdeck.cli.printing import Progress, print_cautions, print_complaint, print_json, print_summary, print_table
+from aftdeck.cli.printing import Progress, print_cautions, print_json, print_summary, print_table, print_warning
 from aftdeck.errors import AftdeckError, InputError
 
 if TYPE_CHECKING:
@@ -29,29 +29,30 @@ def fly(
     scenario: ScenarioName = "first-flight",
     host: Host = "127.0.0.1",
     port: Port = 8340,
-    record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record each flight into this folder.")] = None,
+    record: Annotated[Path | None, typer.Option(metavar="DIR", help="Record each run into this folder.")] = None,
     participant: Annotated[
-        str | None, typer.Option(metavar="CODE", help="Who takes part; each recording says so. Goes with --record.")
+        str | None, typer.Option(metavar="CODE", help="Participant code, stored in each recording. Requires --record.")
     ] = None,
     condition: Annotated[
-        str | None, typer.Option(metavar="TEXT", help="The trial's condition; each recording says so, too.")
+        str | None,
+        typer.Option(metavar="TEXT", help="Condition of the trial, stored in each recording. Requires --record."),
     ] = None,
     foxglove: Annotated[
-        int | None, typer.Option(metavar="PORT", help="Let Foxglove attach here and watch, usually 8765.")
+        int | None, typer.Option(metavar="PORT", help="Let Foxglove attach to the run at this port, usually 8765.")
     ] = None,
     no_browser: NoBrowser = False,
-    demo: Annotated[bool, typer.Option("--demo", help="Let the script fly until a stick moves.")] = False,
+    demo: Annotated[bool, typer.Option("--demo", help="Run the script until a stick moves.")] = False,
     seed: Seed = None,
 ) -> None:
-    """Fly a scenario by hand in the browser."""
+    """Start the station and operate a scenario in the browser."""
     from aftdeck.recording.trial import trial
     from aftdeck.scenario.load import find_scenario, parse_scenario
     from aftdeck.station.server.serve import serve
 
     for name, text in (("--participant", participant), ("--condition", condition)):
         if text is not None and record is None:
-            raise InputError(f"{name} goes with --record DIR: it is written into each recording, and nowhere else")
-    taking_part = trial(participant, condition)
+            raise InputError(f"{name} requires --record DIR, because it is stored only in recordings")
+    own_trial = trial(participant, condition)
     found = find_scenario(scenario)
 
     def load() -> Scenario:
@@ -67,7 +68,7 @@ def fly(
         open_browser=not no_browser,
         demo=demo,
         record=record,
-        trial=taking_part,
+        trial=own_trial,
         viewers=foxglove,
     )
 
@@ -78,10 +79,13 @@ def fly(
 )
 def run(
     scenario: ScenarioName,
-    out: Annotated[Path | None, typer.Option(help="Record everything into this session file (.mcap).")] = None,
+    out: Annotated[Path | None, typer.Option(help="Record the run into this file (.mcap).")] = None,
     channels: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="Fly by the 1972 report's input channels, a line of JSON for each step."),
+        typer.Option(
+            metavar="FILE",
+            help="Take the inputs from this file of the 1972 report's channels, a line of JSON for each step.",
+        ),
     ] = None,
     words: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write the 1972 report's channels and frame words (JSON lines).")
@@ -89,56 +93,60 @@ def run(
     as_json: Json = False,
     seed: Seed = None,
 ) -> None:
-    """Fly a scenario's script without a screen and sum it up.
+    """Run a scenario's script headless and print a summary.
 
-    With --channels the file flies it instead of the script.
+    With --channels, the inputs come from that file and not from the script.
 
-    Exit code 1 where it ended in a fault.
+    Exit code 1 if the run ended in a fault.
     """
     from aftdeck.scenario.load import load_scenario
 
     if out is not None and words is not None and out.resolve() == words.resolve():
-        raise InputError(f"--out and --words both name {words}; each needs a file of its own")
+        raise InputError(f"--out and --words have the same file {words}; give two files")
     loaded = load_scenario(scenario)
     print_cautions(_cautions(loaded))
     if channels is None and not loaded.phases:
-        print_complaint(
-            f"{loaded.name} has no script: its {loaded.duration:g} s pass unattended; "
-            f"`aftdeck fly {scenario}` flies it by hand"
+        print_warning(
+            f"{loaded.name} has no script: it runs {loaded.duration:g} s without inputs; "
+            f"operate it with `aftdeck fly {scenario}`"
         )
-    summary, lost = _flown(loaded, out, channels, words, seed)
+    summary, recording_error = _run(loaded, out, channels, words, seed)
     if as_json:
         print_json(summary, indent=2)
     else:
         print_summary(summary)
-    if lost is not None:
-        raise lost
+    if recording_error is not None:
+        raise recording_error
     if summary.ended == "fault":
         raise typer.Exit(1)
 
 
-def _flown(
+def _run(
     scenario: Scenario, out: Path | None, channels: Path | None, words: Path | None, seed: int | None
 ) -> tuple[Summary, AftdeckError | None]:
-    """Run a scenario with the arguments of `run`; return its summary, and the error if its recording failed."""
+    """Run a scenario with the arguments of `run`.
+
+    Returns:
+        The summary, and the error that ended the recording or None.
+    """
     from aftdeck.recording.index import Index
     from aftdeck.recording.run import UnrecordedRunError, record
-    from aftdeck.simulation.run import run as fly
+    from aftdeck.simulation.run import run as run_scenario
 
     inputs, changes = None, tuple[str, ...]()
     if channels is not None:
         from aftdeck.cli.words import operator_by
 
         scenario, inputs, changes = operator_by(scenario, channels)
-    with ExitStack() as open_while_flying:
+    with ExitStack() as open_files:
         stepped = None
         if words is not None:
             from aftdeck.cli.words import writing
 
-            stepped = open_while_flying.enter_context(writing(scenario, words))
-        progress = open_while_flying.enter_context(Progress(scenario.title))
+            stepped = open_files.enter_context(writing(scenario, words))
+        progress = open_files.enter_context(Progress(scenario.title))
         if out is None:
-            done = fly(scenario, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=stepped)
+            done = run_scenario(scenario, seed, inputs=inputs, keep_frames=False, progress=progress, stepped=stepped)
             return done.summary, None
         try:
             done = record(
@@ -150,7 +158,7 @@ def _flown(
                 progress=progress,
                 stepped=stepped,
                 index=Index(),
-                unlisted=print_complaint,
+                unlisted=print_warning,
             )
         except UnrecordedRunError as error:
             return error.run.summary, error
@@ -158,15 +166,15 @@ def _flown(
 
 
 def _cautions(scenario: Scenario, surveyed: Sequence[Problem] = ()) -> tuple[str, ...]:
-    """Return a sentence for each caution that loading or a survey found."""
+    """Return one sentence for each caution of the loaded scenario and of a survey."""
     from aftdeck.files import sentences
 
     return tuple(sentences([*scenario.cautions, *surveyed], f"{scenario.name}.toml", scenario.text))
 
 
-@app.command(short_help="Check a scenario file: every error at once.", epilog="Example: aftdeck check my-scenario.toml")
+@app.command(short_help="Check a scenario file and list all errors.", epilog="Example: aftdeck check my-scenario.toml")
 def check(scenario: ScenarioName, as_json: Json = False) -> None:
-    """Check a scenario file: every error at once, each with its place, and cautions over sampled poses."""
+    """Check a scenario file: list all errors with their locations, and cautions from sampled poses."""
     from aftdeck.errors import ScenarioError
     from aftdeck.scenario.load import load_scenario
 

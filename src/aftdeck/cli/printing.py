@@ -23,7 +23,7 @@ def print_summary(s: Summary) -> None:
     print("  joints     " + "  ".join(f"{math.degrees(q):.3f}" for q in s.joints_rad) + "  deg")
     print("  tip in L   " + "  ".join(f"{x:.4f}" for x in s.tip.position_m) + "  m")
     if s.position_error_m is not None and s.rotation_error_rad is not None:
-        print(f"  miss       {s.position_error_m * 1e3:.4f} mm, {math.degrees(s.rotation_error_rad):.5f} deg")
+        print(f"  error      {s.position_error_m * 1e3:.4f} mm, {math.degrees(s.rotation_error_rad):.5f} deg")
     print(f"  joint rate {100.0 * s.worst_rate_ratio:.1f} % of its limit at most")
     if s.min_clearance_m is not None:
         print(f"  clearance  {100.0 * s.min_clearance_m:.1f} cm at least")
@@ -32,13 +32,13 @@ def print_summary(s: Summary) -> None:
     print(f"  frames     sha256 {s.frames_sha256}")
 
 
-def print_complaint(text: str) -> None:
-    """Print on standard error a problem that does not stop the command."""
+def print_warning(text: str) -> None:
+    """Print a problem that does not stop the command, on standard error."""
     print(f"aftdeck: {text}", file=sys.stderr, flush=True)
 
 
 def print_cautions(cautions: Iterable[str]) -> None:
-    """Print on standard error the cautions of a scenario; the scenario can still be run."""
+    """Print the cautions of a scenario on standard error; the scenario can still be run."""
     for caution in cautions:
         print(f"caution: {caution}", file=sys.stderr, flush=True)
 
@@ -59,9 +59,9 @@ _INDENT = 4
 
 
 def print_table(rows: Sequence[Mapping[str, object]], columns: tuple[str, ...], as_json: bool) -> None:
-    """Print rows as JSON, or as a table whose last column is wrapped between words to the terminal's width.
+    """Print rows as JSON, or as a table whose last column is wrapped between words at the terminal's width.
 
-    If the other columns leave too little room, the last column is printed below each row.
+    If the other columns are too wide, the last column is printed below each row.
     """
     if as_json:
         print_json(rows)
@@ -88,7 +88,7 @@ def print_table(rows: Sequence[Mapping[str, object]], columns: tuple[str, ...], 
 
 
 class Progress:
-    """Progress bar on a terminal; nothing is shown if standard error is not a terminal."""
+    """Progress bar; it is shown only if standard error is a terminal."""
 
     def __init__(self, title: str) -> None:
         self._title = title

@@ -1,4 +1,4 @@
-"""Commands on recordings: ``replay`` and ``recordings``."""
+"""Commands ``replay`` and ``recordings``."""
 
 from __future__ import annotations
 
@@ -21,58 +21,59 @@ if TYPE_CHECKING:
     from aftdeck.recording.reader import Recording
     from aftdeck.recording.replay import Verdict
 
-MOST_FIELDS = 6
-"""Maximum number of fields of a first difference that are printed."""
-MOST_EVENTS = 20
-"""Maximum number of changed lines of the log that are printed."""
+MAX_FIELDS = 6
+"""Maximum number of fields printed for the first difference."""
+MAX_EVENTS = 20
+"""Maximum number of changed log lines that are printed."""
 ENDS = ("completed", "time", "fault", "stopped", "restarted", "cut", "recording")
-"""Ways in which a recording can have ended, and ``recording`` for one that has not."""
+"""Reasons for the end of a recording; ``recording``: it has not ended."""
 _SINCE = re.compile(r"|\d{4}(-\d\d(-\d\d(T\d\d(:\d\d(:\d\d)?)?)?)?)?")
 
 
 @app.command(
-    short_help="Replay a recording: verify it, change one thing, play it.",
+    short_help="Verify a recording, re-run it with changes, or play it back.",
     epilog="Examples: aftdeck replay run.mcap --verify; aftdeck replay run.mcap --set command_delay=0.5; "
     "aftdeck replay run.mcap --open; aftdeck replay run.mcap --html run.html",
 )
 def replay(
-    file: Annotated[Path, typer.Argument(metavar="RECORDING", help="A session file (.mcap).")],
+    file: Annotated[Path, typer.Argument(metavar="RECORDING", help="A recording (.mcap).")],
     verify: Annotated[
-        bool, typer.Option("--verify", help="Compare every recomputed frame's digest with the recorded one (default).")
+        bool,
+        typer.Option("--verify", help="Re-simulate the recording and compare the digests of all frames (default)."),
     ] = False,
     changes: Annotated[
         list[str] | None,
         typer.Option(
             "--set",
             metavar="KEY=VALUE",
-            help="Fly the same inputs with something changed in the scenario: rate=vernier, command_delay=0.5, "
+            help="Re-run the inputs with a change of the scenario: rate=vernier, command_delay=0.5, "
             "limits.por.translation='1 ft/s', arm=mine.toml. May be given several times.",
         ),
     ] = None,
-    out: Annotated[Path | None, typer.Option(help="With --set: record the changed run into this file.")] = None,
-    play: Annotated[bool, typer.Option("--open", help="Play it in the browser.")] = False,
-    html: Annotated[Path | None, typer.Option(help="Write one HTML file that plays it without a server.")] = None,
+    out: Annotated[Path | None, typer.Option(help="Record the re-run into this file. Requires --set.")] = None,
+    play: Annotated[bool, typer.Option("--open", help="Play the recording back in the browser.")] = False,
+    html: Annotated[
+        Path | None, typer.Option(help="Write one HTML file that plays the recording without a server.")
+    ] = None,
     words: Annotated[
         Path | None,
-        typer.Option(
-            metavar="FILE", help="Write the 1972 report's channels and frame words (JSON lines), and verify it."
-        ),
+        typer.Option(metavar="FILE", help="Verify, and write the 1972 report's channels and frame words (JSON lines)."),
     ] = None,
     host: Host = "127.0.0.1",
     port: Port = 8340,
     no_browser: NoBrowser = False,
     as_json: Json = False,
 ) -> None:
-    """Replay a recording from its inputs.
+    """Verify, re-run or play back a recording.
 
-    Exit code 1 where recomputed frames differ from the recorded ones; 2 where the file is no recording or damaged.
+    Exit code 1 if re-simulated frames differ from the recorded ones; 2 if the file is damaged or not a recording.
     """
     if verify + bool(changes) + play + (html is not None) > 1:
-        raise InputError("--verify, --set, --open and --html are given one at a time")
+        raise InputError("--verify, --set, --open and --html cannot be combined")
     if out is not None and not changes:
-        raise InputError("--out goes with --set: it records the changed run")
+        raise InputError("--out requires --set: it records the re-run")
     if words is not None and (changes or play or html is not None):
-        raise InputError("--words goes with --verify alone: it is written while the recorded inputs are flown again")
+        raise InputError("--words can be combined only with --verify")
     if changes:
         _rerun(file, tuple(changes), out, as_json)
     elif play:
@@ -94,13 +95,13 @@ def _verify(file: Path, words: Path | None, as_json: bool) -> None:
     from aftdeck.recording.replay import verify
 
     recording = Recording(file)
-    with ExitStack() as open_while_flying:
+    with ExitStack() as open_files:
         stepped = None
         if words is not None:
             from aftdeck.cli.words import writing
 
-            stepped = open_while_flying.enter_context(writing(scenario_of(recording.opening), words))
-        progress = open_while_flying.enter_context(Progress(recording.opening.title))
+            stepped = open_files.enter_context(writing(scenario_of(recording.opening), words))
+        progress = open_files.enter_context(Progress(recording.opening.title))
         verdict = verify(file, progress, stepped)
     if as_json:
         print_json(verdict, indent=2)
@@ -120,19 +121,19 @@ def _print_verdict(recording: Recording, v: Verdict) -> None:
     if start.changes:
         print(f"  changed      {', '.join(start.changes)}")
     if v.recorded_by != v.version:
-        print(f"  made by      Aftdeck {v.recorded_by}; this is {v.version}, which tries to repeat it")
+        print(f"  made by      Aftdeck {v.recorded_by}; verified with {v.version}")
     if v.cut:
-        print(f"  cut short    after {v.time_s:.2f} s; it is verified as far as it goes")
+        print(f"  cut short    after {v.time_s:.2f} s; verified up to this time")
     if v.equal:
-        how = "bit for bit" if v.whole else "in every recorded value; its digests are another version's"
-        print(f"  equal        all {v.frames} frames, {v.time_s:.2f} s of flight, {how}")
+        scope = "bit for bit" if v.whole else "in every recorded value; digests of another version are not comparable"
+        print(f"  equal        all {v.frames} frames, {v.time_s:.2f} s, {scope}")
         return
     if not v.different:
-        print(f"  DIFFERENT    the {v.frames} frames there are equal the recomputed ones, but their sum does not")
+        print(f"  DIFFERENT    all {v.frames} frames are equal, but the digest over all frames differs")
     else:
         print(f"  DIFFERENT    {v.different} of {v.frames} frames")
     if not v.same_laws:
-        print("  other laws   the laws have been changed since; the last digits may differ")
+        print("  other laws   the laws have changed since the recording; the last digits may differ")
     if not v.same_machine:
         print(f"  other machine, {start.machine}: the last digits may differ")
     if v.first is not None:
@@ -144,12 +145,12 @@ def _print_fields(fields: tuple[object, ...]) -> None:
     from aftdeck.recording.compare import FieldChange
 
     if not fields:
-        print("    beyond the recorded decimals only")
-    for change in fields[:MOST_FIELDS]:
+        print("    only beyond the recorded decimals")
+    for change in fields[:MAX_FIELDS]:
         assert isinstance(change, FieldChange)
         print(f"    {change.field}: {change.before} -> {change.after}")
-    if len(fields) > MOST_FIELDS:
-        print(f"    and {len(fields) - MOST_FIELDS} more fields")
+    if len(fields) > MAX_FIELDS:
+        print(f"    and {len(fields) - MAX_FIELDS} more fields")
 
 
 def _rerun(file: Path, changes: tuple[str, ...], out: Path | None, as_json: bool) -> None:
@@ -183,44 +184,51 @@ def _print_outcome(file: Path, o: Outcome) -> None:
     if o.joint:
         angle = math.degrees(o.greatest_joint_rad.value)
         print(f"  joints       at most {angle:.2f} deg apart: {o.joint}, at {o.greatest_joint_rad.time_s:.2f} s")
-    for event in o.events[:MOST_EVENTS]:
+    for event in o.events[:MAX_EVENTS]:
         when = [f"{t:.2f} s" if t is not None else "never" for t in (event.before_s, event.after_s)]
         print(f"  event        {when[0]} -> {when[1]}: {event.text}")
-    if len(o.events) > MOST_EVENTS:
-        print(f"  and {len(o.events) - MOST_EVENTS} more events")
+    if len(o.events) > MAX_EVENTS:
+        print(f"  and {len(o.events) - MAX_EVENTS} more events")
 
 
 @app.command(
-    short_help="List, filter and clean the recordings made here.",
+    short_help="List, filter and delete recordings of this machine.",
     epilog="Examples: aftdeck recordings --scenario first-flight --since 2026-11; "
     "aftdeck recordings --participant P07 --json; "
     "aftdeck recordings --ended cut --delete",
 )
 def recordings(
-    scenario: Annotated[str, typer.Option(help="Only of this scenario.")] = "",
+    scenario: Annotated[str, typer.Option(help="List only recordings of this scenario.")] = "",
     ended: Annotated[
-        str, typer.Option(help="Only those that ended so: completed, time, fault, stopped, restarted, cut, recording.")
+        str,
+        typer.Option(
+            help="List only recordings with this end: completed, time, fault, stopped, restarted, cut, recording."
+        ),
     ] = "",
-    participant: Annotated[str, typer.Option(metavar="CODE", help="Only those in which this one took part.")] = "",
-    since: Annotated[str, typer.Option(metavar="DATE", help="Only those begun since (2026-11, 2026-11-21T14).")] = "",
-    gone: Annotated[bool, typer.Option("--gone", help="Only those whose files are no longer there.")] = False,
-    forget: Annotated[bool, typer.Option("--forget", help="Take those listed off the list; files stay.")] = False,
-    delete: Annotated[bool, typer.Option("--delete", help="Delete the files of those listed.")] = False,
-    yes: Annotated[bool, typer.Option("--yes", help="Do not ask before deleting.")] = False,
+    participant: Annotated[str, typer.Option(metavar="CODE", help="List only recordings of this participant.")] = "",
+    since: Annotated[
+        str, typer.Option(metavar="DATE", help="List only recordings begun since this date (2026-11, 2026-11-21T14).")
+    ] = "",
+    gone: Annotated[bool, typer.Option("--gone", help="List only recordings whose files are missing.")] = False,
+    forget: Annotated[
+        bool, typer.Option("--forget", help="Remove the listed recordings from the list; keep their files.")
+    ] = False,
+    delete: Annotated[bool, typer.Option("--delete", help="Delete the files of the listed recordings.")] = False,
+    yes: Annotated[bool, typer.Option("--yes", help="Delete without confirmation.")] = False,
     as_json: Json = False,
 ) -> None:
-    """List the recordings that `run --out` and `fly --record` made on this machine."""
+    """List the recordings made on this machine by `run --out` and `fly --record`."""
     from aftdeck.recording.index import Index
 
     if ended not in ("", *ENDS):
-        raise InputError(f"--ended is one of {', '.join(ENDS)}, got {ended!r}")
+        raise InputError(f"--ended must be one of {', '.join(ENDS)}, got {ended!r}")
     since = since.replace(" ", "T")
     if not _SINCE.fullmatch(since):
         raise InputError(
-            f"--since is a date or its beginning, such as 2026, 2026-11 or 2026-11-21T14:30, got {since!r}"
+            f"--since must be a date or its beginning, such as 2026, 2026-11 or 2026-11-21T14:30, got {since!r}"
         )
     if forget and delete:
-        raise InputError("--forget and --delete are given one at a time")
+        raise InputError("--forget and --delete cannot be combined")
     index = Index()
     found = [entry for entry in index.entries(scenario, ended, since, participant) if not gone or entry.state == "gone"]
     if as_json:
@@ -229,7 +237,7 @@ def recordings(
         _print_entries(found)
     if forget:
         index.forget(found)
-        print(f"{len(found)} taken off the list; no file was touched", file=sys.stderr)
+        print(f"{len(found)} removed from the list; their files were kept", file=sys.stderr)
     elif delete and found and (yes or typer.confirm(f"Delete {_files(found)}?", err=True)):
         index.delete(found)
         print(f"{_files(found)} deleted", file=sys.stderr)
@@ -237,7 +245,7 @@ def recordings(
 
 def _print_entries(found: list[Entry]) -> None:
     if not found:
-        print("no such recordings; `aftdeck fly --record DIR` and `aftdeck run SCENARIO --out FILE` make them")
+        print("no recordings found; record with `aftdeck fly --record DIR` or `aftdeck run SCENARIO --out FILE`")
         return
     wide = max(len(entry.scenario) for entry in found)
     for entry in found:

@@ -1,4 +1,4 @@
-"""Files of the 1972 report's channels and words, for the commands that write them or take inputs from them."""
+"""Files of the 1972 report's channels and words: commands write them, and read inputs from them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
-from aftdeck.cli.printing import print_complaint
+from aftdeck.cli.printing import print_warning
 from aftdeck.historical.words_file import WordsWriter, check_arm, new_words_file, operator_of, read_channels
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.inputs import Inputs
@@ -20,30 +20,30 @@ Operator = Callable[[Simulation], Inputs | None]
 
 @contextmanager
 def writing(scenario: Scenario, path: Path) -> Iterator[Stepped]:
-    """Write a run's channels and words into a new file; at the end, print what they could not express.
+    """Write a run's channels and words into a new file; at the end, print which inputs they could not express.
 
     Raises:
-        InputError: the arm is not the report's, or the file exists already or cannot be written.
+        InputError: the arm is not the report's arm, or the file exists already or cannot be written.
     """
     with new_words_file(scenario, path) as file:
         writer = WordsWriter(file, scenario)
         yield writer.step
     if writer.unsaid:
-        print_complaint(f"{path}: {_listed(writer.unsaid)}: these have no channel or code in the report")
+        print_warning(f"{path}: {_listed(writer.unsaid)}: the report has no channel or code for these inputs")
 
 
 def operator_by(scenario: Scenario, path: Path) -> tuple[Scenario, Operator, tuple[str, ...]]:
-    """Return the scenario, an operator that gives the samples of a file, and the scenario's changes as KEY=VALUE.
+    """Return the scenario, an operator that returns the samples of a file, and the scenario's changes as KEY=VALUE.
 
-    The channels are what the report's program read, so no command delay applies: the scenario's own is set to 0.
+    The report's program read its channels without delay, so the scenario's command delay is set to 0.
 
     Raises:
-        InputError: the arm is not the report's, or the file is not a file of channels.
+        InputError: the arm is not the report's arm, or the file is not a file of channels.
     """
     check_arm(scenario)
     channels = read_channels(path, scenario.control_period)
     if channels.unsaid:
-        print_complaint(f"{path}: {_listed(channels.unsaid)}: flown without them, the flight goes otherwise")
+        print_warning(f"{path}: {_listed(channels.unsaid)}: run without these inputs, so the result differs")
     changes = ("command_delay=0",) if scenario.delay else ()
     return replace(scenario, delay=0), operator_of(channels.samples), changes
 

@@ -1,4 +1,4 @@
-"""Everything that a run starts from, stored in a recording's first message, and the scenario rebuilt from it."""
+"""Header of a recording, which has all data that the run starts from, and the scenario rebuilt from the header."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from aftdeck.state_part import declaration
 from aftdeck.version import __version__
 
 _ARM = "f/f/f/f/f/f/f/f/arm.toml"
-"""Path of the arm file in a temporary folder, so deep that a shapes file named through ``..`` stays in the folder."""
+"""Path of the arm file in a temporary folder; so deep that a shapes file with ``..`` in its path is in it too."""
 _WORKSITE = "worksite.toml"
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*)*")
 
@@ -31,7 +31,7 @@ _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_]*(\[
 def opening(
     scenario: Scenario, seed: int, began_ns: int, changes: tuple[str, ...] = (), trial: Trial = NO_TRIAL
 ) -> Opening:
-    """Return the first message of a recording.
+    """Return the header of a recording.
 
     Args:
         scenario: the scenario of the run.
@@ -65,7 +65,7 @@ def opening(
 
 
 def machine() -> str:
-    """Return what a frame's digits may depend on: processor, operating system, and versions of Python, NumPy, Numba."""
+    """Return the names of all that a frame's last digits may depend on: processor, system, Python, NumPy, Numba."""
     return (
         f"{platform.machine()} {platform.processor()}".strip()
         + f", {platform.system()}, Python {platform.python_version()}, NumPy {version('numpy')}, "
@@ -74,16 +74,16 @@ def machine() -> str:
 
 
 def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -> Scenario:
-    """Return the scenario of a recording, rebuilt from the recording alone.
+    """Return the scenario of a recording, rebuilt from the header only.
 
     Args:
-        start: the recording's first message.
+        start: header of the recording.
         changes: values that replace the scenario's own, by their location in its file. A relative path to an arm or
-            a worksite starts at the working folder.
+            a worksite is relative to the working folder.
 
     Raises:
-        RecordingError: the path of the arm's shapes file leads out of the recording.
-        InputError: a location that the scenario's file does not have, or an arm or worksite that is not a text.
+        RecordingError: the path of the arm's shapes file is outside the recording.
+        InputError: the scenario's file does not have a location of `changes`, or an arm or worksite is not a text.
         ScenarioError: the scenario is not valid in this version or with these changes.
     """
     before = dict(parse_change(change) for change in start.changes)
@@ -97,7 +97,7 @@ def scenario_of(start: Opening, changes: Mapping[Where, object] | None = None) -
         for file, text in files.items():
             if not file.resolve().is_relative_to(folder.resolve()):
                 raise RecordingError(
-                    f"the recorded arm names its shapes {start.shapes_file!r}, a place outside the recording"
+                    f"the shapes file of the recorded arm is outside the recording: {start.shapes_file!r}"
                 )
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text, encoding="utf-8")
@@ -116,7 +116,7 @@ def parse_change(text: str) -> tuple[Where, object]:
     key = key.strip()
     if not equals or not _KEY.fullmatch(key):
         raise InputError(
-            f"a change is KEY=VALUE with a key of the scenario's file, such as command_delay=0.5, "
+            f"a change must be KEY=VALUE with a key of the scenario's file, such as command_delay=0.5, "
             f"limits.por.translation='1 ft/s' or phase[0].rate=vernier; got {text!r}"
         )
     where = tuple(int(i) if i else name for name, i in re.findall(r"([A-Za-z_][A-Za-z0-9_]*)|\[(\d+)\]", key))
@@ -131,6 +131,6 @@ def parse_change(text: str) -> tuple[Where, object]:
 def _from_here(where: Where, value: object) -> object:
     if where in (("arm",), ("worksite",)):
         if not isinstance(value, str):
-            raise InputError(f"{where[0]} is a built-in name or a path, got {value!r}")
+            raise InputError(f"{where[0]} must be a built-in name or a path, got {value!r}")
         return str(Path(value).absolute()) if value.endswith(".toml") else value
     return value

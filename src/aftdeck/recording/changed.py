@@ -25,7 +25,7 @@ from aftdeck.simulation.run import Simulation
 
 
 class Outcome(msgspec.Struct, frozen=True):
-    """Differences between a recorded run and a re-run of its inputs with changes."""
+    """Differences between a recorded run and its re-run with changes."""
 
     changes: tuple[str, ...]
     ended_before: str
@@ -33,9 +33,9 @@ class Outcome(msgspec.Struct, frozen=True):
     time_before_s: float
     time_after_s: float
     compared: int
-    """Number of pairs of frames compared; the frames of a pair have equal times."""
+    """Number of times at which both runs have a frame."""
     first: Difference | None
-    """First difference between frames; None if all compared frames agree. `events` are compared separately."""
+    """First difference between frames; None if all compared frames are equal. Events are compared separately."""
     greatest_tip_m: Greatest
     greatest_joint_rad: Greatest
     joint: str
@@ -54,14 +54,14 @@ def rerun(
 ) -> Outcome:
     """Re-run a recording's inputs with changes in its scenario.
 
-    A script continues to its own new end; a person's inputs end where the recording ends. With another control
-    period, each step takes the inputs recorded since the previous step.
+    A script runs to its new end; manual inputs end where the recording ends. With another control period, each step
+    uses the inputs recorded since the step before.
 
     Args:
         path: the recording.
         changes: ``KEY=VALUE`` each; ``seed=N`` changes the seed.
-        out: file to record the new run into; None records nothing.
-        progress: called from time to time with the share of the recording that has been re-run, 0 to 1.
+        out: file for the recording of the re-run; None: the re-run is not recorded.
+        progress: called repeatedly with the fraction of the recording that has been re-run, 0 to 1.
         index: list of recordings to which `out` is added.
 
     Raises:
@@ -79,8 +79,8 @@ def rerun(
     recorder = None if out is None else Recorder(out, scenario, seed, changes=all_changes, trial=trial, index=index)
     frames = hashlib.sha256()
 
-    def again() -> Iterator[FrameRecord]:
-        for inputs, frame in _flown_again(recording, sim):
+    def new_frames() -> Iterator[FrameRecord]:
+        for inputs, frame in _steps_again(recording, sim):
             frames.update(bytes.fromhex(frame.sha256))
             if recorder is not None:
                 recorder.step(inputs, frame)
@@ -92,7 +92,7 @@ def rerun(
     recorded = Recording(path)
     comparison = Comparison(opening.joints)
     try:
-        comparison.follow((record for _, record in recorded.steps()), again())
+        comparison.follow((record for _, record in recorded.steps()), new_frames())
     finally:
         if recorder is not None:
             recorder.close(sim.ended or "stopped")
@@ -115,12 +115,12 @@ def rerun(
     )
 
 
-def _flown_again(recording: Recording, sim: Simulation) -> Iterator[tuple[Inputs | None, Frame]]:
-    """Yield each step's inputs and frame in another simulation; a script continues to its own end, not beyond it."""
+def _steps_again(recording: Recording, sim: Simulation) -> Iterator[tuple[Inputs | None, Frame]]:
+    """Yield inputs and frame of each step in another simulation; a script runs to its own end, not beyond it."""
     inputs: Inputs | None = Inputs()
     old, new = recording.opening.control_period_s, sim.scenario.control_period
-    for given in resampled((flown for flown, _ in recording.steps()), old, new):
-        inputs = inputs_of(given)
+    for record in resampled((record for record, _ in recording.steps()), old, new):
+        inputs = inputs_of(record)
         yield inputs, sim.step(inputs)
         if inputs is None and sim.ended:
             return

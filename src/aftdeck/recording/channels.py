@@ -1,4 +1,4 @@
-"""Channels of a recording in a context of foxglove-sdk: Aftdeck's own, and those with Foxglove's known schemas."""
+"""Channels of a recording, in a context of foxglove-sdk: Aftdeck's own, and those with Foxglove's schemas."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from aftdeck.recording.records import CHANNELS
 from aftdeck.recording.schema import schema
 
 FIXED, SCENE = "/tf_static", "/scene"
-"""Topics that are sent in full at the start of a run, and again only to a viewer that subscribes later."""
+"""Topics that are sent at the start of a run, and again when a viewer subscribes later."""
 
 
 class Channels:
-    """All channels of a context; if a server for viewers owns them, they outlive a run.
+    """All channels of a context. If a server for viewers owns them, they exist for several runs.
 
     Attributes:
-        context: the context that the channels belong to.
+        context: context of the channels.
         tf: transforms of moving coordinate frames.
         tf_static: transforms that do not change.
         scene: shapes and colours of the bodies.
@@ -43,5 +43,5 @@ class Channels:
         self.lines = channels.LogChannel("/log", context=self.context)
 
     def log(self, topic: str, message: Message, time_ns: int) -> None:
-        """Write one of Aftdeck's own messages at a time since 1970 [ns]."""
+        """Write a message of one of Aftdeck's own channels; `time_ns` is the time since 1970 [ns]."""
         self._own[topic].log(encode(message), log_time=time_ns)

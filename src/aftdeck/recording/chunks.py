@@ -1,7 +1,7 @@
-"""Records of an MCAP file in order, each checked, so that damage can be distinguished from a cut-off end.
+"""Records of an MCAP file in order, each checked, so that damage can be distinguished from a file that is cut short.
 
-Every chunk carries the CRC of its content, and the end of the data carries the CRC of all bytes before it. Every length
-is given twice. A file whose writer was killed ends within a record or in an unfinished chunk.
+Every chunk has the CRC of its content, and the end of the data has the CRC of all bytes before it. Every length is
+stored twice. A file whose writer was killed ends within a record or in an unfinished chunk.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from mcap.records import Chunk, DataEnd, Header, McapRecord
 from mcap.stream_reader import breakup_chunk
 
 MAGIC = b"\x89MCAP0\r\n"
-MOST_UNPACKED = 2**28
-"""Longest chunk that is unpacked [bytes]; the writer closes a chunk at less than a hundredth of it."""
+MAX_UNPACKED = 2**28
+"""Longest chunk that is unpacked [bytes]; the chunks of the writer are more than a hundred times shorter."""
 UNDER_WAY = 2**64 - 1
-"""Value of a length field while its chunk is being written."""
+"""Value of a length field while the chunk is being written."""
 _START = struct.Struct("<BQ")
 _INT, _LONG = struct.Struct("<I"), struct.Struct("<Q")
 _PARTS: dict[int, tuple[tuple[int, struct.Struct], ...]] = {
@@ -32,7 +32,7 @@ _PARTS: dict[int, tuple[tuple[int, struct.Struct], ...]] = {
     Opcode.CHUNK: ((28, _INT), (0, _LONG)),
     Opcode.MESSAGE_INDEX: ((2, _INT),),
 }
-"""A record's parts of variable length: the bytes before each part, and the format of the length that it begins with."""
+"""Parts of variable length of a record: number of bytes before each part, and format of the length at its start."""
 _SKIPPED: set[int] = {Opcode.MESSAGE_INDEX, Opcode.ATTACHMENT, Opcode.METADATA}
 _KNOWN: set[int] = _SKIPPED | {Opcode.HEADER, Opcode.CHUNK, Opcode.DATA_END}
 _BROKEN = (McapError, zstandard.ZstdError, struct.error, ValueError, OverflowError, MemoryError)
@@ -40,14 +40,14 @@ _BROKEN = (McapError, zstandard.ZstdError, struct.error, ValueError, OverflowErr
 
 
 class DamageError(Exception):
-    """Damage in the file; the message says what is wrong."""
+    """Damage in the file; the message describes it."""
 
 
 def records(file: BinaryIO) -> Iterator[McapRecord]:
     """Yield the header, then channels, schemas and messages in order, then the end of the data if the file has it.
 
     Args:
-        file: an MCAP file in chunks, at its beginning. What follows the end of its data is not checked.
+        file: an MCAP file in chunks, at its beginning. Records after the end of the data are not checked.
 
     Raises:
         DamageError: the file is damaged; raised at the damaged record.
@@ -58,30 +58,30 @@ def records(file: BinaryIO) -> Iterator[McapRecord]:
         opcode, length = _START.unpack(start)
         body = file.read(min(length, max(size - file.tell(), 0)))
         if opcode not in _KNOWN:
-            raise DamageError(f"it has a record of kind {opcode}, which no recording has")
-        if _told_length(opcode, body) not in (None, UNDER_WAY, length):
-            raise DamageError("a record's length is wrong")
+            raise DamageError(f"unknown record type {opcode}")
+        if _computed_length(opcode, body) not in (None, UNDER_WAY, length):
+            raise DamageError("the length of a record contradicts the lengths of its parts")
         if len(body) < length:
             break
         if opcode == Opcode.DATA_END:
             (expected,) = _INT.unpack(body)
             if expected not in (0, total):
-                raise DamageError("the sum of all its bytes is wrong")
+                raise DamageError("data CRC does not match")
             yield DataEnd(expected)
             return
         total = zlib.crc32(body, zlib.crc32(start, total))
         if opcode == Opcode.CHUNK:
-            if _told_length(opcode, body) == UNDER_WAY:
+            if _computed_length(opcode, body) == UNDER_WAY:
                 break
             yield from _unpacked(body)
         elif opcode == Opcode.HEADER:
             yield _header(body)
     file.seek(max(size - len(MAGIC), len(MAGIC)))
     if file.read() == MAGIC:
-        raise DamageError("it has an end, but not all that comes before it")
+        raise DamageError("the file has an end, but data before the end is missing")
 
 
-def _told_length(opcode: int, body: bytes) -> int | None:
+def _computed_length(opcode: int, body: bytes) -> int | None:
     """Return a record's length, computed from the lengths of its parts.
 
     Returns:
@@ -110,8 +110,10 @@ def _header(body: bytes) -> Header:
 def _unpacked(body: bytes) -> list[McapRecord]:
     try:
         chunk = Chunk.read(ReadDataStream(BytesIO(body)))
-        if chunk.uncompressed_size > MOST_UNPACKED:
-            raise DamageError(f"a chunk says that it has {chunk.uncompressed_size} bytes")
+        if chunk.uncompressed_size > MAX_UNPACKED:
+            raise DamageError(
+                f"a chunk has {chunk.uncompressed_size} uncompressed bytes; at most {MAX_UNPACKED} are allowed"
+            )
         return breakup_chunk(chunk, validate_crc=True)
     except _BROKEN as error:
         raise DamageError(str(error) or type(error).__name__) from None

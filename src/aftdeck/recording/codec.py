@@ -1,7 +1,7 @@
 """Conversion between values and the JSON of a recording, derived from the types of the values.
 
-A field that declares its decimals (`aftdeck.field_meta`) is rounded to them; a rotation in it is a quaternion, w x y z.
-Any other field is kept to the last digit, and a rotation in it is a matrix, row by row. Named tuples are written as
+A field with declared decimals (`aftdeck.field_meta`) is rounded to them, and a rotation in it becomes a quaternion, w x
+y z. Any other field keeps all digits, and a rotation in it becomes a matrix, row by row. Named tuples are written as
 objects, because viewers do not accept lists of lists.
 """
 
@@ -39,7 +39,7 @@ def decode(kind: type[S], data: bytes) -> S:
 
 
 def plain(message: msgspec.Struct) -> Any:
-    """Return a message in its plain form, as it is written: objects, lists of numbers, texts."""
+    """Return a message in plain form: objects, lists, numbers and texts."""
     change = _of_struct(type(message), back=False)
     return message if change is None else change(message)
 
@@ -60,15 +60,15 @@ def restored(kind: type[S], given: Any) -> S:
 
 
 def as_read(message: S) -> S:
-    """Return a message as it would be read back from a file: rounded to its declared decimals."""
+    """Return a message as it is read from a file: rounded to the declared decimals."""
     return restored(type(message), plain(message))
 
 
 @cache
 def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change | None:
-    """Return the conversion of a struct or named tuple; None if it needs none.
+    """Return the conversion of a struct or named tuple; None if no conversion is necessary.
 
-    `decimals` holds for fields that do not declare their own.
+    `decimals` applies to fields that do not declare their own.
     """
     hints = get_type_hints(kind, include_extras=True)
     changes = {name: change for name in names(kind) if (change := _of(hints[name], back=back, decimals=decimals))}
@@ -82,13 +82,13 @@ def _of_struct(kind: type, *, back: bool, decimals: int | None = None) -> Change
     def read(given: Any) -> Any:
         if not isinstance(given, dict):
             return given
-        return {name: changes[name](one) if name in changes else one for name, one in given.items()}
+        return {name: changes[name](value) if name in changes else value for name, value in given.items()}
 
     return read
 
 
 def _written(kind: type, changes: dict[str, Change]) -> Change:
-    """Return the conversion of a struct or named tuple to the object that is written."""
+    """Return the conversion of a struct or named tuple to its plain form."""
     defaults: dict[str, object] = {}
     if issubclass(kind, msgspec.Struct) and kind.__struct_config__.omit_defaults:
         defaults = {field.name: field.default for field in msgspec.structs.fields(kind)}
@@ -96,18 +96,18 @@ def _written(kind: type, changes: dict[str, Change]) -> Change:
     def write(value: Any) -> dict[str, Any]:
         out = {}
         for name in names(kind):
-            one = getattr(value, name)
-            if name in defaults and one == defaults[name]:
+            item = getattr(value, name)
+            if name in defaults and item == defaults[name]:
                 continue
             change = changes.get(name)
-            out[name] = one if change is None else change(one)
+            out[name] = item if change is None else change(item)
         return out
 
     return write
 
 
 def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
-    """Return the conversion of values of a type; None if they need none."""
+    """Return the conversion of values of a type; None if no conversion is necessary."""
     hint, meta = apart(hint)
     if meta is not None and meta.extra:
         decimals = meta.extra.get("decimals", decimals)
@@ -126,13 +126,13 @@ def _of(hint: Any, *, back: bool, decimals: int | None = None) -> Change | None:
 
 
 def _of_tuple(kinds: tuple[Any, ...], *, back: bool, decimals: int | None) -> Change | None:
-    """Return the conversion of a tuple whose items have one type; None if they need none."""
+    """Return the conversion of a tuple whose items have one type; None if no conversion is necessary."""
     change = _of(kinds[0], back=back, decimals=decimals)
     if change is None:
         return None
     if kinds[0] is float:
-        return lambda value: [round(one, cast("int", decimals)) for one in value]
-    return lambda value: [change(one) for one in value]
+        return lambda value: [round(item, cast("int", decimals)) for item in value]
+    return lambda value: [change(item) for item in value]
 
 
 def _rotation(decimals: int | None, *, back: bool) -> Change:

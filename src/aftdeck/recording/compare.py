@@ -1,4 +1,4 @@
-"""Differences between two frames, and between two runs of the same inputs."""
+"""Differences between two frames, and between two runs."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ import msgspec
 from aftdeck.recording.records import FrameRecord
 from aftdeck.recording.resample import SAME_TIME
 
-_NOT_FLOWN = {"wall_s", "latency_ms", "sha256", "tick", "events"}
-"""Fields that are not compared because they do not describe the run's state; events are compared separately."""
+_NOT_COMPARED = {"wall_s", "latency_ms", "sha256", "tick", "events"}
+"""Fields that are not compared, because they are not part of the state; events are compared separately."""
 
 
 class FieldChange(msgspec.Struct, frozen=True):
-    """A field that differs, with both values as JSON."""
+    """Field whose values differ; both values as JSON."""
 
     field: str
     before: str
@@ -33,14 +33,14 @@ class Difference(msgspec.Struct, frozen=True):
 
 
 class Greatest(msgspec.Struct, frozen=True):
-    """The greatest difference of a quantity, and the simulated time at which it occurred."""
+    """Greatest difference of a quantity, and its simulated time."""
 
     value: float
     time_s: float
 
 
 class EventChange(msgspec.Struct, frozen=True):
-    """Line of the log whose time differs between two runs; a time is None if that run does not have the line."""
+    """Log line whose time differs between two runs; a time is None if the run does not have the line."""
 
     text: str
     before_s: float | None
@@ -53,14 +53,14 @@ def first_difference(before: FrameRecord, after: FrameRecord) -> Difference:
 
 
 def alike(before: FrameRecord, after: FrameRecord) -> bool:
-    """Return whether two frames agree in all recorded fields that describe the run's state."""
+    """Return whether two frames are equal in all compared fields."""
     return next(_changes(before, after), None) is None
 
 
 def _changes(before: FrameRecord, after: FrameRecord) -> Iterator[FieldChange]:
     for name in FrameRecord.__struct_fields__:
         old, new = getattr(before, name), getattr(after, name)
-        if old != new and name not in _NOT_FLOWN:
+        if old != new and name not in _NOT_COMPARED:
             yield FieldChange(name, _shown(old), _shown(new))
 
 
@@ -72,7 +72,7 @@ class Comparison:
     """Comparison of a run with another, frame by frame at equal times.
 
     Attributes:
-        first: the first difference; None if there is none.
+        first: first difference; None if all compared frames are equal.
         tip: greatest distance between the tips [m].
         joint: greatest difference of a joint angle [rad].
         joint_name: name of that joint; empty if no angle differs.
@@ -119,7 +119,7 @@ class Comparison:
             self.joint_name = self._joints[apart.index(max(apart))]
 
     def _note(self, before: FrameRecord | None, after: FrameRecord | None) -> None:
-        """Store the log lines of each run's frame; None for a run without a frame at this time."""
+        """Store the log lines of two frames; a frame is None if its run has none at this time."""
         if before is not None:
             self._before += [(event.text, event.time_s) for event in before.events]
         if after is not None:
@@ -127,7 +127,7 @@ class Comparison:
 
     @property
     def events(self) -> tuple[EventChange, ...]:
-        """Lines of the log that only one run has, or that have different times.
+        """Log lines that only one run has, or whose times differ.
 
         The n-th line with a text in one run is compared with the n-th line with that text in the other.
         """

@@ -11,16 +11,16 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.plain import plain_inputs
 
 DIGITS = 16
-"""Hexadecimal digits of the digest that is stored with a frame."""
+"""Number of hexadecimal digits of the digest that a frame's record has."""
 
 
 def input_record(tick: int, inputs: Inputs | None) -> Input:
-    """Return the record of a step's inputs; `inputs` is None if the script made the step."""
+    """Return the record of a step's inputs; `inputs` is None for a scripted step."""
     return Input(tick=tick, script=True) if inputs is None else Input(tick=tick, **asdict(plain_inputs(inputs)))
 
 
 def inputs_of(record: Input) -> Inputs | None:
-    """Return the exact inputs of a recorded step; None if the script made it."""
+    """Return the exact inputs of a recorded step; None for a scripted step."""
     return None if record.script else Inputs(*[getattr(record, name) for name in Inputs.__struct_fields__])
 
 
@@ -31,12 +31,12 @@ def frame_record(frame: Frame, wall_s: float, latency_ms: float | None) -> Frame
 
 
 def light_record(time_s: float, lighting: Lighting) -> LightRecord:
-    """Return the record of the light from `time_s` [s] on."""
+    """Return the record of the lighting from `time_s` [s] on."""
     locked = tuple([LockRecord(lock.camera, lock.stops) for lock in lighting.locked])
     return LightRecord(time_s, lighting.condition, lighting.lamps, locked)
 
 
 def lighting_of(record: LightRecord) -> Lighting:
-    """Return the light that a record describes."""
+    """Return the lighting of a record."""
     locked = tuple([LockedExposure(lock.camera, lock.stops) for lock in record.locked])
     return Lighting(record.condition, record.lamps, locked)

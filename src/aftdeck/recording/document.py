@@ -1,6 +1,6 @@
 """The tables of docs/recording.md, generated from the message types: ``python -m aftdeck.recording.document FILE``.
 
-The text between the two marks of the file is replaced; everything around it stays.
+It replaces the text between the two marks of the file.
 """
 
 from __future__ import annotations
@@ -34,16 +34,16 @@ def _channels() -> Iterator[str]:
         yield _table(kind, inner)
     while inner:
         name, within = inner.popitem()
-        yield f"### `{name}`, within the above: {_first(within)}\n"
+        yield f"### `{name}`, part of a message: {_first(within)}\n"
         yield _table(within, inner)
 
 
 def _table(kind: type[msgspec.Struct], inner: dict[str, type[msgspec.Struct]]) -> str:
-    rows = ["| field | type | unit | frame | what |", "|---|---|---|---|---|"]
+    rows = ["| field | type | unit | axes | description |", "|---|---|---|---|---|"]
     for field in fields(kind):
         optional = " or null" if field.optional else ""
         shown = (rotation(field) if field.kind == Rows else _type(field.kind, inner)) + optional
-        rows.append(f"| `{field.name}` | {shown} | {field.unit} | {field.frame} | {field.what} |")
+        rows.append(f"| `{field.name}` | {shown} | {field.unit} | {field.frame} | {field.description} |")
     return "\n".join(rows) + "\n"
 
 
@@ -73,7 +73,7 @@ def renewed(text: str) -> str:
     before, begin, rest = text.partition(BEGIN)
     _, end, after = rest.partition(END)
     if not begin or not end:
-        raise InputError(f"the document has to hold {BEGIN.strip()} and, after it, {END.strip()}")
+        raise InputError(f"the document must have {BEGIN.strip()} and, after it, {END.strip()}")
     return f"{before}{BEGIN}\n{tables()}\n{END}{after}"
 
 
@@ -84,7 +84,7 @@ def main() -> None:
     text = file.read_text(encoding="utf-8")
     new = renewed(text)
     if flags == ["--check"]:
-        sys.exit(0 if new == text else f"{name} is not what the types say; run `make generate`")
+        sys.exit(0 if new == text else f"{name} does not agree with the message types; run `make generate`")
     file.write_text(new, encoding="utf-8")
 
 

@@ -18,7 +18,7 @@ from aftdeck.shapes import Axis, Box, Cylinder, Material, Sphere
 from aftdeck.worksite.model import Body
 
 GRAIN = 2.0**-10
-"""Step to which corners of triangles are rounded [m], under a millimetre: short numbers compress well."""
+"""Increment to which corners of triangles are rounded [m]: short numbers compress well."""
 _ALONG: dict[Axis, Array] = {
     "x": np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]),
     "y": np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]),
@@ -28,13 +28,13 @@ _ALONG: dict[Axis, Array] = {
 
 
 def scene_update(bodies: Iterable[Body], time: fox.Timestamp) -> fox.SceneUpdate:
-    """Return an update that replaces all entities by these bodies, each in the coordinate frame of its name."""
-    gone = fox.SceneEntityDeletion(timestamp=time, type=fox.SceneEntityDeletionType.All)
-    return fox.SceneUpdate(deletions=[gone], entities=[entity(body, time) for body in bodies])
+    """Return an update that replaces all entities by these bodies; a body has a coordinate frame of its name."""
+    delete_all = fox.SceneEntityDeletion(timestamp=time, type=fox.SceneEntityDeletionType.All)
+    return fox.SceneUpdate(deletions=[delete_all], entities=[entity(body, time) for body in bodies])
 
 
 def entity(body: Body, time: fox.Timestamp) -> fox.SceneEntity:
-    """Return the entity of a body, which moves with the coordinate frame of its name."""
+    """Return the entity of a body, in the coordinate frame with the name of the body."""
     cubes, cylinders, spheres = [], [], []
     surfaces: dict[Material, list[Mesh]] = defaultdict(list)
     for shape, pose in placed(body.shapes):

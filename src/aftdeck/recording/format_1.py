@@ -1,6 +1,6 @@
-"""Conversion of messages of layout 1, of Aftdeck 0.1, to the plain form of layout 2.
+"""Conversion of messages of layout 1 (Aftdeck 0.1) to the plain form of layout 2.
 
-In layout 1 the names of a frame's fields contain units, and some fields have other names.
+In layout 1, names of a frame's fields contain units, and some fields have other names.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _FRAME = {
     "point_m": "resolution",
 }
 _WAY_OUT = "way out: "
-"""Beginning of the line, among the reasons of an inhibit, that tells the way out of a contact."""
+"""Start of the line with an escape direction among the reasons for an inhibit."""
 _GOAL = {"position_m": "position", "distance_m": "distance", "angle_rad": "angle"}
 _WORK = {
     "stand_m": "stand",
@@ -48,15 +48,15 @@ _CARGO = {"position_m": "position", "rotation": "orientation", "velocity_m_s": "
 
 
 class FramesOf1:
-    """Converter of a run's frames, in order: a frame's clearance level depends on the level before."""
+    """Converter of a run's frames in order: a frame's clearance level depends on the level before."""
 
     def __init__(self, joints: tuple[str, ...], thresholds: Callable[[], tuple[float, float]]) -> None:
-        """Convert frames.
+        """Begin with the first frame of a run.
 
         Args:
             joints: names of the arm's joints.
-            thresholds: returns the scenario's clearances for caution and warning [m]; called only for early files,
-                which do not record the clearance level.
+            thresholds: returns the scenario's clearances for caution and warning [m]; called only for files without
+                the clearance level.
         """
         self._joints, self._thresholds = joints, thresholds
         self._level: Level = CLEAR
@@ -64,8 +64,8 @@ class FramesOf1:
     def frame(self, old: Plain) -> Plain:
         """Return a frame in the plain form of layout 2."""
         new = _renamed(old, _FRAME)
-        place, attitude = new.pop("payload_m"), new.pop("payload_rotation")
-        new["payload"] = None if place is None else {"position": place, "orientation": attitude}
+        position, orientation = new.pop("payload_m"), new.pop("payload_rotation")
+        new["payload"] = None if position is None else {"position": position, "orientation": orientation}
         text = old["check"]
         new["check"] = {"good": text.startswith("GOOD"), "text": text} if text else None
         new["goal"] = None if old["goal"] is None else _renamed(old["goal"], _GOAL)
@@ -82,12 +82,12 @@ class FramesOf1:
         ]
         new.setdefault("times", {})
         new.setdefault("wrist_pitch", None)
-        if new.get("attached") is None:  # scenarios had at most one payload of their own then
-            new["attached"] = int(place is not None and not any(one["held"] for one in work["cargo"]))
+        if new.get("attached") is None:  # scenarios of that time had at most one payload of their own
+            new["attached"] = int(position is not None and not any(cargo["held"] for cargo in work["cargo"]))
         return new
 
     def _out_of_contact(self, text: str) -> Plain:
-        """Return the way out of a contact, which layout 1 has only as text."""
+        """Return the escape direction from a contact, which layout 1 has only as text."""
         *_, command, direction = text.removeprefix("ORB UNL, ").split(" ")
         sign = -1 if direction.startswith("−") or direction == "shorter" else 1
         way = {"cause": "contact", "text": text, "sign": sign, "position": "", "axis": 0}
@@ -106,10 +106,10 @@ class FramesOf1:
         new["objective"] = {"action": text.split(" ")[0], "text": text} if text else None
         new["inhibits"] = [text for text in old["inhibits"] if not text.startswith(_WAY_OUT)]
         new["nearest"] = None if old["nearest"] is None else _near(old["nearest"])
-        new["contacts"] = [_near(one) for one in old["contacts"]]
-        new["conditions"] = [_renamed(one, _CONDITION) for one in old["conditions"]]
+        new["contacts"] = [_near(contact) for contact in old["contacts"]]
+        new["conditions"] = [_renamed(condition, _CONDITION) for condition in old["conditions"]]
         new["hand"] = _renamed(old["hand"], _HAND)
-        new["cargo"] = [_renamed(one, _CARGO) for one in old["cargo"]]
+        new["cargo"] = [_renamed(cargo, _CARGO) for cargo in old["cargo"]]
         if old.get("clearance_level") is None:
             near = new["nearest"]
             new["clearance_level"] = (
@@ -122,7 +122,7 @@ class FramesOf1:
 def as_layout_1(frame: Frame, units: Units) -> Frame:
     """Return a frame with only those values of its check and conditions that layout 1 records.
 
-    The words of a condition are then its text in the operator's units, as `FramesOf1` returns them.
+    The `words` of a condition are then its text in the operator's units, as in the frames of `FramesOf1`.
     """
     check = frame.check and Check(frame.check.good, frame.check.text)
     conditions = tuple(
@@ -134,14 +134,14 @@ def as_layout_1(frame: Frame, units: Units) -> Frame:
 def inputs(old: Plain) -> Plain:
     """Return a step's inputs in the plain form of layout 2."""
     new = dict(old)
-    place, rotation, joints = (new.pop(f"target_{part}", None) for part in ("position", "rotation", "joints"))
-    if place is not None:
-        new["target"] = {"position": place, "rotation": rotation, "joints": joints}
+    position, rotation, joints = (new.pop(f"target_{part}", None) for part in ("position", "rotation", "joints"))
+    if position is not None:
+        new["target"] = {"position": position, "rotation": rotation, "joints": joints}
     return new
 
 
 def _position(text: str, stick: str) -> str:
-    """Return the panel position that the text of a way out names; empty if it names none."""
+    """Return the MODE position in the text of an escape direction; empty if the text has none."""
     if stick == "joint":
         return text.split(" ", maxsplit=1)[0]
     return "ORB UNL" if text.startswith("ORB UNL, ") else ""

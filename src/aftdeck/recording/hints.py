@@ -1,4 +1,4 @@
-"""Readers of type hints: the parts of an annotation, and the fields of what is written as an object."""
+"""Functions that read type hints: metadata, optional types, and the fields of structs and named tuples."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ import msgspec
 
 
 def apart(hint: Any) -> tuple[Any, msgspec.Meta | None]:
-    """Return a type without its metadata, and the metadata; None if it has none."""
+    """Return a type without its metadata, and the metadata, or None if it has no metadata."""
     if get_origin(hint) is Annotated:
         inner, *more = get_args(hint)
-        return inner, next((one for one in more if isinstance(one, msgspec.Meta)), None)
+        return inner, next((meta for meta in more if isinstance(meta, msgspec.Meta)), None)
     return hint, None
 
 
@@ -24,7 +24,7 @@ def without_none(hint: Any) -> Any:
 
 
 def is_object(hint: Any) -> TypeGuard[type]:
-    """Return whether values of a type are written as objects: structs and named tuples."""
+    """Return whether a type is written as an object: a struct or named tuple."""
     return isinstance(hint, type) and (issubclass(hint, msgspec.Struct) or hasattr(hint, "_fields"))
 
 

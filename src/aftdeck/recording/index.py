@@ -1,4 +1,4 @@
-"""List of the recordings made on this machine, in a small database of the user."""
+"""List of the recordings made on this machine, in a database of the user."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from aftdeck.recording.reader import Recording
 from aftdeck.recording.records import Opening
 
 BUSY_S = 5.0
-"""Longest wait for another program that holds the database [s]."""
+"""Longest wait for another program that locks the database [s]."""
 FRESH_S = 3.0
 """Time since the last write within which a file counts as still being recorded [s]."""
 _TABLE = """
@@ -28,12 +28,12 @@ _TABLE = """
     )
 """
 _ADDED = ("participant", "condition", "changes")
-"""Columns of text that lists made by earlier versions do not have."""
+"""Text columns that lists of earlier versions do not have."""
 _COLUMNS = f"path, scenario, title, seed, version, began, ended, time_s, bytes, {', '.join(_ADDED)}"
 
 
 class Entry(msgspec.Struct, frozen=True):
-    """A recording in the list."""
+    """Recording in the list."""
 
     path: str
     scenario: str
@@ -43,17 +43,17 @@ class Entry(msgspec.Struct, frozen=True):
     began: str
     """Wall time, ISO 8601, UTC."""
     ended: str
-    """``completed``, ``time``, ``fault``, ``stopped`` or ``restarted``; ``cut`` if the program was killed or recording
-    failed; ``recording`` while it continues."""
+    """``completed``, ``time``, ``fault``, ``stopped`` or ``restarted``; ``cut`` if the program was killed or the
+    recording failed; ``recording`` during the run."""
     time_s: float
     """Simulated time [s]."""
     bytes: int
     participant: str = ""
-    """Participant's code; empty if none was given."""
+    """Code of the participant; empty if not given."""
     condition: str = ""
-    """Condition of the trial; empty if none was given."""
+    """Condition of the trial; empty if not given."""
     changes: str = ""
-    """``KEY=VALUE, KEY=VALUE``: values in which the scenario differs from its text; empty if none does."""
+    """``KEY=VALUE, KEY=VALUE``: changes of the scenario; empty if it was not changed."""
     state: Literal["here", "gone", "unreadable"] = "here"
 
 
@@ -70,11 +70,11 @@ class Index:
     def begin(self, path: Path, opening: Opening) -> None:
         """Add a recording that has begun."""
         row = (opening.scenario, opening.title, opening.seed, opening.version, opening.began, "recording", 0.0, 0)
-        said = (opening.participant, opening.condition, ", ".join(opening.changes))
+        trial = (opening.participant, opening.condition, ", ".join(opening.changes))
         with self._open() as database:
             database.execute(
                 f"insert or replace into recordings ({_COLUMNS}) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-                (str(path.absolute()), *row, *said),
+                (str(path.absolute()), *row, *trial),
             )
 
     def end(self, path: Path, ended: str, time_s: float) -> None:
@@ -89,7 +89,7 @@ class Index:
             )
 
     def entries(self, scenario: str = "", ended: str = "", since: str = "", participant: str = "") -> list[Entry]:
-        """Return the recordings, newest first; the file of each one whose end is not stored is read.
+        """Return the recordings, newest first. If the list does not have the end of a recording, read its file.
 
         Args:
             scenario: return only recordings of this scenario; empty for all.
@@ -99,7 +99,7 @@ class Index:
         """
         with self._open() as database:
             rows = database.execute(f"select {_COLUMNS} from recordings order by began desc, path").fetchall()
-        found = [self._seen(Entry(*row)) for row in rows]
+        found = [self._updated(Entry(*row)) for row in rows]
         return [
             entry
             for entry in found
@@ -109,7 +109,7 @@ class Index:
             and entry.began >= since
         ]
 
-    def _seen(self, entry: Entry) -> Entry:
+    def _updated(self, entry: Entry) -> Entry:
         """Return an entry, updated from its file."""
         file = Path(entry.path)
         try:
@@ -128,7 +128,7 @@ class Index:
         return msgspec.structs.replace(entry, ended=recording.ended or "cut", time_s=recording.time_s, bytes=size)
 
     def forget(self, entries: list[Entry]) -> None:
-        """Remove entries from the list; their files stay."""
+        """Remove entries from the list, without deleting their files."""
         with self._open() as database:
             database.executemany("delete from recordings where path = ?", [(entry.path,) for entry in entries])
 
@@ -140,7 +140,7 @@ class Index:
         """
         for entry in entries:
             if entry.state == "here" and entry.ended == "recording":
-                raise RecordingError(f"{entry.path}: is being recorded, and is not deleted; end the flight first")
+                raise RecordingError(f"{entry.path}: is being recorded and cannot be deleted; end the run first")
             try:
                 Path(entry.path).unlink(missing_ok=True)
             except OSError as error:
@@ -172,5 +172,5 @@ def _make_table(database: sqlite3.Connection) -> None:
 
 
 def _missing(database: sqlite3.Connection) -> list[str]:
-    there = {name for _, name, *_ in database.execute("pragma table_info(recordings)")}
-    return [column for column in _ADDED if column not in there]
+    columns = {name for _, name, *_ in database.execute("pragma table_info(recordings)")}
+    return [column for column in _ADDED if column not in columns]

@@ -1,4 +1,4 @@
-"""Server of a run in progress, to which Foxglove or another viewer of its protocol can attach."""
+"""Server to which Foxglove, or another viewer of its protocol, can attach during a run."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from aftdeck.recording.channels import Channels
 
 
 class Live:
-    """Server that lends its channels to one recorder after another.
+    """Server for viewers; its channels are used by one recorder after another.
 
-    Some topics are sent only once, at the start of a run. A viewer that attaches later gets them when it subscribes.
+    Some topics are sent only at the start of a run. A viewer that attaches later receives them when it subscribes.
 
     Attributes:
-        channels: the channels that viewers see, the same for all runs: a viewer may learn of a new channel before the
-            server knows the channel, and then never gets its messages.
-        address: the address that a viewer opens, such as ``ws://127.0.0.1:8765``.
+        channels: channels for viewers, the same for all runs. New channels for each run would lose messages, because
+            a viewer may subscribe to a channel before the server has registered it.
+        address: address for viewers, such as ``ws://127.0.0.1:8765``.
     """
 
     def __init__(self, port: int, host: str = "127.0.0.1") -> None:
         """Start the server.
 
         Args:
-            port: port to listen on; 0 takes any free one.
+            port: port to listen on; 0 selects a free port.
             host: address of this machine to listen on.
 
         Raises:
@@ -40,11 +40,11 @@ class Live:
             )
         except (RuntimeError, OverflowError) as error:
             why = str(error).removeprefix("FoxgloveError: ")
-            raise RecordingError(f"viewers cannot attach at {host}:{port}: {why}; give another port") from None
+            raise RecordingError(f"cannot listen for viewers on {host}:{port}: {why}; give another port") from None
         self.address = f"ws://{host}:{self._server.port}"
 
-    def asked(self) -> list[str]:
-        """Return the topics that viewers subscribed to since the last call; costs nothing if there are none."""
+    def requested_topics(self) -> list[str]:
+        """Return the topics to which viewers have subscribed since the last call."""
         topics = []
         while not self._listener.topics.empty():
             topics.append(self._listener.topics.get())

@@ -1,4 +1,4 @@
-"""Reader of recordings: complete, cut short or damaged."""
+"""Reader of recordings, also of those that are cut short or damaged."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ from aftdeck.recording.bundle import scenario_of
 from aftdeck.recording.chunks import MAGIC, DamageError, records
 from aftdeck.recording.codec import as_read, decode, restored
 from aftdeck.recording.convert import frame_record
-from aftdeck.recording.format_1 import FramesOf1, as_layout_1, inputs
+from aftdeck.recording.format_1 import FramesOf1, as_layout_1
+from aftdeck.recording.format_1 import inputs as inputs_of_1
 from aftdeck.recording.message import Message
 from aftdeck.recording.records import (
     CHANNELS,
@@ -35,23 +36,23 @@ from aftdeck.simulation.frame import Frame
 
 
 class _Layout(msgspec.Struct):
-    """Layout number and version, which the first message contains in every layout."""
+    """Fields that the header has in every layout: layout number and version."""
 
     format: int
     version: str
 
 
 class Recording:
-    """Recording that is read from its beginning as far as the file goes.
+    """Recording, read from its beginning to its end or to the point where it is cut short.
 
     Attributes:
         path: the file.
-        opening: everything that the run started from.
-        ended: how the run ended; empty until the file has been read to its end, or if the file is cut short.
-        cut: whether the file is cut short, because the program was killed or a disk was full. It is False until the
-            file has been read.
+        opening: header of the recording.
+        ended: reason for the end of the run; empty before the file has been read to its end, or if it is cut short.
+        cut: whether the file is cut short, because the program was killed or the disk was full; False before the file
+            has been read.
         time_s: simulated time of the last frame read [s].
-        share: share of the file that has been read, 0 to 1.
+        share: fraction of the file that has been read, 0 to 1.
         frames_sha256: SHA-256 over the digests of all frames; empty while `ended` is empty.
         summary: summary of a scripted run, JSON; empty while `ended` is empty, and for a manual run.
     """
@@ -60,7 +61,7 @@ class Recording:
         """Open a recording.
 
         Raises:
-            RecordingError: the file is not a recording of Aftdeck, has a newer layout, or has no first message.
+            RecordingError: the file is not a recording of Aftdeck, has a newer layout, or has no header.
         """
         self.path = Path(path)
         self.ended, self.cut, self.time_s, self.share = "", False, 0.0, 0.0
@@ -68,18 +69,18 @@ class Recording:
         self._old: FramesOf1 | None = None
         first = next(self._messages(), None)
         if first is None:
-            raise RecordingError(f"{self.path}: was cut short before its first second; there is nothing in it to read")
+            raise RecordingError(f"{self.path}: was cut short before its first second; it has no data", "empty")
         if not isinstance(first, Opening):
-            raise self._damaged("it does not begin with what the run started from")
+            raise self._damaged("the first message is not the header")
         self.opening = first
         if first.format == 1:
             self._old = FramesOf1(first.joints, lambda: (self._scenario.caution, self._scenario.warning))
 
     def messages(self) -> Iterator[Message]:
-        """Yield all messages in order, as far as the file goes; `ended` or `cut` is known afterwards.
+        """Yield all messages in order, and then set `ended` or `cut`.
 
         Raises:
-            RecordingError: the file is damaged; raised where the damage begins.
+            RecordingError: the file is damaged; raised at the damaged message.
         """
         self.ended, self.cut, self.time_s = "", False, 0.0
         tick = 0
@@ -90,60 +91,61 @@ class Recording:
                 tick, self.time_s = message.tick, message.time_s
             if isinstance(message, Closing):
                 if message.ticks != tick:
-                    raise self._damaged(f"it ends after step {tick} of {message.ticks}")
+                    raise self._damaged(f"the file ends after step {tick} of {message.ticks}")
                 self.ended, self.frames_sha256, self.summary = message.ended, message.frames_sha256, message.summary
             yield message
         self.cut = not self.ended
 
     def steps(self) -> Iterator[tuple[Input, FrameRecord]]:
-        """Yield the inputs and the frame of each step; all other messages are skipped."""
-        flown: Input | None = None
+        """Yield the inputs and the frame of each step; skip all other messages."""
+        inputs: Input | None = None
         for message in self.messages():
             if isinstance(message, Input):
-                flown = message
+                inputs = message
             elif isinstance(message, FrameRecord):
-                if flown is None or flown.tick != message.tick:
+                if inputs is None or inputs.tick != message.tick:
                     raise self._damaged(f"step {message.tick} has no inputs")
-                yield flown, message
+                yield inputs, message
 
     def as_recorded(self, frame: Frame) -> FrameRecord:
-        """Return a frame as it would be read from this file, but without wall time and latency."""
+        """Return a frame as it is read from this file, but without wall time and latency."""
         if self._old is not None:
             frame = as_layout_1(frame, self._scenario.arm.model.units)
         return as_read(frame_record(frame, 0.0, None))
 
     def notes(self) -> Iterator[Note]:
-        """Return an iterator over the lines that the station wrote in the log."""
+        """Return an iterator over the log lines of the station."""
         return (message for message in self.messages() if isinstance(message, Note))
 
     def controllers(self) -> Iterator[ControllersRecord]:
-        """Return an iterator over the devices that moved the sticks, one record for each change.
+        """Return an iterator over the records of the devices that moved the sticks, one for each change.
 
-        It is empty for a scripted run and for a file made before these records existed.
+        It is empty for a scripted run, and for a file that is older than these records.
         """
         return (message for message in self.messages() if isinstance(message, ControllersRecord))
 
     def _messages(self) -> Iterator[Message]:
         try:
             if self.path.exists() and not self.path.is_file():  # a pipe or a device may never end
-                raise RecordingError(f"{self.path}: is {'a folder' if self.path.is_dir() else 'no file'}, no recording")
+                kind = "a folder" if self.path.is_dir() else "not a regular file"
+                raise RecordingError(f"{self.path}: is {kind}, not a recording", "unreadable")
             with self.path.open("rb") as file:
                 yield from self._decoded(file)
         except OSError as error:
-            raise RecordingError(f"{self.path}: cannot be read: {error.strerror or error}") from None
+            raise RecordingError(f"{self.path}: cannot be read: {error.strerror or error}", "unreadable") from None
         except DamageError as error:
             raise self._damaged(str(error)) from None
 
     def _decoded(self, file: BinaryIO) -> Iterator[Message]:
         start = file.read(len(MAGIC))
         if start != MAGIC[: len(start)]:
-            raise RecordingError(f"{self.path}: is no MCAP file, so no recording of Aftdeck")
+            raise RecordingError(f"{self.path}: is not an MCAP file, so not a recording of Aftdeck", "foreign")
         file.seek(0)
         size = max(self.path.stat().st_size, 1)
         topics: dict[int, str] = {}
         for record in records(file):
             if isinstance(record, Header) and record.profile != PROFILE:
-                raise RecordingError(f"{self.path}: is an MCAP file, but no recording of Aftdeck")
+                raise RecordingError(f"{self.path}: is an MCAP file, but not a recording of Aftdeck", "foreign")
             if isinstance(record, McapChannel):
                 topics[record.id] = record.topic
             elif isinstance(record, McapMessage):
@@ -160,11 +162,11 @@ class Recording:
             if topic == "/opening":
                 self._check_layout(msgspec.json.decode(data, type=_Layout))
             elif self._old is not None and kind in (FrameRecord, Input):
-                given = msgspec.json.decode(data, type=dict)
-                return restored(kind, self._old.frame(given) if kind is FrameRecord else inputs(given))
+                old = msgspec.json.decode(data, type=dict)
+                return restored(kind, self._old.frame(old) if kind is FrameRecord else inputs_of_1(old))
             return decode(kind, data)
         except (msgspec.MsgspecError, AttributeError, KeyError, TypeError, ValueError) as error:
-            raise self._damaged(f"a message in {topic} is not understood: {error}") from None
+            raise self._damaged(f"invalid message in {topic}: {error}") from None
 
     @cached_property
     def _scenario(self) -> Scenario:
@@ -176,13 +178,15 @@ class Recording:
         try:
             return scenario_of(self.opening)
         except AftdeckError as error:
-            raise RecordingError(f"{self.path}: its scenario cannot be loaded: {error}") from None
+            raise RecordingError(f"{self.path}: the recorded scenario cannot be loaded: {error}") from None
 
     def _check_layout(self, layout: _Layout) -> None:
         if layout.format > FORMAT:
             raise RecordingError(
-                f"{self.path}: has layout {layout.format} of Aftdeck {layout.version}; this one reads up to {FORMAT}"
+                f"{self.path}: has layout {layout.format} of Aftdeck {layout.version}; this version reads layouts 1 to "
+                f"{FORMAT}",
+                "newer layout",
             )
 
     def _damaged(self, why: str) -> RecordingError:
-        return RecordingError(f"{self.path}: is damaged after {self.time_s:.2f} s: {why}")
+        return RecordingError(f"{self.path}: is damaged after {self.time_s:.2f} s: {why}", "damaged")

@@ -1,9 +1,8 @@
 """Messages of a recording, defined once: schemas and docs/recording.md are generated from these types.
 
-Numbers are SI. The clock of every message is the run's: simulated time, counted from the wall time at which the run
-began. `wall_s` is the wall time that had really passed since then. Inputs are exact. Frames are rounded to keep the
-file small: lengths and angles to nine decimals, sticks and twists to seven. Each frame's digest is that of the exact
-state.
+Numbers are SI. The time of every message is the wall time at which the run began plus the simulated time. `wall_s` is
+the wall time since the run began. Inputs are exact. Frames are rounded to keep the file small: lengths and angles to
+nine decimals, sticks and twists to seven. A frame's digest is that of the exact state.
 """
 
 from __future__ import annotations
@@ -22,44 +21,42 @@ PROFILE = "aftdeck"
 
 
 class Opening(Message, frozen=True):
-    """The first message: everything that the run started from."""
+    """Header: all data that the run starts from."""
 
     format: Annotated[int, field_meta("number of the file's layout")]
     version: Annotated[str, field_meta("Aftdeck's version")]
-    laws: Annotated[str, field_meta("digest of the laws' sources; different laws may give different last digits")]
-    machine: Annotated[
-        str, field_meta("processor, system and compilers; on an equal machine a run repeats bit for bit")
-    ]
+    laws: Annotated[str, field_meta("digest of the laws' source code; other laws may give other last digits")]
+    machine: Annotated[str, field_meta("processor, system and compilers; on an equal machine, re-simulation is exact")]
     began: Annotated[str, field_meta("wall time at which the run began, ISO 8601, UTC")]
-    scenario: Annotated[str, field_meta("the scenario's name")]
+    scenario: Annotated[str, field_meta("name of the scenario")]
     title: Annotated[str, field_meta("title of the scenario")]
     seed: Annotated[int, field_meta("random seed")]
     control_period_s: Annotated[float, field_meta("control period", "s")]
-    joints: Annotated[tuple[str, ...], field_meta("names of the joints, in the order of every list of joints")]
+    joints: Annotated[tuple[str, ...], field_meta("names of the joints, in the order of all lists of joints")]
     scenario_text: Annotated[str, field_meta("complete text of the scenario's file")]
     arm_text: Annotated[str, field_meta("complete text of the arm's file")]
     shapes_file: Annotated[
-        str, field_meta("name of the arm's shapes file, as the arm's file gives it; empty if it gives none")
+        str, field_meta("name of the shapes file in the arm's file; empty if the arm has no such file")
     ]
     shapes_text: Annotated[str, field_meta("complete text of the arm's shapes file")]
     worksite_text: Annotated[str, field_meta("complete text of the worksite's file")]
-    changes: Annotated[tuple[str, ...], field_meta("changes of the scenario by a replay, each as KEY=VALUE")] = ()
-    participant: Annotated[str, field_meta("code of the participant; empty if none was given")] = ""
-    condition: Annotated[str, field_meta("condition of the trial; empty if none was given")] = ""
+    changes: Annotated[tuple[str, ...], field_meta("changes of the scenario by a re-run, each as KEY=VALUE")] = ()
+    participant: Annotated[str, field_meta("code of the participant; empty if not given")] = ""
+    condition: Annotated[str, field_meta("condition of the trial; empty if not given")] = ""
     digests: Annotated[
-        str, field_meta("identifies the declaration of the state; digests are comparable only if it is equal")
+        str, field_meta("identifies the fields of the state; only digests with an equal value are comparable")
     ] = ""
 
 
 class Input(Inputs, Message, frozen=True, omit_defaults=True, kw_only=True):
-    """The operator's sticks and switches in one step, exact; an absent stick is centred, an absent switch unchanged."""
+    """Exact inputs of one step: sticks and switches. An absent stick is centred, an absent switch unchanged."""
 
-    tick: Annotated[int, field_meta("number of the step in which they acted")]
+    tick: Annotated[int, field_meta("number of the step in which the inputs acted")]
     script: Annotated[bool, field_meta("whether the scenario's script supplied the inputs")] = False
 
 
 class FrameRecord(Frame, Message, frozen=True):
-    """State after one control step: the frame, rounded to its recorded decimals."""
+    """Frame of one control step, rounded to the declared decimals."""
 
     wall_s: Annotated[float, field_meta("wall time since the run began", "s", decimals=6)]
     latency_ms: Annotated[
@@ -69,26 +66,26 @@ class FrameRecord(Frame, Message, frozen=True):
 
 
 class Note(Event, Message, frozen=True):
-    """A line of the log that the station wrote, not the simulation."""
+    """Log line of the station."""
 
     wall_s: Annotated[float, field_meta("wall time since the run began", "s")]
 
 
 class ControllerRecord(Message, frozen=True):
-    """A device that moves the hand controllers."""
+    """Device that moves the hand controllers."""
 
     kind: Annotated[str, field_meta("keyboard, pad, thc pad, rhc pad, thc joystick, rhc joystick, spacemouse or touch")]
     name: Annotated[str, field_meta("name that the browser reports")]
     deadband: Annotated[float, field_meta("fraction of an axis' travel, about its centre, that counts as zero", "1")]
     expo: Annotated[
-        float, field_meta("weight of the cubic part: x becomes (1 - expo) x + expo x**3 after the deadband", "1")
+        float, field_meta("weight of the cubic part: after the deadband, x becomes (1 - expo) x + expo x**3", "1")
     ]
-    bindings: Annotated[tuple[str, ...], field_meta("key, button or axis, and its effect: `KeyW +X`, `a1 -X`")]
+    bindings: Annotated[tuple[str, ...], field_meta("key, button or axis, and its function: `KeyW +X`, `a1 -X`")]
     centres: Annotated[Numbers, field_meta("rest position of each axis; 0 for axes beyond the last", "1")]
 
 
 class ControllersRecord(Message, frozen=True):
-    """Devices that move the hand controllers from a time on, with mappings; `Input` holds the resulting inputs."""
+    """Devices that move the hand controllers from a time on, with mappings; `Input` has the resulting inputs."""
 
     time_s: Annotated[float, field_meta("simulated time", "s")]
     controllers: Annotated[
@@ -108,14 +105,14 @@ class Shown(Message, frozen=True):
 
 
 class LockRecord(Message, frozen=True):
-    """A camera whose exposure was locked, and so did not follow its picture."""
+    """Camera with locked exposure."""
 
     camera: Annotated[str, field_meta("the camera's name")]
     stops: Annotated[float, field_meta("exposure above that of full sunlight", "stops")]
 
 
 class LightRecord(Message, frozen=True):
-    """Light from a time on: sun and Earth, lamps, and locked exposures of cameras."""
+    """Lighting from a time on: sun and Earth, lamps, and locked exposures of cameras."""
 
     time_s: Annotated[float, field_meta("simulated time", "s")]
     condition: Annotated[str, field_meta("positions of sun and Earth: `high sun`, `low sun`, `night`, `terminator`")]
@@ -124,7 +121,7 @@ class LightRecord(Message, frozen=True):
 
 
 class Closing(Message, frozen=True):
-    """The last message of a recording that was not cut short."""
+    """Footer: last message of a recording that was not cut short."""
 
     ended: Annotated[
         Literal["completed", "time", "fault", "stopped", "restarted"], field_meta("reason for the end of the run")
@@ -140,10 +137,10 @@ CHANNELS: dict[str, tuple[type[Message], str]] = {
     "/opening": (Opening, "once, first"),
     "/inputs": (Input, "every step"),
     "/frames": (FrameRecord, "every step"),
-    "/notes": (Note, "when the station writes one"),
-    "/controllers": (ControllersRecord, "when somebody begins to fly by hand, and when devices or mappings change"),
-    "/shown": (Shown, "when a monitor shows another camera"),
-    "/light": (LightRecord, "at the first step, and when light, a lamp or an exposure's lock is set otherwise"),
+    "/notes": (Note, "when the station logs a line"),
+    "/controllers": (ControllersRecord, "when manual control begins, and when devices or mappings change"),
+    "/shown": (Shown, "when a monitor changes its camera"),
+    "/light": (LightRecord, "at the first step, and when the lighting changes"),
     "/closing": (Closing, "once, last"),
 }
 """Type of each channel's messages, and when they are written."""

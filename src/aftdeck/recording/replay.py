@@ -20,7 +20,7 @@ from aftdeck.state_part import declaration
 from aftdeck.version import __version__
 
 Progress = Callable[[float], None]
-"""Function that is called from time to time with the share of the work that is done, 0 to 1."""
+"""Function that is called repeatedly with the fraction of the work that is done, 0 to 1."""
 
 
 class Verdict(msgspec.Struct, frozen=True):
@@ -34,20 +34,23 @@ class Verdict(msgspec.Struct, frozen=True):
     different: int
     """Number of frames that differ."""
     first: Difference | None
-    """Difference in the first frame that differs; None if none does."""
+    """Difference in the first frame that differs; None if all frames are equal."""
     whole: bool
-    """True if digests were compared, so that equal frames are equal to the last digit. False if the recording's digests
-    cover other fields than this version's; then every recorded value except the digests was compared."""
+    """True if digests were compared: equal frames are then equal to the last digit.
+
+    False if the digests of the recording cover other fields than those of this version: then every recorded value
+    except the digests was compared.
+    """
     cut: bool
-    """True if the recording is cut short; it was compared as far as it goes."""
+    """True if the recording is cut short; all its frames were compared."""
     recorded_by: str
     """Version of Aftdeck that made the recording."""
     version: str
     """Version of Aftdeck that compared it."""
     same_laws: bool
-    """True if the sources of the laws are those of the recording."""
+    """True if the laws have the same source code as at the recording."""
     same_machine: bool
-    """True if processor, system and compilers are those of the recording."""
+    """True if processor, system and compilers are the same as at the recording."""
 
 
 def verify(
@@ -55,12 +58,12 @@ def verify(
 ) -> Verdict:
     """Re-simulate a recording's inputs and compare every frame's digest.
 
-    A recording of another version is also re-simulated; the verdict names that version. If its digests cover other
-    fields than this version's, every recorded value is compared instead.
+    A recording of another version is re-simulated too; the verdict names that version. If its digests cover other
+    fields than those of this version, every recorded value is compared instead.
 
     Args:
         path: the recording.
-        progress: called from time to time with the share of the recording that is done, 0 to 1.
+        progress: called repeatedly with the fraction of the recording that is done, 0 to 1.
         stepped: called after every step with the simulation.
 
     Raises:
@@ -77,7 +80,7 @@ def verify(
         if opening.version == __version__:
             raise
         raise RecordingError(
-            f"{path}: was made by Aftdeck {opening.version}, which this one, {__version__}, does not repeat: {error}"
+            f"{path}: was recorded by Aftdeck {opening.version} and cannot be re-simulated by {__version__}: {error}"
         ) from None
 
 
@@ -88,14 +91,14 @@ def _compared(
     count = different = 0
     digests = recording.opening.digests == declaration(State)
     first: Difference | None = None
-    for flown, record in recording.steps():
-        sim.advance(inputs_of(flown))
+    for recorded_inputs, record in recording.steps():
+        sim.advance(inputs_of(recorded_inputs))
         if stepped is not None:
             stepped(sim)
-        own = sim.seal()
-        frames.update(own)
+        digest = sim.seal()
+        frames.update(digest)
         count += 1
-        if not digests or own.hex()[:DIGITS] != record.sha256:
+        if not digests or digest.hex()[:DIGITS] != record.sha256:
             again = recording.as_recorded(sim.look())
             if digests or not alike(record, again) or record.events != again.events:
                 different += 1

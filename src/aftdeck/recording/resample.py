@@ -11,32 +11,32 @@ from aftdeck.recording.records import Input
 _SWITCHES = ("mode", "joint", "rate", "law", "payload_axes", "position_hold", "brakes", "safing", "effector",
              "effector_mode", "rigid", "latch", "master", "initialise", "target")  # fmt: skip
 SAME_TIME = 1e-9
-"""Times that differ by less than this are the same [s]."""
+"""Times that differ by less than this are equal [s]."""
 
 
 def resampled(inputs: Iterator[Input], old: float, new: float) -> Iterator[Input]:
-    """Yield the inputs of each step at the new control period: the latest sticks, and every switch moved since.
+    """Yield the inputs of each step at the new control period: the latest sticks, and every switch that was set.
 
-    A new step takes the inputs of the old steps that began before its end, except those that an earlier new step took.
-    All new steps together last as long as all old steps.
+    A new step uses the inputs of the old steps that began before its end, except those of earlier new steps. All new
+    steps together last as long as all old steps.
 
     Args:
         inputs: inputs of every step at the old control period.
         old: old control period [s].
         new: new control period [s].
     """
-    given = next(inputs, None)
+    record = next(inputs, None)
     last = Input(tick=0)
     tick = 0
-    while given is not None or (tick * new < last.tick * old - SAME_TIME):
+    while record is not None or (tick * new < last.tick * old - SAME_TIME):
         tick += 1
         since: list[Input] = []
-        while given is not None and (given.tick - 1) * old < tick * new - SAME_TIME:
-            since.append(given)
-            given = next(inputs, None)
-        flown = merged(since, last, tick)
+        while record is not None and (record.tick - 1) * old < tick * new - SAME_TIME:
+            since.append(record)
+            record = next(inputs, None)
+        step_inputs = merged(since, last, tick)
         last = since[-1] if since else last
-        yield flown
+        yield step_inputs
 
 
 def merged(since: Sequence[Input], before: Input, tick: int) -> Input:
@@ -45,11 +45,11 @@ def merged(since: Sequence[Input], before: Input, tick: int) -> Input:
         return msgspec.structs.replace(since[0], tick=tick)
     latest = since[-1] if since else before
     changes: dict[str, object] = {
-        name: next((value for one in reversed(since) if (value := getattr(one, name)) is not None), None)
+        name: next((value for record in reversed(since) if (value := getattr(record, name)) is not None), None)
         for name in _SWITCHES
     }
-    stopped = max((i for i, one in enumerate(since) if one.stop), default=0)
-    changes["stop"] = any(one.stop for one in since)
-    changes["proceed"] = any(one.proceed for one in since[stopped:])  # STOP acts before PROCEED in a step
-    changes["rate_hold"] = sum(one.rate_hold for one in since) % 2 == 1
+    stopped = max((i for i, record in enumerate(since) if record.stop), default=0)
+    changes["stop"] = any(record.stop for record in since)
+    changes["proceed"] = any(record.proceed for record in since[stopped:])  # STOP acts before PROCEED in a step
+    changes["rate_hold"] = sum(record.rate_hold for record in since) % 2 == 1
     return msgspec.structs.replace(latest, tick=tick, **changes)

@@ -1,4 +1,4 @@
-"""Headless run that is written into a recording."""
+"""Headless run with a recording."""
 
 from __future__ import annotations
 
@@ -41,27 +41,27 @@ def record(
     index: Index | None = None,
     unlisted: Callable[[str], None] | None = None,
 ) -> Run:
-    """Run a scenario's script, or given inputs, to the end and write everything into a recording.
+    """Run a scenario with its script or given inputs to the end, and record the run.
 
     Args:
         scenario: a scenario, a built-in name or a path.
-        out: the file to create; its folder is created if it is missing.
-        seed: seed of the run; None takes the scenario's seed.
+        out: file to create; its folder is created if it is missing.
+        seed: seed of the run; None: the scenario's.
         trial: participant and condition.
-        inputs: called before every step for a person's inputs, as in `simulation.run.run`.
-        changes: KEY=VALUE for each value in which the scenario differs from its text.
-        progress: called from time to time with the share of the longest duration that has passed, 0 to 1.
+        inputs: called before every step, returns manual inputs, as in `simulation.run.run`.
+        changes: changes of the scenario, each as KEY=VALUE.
+        progress: called repeatedly with the fraction of the maximum duration that has passed, 0 to 1.
         stepped: called after every step with the simulation.
         index: list of recordings to which the file is added.
         unlisted: called with the reason if the file could not be added to the list.
 
     Returns:
-        The run with its last frame only; the file holds all frames.
+        The run with its last frame only; the file has all frames.
 
     Raises:
         RecordingError: the file exists already or cannot be written.
-        UnrecordedRunError: recording stopped before everything was written, for example on a full disk. The file holds
-            the steps written until then; the error holds the run.
+        UnrecordedRunError: recording stopped before everything was written, for example on a full disk. The file has
+            the steps written until then; the error has the run.
     """
     loaded = scenario if isinstance(scenario, Scenario) else load_scenario(scenario)
     own_seed = loaded.seed if seed is None else whole(seed, "seed")

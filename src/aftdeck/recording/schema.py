@@ -1,7 +1,7 @@
-"""JSON schemas of the channels, in the simple form that every viewer of MCAP files reads.
+"""JSON schemas of the channels, in the simple form that every viewer of MCAP files can read.
 
-Viewers plot JSON by its schema, and accept neither references nor alternatives. Types are therefore written out in
-place, and a field that may be absent or null has the schema of its other values.
+Viewers plot JSON by its schema, and accept neither references nor alternatives. Therefore a schema contains the types
+of all inner fields, and a field that may be absent or null has the schema of its other values.
 """
 
 from __future__ import annotations
@@ -18,30 +18,30 @@ from aftdeck.recording.hints import apart, is_object, names, without_none
 _PLAIN = {float: "number", int: "integer", str: "string", bool: "boolean"}
 
 
-class Told(NamedTuple):
+class FieldInfo(NamedTuple):
     """Description of a field, read from its type and its source."""
 
     name: str
     kind: Any
     optional: bool
-    what: str
+    description: str
     unit: str
     frame: str
     rounded: bool
     """True if the field is recorded to its decimals, and a rotation in it as a quaternion."""
 
 
-def fields(kind: type) -> Iterator[Told]:
+def fields(kind: type) -> Iterator[FieldInfo]:
     """Yield the descriptions of the fields of a struct or a named tuple, in order."""
     hints = get_type_hints(kind, include_extras=True)
-    said = comments(kind)
+    texts = comments(kind)
     for name in names(kind):
         inner, meta = apart(hints[name])
         plain = without_none(inner)
         extra = (meta and meta.extra) or {"unit": "", "frame": ""}
-        what = (meta and meta.description) or said.get(name, "").rstrip(".")
-        yield Told(
-            name, plain, plain is not inner, " ".join(what.split()), extra["unit"], extra["frame"], meta is not None
+        text = (meta and meta.description) or texts.get(name, "").rstrip(".")
+        yield FieldInfo(
+            name, plain, plain is not inner, " ".join(text.split()), extra["unit"], extra["frame"], meta is not None
         )
 
 
@@ -72,12 +72,12 @@ def _schema(kind: Any) -> dict[str, Any]:
     return {"type": _PLAIN[kind]}
 
 
-def rotation(field: Told) -> str:
-    """Return the text that says how a field's rotation is written."""
+def rotation(field: FieldInfo) -> str:
+    """Return the form in which a field's rotation is written."""
     return "quaternion w, x, y, z" if field.rounded else "matrix row by row"
 
 
-def _description(field: Told) -> str:
+def _description(field: FieldInfo) -> str:
     more = [rotation(field) if field.kind == Rows else "", field.unit, f"in {field.frame}" if field.frame else ""]
     note = ", ".join(part for part in more if part)
-    return f"{field.what}{f' [{note}]' if note else ''}"
+    return f"{field.description}{f' [{note}]' if note else ''}"

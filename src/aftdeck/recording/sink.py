@@ -1,6 +1,6 @@
-"""File below the MCAP writer: unbuffered, so that written bytes survive a killed program; once open, it never raises.
+"""File for the MCAP writer: unbuffered, so that a killed program loses no written bytes; once open, it never raises.
 
-The writer's library logs errors instead of raising them, so the first error is kept here for the recorder.
+The library of the writer logs errors and does not raise them. Therefore the file stores the first error.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from aftdeck.errors import RecordingError
 
 
 class Sink:
-    """File that takes bytes until its first error, and drops all later bytes.
+    """File that writes bytes until its first error, and discards all later bytes.
 
     Attributes:
-        error: the first error, in words; empty if none has occurred.
+        error: text of the first error; empty if no error has occurred.
     """
 
     def __init__(self, path: Path) -> None:
@@ -27,9 +27,9 @@ class Sink:
         except OSError as error:
             if os.path.lexists(path):
                 raise RecordingError(
-                    f"{path}: exists already, and no recording is written over; give another name"
+                    f"{path}: exists already and is not overwritten; give another name", "exists"
                 ) from None
-            raise RecordingError(f"{path}: cannot be written: {error.strerror or error}") from None
+            raise RecordingError(f"{path}: cannot be written: {error.strerror or error}", "unwritable") from None
 
     def write(self, data: bytes | bytearray) -> int:
         """Write all of `data` at the present position, unless an error occurred before; always return its length."""
@@ -57,7 +57,7 @@ class Sink:
         """Do nothing: no bytes are buffered."""
 
     def close(self) -> None:
-        """Force the file's content onto the disk, and close the file."""
+        """Write the file's content to the disk, and close the file."""
         try:
             os.fsync(self._file.fileno())
             self._file.close()

@@ -1,4 +1,4 @@
-"""Participant and condition of a run: a study's own words, stored only in the recording."""
+"""Participant and condition of a run: texts of a study, stored only in the recording."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from typing import NamedTuple
 
 from aftdeck.lines import one_line
 
-MOST_OF_A_PARTICIPANT = 40
+MAX_PARTICIPANT_LENGTH = 40
 """Maximum length of a participant's code [characters]."""
-MOST_OF_A_CONDITION = 120
+MAX_CONDITION_LENGTH = 120
 """Maximum length of a condition [characters]."""
 
 
 class Trial(NamedTuple):
-    """Participant and condition that a study gives for a run; empty if not given. No page of the run receives them."""
+    """Participant and condition of a run in a study; empty if not given. No page receives them."""
 
     participant: str = ""
     condition: str = ""
@@ -23,12 +23,12 @@ NO_TRIAL = Trial()
 
 
 def trial(participant: str | None, condition: str | None) -> Trial:
-    """Return a trial with these words; None leaves a word empty.
+    """Return a trial with these texts; None leaves a text empty.
 
     Raises:
-        InputError: a word is empty or too long, is not one printable line, or begins or ends with a space.
+        InputError: a text is empty or too long, is not one printable line, or begins or ends with a space.
     """
     return Trial(
-        "" if participant is None else one_line("a participant's code", participant, MOST_OF_A_PARTICIPANT),
-        "" if condition is None else one_line("a condition", condition, MOST_OF_A_CONDITION),
+        "" if participant is None else one_line("a participant's code", participant, MAX_PARTICIPANT_LENGTH),
+        "" if condition is None else one_line("a condition", condition, MAX_CONDITION_LENGTH),
     )

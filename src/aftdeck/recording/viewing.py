@@ -1,6 +1,6 @@
-"""The run in Foxglove's own schemas: joints, tip, log, and a scene of bodies in moving coordinate frames.
+"""Channels in Foxglove's schemas: joints, tip, log, and a scene of bodies in moving coordinate frames.
 
-The channels of `records` hold every step. These channels are for viewing: ten times a second, in rounded numbers.
+The channels of `records` have every step. These channels are for viewing: ten times a second, with rounded numbers.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from aftdeck.scene.poses import Seven
 from aftdeck.simulation.frame import Event, Frame
 
 PERIOD = 0.1
-"""Simulated time between two messages of everything that moves [s]."""
+"""Simulated time between two messages of a moving quantity [s]."""
 GRAIN = 2.0**18
-"""Steps per metre, radian or unit to which moving values are rounded: short numbers compress well."""
+"""Increments per metre, radian or unit to which moving values are rounded: short numbers compress well."""
 ROOT, LONGERON, TIP = "scene", "L", "tip"
-"""Names of the coordinate frames that carry no body."""
+"""Names of the coordinate frames without a body."""
 _STILL: Seven = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 _LEVELS = {"info": fox.LogLevel.Info, "caution": fox.LogLevel.Warning, "warning": fox.LogLevel.Error}
 
@@ -56,17 +56,17 @@ class Viewing:
     def open(self) -> None:
         """Send the transforms that do not change, and the shapes and colours of all bodies."""
         if self._live:
-            self._live.asked()  # drop these requests: viewers that are attached already get the topics now
+            self._live.requested_topics()  # discard these requests: attached viewers receive the topics now
         for topic in (FIXED, SCENE):
-            self._tell(topic, self._began_ns)
+            self._send_topic(topic, self._began_ns)
 
     def frame(self, frame: Frame) -> None:
-        """Send a step's events, the topics that viewers have just subscribed to and, every `PERIOD`, the motion."""
+        """Send the events of a step, the topics of new subscriptions and, every `PERIOD`, the motion."""
         now = self._began_ns + round(frame.time_s * 1e9)
         for event in frame.events:
             self.line(event, now)
-        for topic in self._live.asked() if self._live else ():
-            self._tell(topic, now)
+        for topic in self._live.requested_topics() if self._live else ():
+            self._send_topic(topic, now)
         if (frame.tick - 1) % self._every == 0:
             self._draw(frame, now)
 
@@ -75,7 +75,7 @@ class Viewing:
         line = fox.Log(timestamp=_time(time_ns), level=_LEVELS[event.level], message=event.text, name=event.kind)
         self._channels.lines.log(line, log_time=time_ns)
 
-    def _tell(self, topic: str, now: int) -> None:
+    def _send_topic(self, topic: str, now: int) -> None:
         if topic == FIXED:
             fixed = [_transform(parent, child, pose, _time(now)) for parent, child, pose in self._fixed]
             self._channels.tf_static.log(fox.FrameTransforms(transforms=fixed), log_time=now)

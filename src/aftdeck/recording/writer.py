@@ -1,7 +1,7 @@
-"""Recorder of a run: one thread writes what the simulation's thread hands over in constant time.
+"""Recorder of a run: the simulation's thread appends data to a queue, and a thread of the recorder writes it.
 
-A queue holds everything that is handed over. The writer's thread turns it into messages and closes a chunk of the file
-every `FLUSH_S`, so that a killed program loses no more than a second. An error ends the recording, never the run.
+Appending takes constant time. The recorder's thread converts the data to messages and closes a chunk of the file every
+`FLUSH_S`, so that a killed program loses at most a second. An error ends the recording, never the run.
 """
 
 from __future__ import annotations
@@ -45,13 +45,13 @@ from aftdeck.simulation.summary import Summary
 
 FLUSH_S = 0.5
 """Time after which a chunk of the file is closed [s]."""
-LOOK_S = 0.05
-"""Interval at which the writer checks its queue [s]: to wake it at each step would cost the simulation more."""
-MOST_WAITING = 20_000
-"""Maximum number of entries that wait to be written; if the disk falls further behind, the recording ends."""
+POLL_S = 0.05
+"""Interval at which the thread checks its queue [s]: waking it at each step would delay the simulation more."""
+MAX_WAITING = 20_000
+"""Maximum number of entries in the queue; beyond it, the recording ends."""
 BEGIN_S = 2.0
-"""Longest wait of a session's first run for the first message in its file [s]."""
-PATIENCE_S = 30.0
+"""Longest wait before a session's first run for the header in its file [s]."""
+MAX_DISK_WAIT_S = 30.0
 """Longest wait for the disk at the end of a run [s]."""
 
 Ended = Literal["completed", "time", "fault", "stopped", "restarted"]
@@ -71,18 +71,18 @@ class _End(NamedTuple):
 
 _CHANNEL = {kind: topic for topic, (kind, _) in CHANNELS.items()}
 """Channel of each type of message."""
-_Told = ControllersRecord | Shown | LightRecord
-"""Types that are handed over as the messages to be written, and that `Viewing` does not show."""
+_Ready = ControllersRecord | Shown | LightRecord
+"""Types that are queued as finished messages, and that `Viewing` does not use."""
 
 
 class Recorder:
     """Recorder of one run, into one file or for viewers only.
 
     Attributes:
-        path: the file; None if only viewers see the run.
-        failure: why recording stopped, in a sentence; empty while it continues.
-        unlisted: why the file is not in the list of recordings, in a sentence; empty if it is listed or need not be.
-        steps: number of steps handed over so far.
+        path: the file; None if the run is only sent to viewers.
+        failure: reason for the end of the recording, in a sentence; empty while it continues.
+        unlisted: reason why the file is not in the list of recordings, in a sentence; empty without an error.
+        steps: number of steps so far.
     """
 
     def __init__(
@@ -100,14 +100,14 @@ class Recorder:
         """Begin the recording.
 
         Args:
-            path: the file to create; its folder is created if it is missing. None: only viewers see the run.
+            path: file to create; its folder is created if it is missing. None: the run is only sent to viewers.
             scenario: the scenario of the run.
             seed: the seed of the run.
-            changes: KEY=VALUE for each value in which the scenario differs from its text.
+            changes: changes of the scenario, each as KEY=VALUE.
             trial: participant and condition.
-            live: server to which viewers attach; it outlives the run.
+            live: server for viewers; it continues after the run.
             index: list of recordings to which the file is added.
-            after: recorder of the previous run, which finishes before this one writes.
+            after: recorder of the previous run; this recorder writes only after `after` has finished.
 
         Raises:
             RecordingError: the file exists already or cannot be written.
@@ -121,7 +121,7 @@ class Recorder:
         self._began = time.perf_counter()
         self._began_ns = time.time_ns()
         self._opening = opening(scenario, seed, self._began_ns, changes, trial)
-        self._waiting: deque[_Step | Note | _Told | _End] = deque()
+        self._waiting: deque[_Step | Note | _Ready | _End] = deque()
         self._over = threading.Event()
         self._live = live
         self._scenario = scenario
@@ -129,50 +129,50 @@ class Recorder:
         self._thread = threading.Thread(target=self._work, name="recording", daemon=True)
         self._begun = threading.Event()
         self._thread.start()
-        if after is None:  # before a session's first run there is time to wait until its file has the first message
+        if after is None:  # only a session's first run may wait until its file has the header
             self._begun.wait(BEGIN_S)
 
     # --- called by the simulation's thread ----------------------------------------------------------------
 
     def step(self, inputs: Inputs | None, frame: Frame, latency_ms: float | None = None) -> None:
-        """Hand over a step: its inputs and the resulting frame."""
+        """Record a step: its inputs and its frame."""
         if self.failure:
             return
         self._waiting.append(_Step(inputs, frame, time.perf_counter() - self._began, latency_ms))
         self.steps += 1
-        if len(self._waiting) > MOST_WAITING:
-            self._fail(f"{MOST_WAITING} steps wait to be written: the disk is too slow")
+        if len(self._waiting) > MAX_WAITING:
+            self._fail(f"the disk is too slow: {MAX_WAITING} steps are waiting")
 
     def note(self, event: Event) -> None:
-        """Hand over a line that the station wrote in the log."""
+        """Record a log line of the station."""
         if not self.failure:
             wall = round(time.perf_counter() - self._began, 6)
             self._waiting.append(Note(event.time_s, event.kind, event.level, event.text, wall))
 
     def controllers(self, time_s: float, used: tuple[ControllerRecord, ...]) -> None:
-        """Hand over the devices that move the sticks from now on."""
+        """Record the devices that move the sticks from `time_s` on."""
         if not self.failure:
             wall = round(time.perf_counter() - self._began, 6)
             self._waiting.append(ControllersRecord(time_s, used, wall))
 
     def shown(self, time_s: float, monitors: tuple[tuple[str, ...], ...]) -> None:
-        """Hand over the cameras that the monitors show from now on."""
+        """Record the cameras on the monitors from `time_s` on."""
         if not self.failure:
             mon_1, mon_2 = (*monitors, (), ())[:2]
             self._waiting.append(Shown(time_s, mon_1, mon_2))
 
     def light(self, time_s: float, lighting: Lighting) -> None:
-        """Hand over the light from now on."""
+        """Record the lighting from `time_s` on."""
         if not self.failure:
             self._waiting.append(light_record(time_s, lighting))
 
     def wait_for_room(self) -> None:
-        """Wait while the disk is far behind; for runs that are not paced by a clock."""
-        while len(self._waiting) > MOST_WAITING // 2 and not self.failure:
+        """Wait while the queue is half full; for runs that are faster than real time."""
+        while len(self._waiting) > MAX_WAITING // 2 and not self.failure:
             time.sleep(0.001)
 
     def finish(self, ended: Ended, summary: Summary | None = None) -> None:
-        """End the run: let the writer's thread write the rest of the queue and the end, without waiting for it."""
+        """End the run, without waiting until the rest of the queue and the footer are written."""
         if not self._ended:
             self._ended = True
             self._waiting.append(_End(ended, summary))
@@ -185,27 +185,27 @@ class Recorder:
 
     @property
     def writing(self) -> bool:
-        """Whether something may still be written."""
+        """Whether the recorder's thread is running."""
         return self._thread.is_alive()
 
     def wait(self) -> None:
-        """Wait until everything is written; after `PATIENCE_S` the recording fails."""
-        self._thread.join(PATIENCE_S)
+        """Wait until everything is written; the recording fails after `MAX_DISK_WAIT_S`."""
+        self._thread.join(MAX_DISK_WAIT_S)
         if self._thread.is_alive():
-            self._fail(f"the disk took nothing for {PATIENCE_S:g} s")
+            self._fail(f"the disk was not ready within {MAX_DISK_WAIT_S:g} s")
 
-    # --- the writer's thread ------------------------------------------------------------------------------
+    # --- the recorder's thread ------------------------------------------------------------------------------
 
     def _fail(self, why: str) -> None:
         if not self.failure:
-            self.failure = f"{self.path or 'viewers'}: recording stopped, the flight goes on: {why}"
+            self.failure = f"{self.path or 'viewers'}: recording stopped, the run continues: {why}"
 
     def _work(self) -> None:
         if self._after is not None:
             self._after.wait()
             self._after = None
         ended, time_s = "cut", 0.0
-        listing = threading.Thread(  # a thread of its own, since other programs may hold the list for seconds
+        listing = threading.Thread(  # in its own thread, because other programs may lock the list for seconds
             target=self._list, args=(lambda index, path: index.begin(path, self._opening),), daemon=True
         )
         listing.start()
@@ -223,15 +223,15 @@ class Recorder:
             listing.join()
             self._list(lambda index, path: index.end(path, ended, time_s))
 
-    def _list(self, tell: Callable[[Index, Path], None]) -> None:
+    def _list(self, update: Callable[[Index, Path], None]) -> None:
         try:
             if self._index is not None and self.path is not None:
-                tell(self._index, self.path)
+                update(self._index, self.path)
         except (RecordingError, OSError) as error:
             self.unlisted = str(error)
 
     def _write(self) -> tuple[str, float]:
-        """Write until the run ends; return how it ended, and its simulated time [s]."""
+        """Write until the run ends; return the reason for its end, and its simulated time [s]."""
         channels = self._live.channels if self._live else Channels()
         file = None
         if self._sink is not None:
@@ -245,10 +245,10 @@ class Recorder:
         view.open()
         frames = hashlib.sha256()
         ticks, time_s, now = 0, 0.0, self._began_ns
-        item: _Step | Note | _Told | _End | None = None
+        item: _Step | Note | _Ready | _End | None = None
         while not isinstance(item, _End):
             if not self._waiting:
-                self._over.wait(LOOK_S)
+                self._over.wait(POLL_S)
             item = self._waiting.popleft() if self._waiting else None
             if isinstance(item, _Step):
                 frames.update(bytes.fromhex(item.frame.sha256))
@@ -261,7 +261,7 @@ class Recorder:
             elif isinstance(item, Note):
                 channels.log("/notes", item, now)
                 view.line(item, now)
-            elif isinstance(item, _Told):
+            elif isinstance(item, _Ready):
                 channels.log(_CHANNEL[type(item)], item, now)
             if time.monotonic() >= due:
                 if file is not None:

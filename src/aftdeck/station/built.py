@@ -1,4 +1,4 @@
-"""Built files of the station's page."""
+"""Files of the built page."""
 
 from __future__ import annotations
 
@@ -23,6 +23,6 @@ def built_page() -> str:
     if not page.is_file():
         raise StationError(
             f"the station's page is missing ({page}): build it with `make fly` in the source tree, or install "
-            "Aftdeck from a wheel, which brings it"
+            "Aftdeck from a wheel, which includes it"
         )
     return page.read_text(encoding="utf-8")

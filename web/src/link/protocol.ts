@@ -1,5 +1,5 @@
 // Generated from simulation/frame.py and station/messages by `make generate`; do not edit.
-// All quantities are SI and radians; see there for frames.
+// All quantities are SI and radians; station/messages/kinds.py defines panel and scene axes.
 
 export const PROTOCOL = 4;
 
@@ -201,62 +201,62 @@ export interface Group {
  * Deflections of the hand controllers, after deadband and expo, each axis in [-1, 1].
  *
  * The page sends them whenever they change. While a stick is deflected or RATE HOLD keeps a rate, it sends them at
- * least every 0.2 s: after 0.5 s of silence the server sets the sticks to zero and treats the controls as unattended
+ * least every 0.2 s. After 0.5 s without a message the server centres the sticks and treats the controls as unattended
  * (`HandsOff`).
  */
 export interface Sticks {
   readonly type: 'sticks';
-  /** Increases with every message of a page; the server rejects a number that is not greater than the last. */
+  /** Sequence number; the server rejects a message whose number is not greater than the last one. */
   readonly seq: number;
   /** THC: +X, +Y, +Z of the present control frame. */
   readonly translation: Vec3;
   /** RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame. */
   readonly rotation: Vec3;
-  /** SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT). */
+  /** SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT), in [-1, 1]. */
   readonly drive: number;
-  /** Telescope under the arm: + longer, - shorter, in [-1, 1]. */
+  /** Telescope: + longer, - shorter, in [-1, 1]. */
   readonly telescope: number;
   /** Translation of the orbiter: forward, starboard, down, each in [-1, 1]. */
   readonly orbiter: Vec3;
 }
 
 /**
- * Report the latency that the page measures and the cameras that it shows, for the recording and the strips.
+ * Report the measured latency and the displayed cameras, for the recording and the strips.
  *
- * The page sends it once a second and when a monitor shows another camera.
+ * The page sends this message once a second and when a monitor changes its camera.
  */
 export interface Shown {
   readonly type: 'shown';
   readonly seq: number;
-  /** Time from stick to picture, 95th percentile of the last 10 s [ms]; null if there is no measurement. */
+  /** Time from stick to picture, 95th percentile of the last 10 s [ms]; null if not measured. */
   readonly latency_ms: number | null;
   /** Cameras that MON 1 and MON 2 show. */
   readonly monitors: readonly (readonly string[])[];
 }
 
-/** Report the hand controllers in use, for the recording: when the page takes control and whenever they change. */
+/** Report the devices in use, for the recording: when the page takes control, and when the devices change. */
 export interface Controllers {
   readonly type: 'controllers';
   readonly seq: number;
   readonly controllers: readonly ControllerInUse[];
 }
 
-/** Device that moves the hand controllers, with its settings and the use of its keys, buttons and axes. */
+/** Device that moves the hand controllers: its settings, and the functions of its keys, buttons and axes. */
 export interface ControllerInUse {
   readonly kind: ControllerKind;
-  /** Name that the browser gives the device. */
+  /** Name that the browser reports. */
   readonly name: string;
-  /** Part of an axis' travel about its centre that counts as zero. */
+  /** Fraction of an axis' travel, about its centre, that counts as zero. */
   readonly deadband: number;
   /** 0 linear, 1 cubic: (1 - expo) x + expo x**3, where x is the deflection beyond the deadband. */
   readonly expo: number;
-  /** Key, button or axis, and its use: `KeyW +X`, `a1 -X`, `b9+b12 +telescope`. */
+  /** Key, button or axis, and its function: `KeyW +X`, `a1 -X`, `b9+b12 +telescope`. */
   readonly bindings: readonly string[];
-  /** Rest position of each axis, as the operator has confirmed it; 0 for the axes beyond the last. */
+  /** Rest position of each axis, as confirmed by the operator; 0 for axes beyond the last. */
   readonly centres: readonly number[];
 }
 
-/** Set the switches that drive a camera, each in [-1, 1]; they expire after 0.5 s of silence, as `Sticks` do. */
+/** Set the switches that drive a camera, each in [-1, 1]. The server centres them 0.5 s after the last message. */
 export interface DriveCamera {
   readonly type: 'drive_camera';
   readonly seq: number;
@@ -267,11 +267,11 @@ export interface DriveCamera {
   readonly tilt: number;
   /** + zooms in, to a narrower field of view. */
   readonly zoom: number;
-  /** True for the low speed, if the drive has two. */
+  /** True for the low speed, if the drive has two speeds. */
   readonly slow: boolean;
 }
 
-/** Set the whole lighting from now on. It is recorded, but it is not an input of the simulation. */
+/** Set the complete lighting. It is recorded, but it is not an input of the simulation. */
 export interface SetLight {
   readonly type: 'set_light';
   readonly seq: number;
@@ -298,7 +298,7 @@ export interface LockedExposure {
 export interface EnterMode {
   readonly type: 'enter_mode';
   readonly seq: number;
-  /** A panel position, as `ModeInfo.position`. */
+  /** Position of the rotary, as in `ModeInfo.position`. */
   readonly mode: string;
 }
 
@@ -317,14 +317,14 @@ export interface SelectRate {
   readonly rate: Rate;
 }
 
-/** Set the switch beside OPR CMD and AUTO 1-4, which selects the report's mode (1 to 3) that they fly. */
+/** Set the switch beside OPR CMD and AUTO 1-4, which selects their steering law (1 to 3). */
 export interface SelectLaw {
   readonly type: 'select_law';
   readonly seq: number;
   readonly law: LawChoice;
 }
 
-/** Set the switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4). */
+/** Set the switch beside ORB LD: rotate about payload axes (steering law 7) or orbiter axes (steering law 4). */
 export interface PayloadAxes {
   readonly type: 'payload_axes';
   readonly seq: number;
@@ -344,19 +344,19 @@ export interface PositionHold {
   readonly on: boolean;
 }
 
-/** Ask for control of the arm; the page in control gives or keeps the sticks within 10 s, or the request expires. */
+/** Ask for control of the arm. The request expires if the page in control does not answer within 10 s. */
 export interface AskSticks {
   readonly type: 'ask_sticks';
   readonly seq: number;
 }
 
-/** Give the sticks, which must be centred, to the page that asks for control. */
+/** Give the sticks, which must be centred, to the page that asks for them. */
 export interface GiveSticks {
   readonly type: 'give_sticks';
   readonly seq: number;
 }
 
-/** Keep the sticks; the server informs the page that asks for control. */
+/** Keep the sticks; the server informs the page that asks for them. */
 export interface KeepSticks {
   readonly type: 'keep_sticks';
   readonly seq: number;
@@ -366,12 +366,12 @@ export interface KeepSticks {
 export interface SetName {
   readonly type: 'set_name';
   readonly seq: number;
-  /** One line of at most 24 characters; empty to call the page by its number again. */
+  /** One line of at most 24 characters; empty removes the name. */
   readonly name: string;
 }
 
 /**
- * Leave the seat: the page has become too narrow to control the arm, and from now on only shows the run.
+ * Leave the control roles: the page has become too narrow to control the arm, and now only shows the run.
  *
  * If this page was in control, the next page takes control.
  */
@@ -380,13 +380,17 @@ export interface LeaveSeat {
   readonly seq: number;
 }
 
-/** Take a seat again: the page is wide enough now. It takes control if no page has it, and otherwise observes. */
+/** Join the control roles: the page is wide enough. It takes control if no page is in control; else it observes. */
 export interface TakeSeat {
   readonly type: 'take_seat';
   readonly seq: number;
 }
 
-/** Leave the controls unattended: sticks centred, RATE HOLD off, POSITION HOLD on. A sequence continues. */
+/**
+ * Leave the controls unattended: the server centres the sticks, cancels RATE HOLD and sets POSITION HOLD.
+ *
+ * A sequence continues.
+ */
 export interface HandsOff {
   readonly type: 'hands_off';
   readonly seq: number;
@@ -401,14 +405,14 @@ export interface LookAhead {
   readonly seconds: number;
 }
 
-/** Set BRAKES: on stops every joint at once. */
+/** Set BRAKES: on stops every joint immediately. */
 export interface SetBrakes {
   readonly type: 'brakes';
   readonly seq: number;
   readonly on: boolean;
 }
 
-/** Set SAFING: on commands zero joint rates; off is its CANCEL. */
+/** Set SAFING: on commands zero joint rates; off cancels SAFING. */
 export interface SetSafing {
   readonly type: 'safing';
   readonly seq: number;
@@ -437,13 +441,13 @@ export interface Stop {
   readonly seq: number;
 }
 
-/** Put the scenario back to its first instant. */
+/** Restart the scenario from its beginning. */
 export interface Restart {
   readonly type: 'restart';
   readonly seq: number;
 }
 
-/** Leave this run and run another scenario; the recording of this run is finished and kept. */
+/** Run another scenario. The server finishes the recording of this run and keeps it. */
 export interface FlyScenario {
   readonly type: 'fly_scenario';
   readonly seq: number;
@@ -472,7 +476,7 @@ export interface SetRigid {
   readonly rigid: 'off' | 'rigid' | 'derigid';
 }
 
-/** Latch the payload in its seat (retention latches, docking port), or unlatch it. */
+/** Latch or unlatch the payload in its berth (bay or docking port). */
 export interface PressLatch {
   readonly type: 'latch';
   readonly seq: number;
@@ -487,20 +491,20 @@ export interface SetMaster {
   readonly angles: Six;
 }
 
-/** Put arm and payload back to where a part of the problem begins. */
+/** Re-initialise arm and payload at a task phase. */
 export interface Initialise {
   readonly type: 'initialise';
   readonly seq: number;
   readonly part: ProblemPart;
 }
 
-/** Line of progress while the station prepares its first session; comes before the welcome. */
+/** Line of progress while the station prepares its first session, sent before the welcome. */
 export interface Preparing {
   readonly type: 'preparing';
   readonly text: string;
 }
 
-/** Answer to `Hello`, sent again when the scenario changes: data that stays the same in a session. */
+/** Answer to `Hello`, sent again when the scenario changes: all data that stays the same in a session. */
 export interface Welcome {
   readonly type: 'welcome';
   readonly protocol: number;
@@ -513,11 +517,11 @@ export interface Welcome {
   readonly control_period_s: number;
   /** Time from a command to its arrival at the arm [s]. */
   readonly command_delay_s: number;
-  /** Delay with which the page shows figures, lamps and log [s]. */
+  /** Delay with which the page displays numbers, lamps and log [s]. */
   readonly telemetry_delay_s: number;
-  /** Delay with which the page shows pictures [s]. */
+  /** Delay with which the page displays pictures [s]. */
   readonly camera_delay_s: number;
-  /** Units of the panel's read-outs, as the arm file prefers them. */
+  /** Units of the panel's read-outs, as given in the arm file. */
   readonly units: 'ft-in' | 'SI';
   readonly joints: readonly JointInfo[];
   readonly modes: readonly ModeInfo[];
@@ -526,9 +530,9 @@ export interface Welcome {
   readonly ghost: readonly number[];
   readonly cameras: readonly Camera[];
   readonly work: WorkInfo;
-  /** Light conditions that can be selected: directions of sun and Earth. */
+  /** Light conditions that the operator can select: directions of sun and Earth. */
   readonly conditions: readonly LightCondition[];
-  /** Switches of the lamps that this scenario has. */
+  /** Names of the lamps of this scenario. */
   readonly lamps: readonly string[];
   /** Payload table by PL ID, from 0. */
   readonly payloads: readonly PayloadInfo[];
@@ -543,13 +547,13 @@ export interface Welcome {
   readonly phases: readonly string[];
 }
 
-/** One joint of the arm: names, limits [rad] and rate limits [rad/s]. */
+/** Joint of the arm: names, limits [rad] and rate limits [rad/s]. */
 export interface JointInfo {
   /** Name in the arm file: `shoulder_yaw`. */
   readonly name: string;
   /** Name on the page: `Sho yaw`. */
   readonly label: string;
-  /** Axis of the hand controllers that turns this joint of the master arm: `THC Y`. */
+  /** Axis of the hand controllers that moves this joint of the master arm: `THC Y`. */
   readonly stick: string;
   readonly hard: Vec2;
   readonly soft: Vec2;
@@ -559,21 +563,21 @@ export interface JointInfo {
   readonly servo: number;
 }
 
-/** One position of the MODE rotary. */
+/** Position of the MODE rotary. */
 export interface ModeInfo {
   /** Name as printed on the panel: `ORB UNL`. */
   readonly position: string;
-  /** The report's mode numbers that the position can fly, the default first; 0 TEST, 9 DIRECT, 10 MASTER. */
+  /** Steering laws of this position, the default first; 0 for TEST, 9 for DIRECT, 10 for MASTER. */
   readonly laws: readonly number[];
-  /** Motion that it flies, in a few words: `tip along its own axes`. */
+  /** Motion in this mode, in a few words: `tip along its own axes`. */
   readonly title: string;
   readonly kind: 'automatic' | 'manual' | 'single' | 'test' | 'master';
-  /** Point that it moves: `tip`, `payload`. */
+  /** Point that this mode moves: `tip`, `payload`. */
   readonly point: string;
   /**
-   * True if this scenario has what the position needs, such as the stored points of AUTO 1-4.
+   * True if this scenario has all data that this mode needs, such as the stored points of AUTO 1-4.
    *
-   * A position that moves a payload also needs a captured payload.
+   * A mode that moves a payload also needs a captured payload.
    */
   readonly enabled: boolean;
   /** Axes that the sticks act along: `orbiter axes`. */
@@ -649,17 +653,17 @@ export interface Pane {
   readonly height: number;
 }
 
-/** Equipment of the worksite, and thresholds of its clearances. */
+/** Equipment of arm and worksite, and thresholds of the clearance. */
 export interface WorkInfo {
   /** Kind of the arm's end effector. */
   readonly hand: 'prong' | 'snares';
-  /** Telescope of the arm; null if the arm stands on none. */
+  /** Telescope under the arm; null if the arm has no telescope. */
   readonly stand: StandInfo | null;
   /** Names of the payloads; each payload has a body of the same name. */
   readonly cargo: readonly string[];
-  /** Seats where payloads can be fixed. */
+  /** Berths of the worksite. */
   readonly seats: readonly SeatInfo[];
-  /** Parts of the problem at which the operator can re-initialise. */
+  /** Task phases at which the operator can re-initialise; `full problem` is the start. */
   readonly parts: readonly ProblemPart[];
   /** Clearance below which the page shows a caution [m]. */
   readonly caution: number;
@@ -667,7 +671,7 @@ export interface WorkInfo {
   readonly warning: number;
 }
 
-/** Telescope that an arm stands on: its length and its rate. */
+/** Telescope under an arm: minimum and maximum length, and rate. */
 export interface StandInfo {
   /** [m] */
   readonly least: number;
@@ -676,7 +680,7 @@ export interface StandInfo {
   readonly rate: number;
 }
 
-/** Seat where a payload can be fixed. */
+/** Berth: location where a payload can be fixed. */
 export interface SeatInfo {
   /** Name in a frame: `Cargo.seat`. */
   readonly name: string;
@@ -714,9 +718,9 @@ export interface SkyGlow {
   readonly strength: number;
 }
 
-/** Row of the payload table (SPEC 94 item 3): limits that the steering obeys with this payload captured. */
+/** Row of the payload table (SPEC 94 item 3): rate limits with this payload captured. */
 export interface PayloadInfo {
-  /** PL ID; 0 if no payload is held. */
+  /** PL ID; 0 is the row without a payload. */
   readonly id: number;
   readonly name: string;
   /** [kg] */
@@ -725,19 +729,19 @@ export interface PayloadInfo {
   readonly translation: Vec2;
   /** Angular rate limit of the point of resolution, coarse and vernier [rad/s]. */
   readonly rotation: Vec2;
-  /** Joint rate limits in SINGLE, DIRECT and MASTER, coarse; `vernier` has those of vernier [rad/s]. */
+  /** `coarse` and `vernier`: joint rate limits in SINGLE, DIRECT and MASTER at this rate setting [rad/s]. */
   readonly coarse: Six;
   readonly vernier: Six;
 }
 
-/** Points that one of AUTO 1-4 flies through (SPEC 94 items 13-16). */
+/** Points of one of AUTO 1-4 (SPEC 94 items 13-16). */
 export interface StoredSequence {
   /** As `ModeInfo.position`. */
   readonly position: string;
   readonly points: readonly StoredPoint[];
 }
 
-/** Prestored point of AUTO 1-4, in panel components. */
+/** Stored point of AUTO 1-4, in panel components. */
 export interface StoredPoint {
   /** X, Y, Z [m]. */
   readonly position: Vec3;
@@ -747,16 +751,16 @@ export interface StoredPoint {
   readonly pause: boolean;
 }
 
-/** Scenarios that this station can run: sent on connection and whenever something in the message changes. */
+/** Scenarios that this station can run. The server sends this message on connection and whenever it changes. */
 export interface Scenarios {
   readonly type: 'scenarios';
   readonly scenarios: readonly ScenarioInfo[];
   /** Number of the scenario that is running. */
   readonly flown: number;
   /**
-   * Number of the scenario that is being prepared; null if there is none.
+   * Number of the scenario that is being prepared; null if none is.
    *
-   * The sticks are at zero meanwhile. When the scenario runs, every page gets a new `Welcome`.
+   * The sticks are centred meanwhile. When the scenario starts, every page receives a new `Welcome`.
    */
   readonly coming: number | null;
 }
@@ -767,36 +771,36 @@ export interface ScenarioInfo {
   readonly title: string;
   /** Task of the operator, in a sentence or two. */
   readonly text: string;
-  /** True for the user's own file; the others are built in. */
+  /** True for the user's own file; false for a built-in scenario. */
   readonly given: boolean;
 }
 
-/** Role of this page, and which page is in control: sent on connection and whenever it changes. */
+/** Role of this page, and the page in control. The server sends it on connection and whenever it changes. */
 export interface Role {
   readonly type: 'role';
   readonly flying: boolean;
-  /** Number of observers: pages with a seat, without the one in control. */
+  /** Number of observers: pages that can take control but are not in control. */
   readonly watchers: number;
-  /** Number of this page, from 1; 0 if it only shows the run. */
+  /** Number of this page, from 1; 0 if it cannot take control. */
   readonly number: number;
-  /** Number of the page in control; 0 if there is none. */
+  /** Number of the page in control; 0 if no page is in control. */
   readonly flier: number;
-  /** Number of the page that asks for the sticks; 0 if there is none. */
+  /** Number of the page that asks for the sticks; 0 if no page asks. */
   readonly asking: number;
-  /** Name as it was given at this page; empty if none was given. */
+  /** Name as given at this page; empty if not given. */
   readonly name: string;
-  /** Names of all pages that have one, this page included. */
+  /** Names of all pages that have a name, including this page. */
   readonly names: readonly NamedPage[];
 }
 
-/** Page at which a person has given a name. */
+/** Page with the name of the person at it. */
 export interface NamedPage {
   readonly number: number;
-  /** Name as the other pages get it: the page's number is appended if two pages have the same name. */
+  /** Name as the other pages display it; the page's number is appended if two pages have the same name. */
   readonly name: string;
 }
 
-/** All data that the page shows of one instant; the newest frame counts, and older ones may be skipped. */
+/** All data that the page shows of one control step. The server may skip frames and sends the newest one. */
 export interface Frame {
   readonly type: 'frame';
   /** number of control steps done */
@@ -1100,11 +1104,11 @@ export interface Event {
   readonly text: string;
 }
 
-/** What a page needs to display a frame: read-outs in panel components, lamps, and what to draw in the scene. */
+/** Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene. */
 export interface Display {
-  /** `seq` of the last `Sticks` that this step has taken; the page uses it to time stick-to-picture. */
+  /** `seq` of the last `Sticks` received before this step; the page computes its latency with it. */
   readonly stick_seq: number;
-  /** `seq` of the last `Sticks` that this step has flown, after the command delay; -1 if none, or the script flew. */
+  /** `seq` of the `Sticks` that moved the arm in this step, after the command delay; -1 if the script did or none. */
   readonly flown_seq: number;
   /** Simulated time in the recording so far [s]; null if the run is not recorded. */
   readonly recording_s: number | null;
@@ -1122,7 +1126,7 @@ export interface Display {
    * Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
    */
   readonly fixture: number | null;
-  /** Vector of this distance, along the axes that the sticks act along [m]; null also in modes without sticks. */
+  /** Vector of this distance, in the control frame of the sticks [m]; null also in modes without sticks. */
   readonly to_fixture: Vec3 | null;
   /** Displacement of the orbiter: forward, starboard, down [m]. */
   readonly orbiter: Vec3;
@@ -1133,9 +1137,9 @@ export interface Display {
   readonly gap: ClosestPoints | null;
   /** Closest points of each of `Work.contacts`, in their order. */
   readonly contacts: readonly ClosestPoints[];
-  /** Newest look-ahead; null if none was made yet. */
+  /** Newest look-ahead; null before the first one. */
   readonly ahead: Ahead | null;
-  /** Axes of the control frame in the scene, for the frame axes in the pictures. */
+  /** Axes of the control frame in the scene, for the axes that the page draws in the pictures. */
   readonly axes: Quat;
   /** Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene. */
   readonly poses: readonly number[];
@@ -1154,76 +1158,79 @@ export interface Resolution {
   readonly turn_rate: Vec3;
 }
 
-/** Target of an automatic mode, in panel components; `Frame.goal` has what remains of the motion to it. */
+/** Target of an automatic mode, in panel components; `Frame.goal` has the remaining distance and angle. */
 export interface Aim {
   readonly position: Vec3;
   readonly attitude: Vec3;
 }
 
-/** A lit lamp and its cause. */
+/** Lit lamp and its cause. */
 export interface Lamp {
   readonly name: FlightLamp;
   readonly level: Level;
-  /** Cause: `elbow 0.12` for SINGULAR. */
+  /** Cause, such as `elbow 0.12` for SINGULAR. */
   readonly text: string;
 }
 
-/** Where two monitored parts are nearest to each other, in the scene. */
+/** Closest points of two monitored parts, in the scene. */
 export interface ClosestPoints {
   readonly point_a: Vec3;
   readonly point_b: Vec3;
-  /** Point of the plane between the two parts, halfway between the closest points. */
+  /** Point of the separating plane, halfway between the closest points. */
   readonly plane: Vec3;
-  /** Unit normal of this plane, from a to b; zero if the parts collide. */
+  /** Unit normal of this plane, from a to b; zero if the parts overlap. */
   readonly normal: Vec3;
 }
 
 /**
- * Look-ahead: state of the arm in some seconds with the present stick command.
+ * Look-ahead: predicted state of the arm after some seconds with the present stick command.
  *
- * It is computed every 10 control steps: five times a second with the default control period.
+ * The station computes it every 10 control steps: five times a second with the default control period.
  */
 export interface Ahead {
   /** Time span of the look-ahead [s]. */
   readonly seconds: number;
-  /** True for the present stick command; false if the sticks are centred: the last axis used, at full deflection. */
+  /**
+   * True: computed with the present stick command. False: the sticks are centred; computed with the axis that was
+   * deflected last, at full deflection.
+   */
   readonly held: boolean;
-  /** True if the arm is then at another place than now. */
+  /** True if the arm moves in this time. */
   readonly moves: boolean;
-  /** Smallest clearance then [m]; null if no pair is monitored. */
+  /** Minimum clearance at the end of the time span [m]; null if no pair is monitored. */
   readonly clearance: number | null;
   /** `a` and `b`: the two parts with this clearance; empty if no pair is monitored. */
   readonly a: string;
   readonly b: string;
-  /** Time to the first contact found on the way [s]; null if none is found. */
+  /** Time to the first contact [s]; null if the look-ahead found no contact. */
   readonly contact_s: number | null;
-  /** Distance that the tip still moves if the sticks are released now [m]. */
+  /** Distance that the tip moves until it stops, if the sticks are centred now [m]. */
   readonly stopping: number;
-  /** Joint nearest to a reach limit then, 0 to 5. */
+  /** Joint nearest to a reach limit at the end of the time span, 0 to 5. */
   readonly joint: number;
-  /** Angle from this joint to that limit then [rad]; negative past the limit. */
+  /** Angle between this joint and that limit at the end of the time span [rad]; negative past the limit. */
   readonly room: number;
   /** Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`. */
   readonly poses: readonly number[];
 }
 
-/** New log lines, oldest first; none is ever skipped. */
+/** New log lines, oldest first. The server skips none. */
 export interface Events {
   readonly type: 'events';
   readonly events: readonly Event[];
 }
 
-/** Data for a window that draws strips: first the last minutes of the run, then only new data. */
+/** Data for a page that draws strips: first the last minutes of the run, then only new data. */
 export interface Recent {
   readonly type: 'recent';
   /**
-   * All strips, with curves that have no points: a run begins, and the data sent before is no longer valid.
+   * All strips, with empty curves, if a run begins: the page then deletes the data of the run before.
    *
    * Empty while the run continues.
    */
   readonly strips: readonly Strip[];
   readonly samples: readonly Sample[];
-  /** Lanes of the last minutes if a stretch has begun, otherwise empty; the last stretch of each lane continues. */
+  /** Lanes of the last minutes if an interval has begun, otherwise empty; the last interval of each lane continues. */
   readonly lanes: readonly Lane[];
 }
 
@@ -1233,21 +1240,21 @@ export interface Strip {
   readonly quantity: Quantity;
   readonly curves: readonly Curve[];
   readonly low: number;
-  /** `low` and `high`: range of all values, including zero if zero means rest. */
+  /** `low` and `high`: least and greatest value; the range includes zero if `rests` is true. */
   readonly high: number;
-  /** Limit to draw as a line across the strip; None if there is none. */
+  /** Limit that the page draws as a line across the strip; None if the quantity has no limit. */
   readonly limit: number | null;
-  /** Values below this one cause a caution; for a clearance, the scenario's threshold. None if there is none. */
+  /** Values below this one cause a caution; for a clearance, the scenario's threshold. None if not applicable. */
   readonly caution: number | null;
-  /** Values below this one cause a warning; None if there is none. */
+  /** Values below this one cause a warning; None if not applicable. */
   readonly warning: number | null;
-  /** True if the strip is drawn until the reader chooses other strips. */
+  /** True if the page draws the strip before the user selects strips. */
   readonly shown: boolean;
   /** True if zero means rest; the drawn range then includes zero. */
   readonly rests: boolean;
 }
 
-/** Line of a strip, thinned so that no peak is lost. */
+/** Curve of a strip, thinned so that it keeps every peak. */
 export interface Curve {
   readonly role: 'actual' | 'commanded';
   readonly times_s: readonly number[];
@@ -1255,34 +1262,34 @@ export interface Curve {
   readonly values: readonly (number | null)[];
 }
 
-/** Values of all strips at one instant. */
+/** Values of all strips in one control step. */
 export interface Sample {
   readonly time_s: number;
-  /** Values of all curves, strip after strip; null where a curve has no value. */
+  /** Values of all curves, in the order of the strips; null where a curve has no value. */
   readonly values: readonly (number | null)[];
   /** Joint nearest to its rate limit; empty at rest. */
   readonly worst: string;
 }
 
-/** Row of consecutive stretches, up to the last frame. */
+/** Row of consecutive intervals, up to the last frame. */
 export interface Lane {
   readonly name: string;
   readonly stretches: readonly Stretch[];
 }
 
-/** Stretch of a lane: an interval in which the label and the level do not change. */
+/** Interval of a lane in which the label and the level do not change. */
 export interface Stretch {
   readonly start_s: number;
   readonly end_s: number;
-  /** State during the stretch; empty if the lane has nothing to show. */
+  /** State in this interval; empty if the lane shows nothing. */
   readonly label: string;
   readonly level: Level;
 }
 
-/** Rejection of a message or command, with the reason in a sentence for the operator. */
+/** Rejection of a message or command, with the reason for the operator in one sentence. */
 export interface Refused {
   readonly type: 'refused';
-  /** `seq` of the message; -1 if the message could not be read, or if the rejection concerns no single message. */
+  /** `seq` of the rejected message; -1 if the message could not be decoded or the reason concerns no message. */
   readonly seq: number;
   readonly text: string;
 }
@@ -1290,26 +1297,26 @@ export interface Refused {
 /** One recorded frame, with the exact value of each curve in it. */
 export interface Moment {
   readonly frame: Frame;
-  /** Values of all curves, strip after strip; null where a curve has no value. */
+  /** Values of all curves, in the order of the strips; null where a curve has no value. */
   readonly values: readonly (number | null)[];
   /** Joint nearest to its rate limit; empty at rest. */
   readonly worst: string;
 }
 
-/** First message of a page, with the version of the protocol that the page uses. */
+/** First message of a page, with the protocol version that the page uses. */
 export interface Hello {
   readonly type: 'hello';
   readonly protocol: number;
-  /** True for a secondary window or a too narrow page: it only shows the run and cannot take control (`TakeSeat`). */
+  /** True for a secondary window or a page that is too narrow: it cannot take control until it sends `TakeSeat`. */
   readonly shows: boolean;
-  /** True if the page draws strips: the server then also sends it the last minutes of the run (`Recent`). */
+  /** True if the page draws strips: the server then also sends `Recent` messages. */
   readonly strips: boolean;
 }
 
-/** Cameras that the monitors of the page in control showed from a time on. */
+/** Cameras that the monitors of the operator's page showed from `time_s` on. */
 export interface Pictured {
   readonly time_s: number;
-  /** Camera names of MON 1 and MON 2: two if the monitor was split, none if no page was in control. */
+  /** Camera names of MON 1 and of MON 2: two names if the monitor was split, none if no page was in control. */
   readonly monitors: readonly (readonly string[])[];
 }
 
@@ -1318,13 +1325,13 @@ export interface Measure {
   readonly name: string;
   readonly quantity: Quantity;
   readonly value: number | null;
-  /** Value in words if `quantity` is `words`; otherwise empty. */
+  /** Value as text if `quantity` is `words`; otherwise empty. */
   readonly text: string;
   /** Explanation of the figure, in a sentence. */
   readonly about: string;
-  /** Angle that belongs to a distance: rotation of the two objects relative to each other [rad]; null if none. */
+  /** Angle between the two objects whose distance is `value` [rad]; null if not applicable. */
   readonly angle: number | null;
-  /** Worst alarm level that belongs to the figure. */
+  /** Worst alarm level of this figure during the run. */
   readonly level: Level;
 }
 
@@ -1335,7 +1342,7 @@ export interface Verdict {
   readonly text: string;
 }
 
-/** Recording in the folder of a station that records. */
+/** File in the folder of a station that records. */
 export interface Recorded {
   /** Name of the file, without its folder. */
   readonly file: string;
@@ -1355,19 +1362,19 @@ export interface PlaybackIndex {
   /** Version of Aftdeck that made the recording. */
   readonly version: string;
   readonly seed: number;
-  /** KEY=VALUE for each change that a re-run made to the scenario. */
+  /** Changes that a re-run made to the scenario, each as KEY=VALUE. */
   readonly changes: readonly string[];
-  /** Participant's code; empty if none was given. */
+  /** Code of the participant; empty if not given. */
   readonly participant: string;
-  /** Condition of the trial; empty if none was given. */
+  /** Condition of the trial; empty if not given. */
   readonly condition: string;
   /** Duration of a control step [s]. */
   readonly period_s: number;
   /** Number of steps in the recording. */
   readonly ticks: number;
-  /** Steps from one drawn frame to the next; 1 if every frame is drawn. */
+  /** Number of steps between two frames that the page draws; 1 if it draws every frame. */
   readonly stride: number;
-  /** Number of moments in each block but the last. */
+  /** Number of moments in each block except the last. */
   readonly block: number;
   /** Reason for the end of the run; empty if the recording was cut short. */
   readonly ended: string;

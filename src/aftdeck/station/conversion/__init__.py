@@ -1,1 +1,1 @@
-"""Conversion of a scenario and its frames to what a page displays."""
+"""Conversion of a scenario and its frames to messages for a page."""

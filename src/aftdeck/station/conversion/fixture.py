@@ -1,4 +1,4 @@
-"""The way from the empty snares to the nearest grapple fixture."""
+"""Vector from the empty snares to the nearest grapple fixture."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ class Fixtures:
         """
         if work.hand.carriage is None or any(cargo.held for cargo in work.cargo):
             return None
-        ways = (
+        vectors = (
             np.array(cargo.position) + np.array(cargo.orientation) @ self._fixtures[cargo.name] - tip
             for cargo in work.cargo
             if cargo.name in self._fixtures
         )
-        nearest = min(ways, key=lambda way: math.hypot(*way.tolist()), default=None)
+        nearest = min(vectors, key=lambda vector: math.hypot(*vector.tolist()), default=None)
         return None if nearest is None else self._panel_axes @ nearest

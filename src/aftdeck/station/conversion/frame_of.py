@@ -1,4 +1,4 @@
-"""Frames of a scenario as a page gets them: what it needs to display each, and the look-ahead."""
+"""Frames as a page receives them: each with the data that the page needs to display it, and the look-ahead."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from aftdeck.worksite.report import Near
 
 
 class Displays:
-    """Maker of the displays of one scenario's frames."""
+    """Converter of one scenario's frames to messages for a page."""
 
     def __init__(self, scenario: Scenario) -> None:
         mount = scenario.arm.model.mount
@@ -37,7 +37,7 @@ class Displays:
         self._scene_origin = SCENE_FROM_PANEL_AXES @ mount.origin - scenario.worksite.origin
 
     def ahead(self, ahead: look_ahead.Ahead, frame: sim.Frame) -> Ahead:
-        """Return a look-ahead, made from `frame`, in the form that the page uses."""
+        """Return a look-ahead that was computed from `frame`, as the page receives it."""
         near = ahead.nearest
         return Ahead(
             seconds=ahead.seconds,
@@ -62,7 +62,7 @@ class Displays:
         lighting: Lighting | None = None,
         flown_seq: int = -1,
     ) -> Frame:
-        """Return a frame with its display; without `lighting`, the lighting is the scenario's."""
+        """Return a frame with its display; if `lighting` is None, with the scenario's lighting."""
         tip = Pose(np.array(frame.position), np.array(frame.orientation))
         loaded = MODES[frame.mode].loaded and not self._scenario.strict
         shown = Pose(np.array(frame.resolution), self._shown_axes(frame, tip, loaded))
@@ -103,7 +103,7 @@ class Displays:
         return _vec3((point - tip.position) @ tip.rotation @ self._hand)
 
     def _shown_axes(self, frame: sim.Frame, tip: Pose, loaded: bool) -> Array:
-        """Return the axes in L whose attitude the panel shows: the payload's in its modes, else the end effector's."""
+        """Return the axes in L whose attitude the panel shows: of the payload in loaded modes, else of the tip."""
         if loaded and frame.payload is not None:
             return np.array(frame.payload[1])
         return tip.rotation @ self._hand
@@ -113,9 +113,9 @@ class Displays:
         stand = frame.work.stand
         if stand is not None and stand != self._raised.stand:
             self._raised = self._arm.at(stand=stand)
-        there = self._raised.forward(frame.angles_commanded)
-        turn = there.rotation @ tip.rotation.T
-        return Pose(there.position + turn @ (shown.position - tip.position), turn @ shown.rotation)
+        commanded_tip = self._raised.forward(frame.angles_commanded)
+        from_tip = commanded_tip.rotation @ tip.rotation.T
+        return Pose(commanded_tip.position + from_tip @ (shown.position - tip.position), from_tip @ shown.rotation)
 
     def _control_axes(self, frame: sim.Frame, tip: Pose) -> Array:
         """Return the axes that the sticks act along, in panel components."""

@@ -1,4 +1,4 @@
-"""The lamps that a frame lights, each with its cause."""
+"""Lamps that are lit in a frame, each with its cause."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ def lamps(scenario: Scenario, frame: sim.Frame) -> tuple[Lamp, ...]:
 
 
 def _effector_lamps(work: Work) -> tuple[Lamp, ...]:
-    """Return DERIGIDIZE while the snares hold a payload that is not rigid, and RELEASE too while they release it."""
+    """Return DERIGIDIZE while the snares hold a payload without rigidizing it, and RELEASE while they release it."""
     hand = work.hand
     if hand.carriage is None or "RIGID" in hand.flags or not any(cargo.held for cargo in work.cargo):
         return ()
     releases = hand.switch == "open"
     moves = releases or hand.switch == "close" if hand.mode == "auto" else hand.rigid != "off"
-    text = "the payload is held, not rigid"
+    text = "the payload is captured, not rigidized"
     lamps = [Lamp("DERIGIDIZE", "info" if moves or releases else "caution", text)]
     if releases and hand.rigid == "off":
-        lamps.append(Lamp("RELEASE", "info", "the payload is let go"))
+        lamps.append(Lamp("RELEASE", "info", "the payload is being released"))
     return tuple(lamps)

@@ -1,4 +1,4 @@
-"""Data of the page of targets and payloads (SPEC 94 PDRS CONTROL): the payload table and the stored points."""
+"""Data for SPEC 94 PDRS CONTROL: the payload table and the stored points."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from aftdeck.steering.rules import rules_of
 
 
 def payload_table(scenario: Scenario) -> tuple[PayloadInfo, ...]:
-    """Return the payload table by PL ID: no payload, then the scenario's own payloads, then the worksite's."""
-    own = [("payload" if k == 1 else f"payload {k}", one.mass) for k, one in enumerate(scenario.own_payloads, 1)]
+    """Return the payload table by PL ID: first no payload, then the scenario's own payloads, then the worksite's."""
+    own = [("payload" if k == 1 else f"payload {k}", load.mass) for k, load in enumerate(scenario.own_payloads, 1)]
     loads = (("no payload", 0.0), *own, *((cargo.name, cargo.mass) for cargo in scenario.cargo))
     return tuple(_row(scenario, number, name, mass) for number, (name, mass) in enumerate(loads))
 
 
 def _row(scenario: Scenario, number: int, name: str, mass: float) -> PayloadInfo:
-    """Return a row of the table: the steering's limits with a payload, which depend on its mass [kg] alone."""
+    """Return a row of the table: the steering limits for a payload of this mass [kg]."""
     model = scenario.arm.model
     rules = rules_of(model, por_with(model, mass, scenario.por), scenario.control_period)
     coarse, vernier = rules["SINGLE", "coarse", 8], rules["SINGLE", "vernier", 8]

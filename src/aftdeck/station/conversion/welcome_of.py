@@ -1,4 +1,4 @@
-"""The welcome of a scenario: its arm, modes, cameras, payloads and bodies, as a page gets them before all frames."""
+"""Welcome message of a scenario, which a page receives before all frames: arm, modes, cameras, payloads, bodies."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from aftdeck.version import __version__
 
 
 def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
-    """Return the first message to a page; `demo` if the session begins with the scenario's script."""
+    """Return the first message to a page; `demo` is True if the session begins with the scenario's script."""
     model = scenario.arm.model
     bodies = tuple(BodyInfo(body.name, body.shapes) for body in bodies_of(scenario))
     joints = tuple(
@@ -66,10 +66,10 @@ def welcome_of(scenario: Scenario, *, demo: bool) -> Welcome:
 
 def _work(scenario: Scenario) -> WorkInfo:
     """Return the equipment of a scenario's worksite and its clearance thresholds."""
-    has = scenario.arm.model.equipment
+    equipment = scenario.arm.model.equipment
     return WorkInfo(
-        hand="snares" if has.prong is None else "prong",
-        stand=None if has.telescope is None else StandInfo(*has.telescope),
+        hand="snares" if equipment.prong is None else "prong",
+        stand=None if equipment.telescope is None else StandInfo(*equipment.telescope),
         cargo=tuple(cargo.name for cargo in scenario.cargo),
         seats=tuple(SeatInfo(seat.name, seat.title) for seat in scenario.worksite.seats),
         parts=tuple(scenario.parts),

@@ -1,4 +1,4 @@
-"""Elements of lanes and strips, for a whole recording or for the last minutes of a live run."""
+"""Messages for lanes and strips, of a whole recording or of the last minutes of a live run."""
 
 from __future__ import annotations
 
@@ -25,30 +25,29 @@ Quantity = Literal[
 ]
 """Kind of a number, from which the page chooses its unit.
 
-Where the operator reads inches, a length or a gap is shown in inches and a distance in feet. A share is shown in per
-cent.
+In the units ft-in, the page shows a length or a gap in inches and a distance in feet. It shows a share in per cent.
 """
 
 
 class Stretch(msgspec.Struct, frozen=True):
-    """Stretch of a lane: an interval in which the label and the level do not change."""
+    """Interval of a lane in which the label and the level do not change."""
 
     start_s: float
     end_s: float
     label: str
-    """State during the stretch; empty if the lane has nothing to show."""
+    """State in this interval; empty if the lane shows nothing."""
     level: Level
 
 
 class Lane(msgspec.Struct, frozen=True):
-    """Row of consecutive stretches, up to the last frame."""
+    """Row of consecutive intervals, up to the last frame."""
 
     name: str
     stretches: tuple[Stretch, ...]
 
 
 class Curve(msgspec.Struct, frozen=True):
-    """Line of a strip, thinned so that no peak is lost."""
+    """Curve of a strip, thinned so that it keeps every peak."""
 
     role: Literal["actual", "commanded"]
     times_s: tuple[float, ...]
@@ -64,14 +63,14 @@ class Strip(msgspec.Struct, frozen=True):
     curves: tuple[Curve, ...]
     low: float
     high: float
-    """`low` and `high`: range of all values, including zero if zero means rest."""
+    """`low` and `high`: least and greatest value; the range includes zero if `rests` is true."""
     limit: float | None
-    """Limit to draw as a line across the strip; None if there is none."""
+    """Limit that the page draws as a line across the strip; None if the quantity has no limit."""
     caution: float | None
-    """Values below this one cause a caution; for a clearance, the scenario's threshold. None if there is none."""
+    """Values below this one cause a caution; for a clearance, the scenario's threshold. None if not applicable."""
     warning: float | None
-    """Values below this one cause a warning; None if there is none."""
+    """Values below this one cause a warning; None if not applicable."""
     shown: bool
-    """True if the strip is drawn until the reader chooses other strips."""
+    """True if the page draws the strip before the user selects strips."""
     rests: bool
     """True if zero means rest; the drawn range then includes zero."""

@@ -1,4 +1,4 @@
-"""The frame as a page gets it: the simulation's frame, and beside it what a page needs to display it."""
+"""Frame as a page receives it: the simulation's frame, with the data that the page needs to display it."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from aftdeck.simulation import frame as sim
 from aftdeck.station.messages.kinds import Level, Quat, Vec3
 
 FlightLamp = Literal["SINGULAR", "REACH LIM", "SOFT STOP", "RATE LIM", "CLEARANCE", "DERIGIDIZE", "RELEASE"]
-"""Lamps that the simulation lights; the page has others of its own, and a place for each."""
+"""Lamps that the station lights; the page has further lamps of its own."""
 
 
 class Lamp(msgspec.Struct, frozen=True, gc=False):
-    """A lit lamp and its cause."""
+    """Lit lamp and its cause."""
 
     name: FlightLamp
     level: Level
     text: str
-    """Cause: ``elbow 0.12`` for SINGULAR."""
+    """Cause, such as ``elbow 0.12`` for SINGULAR."""
 
 
 class Resolution(msgspec.Struct, frozen=True, gc=False):
@@ -38,59 +38,60 @@ class Resolution(msgspec.Struct, frozen=True, gc=False):
 
 
 class Aim(msgspec.Struct, frozen=True, gc=False):
-    """Target of an automatic mode, in panel components; `Frame.goal` has what remains of the motion to it."""
+    """Target of an automatic mode, in panel components; `Frame.goal` has the remaining distance and angle."""
 
     position: Vec3
     attitude: Vec3
 
 
 class ClosestPoints(msgspec.Struct, frozen=True, gc=False):
-    """Where two monitored parts are nearest to each other, in the scene."""
+    """Closest points of two monitored parts, in the scene."""
 
     point_a: Vec3
     point_b: Vec3
     plane: Vec3
-    """Point of the plane between the two parts, halfway between the closest points."""
+    """Point of the separating plane, halfway between the closest points."""
     normal: Vec3
-    """Unit normal of this plane, from a to b; zero if the parts collide."""
+    """Unit normal of this plane, from a to b; zero if the parts overlap."""
 
 
 class Ahead(msgspec.Struct, frozen=True):
-    """Look-ahead: state of the arm in some seconds with the present stick command.
+    """Look-ahead: predicted state of the arm after some seconds with the present stick command.
 
-    It is computed every 10 control steps: five times a second with the default control period.
+    The station computes it every 10 control steps: five times a second with the default control period.
     """
 
     seconds: float
     """Time span of the look-ahead [s]."""
     held: bool
-    """True for the present stick command; false if the sticks are centred: the last axis used, at full deflection."""
+    """True: computed with the present stick command. False: the sticks are centred; computed with the axis that was
+    deflected last, at full deflection."""
     moves: bool
-    """True if the arm is then at another place than now."""
+    """True if the arm moves in this time."""
     clearance: float | None
-    """Smallest clearance then [m]; null if no pair is monitored."""
+    """Minimum clearance at the end of the time span [m]; null if no pair is monitored."""
     a: str
     """`a` and `b`: the two parts with this clearance; empty if no pair is monitored."""
     b: str
     contact_s: float | None
-    """Time to the first contact found on the way [s]; null if none is found."""
+    """Time to the first contact [s]; null if the look-ahead found no contact."""
     stopping: float
-    """Distance that the tip still moves if the sticks are released now [m]."""
+    """Distance that the tip moves until it stops, if the sticks are centred now [m]."""
     joint: int
-    """Joint nearest to a reach limit then, 0 to 5."""
+    """Joint nearest to a reach limit at the end of the time span, 0 to 5."""
     room: float
-    """Angle from this joint to that limit then [rad]; negative past the limit."""
+    """Angle between this joint and that limit at the end of the time span [rad]; negative past the limit."""
     poses: tuple[float, ...]
     """Seven numbers for each body of `Welcome.ghost`, as in `Display.poses`."""
 
 
 class Display(msgspec.Struct, frozen=True):
-    """What a page needs to display a frame: read-outs in panel components, lamps, and what to draw in the scene."""
+    """Data that a page needs to display a frame: read-outs in panel components, lamps, and poses in the scene."""
 
     stick_seq: int
-    """`seq` of the last `Sticks` that this step has taken; the page uses it to time stick-to-picture."""
+    """`seq` of the last `Sticks` received before this step; the page computes its latency with it."""
     flown_seq: int
-    """`seq` of the last `Sticks` that this step has flown, after the command delay; -1 if none, or the script flew."""
+    """`seq` of the `Sticks` that moved the arm in this step, after the command delay; -1 if the script did or none."""
     recording_s: float | None
     """Simulated time in the recording so far [s]; null if the run is not recorded."""
     actual: Resolution
@@ -107,7 +108,7 @@ class Display(msgspec.Struct, frozen=True):
     Null if the arm has no snares, a payload is held, or no payload has a grapple fixture.
     """
     to_fixture: Vec3 | None
-    """Vector of this distance, along the axes that the sticks act along [m]; null also in modes without sticks."""
+    """Vector of this distance, in the control frame of the sticks [m]; null also in modes without sticks."""
     orbiter: Vec3
     """Displacement of the orbiter: forward, starboard, down [m]."""
     orbiter_velocity: Vec3
@@ -118,16 +119,16 @@ class Display(msgspec.Struct, frozen=True):
     contacts: tuple[ClosestPoints, ...]
     """Closest points of each of `Work.contacts`, in their order."""
     ahead: Ahead | None
-    """Newest look-ahead; null if none was made yet."""
+    """Newest look-ahead; null before the first one."""
     axes: Quat
-    """Axes of the control frame in the scene, for the frame axes in the pictures."""
+    """Axes of the control frame in the scene, for the axes that the page draws in the pictures."""
     poses: tuple[float, ...]
     """Seven numbers for each body, in the order of `Welcome.bodies`: x, y, z [m], w, x, y, z, in the scene."""
     lighting: Lighting
 
 
 class Frame(sim.Frame, frozen=True, tag_field="type", tag="frame"):
-    """All data that the page shows of one instant; the newest frame counts, and older ones may be skipped."""
+    """All data that the page shows of one control step. The server may skip frames and sends the newest one."""
 
     display: Display
 

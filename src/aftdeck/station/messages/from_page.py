@@ -1,4 +1,4 @@
-"""Messages from a page to the server, and the structures in them."""
+"""Messages from a page to the server, and the structs in them."""
 
 from __future__ import annotations
 
@@ -25,33 +25,33 @@ from aftdeck.station.messages.kinds import (
 
 
 class Hello(WireMessage, frozen=True, tag="hello"):
-    """First message of a page, with the version of the protocol that the page uses."""
+    """First message of a page, with the protocol version that the page uses."""
 
     protocol: int
     shows: bool = False
-    """True for a secondary window or a too narrow page: it only shows the run and cannot take control (`TakeSeat`)."""
+    """True for a secondary window or a page that is too narrow: it cannot take control until it sends `TakeSeat`."""
     strips: bool = False
-    """True if the page draws strips: the server then also sends it the last minutes of the run (`Recent`)."""
+    """True if the page draws strips: the server then also sends `Recent` messages."""
 
 
 class Sticks(WireMessage, frozen=True, tag="sticks"):
     """Deflections of the hand controllers, after deadband and expo, each axis in [-1, 1].
 
     The page sends them whenever they change. While a stick is deflected or RATE HOLD keeps a rate, it sends them at
-    least every 0.2 s: after 0.5 s of silence the server sets the sticks to zero and treats the controls as unattended
+    least every 0.2 s. After 0.5 s without a message the server centres the sticks and treats the controls as unattended
     (`HandsOff`).
     """
 
     seq: Seq
-    """Increases with every message of a page; the server rejects a number that is not greater than the last."""
+    """Sequence number; the server rejects a message whose number is not greater than the last one."""
     translation: Vec3
     """THC: +X, +Y, +Z of the present control frame."""
     rotation: Vec3
     """RHC: roll about +X, pitch about +Y, yaw about +Z of the present control frame."""
     drive: float
-    """SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT)."""
+    """SINGLE/DIRECT DRIVE switch: + or - for the selected joint (modes SINGLE and DIRECT), in [-1, 1]."""
     telescope: float = 0.0
-    """Telescope under the arm: + longer, - shorter, in [-1, 1]."""
+    """Telescope: + longer, - shorter, in [-1, 1]."""
     orbiter: Vec3 = (0.0, 0.0, 0.0)
     """Translation of the orbiter: forward, starboard, down, each in [-1, 1]."""
 
@@ -61,7 +61,7 @@ class EnterMode(WireMessage, frozen=True, tag="enter_mode"):
 
     seq: Seq
     mode: str
-    """A panel position, as `ModeInfo.position`."""
+    """Position of the rotary, as in `ModeInfo.position`."""
 
 
 class SelectJoint(WireMessage, frozen=True, tag="select_joint"):
@@ -90,14 +90,14 @@ class SetTarget(WireMessage, frozen=True, tag="set_target"):
 
 
 class SelectLaw(WireMessage, frozen=True, tag="select_law"):
-    """Set the switch beside OPR CMD and AUTO 1-4, which selects the report's mode (1 to 3) that they fly."""
+    """Set the switch beside OPR CMD and AUTO 1-4, which selects their steering law (1 to 3)."""
 
     seq: int
     law: LawChoice
 
 
 class PayloadAxes(WireMessage, frozen=True, tag="payload_axes"):
-    """Set the switch beside ORB LD: rotate in payload axes (mode 7) or in orbiter axes (mode 4)."""
+    """Set the switch beside ORB LD: rotate about payload axes (steering law 7) or orbiter axes (steering law 4)."""
 
     seq: int
     on: bool
@@ -117,19 +117,19 @@ class PositionHold(WireMessage, frozen=True, tag="position_hold"):
 
 
 class AskSticks(WireMessage, frozen=True, tag="ask_sticks"):
-    """Ask for control of the arm; the page in control gives or keeps the sticks within 10 s, or the request expires."""
+    """Ask for control of the arm. The request expires if the page in control does not answer within 10 s."""
 
     seq: Seq
 
 
 class GiveSticks(WireMessage, frozen=True, tag="give_sticks"):
-    """Give the sticks, which must be centred, to the page that asks for control."""
+    """Give the sticks, which must be centred, to the page that asks for them."""
 
     seq: Seq
 
 
 class KeepSticks(WireMessage, frozen=True, tag="keep_sticks"):
-    """Keep the sticks; the server informs the page that asks for control."""
+    """Keep the sticks; the server informs the page that asks for them."""
 
     seq: Seq
 
@@ -139,11 +139,11 @@ class SetName(WireMessage, frozen=True, tag="set_name"):
 
     seq: Seq
     name: str
-    """One line of at most 24 characters; empty to call the page by its number again."""
+    """One line of at most 24 characters; empty removes the name."""
 
 
 class LeaveSeat(WireMessage, frozen=True, tag="leave_seat"):
-    """Leave the seat: the page has become too narrow to control the arm, and from now on only shows the run.
+    """Leave the control roles: the page has become too narrow to control the arm, and now only shows the run.
 
     If this page was in control, the next page takes control.
     """
@@ -152,27 +152,30 @@ class LeaveSeat(WireMessage, frozen=True, tag="leave_seat"):
 
 
 class TakeSeat(WireMessage, frozen=True, tag="take_seat"):
-    """Take a seat again: the page is wide enough now. It takes control if no page has it, and otherwise observes."""
+    """Join the control roles: the page is wide enough. It takes control if no page is in control; else it observes."""
 
     seq: Seq
 
 
 class HandsOff(WireMessage, frozen=True, tag="hands_off"):
-    """Leave the controls unattended: sticks centred, RATE HOLD off, POSITION HOLD on. A sequence continues."""
+    """Leave the controls unattended: the server centres the sticks, cancels RATE HOLD and sets POSITION HOLD.
+
+    A sequence continues.
+    """
 
     seq: Seq
     cause: Literal["page hidden", "device lost"]
 
 
 class SetBrakes(WireMessage, frozen=True, tag="brakes"):
-    """Set BRAKES: on stops every joint at once."""
+    """Set BRAKES: on stops every joint immediately."""
 
     seq: Seq
     on: bool
 
 
 class SetSafing(WireMessage, frozen=True, tag="safing"):
-    """Set SAFING: on commands zero joint rates; off is its CANCEL."""
+    """Set SAFING: on commands zero joint rates; off cancels SAFING."""
 
     seq: Seq
     on: bool
@@ -220,7 +223,7 @@ class SetRigid(WireMessage, frozen=True, tag="rigid"):
 
 
 class PressLatch(WireMessage, frozen=True, tag="latch"):
-    """Latch the payload in its seat (retention latches, docking port), or unlatch it."""
+    """Latch or unlatch the payload in its berth (bay or docking port)."""
 
     seq: Seq
     latch: Literal["latch", "unlatch"]
@@ -235,20 +238,20 @@ class SetMaster(WireMessage, frozen=True, tag="master"):
 
 
 class Initialise(WireMessage, frozen=True, tag="initialise"):
-    """Put arm and payload back to where a part of the problem begins."""
+    """Re-initialise arm and payload at a task phase."""
 
     seq: Seq
     part: ProblemPart
 
 
 class Restart(WireMessage, frozen=True, tag="restart"):
-    """Put the scenario back to its first instant."""
+    """Restart the scenario from its beginning."""
 
     seq: Seq
 
 
 class FlyScenario(WireMessage, frozen=True, tag="fly_scenario"):
-    """Leave this run and run another scenario; the recording of this run is finished and kept."""
+    """Run another scenario. The server finishes the recording of this run and keeps it."""
 
     seq: Seq
     number: Annotated[int, msgspec.Meta(ge=0)]
@@ -256,7 +259,7 @@ class FlyScenario(WireMessage, frozen=True, tag="fly_scenario"):
 
 
 class DriveCamera(WireMessage, frozen=True, tag="drive_camera"):
-    """Set the switches that drive a camera, each in [-1, 1]; they expire after 0.5 s of silence, as `Sticks` do."""
+    """Set the switches that drive a camera, each in [-1, 1]. The server centres them 0.5 s after the last message."""
 
     seq: Seq
     camera: Name
@@ -267,47 +270,47 @@ class DriveCamera(WireMessage, frozen=True, tag="drive_camera"):
     zoom: float
     """+ zooms in, to a narrower field of view."""
     slow: bool
-    """True for the low speed, if the drive has two."""
+    """True for the low speed, if the drive has two speeds."""
 
 
 class Shown(WireMessage, frozen=True, tag="shown"):
-    """Report the latency that the page measures and the cameras that it shows, for the recording and the strips.
+    """Report the measured latency and the displayed cameras, for the recording and the strips.
 
-    The page sends it once a second and when a monitor shows another camera.
+    The page sends this message once a second and when a monitor changes its camera.
     """
 
     seq: Seq
     latency_ms: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] | None
-    """Time from stick to picture, 95th percentile of the last 10 s [ms]; null if there is no measurement."""
+    """Time from stick to picture, 95th percentile of the last 10 s [ms]; null if not measured."""
     monitors: Annotated[tuple[Monitor, ...], msgspec.Meta(max_length=2)] = ()
     """Cameras that MON 1 and MON 2 show."""
 
 
 class SetLight(WireMessage, frozen=True, tag="set_light"):
-    """Set the whole lighting from now on. It is recorded, but it is not an input of the simulation."""
+    """Set the complete lighting. It is recorded, but it is not an input of the simulation."""
 
     seq: Seq
     lighting: Lighting
 
 
 class ControllerInUse(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Device that moves the hand controllers, with its settings and the use of its keys, buttons and axes."""
+    """Device that moves the hand controllers: its settings, and the functions of its keys, buttons and axes."""
 
     kind: ControllerKind
     name: Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
-    """Name that the browser gives the device."""
+    """Name that the browser reports."""
     deadband: Annotated[float, msgspec.Meta(ge=0.0, le=0.5)]
-    """Part of an axis' travel about its centre that counts as zero."""
+    """Fraction of an axis' travel, about its centre, that counts as zero."""
     expo: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
     """0 linear, 1 cubic: (1 - expo) x + expo x**3, where x is the deflection beyond the deadband."""
     bindings: Annotated[tuple[Binding, ...], msgspec.Meta(max_length=64)]
-    """Key, button or axis, and its use: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
+    """Key, button or axis, and its function: ``KeyW +X``, ``a1 -X``, ``b9+b12 +telescope``."""
     centres: Annotated[tuple[Offset, ...], msgspec.Meta(max_length=16)]
-    """Rest position of each axis, as the operator has confirmed it; 0 for the axes beyond the last."""
+    """Rest position of each axis, as confirmed by the operator; 0 for axes beyond the last."""
 
 
 class Controllers(WireMessage, frozen=True, tag="controllers"):
-    """Report the hand controllers in use, for the recording: when the page takes control and whenever they change."""
+    """Report the devices in use, for the recording: when the page takes control, and when the devices change."""
 
     seq: Seq
     controllers: Annotated[tuple[ControllerInUse, ...], msgspec.Meta(max_length=5)]

@@ -1,4 +1,4 @@
-"""Definitions that the messages in both directions share; `from_page` and `to_page` define the messages, each once.
+"""Definitions that the messages in both directions share. `from_page` and `to_page` define the messages.
 
 Messages are JSON objects; their ``type`` is the tag of the struct. The page's TypeScript is generated from these types
 (``make generate``). All quantities are SI and radians. *panel* components are X = -Xo, Y = Yo, Z = -Zo with pitch, yaw,
@@ -16,7 +16,7 @@ PROTOCOL = 4
 """Version of this protocol; the server rejects a page of another version in the handshake."""
 
 MAX_MESSAGE_BYTES = 16_384
-"""Longest message accepted from a page [bytes]: `Controllers` with full mappings; others have fewer than 400."""
+"""Longest message accepted from a page [bytes]. A `Controllers` message may be so long; others have fewer than 400."""
 
 Vec3 = tuple[float, float, float]
 Six = tuple[float, float, float, float, float, float]
@@ -30,11 +30,11 @@ ControllerKind = Literal["keyboard", "pad", "thc pad", "rhc pad", "thc joystick"
 Binding = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9+]{1,16} [A-Za-z0-9+ -]{1,16}$")]
 Offset = Annotated[float, msgspec.Meta(ge=-0.3, le=0.3)]
 Seq = Annotated[int, msgspec.Meta(ge=0, le=2**53 - 1)]
-"""Number of a page's message: an integer that JavaScript represents exactly."""
+"""Sequence number of a page's message: an integer that JavaScript represents exactly."""
 Name = Annotated[str, msgspec.Meta(max_length=64)]
 Monitor = Annotated[tuple[Name, ...], msgspec.Meta(min_length=1, max_length=2)]
 """Names of the cameras that a monitor shows: one, or two for a split monitor, the left half first."""
 
 
 class WireMessage(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="type"):
-    """Frozen, tagged message that rejects unknown fields."""
+    """Base class of frozen, tagged messages that reject unknown fields."""

@@ -1,8 +1,8 @@
-"""Recording as the page plays it: data of the whole run, and the frames in blocks.
+"""Recording in the form in which the page plays it: data of the whole run, and the frames in blocks.
 
-The playback server and the one-file page deliver the same two things: first a `PlaybackIndex`, then a `Block` whenever
-the playhead comes near it. The page's TypeScript is generated from these types. All quantities are SI and radians;
-times are simulated times, counted from the beginning of the run.
+The playback server and the one-file page both deliver first a `PlaybackIndex`, and a `Block` whenever the playhead
+approaches it. The page's TypeScript is generated from these types. All quantities are SI and radians;
+times are simulated times since the beginning of the run.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ from aftdeck.station.messages.kinds import Level
 from aftdeck.station.messages.welcome import Welcome
 
 BLOCK = 256
-"""Number of moments in each block but the last: about 5 s of a recording at 50 steps a second."""
+"""Number of moments in each block except the last: about 5 s of a recording at 50 steps a second."""
 
 
 class Pictured(msgspec.Struct, frozen=True):
-    """Cameras that the monitors of the page in control showed from a time on."""
+    """Cameras that the monitors of the operator's page showed from `time_s` on."""
 
     time_s: float
     monitors: tuple[tuple[str, ...], ...]
-    """Camera names of MON 1 and MON 2: two if the monitor was split, none if no page was in control."""
+    """Camera names of MON 1 and of MON 2: two names if the monitor was split, none if no page was in control."""
 
 
 class Measure(msgspec.Struct, frozen=True):
@@ -36,13 +36,13 @@ class Measure(msgspec.Struct, frozen=True):
     quantity: Quantity
     value: float | None
     text: str
-    """Value in words if `quantity` is ``words``; otherwise empty."""
+    """Value as text if `quantity` is ``words``; otherwise empty."""
     about: str
     """Explanation of the figure, in a sentence."""
     angle: float | None = None
-    """Angle that belongs to a distance: rotation of the two objects relative to each other [rad]; null if none."""
+    """Angle between the two objects whose distance is `value` [rad]; null if not applicable."""
     level: Level = "info"
-    """Worst alarm level that belongs to the figure."""
+    """Worst alarm level of this figure during the run."""
 
 
 class Verdict(msgspec.Struct, frozen=True):
@@ -54,7 +54,7 @@ class Verdict(msgspec.Struct, frozen=True):
 
 
 class Recorded(msgspec.Struct, frozen=True):
-    """Recording in the folder of a station that records."""
+    """File in the folder of a station that records."""
 
     file: str
     """Name of the file, without its folder."""
@@ -76,19 +76,19 @@ class PlaybackIndex(msgspec.Struct, frozen=True):
     """Version of Aftdeck that made the recording."""
     seed: int
     changes: tuple[str, ...]
-    """KEY=VALUE for each change that a re-run made to the scenario."""
+    """Changes that a re-run made to the scenario, each as KEY=VALUE."""
     participant: str
-    """Participant's code; empty if none was given."""
+    """Code of the participant; empty if not given."""
     condition: str
-    """Condition of the trial; empty if none was given."""
+    """Condition of the trial; empty if not given."""
     period_s: float
     """Duration of a control step [s]."""
     ticks: int
     """Number of steps in the recording."""
     stride: int
-    """Steps from one drawn frame to the next; 1 if every frame is drawn."""
+    """Number of steps between two frames that the page draws; 1 if it draws every frame."""
     block: int
-    """Number of moments in each block but the last."""
+    """Number of moments in each block except the last."""
     ended: str
     """Reason for the end of the run; empty if the recording was cut short."""
     verdict: Verdict
@@ -104,7 +104,7 @@ class Moment(msgspec.Struct, frozen=True):
 
     frame: Frame
     values: tuple[float | None, ...]
-    """Values of all curves, strip after strip; null where a curve has no value."""
+    """Values of all curves, in the order of the strips; null where a curve has no value."""
     worst: str
     """Joint nearest to its rate limit; empty at rest."""
 

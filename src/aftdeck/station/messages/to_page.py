@@ -19,89 +19,89 @@ class ScenarioInfo(msgspec.Struct, frozen=True):
     text: str
     """Task of the operator, in a sentence or two."""
     given: bool
-    """True for the user's own file; the others are built in."""
+    """True for the user's own file; false for a built-in scenario."""
 
 
 class Scenarios(WireMessage, frozen=True, tag="scenarios"):
-    """Scenarios that this station can run: sent on connection and whenever something in the message changes."""
+    """Scenarios that this station can run. The server sends this message on connection and whenever it changes."""
 
     scenarios: tuple[ScenarioInfo, ...]
     flown: int
     """Number of the scenario that is running."""
     coming: int | None
-    """Number of the scenario that is being prepared; null if there is none.
+    """Number of the scenario that is being prepared; null if none is.
 
-    The sticks are at zero meanwhile. When the scenario runs, every page gets a new `Welcome`.
+    The sticks are centred meanwhile. When the scenario starts, every page receives a new `Welcome`.
     """
 
 
 class NamedPage(msgspec.Struct, frozen=True):
-    """Page at which a person has given a name."""
+    """Page with the name of the person at it."""
 
     number: int
     name: str
-    """Name as the other pages get it: the page's number is appended if two pages have the same name."""
+    """Name as the other pages display it; the page's number is appended if two pages have the same name."""
 
 
 class Role(WireMessage, frozen=True, tag="role"):
-    """Role of this page, and which page is in control: sent on connection and whenever it changes."""
+    """Role of this page, and the page in control. The server sends it on connection and whenever it changes."""
 
     flying: bool
     watchers: int
-    """Number of observers: pages with a seat, without the one in control."""
+    """Number of observers: pages that can take control but are not in control."""
     number: int
-    """Number of this page, from 1; 0 if it only shows the run."""
+    """Number of this page, from 1; 0 if it cannot take control."""
     flier: int
-    """Number of the page in control; 0 if there is none."""
+    """Number of the page in control; 0 if no page is in control."""
     asking: int
-    """Number of the page that asks for the sticks; 0 if there is none."""
+    """Number of the page that asks for the sticks; 0 if no page asks."""
     name: str
-    """Name as it was given at this page; empty if none was given."""
+    """Name as given at this page; empty if not given."""
     names: tuple[NamedPage, ...]
-    """Names of all pages that have one, this page included."""
+    """Names of all pages that have a name, including this page."""
 
 
 class Events(WireMessage, frozen=True, tag="events"):
-    """New log lines, oldest first; none is ever skipped."""
+    """New log lines, oldest first. The server skips none."""
 
     events: tuple[Event, ...]
 
 
 class Preparing(WireMessage, frozen=True, tag="preparing"):
-    """Line of progress while the station prepares its first session; comes before the welcome."""
+    """Line of progress while the station prepares its first session, sent before the welcome."""
 
     text: str
 
 
 class Refused(WireMessage, frozen=True, tag="refused"):
-    """Rejection of a message or command, with the reason in a sentence for the operator."""
+    """Rejection of a message or command, with the reason for the operator in one sentence."""
 
     seq: int
-    """`seq` of the message; -1 if the message could not be read, or if the rejection concerns no single message."""
+    """`seq` of the rejected message; -1 if the message could not be decoded or the reason concerns no message."""
     text: str
 
 
 class Sample(msgspec.Struct, frozen=True):
-    """Values of all strips at one instant."""
+    """Values of all strips in one control step."""
 
     time_s: float
     values: tuple[float | None, ...]
-    """Values of all curves, strip after strip; null where a curve has no value."""
+    """Values of all curves, in the order of the strips; null where a curve has no value."""
     worst: str
     """Joint nearest to its rate limit; empty at rest."""
 
 
 class Recent(WireMessage, frozen=True, tag="recent"):
-    """Data for a window that draws strips: first the last minutes of the run, then only new data."""
+    """Data for a page that draws strips: first the last minutes of the run, then only new data."""
 
     strips: tuple[Strip, ...]
-    """All strips, with curves that have no points: a run begins, and the data sent before is no longer valid.
+    """All strips, with empty curves, if a run begins: the page then deletes the data of the run before.
 
     Empty while the run continues.
     """
     samples: tuple[Sample, ...]
     lanes: tuple[Lane, ...]
-    """Lanes of the last minutes if a stretch has begun, otherwise empty; the last stretch of each lane continues."""
+    """Lanes of the last minutes if an interval has begun, otherwise empty; the last interval of each lane continues."""
 
 
 FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused

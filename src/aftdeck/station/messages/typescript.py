@@ -1,8 +1,7 @@
 """TypeScript of all messages: ``python -m aftdeck.station.messages.typescript`` prints ``web/src/link/protocol.ts``.
 
-Every struct becomes an interface. Every alias (tuple, literal or union) in `NAMED` becomes a type of
-the same name. The docstrings of structs and fields become comments. The encoder writes every field, even one at its
-default, so that no field is optional.
+Every struct becomes an interface. Every alias (tuple, literal or union) in `NAMED` becomes a type of the same name. The
+docstrings of structs and fields become comments. No field is optional, because the encoder writes default values too.
 """
 
 from __future__ import annotations
@@ -23,13 +22,13 @@ from aftdeck.worksite import report
 
 HEADER = """\
 // Generated from simulation/frame.py and station/messages by `make generate`; do not edit.
-// All quantities are SI and radians; see there for frames.
+// All quantities are SI and radians; station/messages/kinds.py defines panel and scene axes.
 """
 
 MODULES = (kinds, from_page, welcome, frame, to_page, playback)
 """Modules whose structs the page uses."""
 NAMED = (shapes, *MODULES, sim, report)
-"""Modules whose aliases are names in TypeScript, too."""
+"""Modules whose aliases become types in TypeScript."""
 
 _PLAIN: dict[object, str] = {
     float: "number",
@@ -41,16 +40,16 @@ _PLAIN: dict[object, str] = {
 
 
 def typescript() -> str:
-    """Return the whole file, ending in a newline.
+    """Return the text of the file, with a newline at its end.
 
     Raises:
-        TypeError: a field has a type that has no TypeScript here, or two structs have the same name.
+        TypeError: a field has a type that cannot be converted, or two structs have the same name.
     """
     return _Writer().file()
 
 
 class _Writer:
-    """Collector of the structs of `MODULES` and of all structs that they contain."""
+    """Writer of the structs of `MODULES`, and of all structs that their fields contain."""
 
     def __init__(self) -> None:
         self.aliases: dict[object, str] = {}
@@ -74,12 +73,12 @@ class _Writer:
         return "\n".join(parts)
 
     def name(self, hint: object) -> str:
-        """Return a type hint in TypeScript, by its alias if it has one."""
+        """Return the TypeScript of a type hint: its alias, if it has one."""
         alias = self.aliases.get(hint)
         return self.structure(hint) if alias is None else alias
 
     def structure(self, hint: object) -> str:
-        """Return a type hint in TypeScript, spelt out."""
+        """Return the TypeScript of a type hint without using its alias."""
         plain = _PLAIN.get(hint)
         if plain is not None:
             return plain
@@ -96,26 +95,27 @@ class _Writer:
         if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
             if hint not in self.interfaces:
                 if any(known.__name__ == hint.__name__ for known in self.interfaces):
-                    raise TypeError(f"two structs are called {hint.__name__}; the page needs a name for each")
-                self.interfaces[hint] = ""  # reserves the place of the struct, and ends a recursion
+                    raise TypeError(f"two structs have the name {hint.__name__}; rename one")
+                self.interfaces[hint] = ""  # keeps the order of the structs, and ends a recursion
                 self.interfaces[hint] = self.interface(hint)
             return hint.__name__
         if is_object(hint):
             hints = typing.get_type_hints(hint)
             return f"readonly [{', '.join(f'{name}: {self.name(hints[name])}' for name in names(hint))}]"
         raise TypeError(
-            f"{hint} has no TypeScript here; use numbers, strings, booleans, tuples, literals, structs and their unions"
+            f"{hint} cannot be converted to TypeScript; allowed: numbers, strings, booleans, tuples, literals, "
+            "structs and their unions"
         )
 
     def interface(self, struct: type[msgspec.Struct]) -> str:
-        hints, said = typing.get_type_hints(struct), comments(struct)
+        hints, texts = typing.get_type_hints(struct), comments(struct)
         declared = typing.get_type_hints(struct, include_extras=True)
         lines = [*_comment(inspect.getdoc(struct), ""), f"export interface {struct.__name__} {{"]
         config = struct.__struct_config__
         if config.tag_field is not None:
             lines.append(f"  readonly {config.tag_field}: {_literal(config.tag)};")
         for field, wire in zip(struct.__struct_fields__, struct.__struct_encode_fields__, strict=True):
-            lines += _comment(_described(apart(declared[field])[1]) or said.get(field), "  ")
+            lines += _comment(_described(apart(declared[field])[1]) or texts.get(field), "  ")
             lines.append(f"  readonly {wire}: {self.name(hints[field])};")
         return "\n".join([*lines, "}", ""])
 

@@ -1,4 +1,4 @@
-"""The welcome: everything that stays the same while a scenario runs, from the joints' limits to the shapes to draw."""
+"""Welcome message: all data that stays the same while a scenario runs, from joint limits to the shapes to draw."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from aftdeck.station.messages.kinds import ProblemPart, Six, Vec3, WireMessage
 
 
 class JointInfo(msgspec.Struct, frozen=True):
-    """One joint of the arm: names, limits [rad] and rate limits [rad/s]."""
+    """Joint of the arm: names, limits [rad] and rate limits [rad/s]."""
 
     name: str
     """Name in the arm file: ``shoulder_yaw``."""
     label: str
     """Name on the page: ``Sho yaw``."""
     stick: str
-    """Axis of the hand controllers that turns this joint of the master arm: ``THC Y``."""
+    """Axis of the hand controllers that moves this joint of the master arm: ``THC Y``."""
     hard: tuple[float, float]
     soft: tuple[float, float]
     reach: tuple[float, float]
@@ -30,21 +30,21 @@ class JointInfo(msgspec.Struct, frozen=True):
 
 
 class ModeInfo(msgspec.Struct, frozen=True):
-    """One position of the MODE rotary."""
+    """Position of the MODE rotary."""
 
     position: str
     """Name as printed on the panel: ``ORB UNL``."""
     laws: tuple[int, ...]
-    """The report's mode numbers that the position can fly, the default first; 0 TEST, 9 DIRECT, 10 MASTER."""
+    """Steering laws of this position, the default first; 0 for TEST, 9 for DIRECT, 10 for MASTER."""
     title: str
-    """Motion that it flies, in a few words: ``tip along its own axes``."""
+    """Motion in this mode, in a few words: ``tip along its own axes``."""
     kind: Literal["automatic", "manual", "single", "test", "master"]
     point: str
-    """Point that it moves: ``tip``, ``payload``."""
+    """Point that this mode moves: ``tip``, ``payload``."""
     enabled: bool
-    """True if this scenario has what the position needs, such as the stored points of AUTO 1-4.
+    """True if this scenario has all data that this mode needs, such as the stored points of AUTO 1-4.
 
-    A position that moves a payload also needs a captured payload.
+    A mode that moves a payload also needs a captured payload.
     """
     axes: str
     """Axes that the sticks act along: ``orbiter axes``."""
@@ -60,7 +60,7 @@ class BodyInfo(msgspec.Struct, frozen=True):
 
 
 class StandInfo(msgspec.Struct, frozen=True):
-    """Telescope that an arm stands on: its length and its rate."""
+    """Telescope under an arm: minimum and maximum length, and rate."""
 
     least: float
     """[m]"""
@@ -70,7 +70,7 @@ class StandInfo(msgspec.Struct, frozen=True):
 
 
 class SeatInfo(msgspec.Struct, frozen=True):
-    """Seat where a payload can be fixed."""
+    """Berth: location where a payload can be fixed."""
 
     name: str
     """Name in a frame: `Cargo.seat`."""
@@ -79,18 +79,18 @@ class SeatInfo(msgspec.Struct, frozen=True):
 
 
 class WorkInfo(msgspec.Struct, frozen=True):
-    """Equipment of the worksite, and thresholds of its clearances."""
+    """Equipment of arm and worksite, and thresholds of the clearance."""
 
     hand: Literal["prong", "snares"]
     """Kind of the arm's end effector."""
     stand: StandInfo | None
-    """Telescope of the arm; null if the arm stands on none."""
+    """Telescope under the arm; null if the arm has no telescope."""
     cargo: tuple[str, ...]
     """Names of the payloads; each payload has a body of the same name."""
     seats: tuple[SeatInfo, ...]
-    """Seats where payloads can be fixed."""
+    """Berths of the worksite."""
     parts: tuple[ProblemPart, ...]
-    """Parts of the problem at which the operator can re-initialise."""
+    """Task phases at which the operator can re-initialise; ``full problem`` is the start."""
     caution: float
     """Clearance below which the page shows a caution [m]."""
     warning: float
@@ -98,10 +98,10 @@ class WorkInfo(msgspec.Struct, frozen=True):
 
 
 class PayloadInfo(msgspec.Struct, frozen=True):
-    """Row of the payload table (SPEC 94 item 3): limits that the steering obeys with this payload captured."""
+    """Row of the payload table (SPEC 94 item 3): rate limits with this payload captured."""
 
     id: int
-    """PL ID; 0 if no payload is held."""
+    """PL ID; 0 is the row without a payload."""
     name: str
     mass: float
     """[kg]"""
@@ -110,12 +110,12 @@ class PayloadInfo(msgspec.Struct, frozen=True):
     rotation: tuple[float, float]
     """Angular rate limit of the point of resolution, coarse and vernier [rad/s]."""
     coarse: Six
-    """Joint rate limits in SINGLE, DIRECT and MASTER, coarse; `vernier` has those of vernier [rad/s]."""
+    """`coarse` and `vernier`: joint rate limits in SINGLE, DIRECT and MASTER at this rate setting [rad/s]."""
     vernier: Six
 
 
 class StoredPoint(msgspec.Struct, frozen=True):
-    """Prestored point of AUTO 1-4, in panel components."""
+    """Stored point of AUTO 1-4, in panel components."""
 
     position: Vec3
     """X, Y, Z [m]."""
@@ -126,7 +126,7 @@ class StoredPoint(msgspec.Struct, frozen=True):
 
 
 class StoredSequence(msgspec.Struct, frozen=True):
-    """Points that one of AUTO 1-4 flies through (SPEC 94 items 13-16)."""
+    """Points of one of AUTO 1-4 (SPEC 94 items 13-16)."""
 
     position: str
     """As `ModeInfo.position`."""
@@ -134,7 +134,7 @@ class StoredSequence(msgspec.Struct, frozen=True):
 
 
 class Welcome(WireMessage, frozen=True, tag="welcome"):
-    """Answer to `Hello`, sent again when the scenario changes: data that stays the same in a session."""
+    """Answer to `Hello`, sent again when the scenario changes: all data that stays the same in a session."""
 
     protocol: int
     version: str
@@ -147,11 +147,11 @@ class Welcome(WireMessage, frozen=True, tag="welcome"):
     command_delay_s: float
     """Time from a command to its arrival at the arm [s]."""
     telemetry_delay_s: float
-    """Delay with which the page shows figures, lamps and log [s]."""
+    """Delay with which the page displays numbers, lamps and log [s]."""
     camera_delay_s: float
-    """Delay with which the page shows pictures [s]."""
+    """Delay with which the page displays pictures [s]."""
     units: Literal["ft-in", "SI"]
-    """Units of the panel's read-outs, as the arm file prefers them."""
+    """Units of the panel's read-outs, as given in the arm file."""
     joints: tuple[JointInfo, ...]
     modes: tuple[ModeInfo, ...]
     bodies: tuple[BodyInfo, ...]
@@ -160,9 +160,9 @@ class Welcome(WireMessage, frozen=True, tag="welcome"):
     cameras: tuple[Camera, ...]
     work: WorkInfo
     conditions: tuple[LightCondition, ...]
-    """Light conditions that can be selected: directions of sun and Earth."""
+    """Light conditions that the operator can select: directions of sun and Earth."""
     lamps: tuple[str, ...]
-    """Switches of the lamps that this scenario has."""
+    """Names of the lamps of this scenario."""
     payloads: tuple[PayloadInfo, ...]
     """Payload table by PL ID, from 0."""
     sequences: tuple[StoredSequence, ...]

@@ -8,8 +8,8 @@ from typing import NamedTuple
 from aftdeck.simulation.frame import Frame
 from aftdeck.worksite.report import Cargo
 
-_OFF = ("pin off axis", "palm along bar")
-"""Capture conditions (of the snares, of the prong) that measure how far off centre the end effector is."""
+_OFFSETS = ("pin off axis", "palm along bar")
+"""Names of the capture conditions that measure the end effector's distance off centre: snares, prong."""
 
 
 class CaptureMisalignment(NamedTuple):
@@ -17,7 +17,7 @@ class CaptureMisalignment(NamedTuple):
 
     Attributes:
         offset: distance off centre [m]; None if this end effector has no condition for it.
-        angle: largest angle between the two [rad]; None if this end effector has no condition for it.
+        angle: largest angle between end effector and payload [rad]; None if this end effector has no condition for it.
         rate: speed of the tip relative to the payload [m/s].
     """
 
@@ -27,10 +27,10 @@ class CaptureMisalignment(NamedTuple):
 
 
 def capture_misalignment(before: Frame, cargo: Cargo) -> CaptureMisalignment:
-    """Return the misalignment from the frame before a capture and the cargo in that frame."""
+    """Return the misalignment at a capture, from the frame before it and the payload's status in that frame."""
     conditions = before.work.conditions
     return CaptureMisalignment(
-        next((abs(c.value) for c in conditions if c.name in _OFF), None),
+        next((abs(c.value) for c in conditions if c.name in _OFFSETS), None),
         max((abs(c.value) for c in conditions if c.unit == "rad"), default=None),
         math.dist(before.twist[3:], cargo.velocity),
     )

@@ -17,7 +17,7 @@ class Lanes:
     """Phase, mode, monitors, alarms and limits of a run, collected frame by frame.
 
     Attributes:
-        begun: number of stretches that have begun.
+        begun: number of intervals that have begun.
     """
 
     def __init__(self, period_s: float) -> None:
@@ -55,15 +55,15 @@ class Lanes:
             self.begun += 1
 
     def forget(self, before: int) -> None:
-        """Delete the stretches that ended before a tick."""
+        """Delete the intervals that ended before a step."""
         for stretches in self._lanes.values():
             while len(stretches) > 1 and stretches[1][0] < before:
                 del stretches[0]
 
     def lanes(self) -> tuple[Lane, ...]:
-        """Return the lanes, each with consecutive stretches up to the last frame.
+        """Return the lanes, each with consecutive intervals up to the last frame.
 
-        The stretches begin at zero, or later after `forget`. A phase or monitor lane without any label is left out.
+        The intervals begin at zero, or later after `forget`. A phase or monitor lane without labels is omitted.
         """
         return tuple(
             Lane(name, self._stretches(stretches))
@@ -83,9 +83,9 @@ class Lanes:
 
 
 def phase_of(frame: Frame) -> str:
-    """Return the script's phase, or, in manual flight with payloads, the report's mode (``extraction``).
+    """Return the script's phase, or, with manual inputs and payloads, the task phase (``extraction``).
 
     Returns:
-        Name of the phase or mode; "" if there is neither.
+        Name of the phase or task phase; "" if neither applies.
     """
     return frame.phase or (TASKS[frame.work.task] if frame.work.cargo else "")

@@ -26,7 +26,7 @@ class RunMetrics:
         self._last: Frame | None = None
         self._lit: dict[str, Level] = {}
         self._signs = [0] * 6
-        self._ticks = self._by_hand = self._vernier = 0
+        self._ticks = self._manual = self._vernier = 0
         self._deflected = self._both_hands = self._several_axes = 0
         self._reversals = [0] * 6
         self._alarms = 0
@@ -49,7 +49,7 @@ class RunMetrics:
         self._near(frame)
         self._last = frame
         self._ticks += 1
-        self._by_hand += frame.by == "hand"
+        self._manual += frame.by == "hand"
         self._vernier += frame.rate == "vernier"
         self._fastest = max(self._fastest, math.hypot(*frame.twist[3:]))
         self._worst = max(self._worst, worst_rate(frame.rates_commanded, frame.rate_limits)[0])
@@ -61,7 +61,7 @@ class RunMetrics:
         self._sticks(frame)
 
     def use(self, controllers: tuple[ControllerRecord, ...]) -> None:
-        """Add the controllers that move the sticks from now on."""
+        """Add the devices that move the sticks from the next frame on."""
         self._used |= {used.kind: used for used in controllers}
 
     def shown(self, monitors: tuple[tuple[str, ...], ...]) -> None:
@@ -78,11 +78,11 @@ class RunMetrics:
             self._nearest = near.clearance, f"{near.a} to {near.b}", frame.time_s
 
     def _capture(self, before: Frame, frame: Frame) -> None:
-        """Count captures, and keep the misalignment of the last one, from the step before it."""
-        for was, now in zip(before.work.cargo, frame.work.cargo, strict=True):
-            if now.held and not was.held:
+        """Count captures, and keep the misalignment of the last one."""
+        for old, new in zip(before.work.cargo, frame.work.cargo, strict=True):
+            if new.held and not old.held:
                 self._captures += 1
-                self._captured = capture_misalignment(before, was)
+                self._captured = capture_misalignment(before, old)
 
     def _sticks(self, frame: Frame) -> None:
         axes = (*frame.translation, *frame.rotation)
@@ -96,49 +96,62 @@ class RunMetrics:
                 self._signs[i] = sign
 
     def measures(self, ended: str) -> tuple[Measure, ...]:
-        """Return all figures that the run has data for.
+        """Return all figures for which the run has data; those of a target only if the last frame has one.
 
-        Figures of a target, for example, are included only if the run ended with one. `ended` says how the run ended;
-        it is empty for a recording that was cut short.
+        Args:
+            ended: reason for the end of the run; empty for a recording that was cut short.
         """
         frame = self._last
-        assert frame is not None, "a recording without a frame is refused before"
+        assert frame is not None, "PlaybackStore rejects a recording without a frame"
         duration = self._ticks * self._period_s
         figures = [
-            Measure("Run time", "time", duration, "", "Simulated time that the recording holds."),
-            Measure("Ended", "words", None, ended or "cut short", "How the run ended."),
-            _figure("Flown by hand", "share", self._by_hand / self._ticks, "Part of the time that no script flew."),
+            Measure("Run time", "time", duration, "", "Simulated time in the recording."),
+            Measure("Ended", "words", None, ended or "cut short", "Reason for the end of the run."),
+            _figure("Manual share", "share", self._manual / self._ticks, "Part of the time with manual inputs."),
         ]
         if self._used:
-            about = "; ".join(_told(used) for used in self._used.values())
-            figures.append(Measure("Controllers", "words", None, ", ".join(self._used), f"As used last: {about}."))
+            about = "; ".join(_controller_text(used) for used in self._used.values())
+            figures.append(Measure("Controllers", "words", None, ", ".join(self._used), f"Last settings: {about}."))
         if frame.goal is not None:
-            about = "From the tip to the target and between their attitudes, at the end."
-            figures.append(Measure("Left to target", "length", frame.goal.distance, "", about, frame.goal.angle))
+            about = "Distance of the tip from the target, and angle between their attitudes, at the end."
+            figures.append(Measure("Distance to target", "length", frame.goal.distance, "", about, frame.goal.angle))
         if self._nearest is not None:
             least, pair, when = self._nearest
-            about = f"Of all watched pairs, but those that come together as the task needs it: {pair}, at {when:.1f} s."
+            about = f"Least clearance of all monitored pairs, without essential contacts: {pair}, at {when:.1f} s."
             figures.append(Measure("Smallest clearance", "gap", least, "", about, level=self._worst_clearance))
         if self._captures:
             figures += self._capture_figures()
         moved = max(self._deflected, 1)
         return (
             *figures,
-            _figure("Tip path", "distance", self._path, "Way of the tip through space."),
-            _figure("Greatest POR speed", "speed", self._fastest, "Of the point of resolution, as it moved."),
+            _figure("Tip path", "distance", self._path, "Length of the tip's path."),
             _figure(
-                "Worst joint rate", "part of limit", self._worst, "Largest commanded joint rate of the limit in force."
+                "Greatest POR speed", "speed", self._fastest, "Greatest measured speed of the point of resolution."
             ),
-            _figure("Time in vernier", "time", self._vernier * self._period_s, "With the rate switch at VERNIER."),
-            _figure("Two-handed share", "share", self._both_hands / moved, "Of the time with a stick off its middle."),
             _figure(
-                "Multi-axis share", "share", self._several_axes / moved, "Of the time with a stick off its middle."
+                "Worst joint rate",
+                "part of limit",
+                self._worst,
+                "Greatest commanded joint rate, as a part of its limit at that time.",
+            ),
+            _figure("Time in vernier", "time", self._vernier * self._period_s, "Time with the rate setting vernier."),
+            _figure(
+                "Two-handed share",
+                "share",
+                self._both_hands / moved,
+                "Part of the time with a deflected stick in which both THC and RHC were deflected.",
+            ),
+            _figure(
+                "Multi-axis share",
+                "share",
+                self._several_axes / moved,
+                "Part of the time with a deflected stick in which several axes were deflected.",
             ),
             _figure(
                 "Reversals a minute",
                 "count",
                 sum(self._reversals) / duration * _MINUTE,
-                "Times that a stick's axis went over to its other side.",
+                "Number of times that a stick axis changed its sign, per minute.",
             ),
             self._worst_axis(),
             Measure(
@@ -146,35 +159,35 @@ class RunMetrics:
                 "count",
                 float(self._alarms),
                 "",
-                "Times that a lamp came on to caution or to warn, or rose from the one to the other.",
+                "Number of times that a lamp changed to a higher level: caution or warning.",
                 level=self._worst_lamp,
             ),
-            _figure("Brakes used", "count", float(self._brakes), "Times that the brakes were put on."),
+            _figure("Brakes used", "count", float(self._brakes), "Number of times that the brakes were set."),
             *self._camera_figures(),
         )
 
     def _worst_axis(self) -> Measure:
         most = max(self._reversals)
-        which = f"{_AXES[self._reversals.index(most)]}, {most}" if most else "none"
+        text = f"{_AXES[self._reversals.index(most)]}, {most}" if most else "none"
         return Measure(
-            "Reversals, worst axis", "words", None, which, "Of a stick's axes, in the control frame of the mode."
+            "Reversals, worst axis", "words", None, text, "Stick axis with the most reversals, and their number."
         )
 
     def _capture_figures(self) -> list[Measure]:
-        which = "" if self._captures == 1 else f" The last of {self._captures} captures."
+        number = "" if self._captures == 1 else f" Last of {self._captures} captures."
         offset, angle, rate = self._captured
         figures = []
         if offset is not None:
-            about = f"What the hand was off, in the step before it held.{which}"
+            about = f"Distance off centre and angle of the end effector, in the step before the capture.{number}"
             figures.append(Measure("Capture misalignment", "gap", offset, "", about, angle))
-        about = f"Of the tip against the payload, in the step before the hand held it.{which}"
+        about = f"Speed of the tip relative to the payload, in the step before the capture.{number}"
         return [*figures, _figure("Rate at capture", "speed", rate, about)]
 
     def _camera_figures(self) -> list[Measure]:
-        """Return the count of camera changes, if a page reported what its monitors showed."""
+        """Return the number of camera changes, if a page reported its cameras."""
         if not self._monitors:
             return []
-        about = "Times that a monitor was given another camera, or split."
+        about = "Number of times that a monitor changed its camera or was split."
         return [_figure("Camera changes", "count", float(self._cameras), about)]
 
 
@@ -186,7 +199,7 @@ def _worse(*levels: Level) -> Level:
     return max(levels, key=lambda level: _RANK[level])
 
 
-def _told(used: ControllerRecord) -> str:
-    """Return a controller's name and settings: ``Test pad, deadband 8 %, expo 0.3``. A keyboard has no settings."""
+def _controller_text(used: ControllerRecord) -> str:
+    """Return a device's name and settings: ``Test pad, deadband 8 %, expo 0.3``; of a keyboard only the name."""
     set_to = "" if used.kind == "keyboard" else f", deadband {used.deadband:.0%}, expo {used.expo:g}".replace("%", " %")
     return f"{used.name}{set_to}"

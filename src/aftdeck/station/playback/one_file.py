@@ -1,8 +1,8 @@
-"""Recording as one HTML file that any browser plays without a server, with page, index and frames inside.
+"""Recording as one HTML file, which any browser plays without a server.
 
-The page is the one that the station serves, with its script, style and fonts included. The index and the blocks are
-compressed and written in base64. Numbers keep the decimals that a picture and a read-out need. Of a long run, only
-every second, third ... frame is kept, so that the file stays below `LIMIT`.
+The file contains the station's page with its script, style and fonts, and the index and blocks of the recording,
+compressed and in base64. Numbers keep the decimals that a picture and a read-out need. Of a long run, the file contains
+only every second, third, ... frame, so that it stays below `LIMIT`.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ import msgspec
 from aftdeck.errors import RecordingError
 from aftdeck.station.built import STATIC, built_page
 from aftdeck.station.messages.playback import BLOCK
-from aftdeck.station.playback.reel import PlaybackStore
+from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import verdict
 
 LIMIT = 4_950_000
 """Longest file [bytes]; most mail servers accept five megabytes."""
 DECIMALS = 4
-"""Decimals of all numbers in index and blocks: a tenth of a millimetre, six thousandths of a degree."""
+"""Decimals of all numbers in index and blocks: 0.1 mm, 0.006 deg."""
 ROUND, ROUND_A_BLOCK = 1000, 60
-"""Allowance for the HTML elements around all the data, and around each block [bytes]."""
+"""Allowance for the HTML elements around all data, and around each block [bytes]."""
 
 _SCRIPT = re.compile(r'<script type="module"[^>]* src="\./([^"]+)"></script>')
 _STYLE = re.compile(r'<link rel="stylesheet"[^>]* href="\./([^"]+)">')
@@ -51,41 +51,41 @@ def write_html(path: Path, out: Path) -> None:
     """
     page = _whole_page(built_page())
     if out.exists():
-        raise RecordingError(f"{out}: exists already, and is not written over; give another name")
-    with PlaybackStore(path) as reel:
-        text = _fitting(page, reel, path)
+        raise RecordingError(f"{out}: exists already and is not overwritten; give another name", "exists")
+    with PlaybackStore(path) as store:
+        text = _fitting(page, store, path)
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         with out.open("x", encoding="utf-8") as file:
             file.write(text)
     except OSError as error:
-        raise RecordingError(f"{out}: cannot be written: {error.strerror or error}") from None
+        raise RecordingError(f"{out}: cannot be written: {error.strerror or error}", "unwritable") from None
 
 
-def _fitting(page: str, reel: PlaybackStore, path: Path) -> str:
-    """Return the file's text, with as many frames as fit into `LIMIT`."""
+def _fitting(page: str, store: PlaybackStore, path: Path) -> str:
+    """Return the text of the file, with as many frames as fit into `LIMIT`."""
     found = verdict(path)
-    index = _packed(msgspec.to_builtins(reel.index(found)))
+    index = _packed(msgspec.to_builtins(store.index(found)))
     room = LIMIT - len(page.encode()) - len(index) - ROUND
-    middle = _packed(msgspec.to_builtins(reel.block(reel.blocks // 2)))
-    stride = max(1, len(middle) * reel.blocks // max(room, 1))  # a first guess
-    while stride <= reel.ticks:
+    middle = _packed(msgspec.to_builtins(store.block(store.blocks // 2)))
+    stride = max(1, len(middle) * store.blocks // max(room, 1))  # a first guess
+    while stride <= store.ticks:
         blocks: list[str] = []
         used = 0
-        for block in _blocks(reel, stride):
+        for block in _blocks(store, stride):
             blocks.append(block)
             used += len(block) + ROUND_A_BLOCK
             if used > room:
                 break
         else:
-            return _filled(page, path, _packed(msgspec.to_builtins(reel.index(found, stride))), blocks)
-        done = min(len(blocks) * BLOCK * stride / reel.ticks, 1.0)
+            return _filled(page, path, _packed(msgspec.to_builtins(store.index(found, stride))), blocks)
+        done = min(len(blocks) * BLOCK * stride / store.ticks, 1.0)
         stride = max(stride + 1, math.ceil(stride * used / done / max(room, 1)))
     raise RecordingError(f"{path}: does not fit into {LIMIT} bytes")
 
 
-def _blocks(reel: PlaybackStore, stride: int) -> Iterator[str]:
-    moments = reel.moments(stride)
+def _blocks(store: PlaybackStore, stride: int) -> Iterator[str]:
+    moments = store.moments(stride)
     while block := tuple(itertools.islice(moments, BLOCK)):
         yield _packed(msgspec.to_builtins(block))
 

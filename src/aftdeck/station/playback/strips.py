@@ -16,14 +16,14 @@ from aftdeck.simulation.log import joint_label
 from aftdeck.station.messages.curves import Curve, Quantity, Strip
 
 BUCKETS = 1000
-"""Number of equal parts of a run. A curve keeps two values of each part, the least and the greatest.
+"""Number of equal parts of a run. A curve keeps the least and the greatest value of each part.
 
-These are two values to a pixel's width.
+That is about two values for each pixel of the strip's width.
 """
 
 Role = Literal["actual", "commanded"]
 Value = Callable[[Frame, float | None], float | None]
-"""Function that returns a curve's value from a frame and the latency that its page showed [ms]."""
+"""Function that returns a curve's value from a frame and its recorded latency [ms]."""
 
 
 class Source(NamedTuple):
@@ -72,7 +72,7 @@ def sources(scenario: Scenario) -> tuple[Source, ...]:
             "turn rate",
             (("commanded", lambda f, _: _size(f.twist_demanded[:3])), ("actual", lambda f, _: _size(f.twist[:3]))),
         ),
-        Source("Left to target", "distance", (("actual", lambda f, _: f.goal.distance if f.goal else None),)),
+        Source("Remaining distance", "distance", (("actual", lambda f, _: f.goal.distance if f.goal else None),)),
         Source("RATLMT ratio", "ratio", (("actual", lambda f, _: f.ratio),)),
         *(_singularity(i, name) for i, name in enumerate(("shoulder", "elbow", "wrist"))),
         *(_angle(i, label) for i, label in enumerate(scenario.arm.model.labels)),
@@ -97,12 +97,12 @@ class Strips:
         self._period_s = period_s
 
     def add(self, values: Sequence[float | None]) -> None:
-        """Add the readings of the next frame."""
+        """Add the values of the next frame."""
         for curve, value in zip(self._curves, values, strict=True):
             curve.append(math.nan if value is None else value)
 
     def strips(self) -> tuple[Strip, ...]:
-        """Return all strips, thinned; a curve that never had a value has no points."""
+        """Return all strips, thinned; a curve without any value has no points."""
         curves = iter(self._curves)
         return tuple(self._strip(source, [next(curves) for _ in source.curves]) for source in self._sources)
 
@@ -146,8 +146,8 @@ def _strip(source: Source, curves: Iterable[Curve], ends: Iterable[float]) -> St
 def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
     """Return the indices of the values to draw.
 
-    These are both ends, both sides of each gap's edge, and the least and the greatest value of each part. Values inside
-    a level line are left out.
+    These are both ends, both sides of each gap's edge, and the least and the greatest value of each part. Values
+    between two equal values are omitted.
 
     Args:
         values: one value for each step, not empty; NaN where there is no value.
@@ -159,28 +159,28 @@ def thin(values: NDArray[np.float64]) -> NDArray[np.intp]:
     width = -(-len(values) // BUCKETS)
     parts = np.full((-(-len(values) // width), width), math.nan)
     parts.flat[: len(values)] = values
-    nothing = np.isnan(parts)
+    missing = np.isnan(parts)
     starts = np.arange(len(parts)) * width
-    least = starts + np.where(nothing, math.inf, parts).argmin(axis=1)
-    greatest = starts + np.where(nothing, -math.inf, parts).argmax(axis=1)
+    least = starts + np.where(missing, math.inf, parts).argmin(axis=1)
+    greatest = starts + np.where(missing, -math.inf, parts).argmax(axis=1)
     breaks = np.flatnonzero(np.diff(np.isnan(values)))  # on both sides of a gap's edge
-    places = np.unique(np.concatenate([[0, last], least, greatest, breaks, breaks + 1]))
-    places = places[places <= last]
-    shown = np.nan_to_num(values[places], nan=math.inf)
-    level = np.zeros(len(places), dtype=bool)
+    kept = np.unique(np.concatenate([[0, last], least, greatest, breaks, breaks + 1]))
+    kept = kept[kept <= last]
+    shown = np.nan_to_num(values[kept], nan=math.inf)
+    level = np.zeros(len(kept), dtype=bool)
     level[1:-1] = (shown[1:-1] == shown[:-2]) & (shown[1:-1] == shown[2:])
-    return places[~level]
+    return kept[~level]
 
 
 def worst_rate(rates: Six, limits: Six) -> tuple[float, int]:
-    """Return the largest |rate| as a part of its limit in force, and the joint that has it; -1 at rest."""
+    """Return the largest |rate| / limit of all joints, and the index of that joint; index -1 if no joint moves."""
     parts = [abs(rate) / limit for rate, limit in zip(rates, limits, strict=True)]
     worst = max(parts)
     return worst, parts.index(worst) if worst > 0 else -1
 
 
 def worst_joint(frame: Frame, scenario: Scenario) -> str:
-    """Return the name, for display, of the joint nearest to its rate limit; empty at rest."""
+    """Return the display name of the joint nearest to its rate limit; empty if no joint moves."""
     _, joint = worst_rate(frame.rates, frame.rate_limits)
     return joint_label(scenario.arm.joints[joint]) if joint >= 0 else ""
 

@@ -1,4 +1,4 @@
-"""Result of re-simulating a recording and comparing the frames with the recorded ones, for the page."""
+"""Verdict for the page: result of re-simulating a recording and comparing its frames."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def verdict(path: Path) -> Verdict:
     except AftdeckError as error:
         return Verdict("impossible", str(error))
     if found.equal:
-        how = "" if found.whole else " in every recorded value"
-        return Verdict("equal", f"all {found.frames} frames equal{how}")
+        scope = "" if found.whole else " in every recorded value"
+        return Verdict("equal", f"all {found.frames} frames equal{scope}")
     where = f", the first at {found.first.time_s:.2f} s" if found.first else ""
-    made = "" if found.same_laws else "; the laws have changed since"
+    reason = "" if found.same_laws else "; the laws have changed since the recording"
     if found.recorded_by != found.version:
-        made = f"; made by Aftdeck {found.recorded_by}"
-    return Verdict("different", f"{found.different} of {found.frames} frames differ{where}{made}")
+        reason = f"; recorded by Aftdeck {found.recorded_by}"
+    return Verdict("different", f"{found.different} of {found.frames} frames differ{where}{reason}")

@@ -15,30 +15,30 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from aftdeck.station.built import STATIC
 from aftdeck.station.server.own import keep_to_own
-from aftdeck.station.server.page import Page, greeted
+from aftdeck.station.server.page import Page, receive_hello
 from aftdeck.station.server.recorded import Recordings
 from aftdeck.station.server.waiting import Waiting
 from aftdeck.station.session.preparation import Preparation
 
 
 def make_app(
-    coming: Preparation,
+    preparation: Preparation,
     host: str = "127.0.0.1",
     record: Path | None = None,
     failed: Callable[[], None] = lambda: None,
 ) -> Starlette:
     """Return the station's web app.
 
-    At startup it starts the preparation, and the session as soon as that is made. At shutdown it closes the current
+    At startup the app starts the preparation, and then the session that it makes. At shutdown it closes the current
     session.
 
     Args:
-        coming: preparation of the first session.
+        preparation: preparation of the first session.
         host: address that the server listens on.
-        record: folder into which the runs are recorded; None: they are not recorded.
-        failed: called in the server's loop if the preparation fails, after the waiting pages were informed.
+        record: folder into which the runs are recorded; None: runs are not recorded.
+        failed: called in the server's event loop if the preparation fails.
     """
-    waiting = Waiting(coming, failed)
+    waiting = Waiting(preparation, failed)
     recordings = Recordings(record, lambda: waiting.pages.session.file if waiting.pages else None) if record else None
 
     @contextlib.asynccontextmanager
@@ -52,16 +52,16 @@ def make_app(
             if recordings:
                 recordings.close()
 
-    async def talk(socket: WebSocket) -> None:
+    async def connect(socket: WebSocket) -> None:
         await socket.accept()
         with contextlib.suppress(WebSocketDisconnect):
-            if (hello := await greeted(socket)) and (pages := await waiting.until_ready(socket)):
+            if (hello := await receive_hello(socket)) and (pages := await waiting.until_ready(socket)):
                 await Page(pages, socket, hello).serve()
 
     async def health(_: Request) -> Response:
         return PlainTextResponse(f"{waiting.phase}\n")
 
-    routes: list[BaseRoute] = [WebSocketRoute("/ws", talk), Route("/health", health)]
+    routes: list[BaseRoute] = [WebSocketRoute("/ws", connect), Route("/health", health)]
     if recordings:
         routes += recordings.routes()
     if (STATIC / "index.html").is_file():

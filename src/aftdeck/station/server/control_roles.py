@@ -1,7 +1,7 @@
-"""Control roles: which page is in control of the arm, requests for control, and the names of the pages.
+"""Control roles: the page in control of the arm, requests for control, and the names of the pages.
 
-The first page takes control. When it leaves, the page connected longest takes control. The page in control can also
-give the sticks to a page that asks for them.
+The first page takes control. When the page in control leaves, the page that connected first takes control. The page in
+control can also give the sticks to a page that asks for them.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from aftdeck.errors import CommandError, InputError
 from aftdeck.lines import one_line
 
 ANSWER_WITHIN = 10.0
-"""Time within which the page in control gives the sticks or keeps them, after a request [s]."""
+"""Time after which a request for the sticks expires [s]."""
 
-MOST_OF_A_NAME = 24
+MAX_NAME_LENGTH = 24
 """Maximum number of characters of a person's name."""
 
 P = TypeVar("P")
@@ -35,24 +35,24 @@ class ControlRequest(Generic[P]):
 
 
 class ControlRoles(Generic[P]):
-    """Pages of one station, each with its number and the name of its user; one of them is in control.
+    """Pages of one station, each with a number and the name of its user; one page is in control.
 
     Attributes:
-        operator: the page in control; None if there is none.
+        operator: the page in control; None if no page is in control.
     """
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self.operator: P | None = None
         self._numbers: dict[P, int] = {}
         self._names: dict[P, str] = {}
-        self._asked: ControlRequest[P] | None = None
+        self._request: ControlRequest[P] | None = None
         self._clock = clock
 
     def __len__(self) -> int:
         return len(self._numbers)
 
     def number(self, page: P) -> int:
-        """Return the number of a page: the lowest number that was free when it came."""
+        """Return the number of a page: the lowest number that was free when the page joined."""
         return self._numbers[page]
 
     def give_name(self, page: P, name: str) -> None:
@@ -62,20 +62,19 @@ class ControlRoles(Generic[P]):
             InputError: the name is too long, is not one line of visible text, or is reserved (``page 1``).
         """
         if re.fullmatch(r"page \d+", name, re.IGNORECASE):
-            raise InputError(f"{name!r} is what a page without a name is called")
-        self._names[page] = one_line("a name", name, MOST_OF_A_NAME) if name else ""
+            raise InputError(f"name {name!r} is reserved for pages without a name; choose another")
+        self._names[page] = one_line("a name", name, MAX_NAME_LENGTH) if name else ""
 
     def name(self, page: P) -> str:
-        """Return the name that was given at a page; empty if none was given."""
+        """Return the name given at a page; empty if not given."""
         return self._names.get(page, "")
 
     def named(self) -> list[tuple[int, str]]:
-        """Return numbers and names of the pages that have a name; the page's number is appended to equal names."""
-        given = [(self._numbers[page], name) for page, name in self._names.items() if name]
-        shown = {number: name for number, name in given}
-        while alike := {name for name, pages in Counter(shown.values()).items() if pages > 1}:
-            shown = {number: f"{name} {number}" if name in alike else name for number, name in shown.items()}
-        return list(shown.items())
+        """Return number and name of each page with a name; equal names have the page's number appended."""
+        names = {self._numbers[page]: name for page, name in self._names.items() if name}
+        while equal := {name for name, pages in Counter(names.values()).items() if pages > 1}:
+            names = {number: f"{name} {number}" if name in equal else name for number, name in names.items()}
+        return list(names.items())
 
     def display_name(self, page: P) -> str:
         """Return the name of a page for use in a sentence; ``page 1`` for a page without a name."""
@@ -90,41 +89,43 @@ class ControlRoles(Generic[P]):
             self.operator = page
 
     def leave(self, page: P) -> None:
-        """Remove a page; if it was in control, the page that has been here longest takes control."""
+        """Remove a page; if it was in control, the page that connected first takes control."""
         del self._numbers[page]
         self._names.pop(page, None)
         if self.asking == page:
-            self._asked = None
+            self._request = None
         if self.operator == page:
             self.operator = next(iter(self._numbers), None)
-            self._asked = None
+            self._request = None
 
     @property
     def asking(self) -> P | None:
-        """Page that asks for the sticks, until it is answered or `ANSWER_WITHIN` is over; None if no page asks."""
-        if self._asked is not None and self._clock() >= self._asked.until:
-            self._asked = None
-        return None if self._asked is None else self._asked.page
+        """Page whose request for the sticks is pending; None if no request is pending."""
+        if self._request is not None and self._clock() >= self._request.until:
+            self._request = None
+        return None if self._request is None else self._request.page
 
     def ask(self, page: P) -> None:
         """Request the sticks for a page.
 
         Raises:
-            CommandError: the page has the sticks already, or another page is asking.
+            CommandError: the page is in control already, or the request of another page is pending.
         """
         if page == self.operator:
-            raise CommandError("you fly: there is nobody to ask for the sticks")
+            raise CommandError("this page is in control already")
         if self.asking not in (None, page):
-            raise CommandError(f"{self.display_name(self.pending_request())} has asked for the sticks already")
-        self._asked = ControlRequest(page, self._clock() + ANSWER_WITHIN)
+            raise CommandError(
+                f"{self.display_name(self.pending_request())} is asking for the sticks; wait for the answer"
+            )
+        self._request = ControlRequest(page, self._clock() + ANSWER_WITHIN)
 
     def answer(self, gives: bool) -> None:
-        """Give the sticks to the page that asks, or keep them.
+        """Give the sticks to the page that asks for them, or keep them.
 
         Raises:
             CommandError: no page asks for the sticks, or the request has expired.
         """
-        page, self._asked = self.pending_request(), None
+        page, self._request = self.pending_request(), None
         if gives:
             self.operator = page
 
@@ -135,5 +136,5 @@ class ControlRoles(Generic[P]):
             CommandError: no page asks for the sticks, or the request has expired.
         """
         if (page := self.asking) is None:
-            raise CommandError("nobody asks for the sticks, or no longer")
+            raise CommandError("no request for the sticks is pending: it was answered or has expired")
         return page

@@ -1,4 +1,4 @@
-"""Access control of a station: only its own pages may send requests."""
+"""Access control of a station: it answers only requests of its own pages."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from starlette.websockets import WebSocket
 
 
 class OwnOriginOnly:
-    """Middleware that rejects requests from other sites' pages, and host names that are not this machine's."""
+    """Middleware that rejects requests from other sites' pages, and requests with a foreign host name."""
 
     def __init__(self, app: ASGIApp, hosts: frozenset[str] | None) -> None:
         self._app, self._hosts = app, hosts
@@ -23,7 +23,7 @@ class OwnOriginOnly:
         elif scope["type"] == "websocket":
             await WebSocket(scope, receive, send).close(1008)
         else:
-            await PlainTextResponse("only this station's own page may talk to it\n", 403)(scope, receive, send)
+            await PlainTextResponse("only this station's own pages may send requests\n", 403)(scope, receive, send)
 
     def _own(self, scope: Scope) -> bool:
         headers = {name: value.decode("latin-1") for name, value in scope["headers"]}
@@ -43,8 +43,8 @@ def _host_name(url: str) -> str | None:
 
 
 def keep_to_own(app: Starlette, host: str) -> Starlette:
-    """Make the app answer its own pages only, and return it; `host` is the address that it listens on."""
-    everywhere = host in ("0.0.0.0", "::")  # the caller chose all interfaces: any host name may be this machine's
+    """Add `OwnOriginOnly` to the app, and return the app; `host` is the address on which the app listens."""
+    everywhere = host in ("0.0.0.0", "::")  # with all interfaces, any host name may be this machine's
     app.add_middleware(
         OwnOriginOnly, hosts=None if everywhere else frozenset({host.lower(), "127.0.0.1", "localhost", "::1"})
     )

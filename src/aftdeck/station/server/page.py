@@ -1,4 +1,4 @@
-"""One connected page: its handshake, its commands, and the messages sent to it."""
+"""Connection of one page: its handshake, its commands, and the messages sent to it."""
 
 from __future__ import annotations
 
@@ -16,15 +16,19 @@ from aftdeck.station.session.driver import Phase
 from aftdeck.station.session.recent import Mark
 
 HELLO_WITHIN = 5.0
-"""Time within which a page must send its hello [s]."""
-MOST_PAGES = 32
-"""Maximum number of pages connected at once."""
-MOST_WRONG = 20
+"""Time within which a page must send `Hello` [s]."""
+MAX_PAGES = 32
+"""Maximum number of pages connected at the same time."""
+TOO_MANY_PAGES = f"{MAX_PAGES} pages are connected, which is the maximum"
+"""Reason for closing the connection of another page."""
+NOT_IN_CONTROL = "this page observes; only the page in control can send commands"
+"""Reason for rejecting a command of an observer or of a secondary window."""
+MAX_REJECTIONS = 20
 """Number of consecutive rejected messages after which the connection is closed."""
-LONGEST_REASON = 123
+MAX_REASON_LENGTH = 123
 """Longest reason in a WebSocket's close frame [bytes]; RFC 6455, 5.5."""
 
-_AT_REST = (
+_ACCEPTED_DURING_CHANGE = (
     from_page.Stop
     | from_page.SetBrakes
     | from_page.SetSafing
@@ -36,7 +40,7 @@ _AT_REST = (
     | from_page.KeepSticks
     | from_page.FlyScenario
 )
-"""Messages accepted while another scenario is being prepared: none of them moves the arm."""
+"""Messages accepted during a change of the scenario: none of them moves the arm."""
 
 _encoder = msgspec.json.Encoder()
 _hello = msgspec.json.Decoder(from_page.Hello)
@@ -49,49 +53,49 @@ async def send(socket: WebSocket, message: to_page.FromServer) -> None:
 
 
 async def goodbye(socket: WebSocket, text: str) -> None:
-    """Send a page the reason for which its connection ends, and close the connection."""
+    """Send a page the reason for closing its connection, and close it."""
     await send(socket, to_page.Refused(-1, text))
-    await socket.close(1008, text.encode()[:LONGEST_REASON].decode(errors="ignore"))
+    await socket.close(1008, text.encode()[:MAX_REASON_LENGTH].decode(errors="ignore"))
 
 
-async def greeted(socket: WebSocket) -> from_page.Hello | None:
-    """Return the hello of a page that has connected; None after a goodbye to a page that does not say it right."""
+async def receive_hello(socket: WebSocket) -> from_page.Hello | None:
+    """Return the first message of a page; None if it was not a valid `Hello`, and the connection was closed."""
     try:
         hello = _hello.decode(await asyncio.wait_for(socket.receive_text(), HELLO_WITHIN))
     except TimeoutError:
-        await goodbye(socket, f"no hello came within {HELLO_WITHIN:g} s")
+        await goodbye(socket, f"no hello message was received within {HELLO_WITHIN:g} s")
         return None
     except (msgspec.MsgspecError, KeyError, RecursionError) as error:
-        await goodbye(socket, f"the first message must be a hello with the protocol's number: {error}")
+        await goodbye(socket, f"the first message must be a hello message with the protocol version: {error}")
         return None
     if hello.protocol != kinds.PROTOCOL:
-        text = f"this page speaks protocol {hello.protocol}, the station {kinds.PROTOCOL}: reload the page"
+        text = f"this page uses protocol {hello.protocol}, the station {kinds.PROTOCOL}: reload the page"
         await goodbye(socket, text)
         return None
     return hello
 
 
 class Page:
-    """One connected page, from its welcome to goodbye.
+    """Connected page, from its welcome to the end of its connection.
 
     Attributes:
-        answers: messages that `Pages` queues for it; its own sender sends them, so that no page waits for another.
+        answers: messages that `Pages` has queued for this page; the sender task of this page sends them.
     """
 
     def __init__(self, pages: Pages, socket: WebSocket, hello: from_page.Hello) -> None:
         self.pages, self.socket = pages, socket
         self.welcomed, self.shows, self.strips = pages.session, hello.shows, hello.strips
         self.seq = -1
-        self.wrong = 0
+        self.rejections = 0
         self.answers: deque[to_page.Refused] = deque()
 
     async def serve(self) -> None:
-        """Welcome the page, then receive and send until one side disconnects."""
-        if len(self.pages.seats) + len(self.pages.windows) >= MOST_PAGES:
-            return await goodbye(self.socket, f"{MOST_PAGES} pages are connected already")
+        """Send the welcome, then receive and send messages until one side disconnects."""
+        if len(self.pages.roles) + len(self.pages.windows) >= MAX_PAGES:
+            return await goodbye(self.socket, TOO_MANY_PAGES)
         await self._send(self.welcomed.welcome)
         self.pages.join(self)
-        sender = asyncio.create_task(self._send_news())
+        sender = asyncio.create_task(self._send_changes())
         try:
             self.pages.wake()
             await self._receive()
@@ -108,25 +112,25 @@ class Page:
     # --- from the page ------------------------------------------------------------------------------------
 
     async def _receive(self) -> None:
-        while self.wrong < MOST_WRONG:
+        while self.rejections < MAX_REJECTIONS:
             message = await self.socket.receive()
             if message["type"] == "websocket.disconnect":
                 return
             text = message.get("text")
             if text is None:
-                await self.refuse(-1, "messages are JSON text; this one was binary")
+                await self.reject(-1, "got a binary message; messages must be JSON text")
                 continue
-            await self._take(text)
-        await goodbye(self.socket, f"{MOST_WRONG} messages were refused; the connection is closed")
+            await self._handle(text)
+        await goodbye(self.socket, f"{MAX_REJECTIONS} consecutive messages were rejected: the connection is closed")
 
-    async def _take(self, text: str) -> None:
+    async def _handle(self, text: str) -> None:
         try:
             message = _messages.decode(text)
         except (msgspec.MsgspecError, RecursionError) as error:
-            return await self.refuse(-1, f"message not understood: {error}")
+            return await self.reject(-1, f"invalid message: {error}")
         if message.seq <= self.seq:
-            return await self.refuse(
-                message.seq, f"message {message.seq} came after message {self.seq}; it was not taken"
+            return await self.reject(
+                message.seq, f"message {message.seq} rejected: its number must be greater than {self.seq}"
             )
         self.seq = message.seq
         if isinstance(message, from_page.LeaveSeat | from_page.TakeSeat):
@@ -137,21 +141,21 @@ class Page:
                     return self.pages.ask(self)
                 return self.pages.name(self, message.name)
             except (CommandError, InputError) as error:
-                return await self.refuse(message.seq, str(error), counts=False)
-        if self.pages.seats.operator is not self:
-            return await self.refuse(message.seq, "you watch; another page flies", counts=False)
+                return await self.reject(message.seq, str(error), counts=False)
+        if self.pages.roles.operator is not self:
+            return await self.reject(message.seq, NOT_IN_CONTROL, counts=False)
         try:
-            self._do(message)
+            self._execute(message)
         except CommandError as error:
-            return await self.refuse(message.seq, str(error))
-        self.wrong = 0
+            return await self.reject(message.seq, str(error))
+        self.rejections = 0
 
-    def _do(self, message: from_page.FromPage) -> None:
+    def _execute(self, message: from_page.FromPage) -> None:
         session = self.pages.session
-        if self.pages.choice.coming is not None and not isinstance(message, _AT_REST):
+        if self.pages.choice.coming is not None and not isinstance(message, _ACCEPTED_DURING_CHANGE):
             if isinstance(message, from_page.Sticks | from_page.DriveCamera):
                 return  # sent before the page learned that a scenario was chosen
-            raise CommandError("another scenario is made ready; the arm rests meanwhile")
+            raise CommandError("another scenario is being prepared; until it runs, no command can move the arm")
         match message:
             case from_page.GiveSticks() | from_page.KeepSticks():
                 self.pages.answer(isinstance(message, from_page.GiveSticks))
@@ -170,23 +174,23 @@ class Page:
             case _:
                 session.command(message)
 
-    async def refuse(self, seq: int, text: str, *, counts: bool = True) -> None:
-        """Report a rejected message to the page; `counts` is False if the message does not count for `MOST_WRONG`."""
-        self.wrong += counts
+    async def reject(self, seq: int, text: str, *, counts: bool = True) -> None:
+        """Report a rejected message to the page; `counts`: whether it counts for `MAX_REJECTIONS`."""
+        self.rejections += counts
         await self._send(to_page.Refused(seq, text))
 
     # --- to the page --------------------------------------------------------------------------------------
 
-    async def _send_news(self) -> None:
-        """Send scenarios, role, log and newest frame whenever they change, and skip older frames.
+    async def _send_changes(self) -> None:
+        """Send scenarios, role, log and newest frame whenever they change; skip older frames.
 
-        A window that draws strips gets only the frames that come with a new sample.
+        A page that draws strips receives only those frames that come with a new sample.
         """
         session = self.welcomed
         scenarios, role, lines, sent = None, None, 0, b""
         mark: Mark | None = None
         while self.pages.driver.phase is not Phase.CLOSED:
-            fresh = self.pages.fresh  # read before the news, so that no later change is missed
+            fresh = self.pages.fresh  # read before the data, so that no later change is missed
             if session is not self.pages.session:
                 session, lines, sent = self.pages.session, 0, b""
                 await self._send(session.welcome)
@@ -195,13 +199,13 @@ class Page:
             if (choice := self.pages.choice.message()) != scenarios:
                 scenarios = choice
                 await self._send(choice)
-            now = self.pages.role(self)
-            if now != role:
-                role = now
-                await self._send(now)
-            if news := session.log.since(lines):
-                lines += len(news)
-                await self._send(to_page.Events(news))
+            new_role = self.pages.role(self)
+            if new_role != role:
+                role = new_role
+                await self._send(new_role)
+            if events := session.log.since(lines):
+                lines += len(events)
+                await self._send(to_page.Events(events))
             recent = session.recent.news(mark) if self.strips else None
             if recent:
                 message, mark = recent

@@ -1,4 +1,4 @@
-"""All pages connected to one station: their session, the page in control, and the observers."""
+"""Pages connected to one station: their session, the page in control, and the observers."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from aftdeck.station.session.session import Session
 
 
 class Connected(Protocol):
-    """Part of a page that `Pages` and the other pages use.
+    """Attributes of a page that `Pages` uses.
 
     Attributes:
         shows: True if the page only shows the run and cannot take control.
         seq: number of its last message.
-        answers: messages that `Pages` queues for it; its own sender sends them, so that no page waits for another.
+        answers: messages that `Pages` has queued for the page; the page's own sender task sends them.
     """
 
     shows: bool
@@ -38,7 +38,7 @@ class Pages:
     def __init__(self, session: Session, notify: Callable[[], None]) -> None:
         self.driver, self._notify = Driver(session), notify
         self.choice = ScenarioList(session.scenario)
-        self.seats: ControlRoles[Connected] = ControlRoles()
+        self.roles: ControlRoles[Connected] = ControlRoles()
         self.windows: set[Connected] = set()
         self.fresh = asyncio.Event()
         self.change: asyncio.Task[None] | None = None
@@ -49,36 +49,36 @@ class Pages:
         return self.driver.session
 
     def start(self) -> None:
-        """Start the session's run; its thread calls `notify` after each step and after a failure."""
+        """Start the session's run; the driver's thread calls `notify` after each step and after a failure."""
         self.driver.start(self._notify)
 
     def wake(self) -> None:
-        """Wake the sender of every page, because there is something new to send."""
+        """Wake the sender task of every page, because data to send has changed."""
         self.fresh.set()
         self.fresh = asyncio.Event()
 
     def fly(self, number: int, asking: Connected) -> None:
-        """Prepare another scenario and then run it; the arm comes to rest meanwhile.
+        """Prepare another scenario and then run it; meanwhile the sticks are centred.
 
         Raises:
             CommandError: the scenario cannot be chosen.
         """
         self.choice.choose(number)
-        self.session.let_go("another scenario")
+        self.session.set_unattended("another scenario")
         self.wake()
         self.change = asyncio.create_task(self._change(number, asking))
 
     async def _change(self, number: int, asking: Connected) -> None:
-        """Replace the present session by one of another scenario; if that cannot be made, the present one continues."""
+        """Replace the present session by one of another scenario; on an error, the present session continues."""
         before, choice = self.driver, self.choice
         try:
-            self.driver = Driver(await _abandonable(lambda: before.session.another(choice.load(number))))
+            self.driver = Driver(await _make_in_daemon_thread(lambda: before.session.another(choice.load(number))))
             choice.flown = number
             self.wake()
-            await asyncio.to_thread(before.close)  # its recording must be finished before the next one begins
+            await asyncio.to_thread(before.close)  # the old recording must be finished before the new one begins
             self.start()
-        except Exception as error:  # any error must reach the page that asked
-            asking.answers.append(to_page.Refused(-1, f"{choice.scenarios[number].title!r} cannot be flown: {error}"))
+        except Exception as error:  # any error must reach the page that chose the scenario
+            asking.answers.append(to_page.Refused(-1, f"{choice.scenarios[number].title!r} cannot be run: {error}"))
             if not isinstance(error, AftdeckError):
                 raise
         finally:
@@ -86,31 +86,31 @@ class Pages:
             self.wake()
 
     async def close(self) -> None:
-        """Cancel the preparation of a scenario and close the session, because the server stops."""
+        """Cancel the preparation of a scenario, and close the session."""
         if self.change is not None:
             self.change.cancel()
             await asyncio.wait([self.change])
         self.driver.close()
 
     def join(self, page: Connected) -> None:
-        """Add a page; a page that only shows the run gets no seat."""
+        """Add a page; a page that only shows the run gets no control role."""
         if page.shows:
             self.windows.add(page)
         else:
-            self.seats.join(page)
+            self.roles.join(page)
 
     def leave(self, page: Connected, cause: str = "page gone") -> None:
-        """Remove a page, for one of `unattended.CAUSES`; if it was in control, the sticks go to zero."""
+        """Remove a page; if it was in control, the controls are unattended. `cause` is one of `unattended.CAUSES`."""
         if page.shows:
             self.windows.remove(page)
             return
-        flew = page is self.seats.operator
-        self.seats.leave(page)
-        if flew:
-            self.session.let_go(cause if self.seats.operator is None else f"{cause}, another flies")
+        was_operator = page is self.roles.operator
+        self.roles.leave(page)
+        if was_operator:
+            self.session.set_unattended(cause if self.roles.operator is None else f"{cause}, another flies")
 
     def reseat(self, page: Connected, *, seated: bool) -> None:
-        """Give a seat to a page that has become wide enough to take control, or take it from a too narrow one."""
+        """Let a page join the control roles when it is wide enough, or leave them when it is too narrow."""
         if seated is not page.shows:
             return  # nothing changes
         self.leave(page, "page narrow")
@@ -119,16 +119,16 @@ class Pages:
         self.wake()
 
     def role(self, page: Connected) -> to_page.Role:
-        """Return the message that tells a page its role, and which page is in control."""
-        roles = self.seats
-        number, flier, asking = (
-            0 if one is None or one.shows else roles.number(one) for one in (page, roles.operator, roles.asking)
+        """Return the message about a page's role and the page in control."""
+        roles = self.roles
+        number, operator, asking = (
+            0 if other is None or other.shows else roles.number(other) for other in (page, roles.operator, roles.asking)
         )
         return to_page.Role(
             flying=page is roles.operator,
             watchers=max(0, len(roles) - 1),
             number=number,
-            flier=flier,
+            flier=operator,
             asking=asking,
             name=roles.name(page),
             names=tuple(to_page.NamedPage(*named) for named in roles.named()),
@@ -140,41 +140,41 @@ class Pages:
         Raises:
             InputError: the name is not valid.
         """
-        self.seats.give_name(page, name)
+        self.roles.give_name(page, name)
         self.wake()
 
     def ask(self, page: Connected) -> None:
-        """Request control for a page; when the time to answer is over, all pages are informed.
+        """Request control for a page; when the request expires, wake all senders.
 
         Raises:
-            CommandError: the page is in control already, or another page is asking.
+            CommandError: the page is in control already, or the request of another page is pending.
         """
-        self.seats.ask(page)
+        self.roles.ask(page)
         self.wake()
         asyncio.get_running_loop().call_later(ANSWER_WITHIN, self.wake)
 
     def answer(self, gives: bool) -> None:
-        """Give the sticks to the page that asks for control, or keep them, as the page in control decided.
+        """Give the sticks to the page that asks for them, or keep them.
 
         Raises:
-            CommandError: no page asks for control, or a stick is not centred.
+            CommandError: no request is pending, or a stick is not centred.
         """
-        seats = self.seats
-        asked = seats.pending_request()
-        assert seats.operator is not None, "it is the page that flies that answers"
-        flier = seats.display_name(seats.operator)
+        roles = self.roles
+        asking = roles.pending_request()
+        assert roles.operator is not None, "only the page in control answers"
+        operator = roles.display_name(roles.operator)
         if gives:
-            self.session.hand_over(f"{flier} gives the sticks to {seats.display_name(asked)}")
+            self.session.hand_over(f"{operator} gives the sticks to {roles.display_name(asking)}")
         else:
-            asked.answers.append(to_page.Refused(asked.seq, f"{flier} keeps the sticks"))
-        seats.answer(gives)
+            asking.answers.append(to_page.Refused(asking.seq, f"{operator} keeps the sticks"))
+        roles.answer(gives)
         self.wake()
 
 
-async def _abandonable(make: Callable[[], Session]) -> Session:
-    """Make a session in a daemon thread and return it.
+async def _make_in_daemon_thread(make: Callable[[], Session]) -> Session:
+    """Make a session in a daemon thread, and return it.
 
-    The end of the process does not wait for that thread: compiling may take half a minute.
+    The process can end without waiting for the thread: compiling may take half a minute.
     """
     loop = asyncio.get_running_loop()
     made: asyncio.Future[Session] = loop.create_future()
@@ -187,5 +187,5 @@ async def _abandonable(make: Callable[[], Session]) -> Session:
         with contextlib.suppress(RuntimeError):  # the loop is closed
             loop.call_soon_threadsafe(lambda: None if made.done() else deliver())
 
-    Thread(target=run, name="making ready", daemon=True).start()
+    Thread(target=run, name="scenario change", daemon=True).start()
     return await made

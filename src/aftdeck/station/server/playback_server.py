@@ -1,4 +1,4 @@
-"""Playback of a recording in the page, by a server of its own."""
+"""Server that plays one recording in the page."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 from starlette.applications import Starlette
 
 from aftdeck.station.built import built_page
-from aftdeck.station.playback.reel import PlaybackStore
+from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.server.own import keep_to_own
 from aftdeck.station.server.player import Player
 from aftdeck.station.server.serve import address_of, listen, make_server, run_server
@@ -19,7 +19,7 @@ LARGE = 10_000_000
 
 
 def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> None:
-    """Serve a recording to the page until interrupted; print the page's address when it can be played.
+    """Serve a recording to the page until interrupted; print the page's address when the recording is ready.
 
     Raises:
         RecordingError: the recording cannot be read.
@@ -28,17 +28,17 @@ def serve_recording(path: Path, *, host: str, port: int, open_browser: bool) -> 
     built_page()
     if path.is_file() and path.stat().st_size > LARGE:
         print(f"Reading {path.name}.", flush=True)
-    with listen(host, port) as listener, PlaybackStore(path) as reel:
+    with listen(host, port) as listener, PlaybackStore(path) as store:
         address = address_of(listener, host)
         print(f"Aftdeck replay: {address}", flush=True)
         print(f"Playing {path.name}. End with Ctrl+C.", flush=True)
-        server = make_server(replay_app(reel, path, host))
+        server = make_server(replay_app(store, path, host))
         run_server(server, listener, address if open_browser else None)
 
 
-def replay_app(reel: PlaybackStore, path: Path, host: str = "127.0.0.1") -> Starlette:
+def replay_app(store: PlaybackStore, path: Path, host: str = "127.0.0.1") -> Starlette:
     """Return the web app that serves a recording."""
-    player = Player(reel, path)
+    player = Player(store, path)
 
     @contextlib.asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:

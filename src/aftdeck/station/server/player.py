@@ -12,31 +12,31 @@ from starlette.routing import BaseRoute, Mount, Route
 from starlette.staticfiles import StaticFiles
 
 from aftdeck.station.built import STATIC, built_page
-from aftdeck.station.playback.reel import PlaybackStore
+from aftdeck.station.playback.store import PlaybackStore
 from aftdeck.station.playback.verdict import CHECKING, verdict
 
-WHERE = '<meta name="recording" content="recording/" />'
-"""HTML element that makes the page play a recording, with the path to load it from."""
-FLYING = '<meta name="flying" content="../../" />'
-"""HTML element that gives the page the path back to the live station."""
+RECORDING_META = '<meta name="recording" content="recording/" />'
+"""HTML element that makes the page play a recording; its content is the path of the recording."""
+STATION_META = '<meta name="flying" content="../../" />'
+"""HTML element whose content is the path from a recording's page back to the station."""
 
 
 class Player:
-    """Server side of one recording that a page plays."""
+    """Web routes for the playback of one recording."""
 
-    def __init__(self, reel: PlaybackStore, path: Path, head: str = WHERE) -> None:
-        """Serve `reel`, read from `path`; `head` is the HTML elements to add to the page's head."""
-        self._reel, self._path, self._head = reel, path, head
-        self._found = CHECKING
+    def __init__(self, store: PlaybackStore, path: Path, head: str = RECORDING_META) -> None:
+        """Serve `store`, read from `path`; `head`: HTML elements added to the page's head."""
+        self._store, self._path, self._head = store, path, head
+        self._result = CHECKING
         self._encode = msgspec.json.Encoder().encode
 
     def check(self) -> None:
-        """Start to re-simulate and compare the frames in a daemon thread; the server ends without waiting for it."""
-        Thread(target=self._check, name="recomputing", daemon=True).start()
+        """Start to verify the recording in a daemon thread; the server can end without waiting for it."""
+        Thread(target=self._check, name="verification", daemon=True).start()
 
     def close(self) -> None:
         """Close the recording."""
-        self._reel.close()
+        self._store.close()
 
     def routes(self) -> list[BaseRoute]:
         """Return the routes of the built page, the recording's index, its blocks, and the verdict."""
@@ -50,22 +50,22 @@ class Player:
         ]
 
     def _check(self) -> None:
-        self._found = verdict(self._path)
+        self._result = verdict(self._path)
 
     def _page(self, _: Request) -> Response:
         return HTMLResponse(built_page().replace("</head>", f"{self._head}\n</head>", 1))
 
     def _index(self, _: Request) -> Response:
-        return _json(self._encode(self._reel.index(self._found)))
+        return _json(self._encode(self._store.index(self._result)))
 
     def _block(self, request: Request) -> Response:
         try:
-            return _json(self._encode(self._reel.block(request.path_params["number"])))
+            return _json(self._encode(self._store.block(request.path_params["number"])))
         except IndexError as error:
             return PlainTextResponse(f"{error}\n", 404)
 
     def _verdict(self, _: Request) -> Response:
-        return _json(self._encode(self._found))
+        return _json(self._encode(self._result))
 
 
 def _json(body: bytes) -> Response:

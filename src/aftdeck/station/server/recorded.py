@@ -1,4 +1,4 @@
-"""Recordings of a station that records, listed for its page and played in it."""
+"""Web routes that list the recordings of a station and play them."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from aftdeck.errors import RecordingError
 from aftdeck.station.messages.playback import Recorded
-from aftdeck.station.playback.reel import PlaybackStore
-from aftdeck.station.server.player import FLYING, WHERE, Player
+from aftdeck.station.playback.store import PlaybackStore
+from aftdeck.station.server.player import RECORDING_META, STATION_META, Player
 
-MOST_LISTED = 50
-"""Maximum number of recordings listed; the newest are listed."""
-MOST_OPEN = 3
-"""Maximum number of recordings kept open; to open another one, the one opened first is closed."""
+MAX_LISTED = 50
+"""Maximum number of recordings in the list: the newest ones."""
+MAX_OPEN = 3
+"""Maximum number of open recordings; beyond it, the recording that was opened first is closed."""
 
 
 class Recordings:
-    """Recordings in the folder that a station records into."""
+    """Recordings in the folder of a station."""
 
     def __init__(self, folder: Path, present: Callable[[], Path | None]) -> None:
-        """Serve `folder`; `present` returns the file of the present run, or None if that is not recorded."""
+        """Serve `folder`; `present` returns the file of the present run, or None if it is not recorded."""
         self._folder, self._present = folder, present
         self._open: dict[tuple[str, int], tuple[Player, Router]] = {}
         self._lock = Lock()
@@ -46,11 +46,11 @@ class Recordings:
             try:
                 files.append((path.stat().st_mtime, path))
             except OSError:
-                continue  # deleted meanwhile
+                continue  # deleted since it was listed
         files.sort(reverse=True)
         return tuple(
             Recorded(path.name, datetime.fromtimestamp(changed, UTC).isoformat(), path == now)
-            for changed, path in files[:MOST_LISTED]
+            for changed, path in files[:MAX_LISTED]
         )
 
     def close(self) -> None:
@@ -74,22 +74,22 @@ class Recordings:
         await played(scope, receive, send)
 
     def _router(self, file: str, *, fresh: bool) -> Router:
-        """Return the router that plays a recording; if `fresh` (its page opens), read a file of changed size again.
+        """Return the router that plays a recording; if `fresh` (a page opens it), read a file of changed size again.
 
         Raises:
             RecordingError: the recording cannot be played.
-            OSError: there is no file of this name.
+            OSError: the file does not exist.
         """
         path = self._folder / file
         if path.name != file or path.suffix != ".mcap":
-            raise RecordingError("it is no recording of this station's folder")
+            raise RecordingError("it is not a recording in this station's folder")
         with self._lock:
             size = path.stat().st_size
             known = [key for key in self._open if key[0] == file]
             if known and (not fresh or known[-1][1] == size):
                 return self._open[known[-1]][1]
-            player = Player(PlaybackStore(path), path, f"{WHERE}\n{FLYING}")
-            for key in [*known, *list(self._open)[: max(0, len(self._open) + 1 - MOST_OPEN)]]:
+            player = Player(PlaybackStore(path), path, f"{RECORDING_META}\n{STATION_META}")
+            for key in [*known, *list(self._open)[: max(0, len(self._open) + 1 - MAX_OPEN)]]:
                 if key in self._open:
                     self._open.pop(key)[0].close()
             self._open[file, size] = player, Router(routes=player.routes())

@@ -1,4 +1,4 @@
-"""Scenarios that a station can run: the built-in ones, and the user's own file if one was given."""
+"""Scenarios that a station can run: the built-in scenarios, and the user's own file if given."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ class ScenarioList:
     """List of scenarios from which the operator chooses.
 
     Attributes:
-        scenarios: entries of the list, as sent to the pages.
+        scenarios: entries of the list.
         flown: number of the scenario that is running.
-        coming: number of the scenario that is being prepared to run next; None if none is.
+        coming: number of the scenario that is being prepared; None if none is.
     """
 
     def __init__(self, given: Scenario) -> None:
@@ -32,11 +32,11 @@ class ScenarioList:
         self.coming: int | None = None
 
     def message(self) -> to_page.Scenarios:
-        """Return the message that sends the list and its state to the pages."""
+        """Return the message with the list, for the pages."""
         return to_page.Scenarios(self.scenarios, self.flown, self.coming)
 
     def choose(self, number: int) -> None:
-        """Choose the scenario that is prepared to run next.
+        """Choose the scenario to prepare and run next.
 
         Raises:
             CommandError: the scenario is running already, its number does not exist, or another is being prepared.
@@ -44,9 +44,11 @@ class ScenarioList:
         if number >= len(self.scenarios):
             raise CommandError(f"scenarios are numbered 0 to {len(self.scenarios) - 1}, got {number}")
         if self.coming is not None:
-            raise CommandError(f"{self.scenarios[self.coming].title!r} is being made ready: wait until it flies")
+            raise CommandError(f"{self.scenarios[self.coming].title!r} is being prepared: wait until it runs")
         if number == self.flown:
-            raise CommandError(f"{self.scenarios[number].title!r} is flown already: Restart puts it back")
+            raise CommandError(
+                f"{self.scenarios[number].title!r} is running already: Restart runs it from the beginning"
+            )
         self.coming = number
 
     def load(self, number: int) -> Scenario:

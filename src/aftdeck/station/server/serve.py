@@ -1,4 +1,4 @@
-"""Start of the station: its socket, the address for the user, the browser, and the web server."""
+"""Start of the station: socket, address for the user, browser and web server."""
 
 from __future__ import annotations
 
@@ -24,11 +24,9 @@ from aftdeck.station.session.preparation import Preparation
 from aftdeck.station.session.session import Session
 
 LAST_PORT = 65535
-COMPILING = "Compiling the steering laws, this once: half a minute or so."
-
-
+COMPILING = "Compiling the steering laws, on the first start only: about half a minute."
 FAREWELL = 3.0
-"""Time for which a station that cannot start still answers the page that it has opened, to report why [s]."""
+"""Time for which a station that cannot start still answers the page that it opened, to report the reason [s]."""
 
 
 def serve(
@@ -49,19 +47,19 @@ def serve(
 
     Args:
         load: returns the scenario to run.
-        seed: random seed in place of the scenario's; None: the scenario's own.
+        seed: random seed; None: the scenario's.
         host: address to listen on.
         port: port to listen on; 0 selects any free port.
         open_browser: whether to open the page in a browser.
-        demo: whether the script flies until the operator moves a stick or sends a command.
+        demo: whether the script runs until the operator moves a stick or sends a command.
         record: folder to record each run into; None: runs are not recorded.
         trial: participant and condition, stored in each recording and nowhere else.
-        viewers: port to which Foxglove can attach; None: there is no such port.
+        viewers: port to which Foxglove can attach; None: no port is opened.
 
     Raises:
         StationError: the page was not built, or the server cannot listen on the address.
         RecordingError: the viewers' port cannot be opened.
-        AftdeckError: what `load` or the session raises; a page that waits has been informed.
+        AftdeckError: raised by `load` or by the session, after a report to the waiting pages.
     """
     built_page()
     listener = listen(host, port)
@@ -69,16 +67,16 @@ def serve(
     print(f"Aftdeck station: {address}", flush=True)
     live = None if viewers is None else Live(viewers)
     if live is not None:
-        print(f"Foxglove attaches at {live.address}", flush=True)
+        print(f"Foxglove can attach at {live.address}", flush=True)
 
-    def make(say: Callable[[str], None]) -> Session:
+    def make(report: Callable[[str], None]) -> Session:
         if compiled_before():
-            say("Loading the scenario and the steering laws.")
+            report("Loading the scenario and the steering laws.")
         else:
             print(COMPILING, flush=True)
-            say(COMPILING)
+            report(COMPILING)
         scenario = load()
-        say(f"Making {scenario.title!r} ready.")
+        report(f"Preparing {scenario.title!r}.")
         session = Session(scenario, seed, demo=demo, record=record, trial=trial, live=live)
         print(f"Flying {scenario.title!r}. End with Ctrl+C.", flush=True)
         return session
@@ -89,13 +87,13 @@ def serve(
 
         asyncio.get_running_loop().call_later(FAREWELL if open_browser else 0.0, stop)
 
-    coming = Preparation(make)
-    server = make_server(make_app(coming, host, record, failed))
+    preparation = Preparation(make)
+    server = make_server(make_app(preparation, host, record, failed))
     run_server(server, listener, address if open_browser else None)
     if live is not None:
         live.close()
-    if coming.error is not None:
-        raise coming.error
+    if preparation.error is not None:
+        raise preparation.error
 
 
 def address_of(listener: socket.socket, host: str) -> str:
@@ -105,7 +103,7 @@ def address_of(listener: socket.socket, host: str) -> str:
 
 
 def run_server(server: uvicorn.Server, listener: socket.socket, opened: str | None) -> None:
-    """Run a server until interrupted; open a browser at the address `opened` first, unless it is None."""
+    """Open a browser at the address `opened`, unless it is None, and run a server until interrupted."""
     if opened is not None:
         webbrowser.open(opened)
     with contextlib.suppress(KeyboardInterrupt):  # uvicorn raises Ctrl+C again after an orderly shutdown
@@ -127,17 +125,23 @@ def make_server(app: Starlette) -> uvicorn.Server:
 
 
 def listen(host: str, port: int) -> socket.socket:
-    """Return a listening socket; port 0 selects a free port."""
+    """Return a listening socket; port 0 selects a free port.
+
+    Raises:
+        StationError: the port or host is not valid, or the socket cannot listen there.
+    """
     if not 0 <= port <= LAST_PORT:
         raise StationError(f"ports are numbered 0 to {LAST_PORT}, got {port}")
     try:
-        family, kind, protocol, _, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+        family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
     except (OSError, UnicodeError) as error:
         raise StationError(f"the host {host!r} is not known: {error}") from None
-    listener = socket.socket(family, kind, protocol)  # asyncio sends without delay only if TCP is named
+    listener = socket.socket(
+        family, kind, protocol
+    )  # asyncio disables Nagle's delay only if the protocol is TCP explicitly
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        listener.bind(place)
+        listener.bind(address)
         listener.listen(64)
     except OSError as error:
         listener.close()

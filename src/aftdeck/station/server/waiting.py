@@ -1,4 +1,4 @@
-"""Pages that wait for a station's first session: they are sent its lines of progress, or the error that ends it."""
+"""Pages that wait for a station's first session: they receive lines of progress, or the error that ended it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Callable
 from starlette.websockets import WebSocket
 
 from aftdeck.station.messages import to_page
-from aftdeck.station.server.page import MOST_PAGES, goodbye, send
+from aftdeck.station.server.page import MAX_PAGES, TOO_MANY_PAGES, goodbye, send
 from aftdeck.station.server.pages import Pages
 from aftdeck.station.session.preparation import Preparation
 
@@ -21,35 +21,35 @@ class Waiting:
         pages: pages of the session; None until it is made.
     """
 
-    def __init__(self, coming: Preparation, failed: Callable[[], None]) -> None:
+    def __init__(self, preparation: Preparation, failed: Callable[[], None]) -> None:
         self.pages: Pages | None = None
-        self._coming, self._failed = coming, failed
+        self._preparation, self._failed = preparation, failed
         self._number = 0
         self._fresh = asyncio.Event()
 
     @property
     def phase(self) -> str:
-        """Phase of the station: ``preparing``, ``failed``, or that of its session."""
+        """Phase of the station: ``preparing``, ``failed``, or the phase of its driver."""
         if self.pages:
             return self.pages.driver.phase.value
-        return "failed" if self._coming.error else "preparing"
+        return "failed" if self._preparation.error else "preparing"
 
     def start(self) -> None:
-        """Start the preparation, unless the session is made already."""
+        """Start the preparation, or, if the session exists already, the session."""
         loop = asyncio.get_running_loop()
 
         def notify() -> None:
             with contextlib.suppress(RuntimeError):  # the loop is closing
                 loop.call_soon_threadsafe(self._changed)
 
-        if self._coming.session is None:
-            self._coming.start(notify)
+        if self._preparation.session is None:
+            self._preparation.start(notify)
         else:
             self._changed()
 
     def _changed(self) -> None:
-        """Wake the waiting pages; start the session if it has been made."""
-        loop, session = asyncio.get_running_loop(), self._coming.session
+        """Wake the waiting pages; start the session if it exists."""
+        loop, session = asyncio.get_running_loop(), self._preparation.session
         if session is not None and self.pages is None:
 
             def notify() -> None:
@@ -60,25 +60,27 @@ class Waiting:
             pages.start()
         self._fresh.set()
         self._fresh = asyncio.Event()
-        if self._coming.error is not None:
+        if self._preparation.error is not None:
             self._failed()
 
     async def until_ready(self, socket: WebSocket) -> Pages | None:
-        """Send a page the lines of progress until the session is made; None after a goodbye.
+        """Send a page the lines of progress until the session is made.
 
-        A page gets a goodbye if the preparation fails or too many pages wait.
+        Returns:
+            The pages of the session; None if the connection was closed, because the preparation failed or too many
+            pages wait.
         """
-        if self.pages is None and self._number >= MOST_PAGES:
-            await goodbye(socket, f"{MOST_PAGES} pages are connected already")
+        if self.pages is None and self._number >= MAX_PAGES:
+            await goodbye(socket, TOO_MANY_PAGES)
             return None
         self._number += 1
         try:
             while self.pages is None:
-                fresh = self._fresh  # read before the news, so that no later change is missed
-                if self._coming.error is not None:
-                    await goodbye(socket, self._coming.failure)
+                fresh = self._fresh  # read before the text, so that no later change is missed
+                if self._preparation.error is not None:
+                    await goodbye(socket, self._preparation.failure)
                     return None
-                await send(socket, to_page.Preparing(self._coming.text))
+                await send(socket, to_page.Preparing(self._preparation.text))
                 await fresh.wait()
         finally:
             self._number -= 1

@@ -15,9 +15,9 @@ from aftdeck.simulation.inputs import Inputs
 from aftdeck.station.messages import from_page
 from aftdeck.station.messages.welcome import Welcome
 
-FARTHEST = 1000.0
-"""Largest magnitude of a component of a keyed-in position [m]; the arm itself reaches 16 m."""
-MOST_TURNED = 100.0
+MAX_COMPONENT = 1000.0
+"""Largest magnitude of a component of a keyed-in position [m]; the arm reaches 16 m."""
+MAX_ANGLE = 100.0
 """Largest magnitude of an angle of a keyed-in attitude [rad]."""
 
 _SWITCHES: dict[type, tuple[str, str]] = {
@@ -36,7 +36,7 @@ _SWITCHES: dict[type, tuple[str, str]] = {
     from_page.SetMaster: ("master", "angles"),
     from_page.Initialise: ("initialise", "part"),
 }
-"""Messages that set one switch: field of `Inputs` to set, and field of the message that has the value."""
+"""Messages that set one switch: name of the field of `Inputs`, and name of the message's field with the value."""
 
 
 def travel(sticks: from_page.Sticks) -> tuple[float, ...]:
@@ -45,19 +45,19 @@ def travel(sticks: from_page.Sticks) -> tuple[float, ...]:
 
 
 def check_sticks(sticks: from_page.Sticks) -> None:
-    """Raise `CommandError` if a stick is beyond its travel."""
+    """Raise `CommandError` if a deflection is not between -1 and 1."""
     if not all(-1.0 <= s <= 1.0 for s in travel(sticks)):
-        raise CommandError("sticks lie between -1 and 1; this message was not flown")
+        raise CommandError("sticks must be between -1 and 1; this message was rejected")
 
 
 def check_camera(message: from_page.DriveCamera, welcome: Welcome) -> None:
-    """Raise `CommandError` if the camera does not exist or has no drive, or if a switch is beyond its travel."""
+    """Raise `CommandError` if the camera does not exist or has no drive, or a switch is not between -1 and 1."""
     driven = [camera.name for camera in welcome.cameras if camera.drive is not None]
     if message.camera not in driven:
-        there = ", ".join(driven) or "none"
-        raise CommandError(f"no camera {message.camera!r} can be turned here: there are {there}")
+        names = ", ".join(driven) or "none"
+        raise CommandError(f"camera {message.camera!r} cannot be moved; cameras with a drive: {names}")
     if not all(-1.0 <= s <= 1.0 for s in (message.pan, message.tilt, message.zoom)):
-        raise CommandError("a camera's pan, tilt and zoom lie between -1 and 1; this message was not flown")
+        raise CommandError("pan, tilt and zoom must be between -1 and 1; this message was rejected")
 
 
 def check_shown(message: from_page.Shown, welcome: Welcome) -> None:
@@ -67,25 +67,25 @@ def check_shown(message: from_page.Shown, welcome: Welcome) -> None:
 
 def check_light(lighting: Lighting, welcome: Welcome) -> None:
     """Raise `CommandError` if a light condition, a lamp or a camera does not exist."""
-    _check_names("condition of light", [lighting.condition], [condition.name for condition in welcome.conditions])
+    _check_names("light condition", [lighting.condition], [condition.name for condition in welcome.conditions])
     _check_names("lamp", lighting.lamps, welcome.lamps)
     _check_names("camera", [locked.camera for locked in lighting.locked], _cameras(welcome))
 
 
 def check_switch(message: from_page.FromPage, welcome: Welcome) -> None:
-    """Raise `CommandError` if a switch position does not exist or a target exceeds `FARTHEST` or `MOST_TURNED`."""
+    """Raise `CommandError` if a switch position does not exist or a target exceeds `MAX_COMPONENT` or `MAX_ANGLE`."""
     match message:
         case from_page.SelectJoint(joint=joint) if not 0 <= joint < len(welcome.joints):
             raise CommandError(f"joints are numbered 0 to {len(welcome.joints) - 1}, got {joint}")
         case from_page.EnterMode(mode=mode) if mode not in {m.position for m in welcome.modes}:
             known = ", ".join(m.position for m in welcome.modes)
-            raise CommandError(f"no mode {mode!r} can be entered here: there are {known}")
+            raise CommandError(f"unknown mode {mode!r}; allowed: {known}")
         case from_page.SetTarget(position=position, attitude=attitude) if not (
-            all(abs(x) <= FARTHEST for x in position) and all(abs(x) <= MOST_TURNED for x in attitude)
+            all(abs(x) <= MAX_COMPONENT for x in position) and all(abs(x) <= MAX_ANGLE for x in attitude)
         ):
             raise CommandError(
-                f"a target lies within {FARTHEST:g} m of the panel's origin and is turned by {MOST_TURNED:g} rad at "
-                f"most, got {position} m, {attitude} rad"
+                f"components of a target must be at most {MAX_COMPONENT:g} m and {MAX_ANGLE:g} rad, got {position} m, "
+                f"{attitude} rad"
             )
         case _:
             pass
@@ -96,7 +96,7 @@ def inputs_of(sticks: from_page.Sticks, message: from_page.FromPage | None, arm:
 
     Args:
         sticks: deflections from the page in control.
-        message: command of the page for this step, already checked; None if there is none.
+        message: checked command of the page for this step; None if no command waits.
         arm: the arm, which converts a keyed-in target from panel components to frame 7 in L.
     """
     inputs = Inputs(
@@ -134,7 +134,7 @@ def _cameras(welcome: Welcome) -> list[str]:
     return [camera.name for camera in welcome.cameras]
 
 
-def _check_names(kind: str, wanted: Collection[str], there: Collection[str]) -> None:
-    unknown = [name for name in wanted if name not in there]
+def _check_names(kind: str, names: Collection[str], known: Collection[str]) -> None:
+    unknown = [name for name in names if name not in known]
     if unknown:
-        raise CommandError(f"there is no {kind} {unknown[0]!r}: there are {', '.join(there) or 'none'}")
+        raise CommandError(f"unknown {kind} {unknown[0]!r}; known: {', '.join(known) or 'none'}")

@@ -1,4 +1,4 @@
-"""Driver of a session: the thread that steps it at the control period, and its clock."""
+"""Driver of a session: the thread that steps the session once in each control period."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from enum import Enum
 
 from aftdeck.station.session.session import Session
 
-MOST_BEHIND = 0.25
-"""Largest delay of a step that is caught up [s]; after a larger one, the clock restarts from there."""
-LONGEST_END = 5.0
-"""Longest time to wait for the thread's end [s]."""
+MAX_CATCH_UP = 0.25
+"""Largest delay that the driver catches up [s]; after a larger delay, the following steps are due later."""
+MAX_JOIN = 5.0
+"""Longest wait for the end of the thread [s]."""
 
 
 class Phase(Enum):
@@ -25,12 +25,12 @@ class Phase(Enum):
 
 
 class Driver:
-    """Thread that steps a session in real time. It never waits for a page.
+    """Thread that steps a session in real time, without waiting for pages.
 
     Attributes:
         session: the session.
         phase: phase in the life of the driver.
-        failure: reason for a failure, in a sentence; empty if there was none.
+        failure: reason for a failure, in a sentence; empty if no failure occurred.
     """
 
     def __init__(self, session: Session) -> None:
@@ -51,7 +51,7 @@ class Driver:
         """Stop the run, wait for the thread, and finish the recording."""
         self._stop.set()
         if self._thread.is_alive():
-            self._thread.join(LONGEST_END)
+            self._thread.join(MAX_JOIN)
         self.session.close()
         self.phase = Phase.CLOSED
 
@@ -64,7 +64,7 @@ class Driver:
                 self._notify()
                 due += self.session.scenario.control_period
                 late = time.perf_counter() - due
-                if late > MOST_BEHIND:
+                if late > MAX_CATCH_UP:
                     due += late
                 elif late < 0.0:
                     self._stop.wait(-late)

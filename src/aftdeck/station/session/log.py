@@ -1,4 +1,4 @@
-"""Log of a session: its events, which one thread adds and others read."""
+"""Log of a session. One thread adds events, other threads read them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Last minutes of a run, for windows that draw them as strips."""
+"""Last minutes of a run, for pages that draw strips."""
 
 from __future__ import annotations
 
@@ -18,27 +18,27 @@ from aftdeck.station.playback.strips import blank, readings, worst_joint
 KEPT_S = 300.0
 """Length of the part of the run that is kept [s]."""
 SPACING_S = 0.1
-"""Time from one sample to the next [s]; a page's figures change at the same rate."""
+"""Time from one sample to the next [s]; the page updates its numbers at the same rate."""
 DECIMALS = 5
 """Decimals of a sample's values: a hundredth of a millimetre."""
 
 
 class Mark(NamedTuple):
-    """Amount of a run's data that a page has received.
+    """Extent of the data that a page has received.
 
     Attributes:
-        flight: the run.
-        samples: number of samples that the run had.
-        begun: number of stretches of the lanes that had begun.
+        run: the run.
+        samples: number of samples received.
+        begun: number of lane intervals that had begun.
     """
 
-    flight: RecentFlight
+    run: RecentRun
     samples: int
     begun: int
 
 
-class RecentFlight:
-    """Values of all strips, and the lanes, of the last `KEPT_S` seconds; one thread adds to them, another reads."""
+class RecentRun:
+    """Values of all strips, and the lanes, of the last `KEPT_S` seconds. One thread adds data, another reads it."""
 
     def __init__(self, scenario: Scenario) -> None:
         period = scenario.control_period
@@ -71,7 +71,7 @@ class RecentFlight:
             self._count += 1
 
     def news(self, sent: Mark | None) -> tuple[to_page.Recent, Mark] | None:
-        """Return what a page has not received yet, and the mark for the next call.
+        """Return the data that a page has not received yet, and the mark for the next call.
 
         Args:
             sent: mark that the last call returned; None: the page has received nothing.
@@ -80,7 +80,7 @@ class RecentFlight:
             Message and new mark; None if there is no new sample.
         """
         with self._lock:
-            begins = sent is None or sent.flight is not self
+            begins = sent is None or sent.run is not self
             known = 0 if begins or sent is None else sent.samples
             if known == self._count:
                 return None

@@ -1,19 +1,19 @@
-"""Latency, monitors and lighting that the page in control reports, and their records."""
+"""Latency, monitors and lighting that the page in control reports, and their recording."""
 
 from __future__ import annotations
 
-from aftdeck.recording.tape import SessionRecorder
+from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.scenario.light import Lighting
 from aftdeck.station.messages import kinds
 
 
 class Reported:
-    """Newest values from the page in control, and those that the present recording has already.
+    """Newest values from the page in control, and the values that are already recorded.
 
     Attributes:
-        latency_ms: latency that the page measures [ms]; None if it has measured none.
-        monitors: cameras on its monitors.
-        lighting: lighting that it has set.
+        latency_ms: latency measured by the page [ms]; None if not measured.
+        monitors: cameras on the monitors of the page.
+        lighting: lighting set by the page.
         lit: lighting of the newest step; None before the first one.
     """
 
@@ -23,29 +23,29 @@ class Reported:
         self.begin_run(lighting)
 
     def begin_run(self, lighting: Lighting) -> None:
-        """Set the scenario's lighting, and regard nothing as recorded."""
+        """Set the scenario's lighting, for a new run with a new recording."""
         self.lighting = lighting
         self.lit: Lighting | None = None
         self._monitors_recorded: tuple[kinds.Monitor, ...] = ()
 
-    def record(self, tape: SessionRecorder, time_s: float) -> str:
-        """Record monitors and lighting from a step on, if they have changed.
+    def record(self, recorder: SessionRecorder, time_s: float) -> str:
+        """Record monitors and lighting, if they have changed.
 
         Args:
-            tape: recording of the run.
-            time_s: time of the step [s].
+            recorder: recorder of the run.
+            time_s: simulated time from which the values apply [s].
 
         Returns:
-            Text for the log if light condition or lamps have changed during the run; else an empty text.
+            Text for the log if the light condition or the lamps have changed during the run; else empty.
         """
         if self.monitors != self._monitors_recorded:
             self._monitors_recorded = self.monitors
-            tape.shown(time_s, self._monitors_recorded)
+            recorder.shown(time_s, self._monitors_recorded)
         lighting, before = self.lighting, self.lit
         if lighting == before:
             return ""
         self.lit = lighting
-        tape.light(time_s, lighting)
+        recorder.light(time_s, lighting)
         if before is None or (lighting.condition, lighting.lamps) == (before.condition, before.lamps):
             return ""
         return f"light: {lighting.condition}; lamps lit: {', '.join(lighting.lamps) or 'none'}"

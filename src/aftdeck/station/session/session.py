@@ -1,7 +1,7 @@
-"""Session that pages share: it steps the simulation with the inputs of the page in control, and encodes its frames.
+"""Session: it steps the simulation with the inputs of the page in control, and encodes the frames for all pages.
 
-A session has no thread and no clock of its own: `driver.Driver` steps it in real time, a test as quickly as it goes.
-While one thread steps it, others may call the methods for pages.
+A session has no thread and no clock: `driver.Driver` steps it in real time. While one thread steps the session, other
+threads may call the methods for pages.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import msgspec
 from aftdeck.errors import CommandError
 from aftdeck.recording.index import Index
 from aftdeck.recording.live import Live
-from aftdeck.recording.tape import SessionRecorder
+from aftdeck.recording.session_recorder import SessionRecorder
 from aftdeck.recording.trial import NO_TRIAL, Trial
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.camera_drives import CameraDrive
@@ -41,16 +41,16 @@ from aftdeck.station.session.commands import (
 )
 from aftdeck.station.session.log import Log
 from aftdeck.station.session.page_inputs import NO_CONTROLLERS, SILENCE, PageInputs
-from aftdeck.station.session.recent import RecentFlight
+from aftdeck.station.session.recent import RecentRun
 from aftdeck.station.session.reported import Reported
 from aftdeck.station.session.unattended import safe_inputs
 
 LOOK_EVERY = 10
 """Steps from one look-ahead to the next."""
 LOOK_S = 5.0
-"""Time span of the look-ahead until a page sets another one [s]."""
+"""Time span of the look-ahead until a page sets another time span [s]."""
 MOVED = 1e-3
-"""Stick deflection above which a person takes over from the demonstration."""
+"""Stick deflection above which the operator takes control from the demonstration's script."""
 
 _encoder = msgspec.json.Encoder()
 
@@ -62,8 +62,8 @@ class Session:
         scenario: the scenario that is run.
         welcome: first message to a new page.
         recent: the last minutes of the present run.
-        log: the events of all its runs.
-        newest: newest frame, encoded as JSON; empty before the first one.
+        log: events of all runs.
+        newest: newest frame, encoded as JSON; empty before the first step.
     """
 
     def __init__(
@@ -77,16 +77,16 @@ class Session:
         live: Live | None = None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        """Prepare a run; all laws are compiled then.
+        """Prepare a run, and compile or load all laws.
 
         Args:
             scenario: the scenario to run.
-            seed: random seed in place of the scenario's; None: the scenario's own.
-            demo: whether the script flies until the operator moves a stick or sends a command.
+            seed: random seed; None: the scenario's.
+            demo: whether the script runs until the operator moves a stick or sends a command.
             record: folder to record each run into; None: runs are not recorded.
             trial: participant and condition, stored in each recording.
-            live: connection for viewers of the recording; None: there is none.
-            clock: returns the time [s] by which a page counts as silent.
+            live: server for viewers of the run; None: viewers cannot attach.
+            clock: returns the time [s] by which the age of the last message is measured.
         """
         self.scenario, self._seed = scenario, seed
         self._start_demo, self._record, self._trial, self._live = demo, record, trial, live
@@ -94,8 +94,8 @@ class Session:
         self._displays = Displays(scenario)
         self.welcome = welcome_of(scenario, demo=demo)
         warm_up(scenario)
-        self._displays.frame(Simulation(scenario, seed).step(Inputs()), -1)  # compiles its laws too
-        self._tape = SessionRecorder(record, Index(), live, trial)
+        self._displays.frame(Simulation(scenario, seed).step(Inputs()), -1)  # compiles the laws of the conversion
+        self._recorder = SessionRecorder(record, Index(), live, trial)
         self.log = Log()
         self.newest = b""
         self._lock = threading.Lock()
@@ -106,16 +106,16 @@ class Session:
         self._reset()
 
     def _reset(self) -> None:
-        """Set everything that belongs to one run to its start."""
+        """Create the simulation of a new run, and reset all data of the run before."""
         self._sim = Simulation(self.scenario, self._seed)
-        self.recent = RecentFlight(self.scenario)
+        self.recent = RecentRun(self.scenario)
         self._demo = self._start_demo
         self._ahead: Ahead | None = None
         self._axis: Axis | None = None
         self._controllers_recorded = NO_CONTROLLERS
 
     def another(self, scenario: Scenario) -> Session:
-        """Return a session of another scenario with the same settings; it records into the same folder."""
+        """Return a session of another scenario with the same settings and the same recording folder."""
         return Session(
             scenario,
             self._seed,
@@ -134,7 +134,7 @@ class Session:
     @property
     def file(self) -> Path | None:
         """File into which the present run is recorded; None if it is not recorded."""
-        return self._tape.file
+        return self._recorder.file
 
     @property
     def time_s(self) -> float:
@@ -144,10 +144,10 @@ class Session:
     # --- called for pages ---------------------------------------------------------------------------------
 
     def steer(self, sticks: from_page.Sticks) -> None:
-        """Set the stick deflections that the page in control has sent.
+        """Set the stick deflections.
 
         Raises:
-            CommandError: a stick is beyond its travel, or is still deflected after a silence (`PageInputs.steer`).
+            CommandError: a deflection is not in [-1, 1], or the sticks must be centred first (`PageInputs.steer`).
         """
         check_sticks(sticks)
         with self._lock:
@@ -157,11 +157,11 @@ class Session:
         """Set the switches that drive a camera.
 
         Raises:
-            CommandError: the camera does not exist or has no drive, a switch is beyond its travel, or the script flies.
+            CommandError: the camera does not exist or has no drive, a switch is not in [-1, 1], or the script runs.
         """
         check_camera(message, self.welcome)
         if self._demo:
-            raise CommandError("the script flies: take the sticks, then the cameras turn, too")
+            raise CommandError("the script is running: move a stick to take control, then move the camera")
         camera = CameraDrive(message.camera, message.pan, message.tilt, message.zoom, message.slow)
         with self._lock:
             self._inputs.turn(camera, self._clock())
@@ -178,12 +178,12 @@ class Session:
             self._inputs.command(message)
 
     def controllers_in_use(self, message: from_page.Controllers) -> None:
-        """Set the controllers that move the sticks of the page in control, with their settings."""
+        """Set the devices that move the sticks of the page in control."""
         with self._lock:
             self._inputs.use(message)
 
     def shown(self, message: from_page.Shown) -> None:
-        """Set the latency that the page in control measures, and the cameras that it shows.
+        """Set the latency that the page in control measures, and the cameras on its monitors.
 
         Raises:
             CommandError: a camera does not exist.
@@ -192,7 +192,7 @@ class Session:
         self._reported.latency_ms, self._reported.monitors = message.latency_ms, message.monitors
 
     def light(self, message: from_page.SetLight) -> None:
-        """Set the lighting; the page in control may do so even while the script flies.
+        """Set the lighting; allowed even while the script runs.
 
         Raises:
             CommandError: a light condition, a lamp or a camera does not exist.
@@ -200,16 +200,16 @@ class Session:
         check_light(message.lighting, self.welcome)
         self._reported.lighting = message.lighting
 
-    def let_go(self, cause: str = "page gone") -> None:
-        """Set the sticks to zero and delete all commands: the controls are unattended, with a cause of `CAUSES`."""
+    def set_unattended(self, cause: str = "page gone") -> None:
+        """Centre the sticks and delete all commands, because of `cause`, one of `unattended.CAUSES`."""
         with self._lock:
-            self._inputs.let_go(cause)
+            self._inputs.set_unattended(cause)
         self._reported.latency_ms, self._reported.monitors = None, ()
 
     def hand_over(self, text: str) -> None:
-        """Set the sticks to zero and delete all commands, because another page takes control; log `text`.
+        """Centre the sticks and delete all commands, because another page takes control; log `text`.
 
-        The controls then count as unattended for one step, so that nothing moves meanwhile.
+        The controls then count as unattended for one step, so that nothing moves in between.
 
         Raises:
             CommandError: a stick is deflected.
@@ -218,55 +218,55 @@ class Session:
             self._inputs.hand_over(text)
         self._reported.latency_ms = None
 
-    # --- called by the thread that steps it ---------------------------------------------------------------
+    # --- called by the thread that steps the session ---------------------------------------------------------------
 
     def begin(self) -> None:
-        """Begin to record the run; call it once, before the first step."""
-        self._tape.begin(self.scenario, self._sim.seed)
+        """Start to record the run. Call this once, before the first step."""
+        self._recorder.begin(self.scenario, self._sim.seed)
 
     def close(self) -> None:
         """Finish the recording."""
-        self._tape.close()
+        self._recorder.close()
 
     def step(self) -> None:
-        """Do one control step with the newest inputs of the pages; `newest` is its frame then."""
+        """Do one control step with the newest inputs of the page in control, and encode its frame."""
         now = self._clock()
         with self._lock:
             taken = self._inputs.take(now, rate_held=self._rate_held(now))
-        command, left = taken.command, taken.left
+        command, cause = taken.command, taken.cause
         if isinstance(command, from_page.Restart):
             self._restart()
             command = None
         elif isinstance(command, from_page.LookAhead):
             self._look_s, command = command.seconds, None
         elif isinstance(command, from_page.HandsOff):
-            left, command = left or command.cause, None
+            cause, command = cause or command.cause, None
         if taken.controllers is not self._controllers_recorded:
             self._controllers_recorded = taken.controllers
-            self._tape.controllers(self.time_s, controller_records(taken.controllers))
+            self._recorder.controllers(self.time_s, controller_records(taken.controllers))
         moved = any(abs(s) > MOVED for s in travel(taken.sticks))
         if self._demo and (moved or command is not None or self._sim.ended):
             self._demo = False
-            self._note("hand", "you have the sticks")
+            self._note("hand", "manual control: the script has stopped")
         if taken.handed_over:
             self._note("hand-over", taken.handed_over)
         inputs, flown = None, -1
         if not self._demo:
             inputs, flown = inputs_of(taken.sticks, command, self.scenario.arm), taken.flown()
-            if left:
-                inputs = self._left_alone(inputs, left, now)
+            if cause:
+                inputs = self._make_safe(inputs, cause, now)
             if taken.camera.pan or taken.camera.tilt or taken.camera.zoom:
                 inputs = msgspec.structs.replace(inputs, camera=taken.camera)
         frame = self._sim.step(inputs)
-        if text := self._reported.record(self._tape, frame.time_s):
+        if text := self._reported.record(self._recorder, frame.time_s):
             self._note("light", text)
-        self._tape.step(inputs, frame, self._reported.latency_ms)
-        for text in self._tape.take_errors():
+        self._recorder.step(inputs, frame, self._reported.latency_ms)
+        for text in self._recorder.take_errors():
             self._note("recording", text, "warning")
         if frame.tick % LOOK_EVERY == 1:
             self._axis = _deflected(frame) or self._axis
             self._ahead = self._displays.ahead(self._sim.ahead(self._look_s, self._axis), frame)
-        seq, running_s = taken.sticks.seq, self._tape.running_s
+        seq, running_s = taken.sticks.seq, self._recorder.running_s
         shown = self._displays.frame(frame, seq, running_s, self._ahead, self._reported.lit, flown_seq=flown)
         self.recent.add(frame, shown.display.lamps, self._reported.latency_ms, self._reported.monitors)
         self.newest = _encoder.encode(shown)
@@ -275,15 +275,16 @@ class Session:
     def _rate_held(self, now: float) -> bool:
         """Return whether RATE HOLD keeps a rate.
 
-        RATE HOLD that the station has cancelled stays on during the command delay; it does not count meanwhile.
+        After the station has cancelled RATE HOLD, frames still show it as on during the command delay. That does not
+        count.
         """
         frame = self._sim.frame
         return not self._demo and frame is not None and frame.rate_hold and now >= self._cancelled_until
 
-    def _left_alone(self, inputs: Inputs, cause: str, now: float) -> Inputs:
+    def _make_safe(self, inputs: Inputs, cause: str, now: float) -> Inputs:
         """Return inputs that put the arm into a safe state, and log the cause."""
         frame = self._sim.frame
-        inputs, text = safe_inputs(inputs, frame, cause, under_way=now < self._cancelled_until)
+        inputs, text = safe_inputs(inputs, frame, cause, cancelling=now < self._cancelled_until)
         if inputs.rate_hold and frame is not None and frame.rate_hold:
             self._cancelled_until = now + self.scenario.delay * self.scenario.control_period + SILENCE
         if text:
@@ -291,23 +292,23 @@ class Session:
         return inputs
 
     def _restart(self) -> None:
-        """Finish the run and its recording, and begin the scenario again."""
-        self._tape.end("restarted")
+        """Finish the run and its recording, and restart the scenario."""
+        self._recorder.end("restarted")
         self._reset()
         self._reported.begin_run(self.scenario.lighting)
         self.begin()
-        self._note("restart", f"{self.scenario.title}: from the beginning")
+        self._note("restart", f"{self.scenario.title}: restarted")
 
     def _note(self, kind: str, text: str, level: Level = "info") -> None:
         event = Event(self.time_s, kind, level, text)
-        self._tape.note(event)
+        self._recorder.note(event)
         self.log.add([event])
 
 
 def _deflected(frame: Frame) -> Axis | None:
-    """Return the axis with the largest deflection, and its sign; None if the sticks are centred."""
+    """Return the index of the axis with the largest deflection, and its sign; None if the sticks are centred."""
     axes = (*frame.rotation, *frame.translation, frame.drive)
-    most = max(range(len(axes)), key=lambda k: abs(axes[k]))
-    if axes[most] == 0.0:
+    largest = max(range(len(axes)), key=lambda k: abs(axes[k]))
+    if axes[largest] == 0.0:
         return None
-    return most, 1 if axes[most] > 0.0 else -1
+    return largest, 1 if axes[largest] > 0.0 else -1

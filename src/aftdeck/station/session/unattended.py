@@ -1,4 +1,4 @@
-"""Safe state of the panel while the controls are unattended, as a careful operator would set it before leaving."""
+"""Safe state of the panel while the controls are unattended."""
 
 from __future__ import annotations
 
@@ -8,34 +8,34 @@ from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.inputs import Inputs
 
 CAUSES = {
-    "page hidden": "the page that flies is hidden",
-    "device lost": "a hand controller is gone",
-    "page gone": "the page that flew is gone",
-    "page gone, another flies": "the page that flew is gone; another has the sticks",
-    "page narrow": "the page that flew is too narrow now",
-    "page narrow, another flies": "the page that flew is too narrow now; another has the sticks",
-    "another scenario": "another scenario is made ready",
-    "sticks silent": "the page that flies is silent",
-    "handed over": "the sticks are handed over",
+    "page hidden": "the operator's page is hidden",
+    "device lost": "a hand controller is disconnected",
+    "page gone": "the operator's page has left",
+    "page gone, another flies": "the operator's page has left; another page is in control",
+    "page narrow": "the operator's page is too narrow",
+    "page narrow, another flies": "the operator's page is too narrow; another page is in control",
+    "another scenario": "another scenario is being prepared",
+    "sticks silent": "the operator's page sends no sticks",
+    "handed over": "the sticks are given to another page",
 }
-"""Causes for which the controls are unattended, and their texts in the log."""
+"""Causes of unattended controls, with their texts in the log."""
 
 
-def safe_inputs(inputs: Inputs, frame: Frame | None, cause: str, *, under_way: bool) -> tuple[Inputs, str]:
+def safe_inputs(inputs: Inputs, frame: Frame | None, cause: str, *, cancelling: bool) -> tuple[Inputs, str]:
     """Return inputs that cancel RATE HOLD and set POSITION HOLD, and the text for the log.
 
-    A sequence is stopped too, if there is no page in control that could stop it. The text is empty if nothing changes.
+    The inputs also stop a sequence if no page is in control that could stop it. The text is empty if nothing changes.
 
     Args:
-        inputs: inputs of this step without these changes.
-        frame: frame of the step before; None if there was none.
+        inputs: inputs of this step.
+        frame: frame of the step before; None before the first step.
         cause: one of `CAUSES`.
-        under_way: whether a command to cancel RATE HOLD was sent already and is still in the command delay.
+        cancelling: whether a command that cancels RATE HOLD is in the command delay.
     """
     if frame is None:
         return inputs, ""
     changed = False
-    if frame.rate_hold and not under_way:
+    if frame.rate_hold and not cancelling:
         inputs = msgspec.structs.replace(inputs, rate_hold=True)  # a second press cancels it
         changed = True
     if not frame.position_hold:
@@ -44,4 +44,4 @@ def safe_inputs(inputs: Inputs, frame: Frame | None, cause: str, *, under_way: b
     if cause in ("page gone", "page narrow", "another scenario") and frame.sequence in ("checking", "in progress"):
         inputs = msgspec.structs.replace(inputs, stop=True)
         changed = True
-    return inputs, f"{CAUSES[cause]}: sticks at zero" if changed else ""
+    return inputs, f"{CAUSES[cause]}: sticks centred" if changed else ""

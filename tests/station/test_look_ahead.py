@@ -1,4 +1,4 @@
-"""The look ahead as pages get it: the ghost is drawn where the bodies will be."""
+"""Look-ahead as pages receive it: poses of the ghost, settings, and reset."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FORWARD = Inputs(translation=(1.0, 0.3, 0.0))
 
 
 @pytest.mark.parametrize("name", ["srms-deploy", "concept-1972", "free-flyer", "first-flight"])
-def test_the_ghost_stands_where_the_bodies_are_when_the_time_is_over(name: str) -> None:
+def test_ghost_has_the_poses_that_the_bodies_reach(name: str) -> None:
     scenario = load_scenario(name)
     sim, displays, welcome = Simulation(scenario), Displays(scenario), welcome_of(scenario, demo=False)
     for _ in range(25):
@@ -28,20 +28,19 @@ def test_the_ghost_stands_where_the_bodies_are_when_the_time_is_over(name: str) 
         frame = sim.step(FORWARD)
     shown = displays.frame(frame, 0)
     bodies = {body.name: i for i, body in enumerate(welcome.bodies)}
-    ghosts = welcome.ghost
-    assert len(ahead.poses) == 7 * len(ghosts)
-    assert {bodies[cargo.name] for cargo in scenario.cargo} <= set(ghosts)
-    floats = {cargo.name for cargo in scenario.cargo if not cargo.start.seat}
-    for k, body in enumerate(ghosts):
-        if welcome.bodies[body].name in floats:
-            continue  # what floats goes on by itself; the ghost shows what the sticks do
+    assert len(ahead.poses) == 7 * len(welcome.ghost)
+    assert {bodies[cargo.name] for cargo in scenario.cargo} <= set(welcome.ghost)
+    free = {cargo.name for cargo in scenario.cargo if not cargo.start.seat}
+    for k, body in enumerate(welcome.ghost):
+        if welcome.bodies[body].name in free:
+            continue  # a free payload drifts; the look-ahead predicts only the motion by the sticks
         assert ahead.poses[7 * k : 7 * k + 7] == pytest.approx(shown.display.poses[7 * body : 7 * body + 7], abs=1e-8)
 
 
-def test_pages_are_told_of_it_several_times_a_second_and_set_how_far() -> None:
+def test_frames_carry_a_look_ahead_over_the_time_that_a_page_sets() -> None:
     with flying() as session:
-        told = comes(session, lambda frame: frame.display.ahead is not None, "a look ahead").display.ahead
-        assert told is not None and told.seconds == LOOK_S and not told.held and not told.moves
+        first = comes(session, lambda frame: frame.display.ahead is not None, "a look-ahead").display.ahead
+        assert first is not None and first.seconds == LOOK_S and not first.held and not first.moves
         session.steer(from_page.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
         comes(
             session,
@@ -50,20 +49,21 @@ def test_pages_are_told_of_it_several_times_a_second_and_set_how_far() -> None:
         )
         session.command(from_page.LookAhead(2, 12.0))
         comes(session, lambda frame: frame.display.ahead is not None and frame.display.ahead.seconds == 12.0, "12 s")
-        session.let_go()
-        rests = comes(
+        session.set_unattended()
+        at_rest = comes(
             session,
             lambda f: f.display.ahead is not None and not f.display.ahead.held and f.display.ahead.stopping == 0.0,
             "rest",
         )
-        assert rests.display.ahead is not None and rests.display.ahead.moves  # the last axis used, at full deflection
+        assert at_rest.display.ahead is not None
+        assert at_rest.display.ahead.moves, "predicted with the axis that was deflected last"
 
 
-def test_a_restart_forgets_the_axis_that_was_used_last() -> None:
+def test_restart_resets_the_axis_that_was_used_last() -> None:
     with flying() as session:
         session.steer(from_page.Sticks(1, (1.0, 0.0, 0.0), STILL, 0.0))
         comes(session, lambda frame: frame.display.ahead is not None and frame.display.ahead.held, "it is held")
-        session.let_go()
+        session.set_unattended()
         session.command(from_page.Restart(2))
         comes(
             session,
@@ -73,7 +73,7 @@ def test_a_restart_forgets_the_axis_that_was_used_last() -> None:
 
 
 @pytest.mark.parametrize("seconds", [1.0, 21.0, "5", None])
-def test_other_times_are_refused(seconds: object) -> None:
+def test_time_span_out_of_range_is_rejected(seconds: object) -> None:
     text = msgspec.json.encode({"type": "look_ahead", "seq": 1, "seconds": seconds})
     with pytest.raises(msgspec.ValidationError):
         msgspec.json.decode(text, type=from_page.FromPage)

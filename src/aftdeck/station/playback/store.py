@@ -1,7 +1,7 @@
-"""Recording prepared for playback: read once from beginning to end, its frames stored in blocks.
+"""Recording prepared for playback: read once from beginning to end, with its frames stored in blocks.
 
-A recording can only be read forwards and may be hours long. Its frames are therefore stored in a temporary file,
-compressed block by block, until the page asks for them. The data of the whole run is collected during the reading.
+A recording can only be read forwards and may be hours long. Therefore its frames are stored in a temporary file,
+compressed block by block, until the page requests them. The data of the whole run is collected while reading.
 """
 
 from __future__ import annotations
@@ -63,13 +63,13 @@ class PlaybackStore:
             self._opened = opened.pop_all()
 
     def __enter__(self) -> PlaybackStore:
-        """Return the reel itself."""
+        """Return the store itself."""
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        """Close the reel."""
+        """Close the store."""
         self.close()
 
     def close(self) -> None:
@@ -83,7 +83,7 @@ class PlaybackStore:
 
     @property
     def blocks(self) -> int:
-        """Number of blocks; each but the last has `BLOCK` frames."""
+        """Number of blocks; each except the last has `BLOCK` frames."""
         return len(self._ends) - 1
 
     def index(self, verdict: Verdict, stride: int = 1) -> PlaybackIndex:
@@ -96,7 +96,7 @@ class PlaybackStore:
         return replace(self._index, verdict=verdict, stride=stride)
 
     def block(self, number: int) -> Block:
-        """Return the moments of a block, one for each step; may be called from any thread.
+        """Return the moments of a block, one for each step. May be called from any thread.
 
         Raises:
             IndexError: the block does not exist.
@@ -142,7 +142,7 @@ class PlaybackStore:
                     self._pack(waiting)
                     waiting = []
         if not ticks:
-            raise RecordingError(f"{recording.path}: ends before its first step; there is nothing in it to play")
+            raise RecordingError(f"{recording.path}: ends before its first step and cannot be played", "empty")
         if waiting:
             self._pack(waiting)
         return PlaybackIndex(
@@ -172,7 +172,7 @@ class PlaybackStore:
             self._file.write(zlib.compress(_encoder.encode(records), _QUICK))
         except OSError as error:
             why = error.strerror or str(error)
-            raise RecordingError(f"the recording's frames cannot be kept in {gettempdir()}: {why}") from None
+            raise RecordingError(f"the recording's frames cannot be stored in {gettempdir()}: {why}") from None
         self._ends.append(self._file.tell())
 
     def _unpack(self, number: int) -> tuple[FrameRecord, ...]:

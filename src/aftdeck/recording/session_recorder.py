@@ -18,38 +18,38 @@ from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Event, Frame
 from aftdeck.simulation.inputs import Inputs
 
-MOST_OF_A_NAME = 999
-"""Limit of the number that distinguishes files with the same name and second; the greatest number is one less."""
+MAX_FILES_PER_SECOND = 999
+"""Upper limit of the number that distinguishes files of the same scenario and second."""
 
 
 class SessionRecorder:
     """Recorder of the runs of one session.
 
     Attributes:
-        file: recording of the present run; None if it is not recorded.
+        file: file of the present run; None if the run is not recorded.
     """
 
     def __init__(
         self, folder: Path | None, index: Index | None, live: Live | None = None, trial: Trial = NO_TRIAL
     ) -> None:
-        """Set where the session's runs are recorded and shown.
+        """Set folder, list and server for the runs of the session.
 
         Args:
-            folder: folder of the recordings; None records nothing.
+            folder: folder of the recordings; None: runs are not recorded.
             index: list of recordings to which the files are added.
             live: server to which viewers attach.
-            trial: participant and condition, stored in every file.
+            trial: participant and condition, stored in each file.
         """
         self._folder, self._index, self._live, self._trial = folder, index, live, trial
         self._recorder: Recorder | None = None
         self._ending: list[Recorder] = []
-        self._complaints: list[str] = []
-        self._errors: set[str] = set()
+        self._new_errors: list[str] = []
+        self._reported: set[str] = set()
         self._period = 0.0
 
     @property
     def file(self) -> Path | None:
-        """Recording of the present run; None if it is not recorded."""
+        """File of the present run; None if the run is not recorded."""
         return self._recorder.path if self._recorder and not self._recorder.failure else None
 
     @property
@@ -58,14 +58,14 @@ class SessionRecorder:
         return self._recorder.steps * self._period if self._recorder and self.file else None
 
     def begin(self, scenario: Scenario, seed: int) -> None:
-        """Start to record a run; if that fails, `take_errors` returns the reason."""
+        """Start to record a run; after a failure, `take_errors` returns the reason."""
         if self._folder is None and self._live is None:
             return
         self._period = scenario.control_period
-        still = [recorder for recorder in self._ending if recorder.writing]
-        # read errors only after listing the active recorders, so that no finished one is dropped unread
-        self._look()
-        self._ending = still
+        writing = [recorder for recorder in self._ending if recorder.writing]
+        # read errors only after listing the active recorders, so that the errors of a finished one are read too
+        self._collect_errors()
+        self._ending = writing
         before = self._ending[-1] if self._ending else None
         try:
             path = self._folder and _free_name(self._folder, scenario.name)
@@ -73,7 +73,7 @@ class SessionRecorder:
                 path, scenario, seed, trial=self._trial, live=self._live, index=self._index, after=before
             )
         except RecordingError as error:
-            self._complain(f"nothing is recorded: {error}")
+            self._report(f"the run is not recorded: {error}")
             if self._live is not None:
                 self._recorder = Recorder(None, scenario, seed, live=self._live, after=before)
 
@@ -83,40 +83,40 @@ class SessionRecorder:
             self._recorder.step(inputs, frame, latency_ms)
 
     def note(self, event: Event) -> None:
-        """Record a line that the station wrote in the log."""
+        """Record a log line of the station."""
         if self._recorder is not None:
             self._recorder.note(event)
 
     def controllers(self, time_s: float, used: tuple[ControllerRecord, ...]) -> None:
-        """Record the devices that move the sticks from the next step on."""
+        """Record the devices that move the sticks from `time_s` on."""
         if self._recorder is not None:
             self._recorder.controllers(time_s, used)
 
     def shown(self, time_s: float, monitors: tuple[tuple[str, ...], ...]) -> None:
-        """Record the cameras that the monitors show from now on."""
+        """Record the cameras on the monitors from `time_s` on."""
         if self._recorder is not None:
             self._recorder.shown(time_s, monitors)
 
     def light(self, time_s: float, lighting: Lighting) -> None:
-        """Record the light from now on."""
+        """Record the lighting from `time_s` on."""
         if self._recorder is not None:
             self._recorder.light(time_s, lighting)
 
     def take_errors(self) -> list[str]:
         """Return the errors since the last call, one sentence each."""
-        self._look()
-        errors, self._complaints = self._complaints, []
+        self._collect_errors()
+        errors, self._new_errors = self._new_errors, []
         return errors
 
-    def _look(self) -> None:
+    def _collect_errors(self) -> None:
         """Collect new errors from all recorders, and print them."""
         for recorder in (*self._ending, *([self._recorder] if self._recorder else [])):
             for text in (recorder.failure, recorder.unlisted):
-                if text and text not in self._errors:
-                    self._complain(text)
+                if text and text not in self._reported:
+                    self._report(text)
 
     def end(self, ended: Ended) -> None:
-        """End the run; its file is closed in the background."""
+        """End the run; another thread closes its file."""
         if self._recorder is not None:
             self._recorder.finish(ended)
             self._ending.append(self._recorder)
@@ -130,17 +130,17 @@ class SessionRecorder:
         self.take_errors()
         self._ending.clear()
 
-    def _complain(self, text: str) -> None:
-        self._errors.add(text)
-        self._complaints.append(text)
+    def _report(self, text: str) -> None:
+        self._reported.add(text)
+        self._new_errors.append(text)
         print(f"aftdeck: {text}", file=sys.stderr, flush=True)
 
 
 def _free_name(folder: Path, scenario: str) -> Path:
     """Return a free path such as ``first-flight-20261121-143000.mcap`` (UTC); a number is added to a name in use."""
     stem = f"{scenario}-{datetime.now(UTC):%Y%m%d-%H%M%S}"
-    for ending in ("", *(f"-{n}" for n in range(2, MOST_OF_A_NAME))):
+    for ending in ("", *(f"-{n}" for n in range(2, MAX_FILES_PER_SECOND))):
         path = folder / f"{stem}{ending}.mcap"
         if not os.path.lexists(path):  # unlike Path.exists, does not raise if the folder cannot be read
             return path
-    raise RecordingError(f"{folder}: {MOST_OF_A_NAME} recordings called {stem} are there already")
+    raise RecordingError(f"{folder}: has {MAX_FILES_PER_SECOND} recordings with the name {stem} already")
