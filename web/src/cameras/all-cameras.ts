@@ -70,7 +70,7 @@ export class AllCameras {
       camera,
       lens: scene.sight.lens(camera),
       ahead: scene.sight.direction(camera),
-      angle: scene.setting(camera.name)[2],
+      angle: scene.cameras.setting(camera.name)[2],
       used: used.includes(camera),
     }));
     const extent = extentOf([...marks.map(({ lens }) => lens), ...this.survey.places], rect);

@@ -99,7 +99,7 @@ export class Survey {
     if (ahead.has(TIP) || sight.body(camera, TIP)) sees.add('tip');
     if (this.payloads.some((name) => ahead.has(name) || sight.body(camera, name))) sees.add('payload');
     if (gap && sight.line(camera, gap.point_a, gap.point_b)) sees.add('gap');
-    const turned = stickToPicture(this.scene.directions(camera.name, frame.display.axes));
+    const turned = stickToPicture(this.scene.cameras.directions(camera.name, frame.display.axes));
     return { camera: camera.name, sees, lens: sight.lens(camera), turned };
   }
 }

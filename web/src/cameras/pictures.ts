@@ -123,7 +123,7 @@ export class Pictures {
   /** Moves an engineering view: round to the right and upwards [rad], or aside, and nearer by a factor. */
   orbit({ name }: Camera, right: number, upwards: number, nearer: number, aside = false): void {
     this.orbits += 1;
-    this.scene.orbit(name, right, upwards, nearer, aside || this.monitors.slow);
+    this.scene.cameras.orbit(name, right, upwards, nearer, aside || this.monitors.slow);
   }
 
   /** The engineering views go round the next of: where they began, the tip, the payload, the narrowest gap. */
@@ -131,7 +131,7 @@ export class Pictures {
     const all = [null, ...TARGETS];
     this.round = all[(all.indexOf(this.round) + 1) % all.length] ?? null;
     this.orbits += 1;
-    this.scene.turnTo(null);
+    this.scene.cameras.turnTo(null);
     for (const monitor of this.monitors.both) monitor.setRound(this.round);
   }
 
@@ -156,9 +156,9 @@ export class Pictures {
     const caution = clearance !== 'info';
     const gap = drawnGap(frame);
     this.scene.setPoses(frame.display.poses);
-    this.scene.setViews(frame.views);
+    this.scene.cameras.put(frame.views);
     const round = this.round && this.survey.place(this.round, gap);
-    if (round) this.scene.follow(round);
+    if (round) this.scene.cameras.follow(round);
     this.scene.setLighting(frame.display.lighting, frame.time_s);
     this.scene.setGap(gap, caution ? CAUTION : CALM, this.plane);
     const { ahead } = frame.display;

@@ -106,6 +106,6 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     lastFrame: station?.shown.frame ?? null,
     restarts: station?.shown.restarts ?? 0,
     bodies: station?.bodies ?? [],
-    latency95: station instanceof Station ? station.latency.percentile95(performance.now()) : null,
+    latency95: station instanceof Station ? station.latency95 : null,
   }));
 }

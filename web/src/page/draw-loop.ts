@@ -59,11 +59,6 @@ export class DrawLoop {
     if (this.held) this.draw(now);
   }
 
-  /** The kind of a mode; undefined: the arm has no such mode. */
-  kindOf(mode: string): ModeInfo['kind'] | undefined {
-    return this.modes.get(mode);
-  }
-
   /** Draws what is due, once the pictures of the frame before are on the page. */
   draw(now: number): void {
     const [told, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
@@ -77,7 +72,7 @@ export class DrawLoop {
     }
     this.held = this.latency.due(seen.frame.display.stick_seq, now);
     if (this.held) return;
-    this.operator.sticks.driving = this.kindOf(told.frame.mode) === 'single';
+    this.operator.sticks.driving = this.modes.get(told.frame.mode) === 'single';
     // Where bars wait for a picture, it is not one with MON 2 in it.
     const barsMove = (this.drawn + 1) % this.barPace === 0;
     this.fresh = false;

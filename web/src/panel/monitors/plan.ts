@@ -1,6 +1,7 @@
 /** Plan view: position and direction of each camera, over the worksite as seen from above. */
 
 import type { Camera, Vec3 } from '../../link/protocol';
+import type { Extent } from '../../scene/overhead';
 import { el, setAttribute, setClass, svg } from '../parts/dom';
 import type { Size } from './label-place';
 
@@ -10,14 +11,6 @@ const WEDGE = 0.11;
 const STEEP = 0.97;
 /** Room round what the plan shows, of its size. */
 const MARGIN = 0.16;
-
-/** What the plan shows of the scene [m]: x aft to the right, y to starboard upwards, from the lower left corner. */
-export interface Extent {
-  readonly x: number;
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
-}
 
 export interface Mark {
   readonly camera: Camera;
