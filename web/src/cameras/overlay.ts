@@ -8,7 +8,7 @@ import type { View } from '../scene/drawn';
 
 export interface Over {
   readonly frame: Frame;
-  /** The gap that is worth a line, and whether it calls for attention. */
+  /** The minimum clearance to draw, and whether it is a caution. */
   readonly gap: ClosestPoints | null;
   readonly caution: boolean;
 }
