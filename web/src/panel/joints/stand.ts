@@ -33,7 +33,7 @@ export function standRow({ least, greatest }: StandInfo): StandRow {
   const element = el(
     'tr',
     { class: 'stand' },
-    el('th', { scope: 'row' }, 'Telescope ', unit),
+    el('th', { scope: 'row' }, 'Stand ', unit),
     scale,
     value,
     el('td', { class: 'of-limit' }, ...keys),
