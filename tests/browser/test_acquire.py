@@ -46,7 +46,7 @@ def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight)
     flight.hold("e")
     flight.until(f"frame.work.arm_inhibit && {INHIBITED}")
     flight.release("e")
-    flight.until(f"{AT_REST} && /Way out: THC −Z/.test(document.querySelector('.touching').textContent)")
+    flight.until(f"{AT_REST} && /Escape: THC −Z/.test(document.querySelector('.touching').textContent)")
     assert_tidy(flight)
 
     # Off the bar again, until the page says that the height is right.
@@ -69,7 +69,7 @@ def test_the_payload_is_acquired_lifted_and_let_go_by_keys_alone(flight: Flight)
     flight.until(f"{HELD} && document.querySelector('.effector .about').textContent.startsWith('payload, ')")
     flight.until_logged("Payload acquired")
     flight.until("document.querySelector('.phases .present').textContent === 'Extract'")
-    flight.until(f"{TITLE} === 'insert in the Cargo bayall met: let go, hold R'")
+    flight.until(f"{TITLE} === 'insert in the Cargo bayall met: release, hold R'")
 
     # Up: it comes along, and is drawn where it is.
     lowest = _place(flight, "payload")[2]
@@ -106,7 +106,7 @@ def test_y_and_n_drive_the_telescope(flight: Flight) -> None:
 def test_the_thc_flies_the_orbiter_and_the_assembly_element_stays_behind(flight: Flight) -> None:
     before = _place(flight, "cae")
     flight.press("`")
-    flight.until("document.querySelector('.thc .about').textContent === 'flies the orbiter'")
+    flight.until("document.querySelector('.thc .about').textContent === 'moves the orbiter'")
     flight.hold("w")
     flight.until("frame.display.orbiter[0] > 0.05")
     flight.release("w")

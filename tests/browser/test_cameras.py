@@ -311,7 +311,7 @@ def test_who_watches_is_told_that_a_drag_turns_no_camera(flight: Flight, open_pa
     watcher.press("3")
     picture = watcher.page.locator(".picture").first
     picture.hover()
-    picture.get_by_text("you watch: whoever flies turns cameras").wait_for(state="visible")
+    picture.get_by_text("observing: only the operator moves cameras").wait_for(state="visible")
     before = watcher.frame().views
     watcher.page.mouse.down()
     box = picture.bounding_box()

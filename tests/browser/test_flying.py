@@ -72,10 +72,10 @@ def test_a_lost_pad_zeroes_the_sticks_until_it_was_seen_at_zero(open_page: OpenP
     flight.until_lit("CONTROLLER")
 
     flight.script("window.testPad = window.kept")
-    flight.until("/Let go/.test(document.querySelector('.device').textContent)")
+    flight.until("/^Centre: /.test(document.querySelector('.device').textContent)")
     assert flight.frame().translation == (0, 0, 0)
     flight.pad_axes(0, 0, 0, 0)
-    flight.until("!/Let go/.test(document.querySelector('.device').textContent)")
+    flight.until("!/^Centre: /.test(document.querySelector('.device').textContent)")
     flight.pad_axes(0, -1, 0, 0)
     flight.until("frame.translation[0] === 1")
 

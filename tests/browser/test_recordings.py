@@ -29,7 +29,7 @@ def test_a_flight_is_replayed_from_its_own_page_and_then_flown_on(open_page: Ope
     flight.page.locator(".rec > button").click()
     rows = flight.page.locator(".recordings a")
     rows.nth(1).wait_for()
-    assert "this flight so far" in rows.first.inner_text()
+    assert "this run so far" in rows.first.inner_text()
     assert collisions(flight, ".choices.recordings") == []
     rows.nth(1).click()
     flight.page.wait_for_url("**/replay/first-flight-*.mcap/")
@@ -37,6 +37,6 @@ def test_a_flight_is_replayed_from_its_own_page_and_then_flown_on(open_page: Ope
     assert replay.page.locator(".replay-tag").inner_text().upper() == "REPLAY"
     replay.press("End")
     assert replay.until("!(frame.time_s < 1.5)").time_s >= ended.time_s
-    replay.page.get_by_role("link", name="Back to flying").click()
+    replay.page.get_by_role("link", name="Back to flight").click()
     flight.page.wait_for_url(station)
     Flight(flight.page).until(f"{WHO} === 'You fly'")

@@ -17,7 +17,7 @@ from tests.station.recordings import playing, record_run
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 STEPS = 600
-FOLLOWS = who("Keys play here too")
+FOLLOWS = who("Keys act here too")
 
 
 @pytest.fixture(scope="module")

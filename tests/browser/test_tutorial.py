@@ -108,7 +108,7 @@ def test_it_is_flown_by_a_pad_from_the_first_look_to_the_lift(open_page: OpenPag
     flight.pad_axes(0.0, 0.0, 0.0, 0.0)
     assert lifted.work.cargo[0].held and lifted.work.cargo[0].seat == ""
     assert _height(flight) > low + 0.9
-    assert flight.script(TITLE) == "Well flown"
+    assert flight.script(TITLE) == "Complete"
 
     # Begun anew, the flight is taught anew.
     flight.from_the_start()
@@ -180,7 +180,7 @@ def test_each_step_covers_nothing_that_it_needs_and_can_be_read(
         assert flight.script(CLASHES) == []
         assert_readable(flight, ".tutorial", least=8)
         flight.press_key("Skip step")
-    flight.until(f"{STEP} === 'All skipped' && {TITLE} === 'To be flown yet'")
+    flight.until(f"{STEP} === 'All skipped' && {TITLE} === 'Not complete yet'")
     assert flight.script("document.querySelectorAll('.tutorial li.done').length") == 0
     assert flight.script(CLASHES) == []
     flight.press_key("Back")

@@ -15,7 +15,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 FORWARD = "frame.translation[0] > 0.9"
 AT_ZERO = "frame.translation.every((value) => value === 0)"
-HANDLES = "document.querySelector('.who').textContent === 'Keys fly here too'"
+HANDLES = "document.querySelector('.who').textContent === 'Keys act here too'"
 
 
 @pytest.fixture
@@ -190,7 +190,7 @@ def test_two_pages_of_one_browser_have_each_its_own_windows(flight: Flight) -> N
     other.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="C", exact=True).click()
     first, second = torn_off(flight, own_window(flight, 0)), torn_off(other, own_window(other, 0))
     first.until(f"{shows(0, 'A')} && {HANDLES}")
-    second.until(f"{shows(0, 'C')} && {who('Watching')}")
+    second.until(f"{shows(0, 'C')} && {who('Observing')}")
     other.page.reload()
     other.until("document.querySelector('.who').textContent.startsWith('You watch')")
     other.page.get_by_role("group", name="Camera of MON 1").get_by_role("button", name="D", exact=True).click()

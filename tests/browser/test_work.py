@@ -104,10 +104,10 @@ def test_a_contact_is_marked_and_what_it_inhibits_says_what_frees_it(sited: Site
     site.ways_out = (WayOut("contact", "telescope longer", "telescope", 0, 1),)
     flight.page.locator(".flag.lit", has_text="Arm inhibit").wait_for()
     flight.page.locator(".lamp.warning", has_text="CLEARANCE").wait_for()
-    flight.page.locator(".touching", has_text="Way out").wait_for()
+    flight.page.locator(".touching", has_text="Escape").wait_for()
     lines = flight.page.locator(".touching").inner_text()
     assert "Palm touches payload top, 0.4 in deep" in lines
-    assert "Way out: telescope longer" in lines
+    assert "Escape: telescope longer" in lines
     marks = "[...document.querySelector('.gaps').querySelectorAll('.touch[visibility=visible]')]"
     flight.until(f"{marks}.length === 2 && {marks}.filter((mark) => mark.matches('.essential')).length === 1")
     site.work = msgspec.structs.replace(GRASPING, contacts=(), arm_inhibit=False, inhibits=())
@@ -171,7 +171,7 @@ def test_a_pads_north_captures_and_menu_with_it_releases(sited: Sited) -> None:
 def test_the_thc_flies_the_orbiter_when_told_to_and_says_so(sited: Sited) -> None:
     flight, site = sited(Worksite(info(), work(orbiter=(1.2, 0.0, -0.1), orbiter_velocity=(0.06, 0.0, 0.0))))
     flight.press("`")
-    flight.until("document.querySelector('.thc .about').textContent === 'flies the orbiter'")
+    flight.until("document.querySelector('.thc .about').textContent === 'moves the orbiter'")
     flight.until("document.querySelector('.orbiter').textContent.includes('+3.9')")
     flight.hold("w")
     flight.until("document.querySelector('.thc .value').textContent === '+1.00'")

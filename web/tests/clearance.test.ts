@@ -68,8 +68,8 @@ test('what inhibits stands above what is made to touch, the deepest contact firs
   const lines = linesOf({ work: touching, ways_out: [way] }, [], SI, KEYS);
   expect(lines.map(({ level }) => level)).toEqual(['warning', 'warning', 'caution', 'info']);
   expect(lines[0]?.text).toBe('Palm touches payload top, 2.0 cm deep');
-  expect(lines[2]?.text).toBe('Way out: THC −Z (Q)');
-  expect(lines[3]?.text).toBe('Made to touch: prong – bar');
+  expect(lines[2]?.text).toBe('Escape: THC −Z (Q)');
+  expect(lines[3]?.text).toBe('Essential contact: prong – bar');
 });
 
 test('conditions that all find room keep the order given, whatever holds', () => {
@@ -150,7 +150,7 @@ test('once all is met the title says what to do, or nothing where it happens by 
   expect(now('capture')).toBe(': squeeze, hold G');
   expect(now('acquire')).toBe('');
   expect(now('berth')).toBe(': latch, hold T');
-  expect(now('insert')).toBe(': let go, hold R');
+  expect(now('insert')).toBe(': release, hold R');
   expect(now('dock')).toBe('');
 });
 

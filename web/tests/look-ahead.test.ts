@@ -39,8 +39,8 @@ test('a contact on the way is what is told, and a joint past its limit', () => {
 
 test('it says whose look it is', () => {
   expect(about({ held: true, moves: true })).toBe('sticks held');
-  expect(about({ held: false, moves: true })).toBe('last axis, in full');
-  expect(about({ held: false, moves: false })).toBe('sticks at rest');
+  expect(about({ held: false, moves: true })).toBe('last axis, full');
+  expect(about({ held: false, moves: false })).toBe('sticks centred');
 });
 
 test('the times come in turn, 2 to 20 s', () => {

@@ -115,7 +115,7 @@ test('the browser keeps its keys, Space stops always', () => {
   for (const part of ['ctrlKey', 'altKey', 'metaKey']) {
     expect(keyRefusal({ code: 'Insert', ...alone, [part]: true })).toContain('belong to the browser');
   }
-  expect(keyRefusal({ code: 'Space', ...alone })).toContain('stops, always');
+  expect(keyRefusal({ code: 'Space', ...alone })).toContain('always stops');
   for (const code of ['Digit1', 'Numpad0', 'Insert', 'ArrowUp']) {
     expect(keyRefusal({ code, ...alone })).toBeNull();
   }
@@ -135,9 +135,9 @@ test('a malformed mapping is refused in words', () => {
     [{ ...good, deadband: 0.9 }, 'deadband'],
     [{ ...good, expo: Number.NaN }, 'expo'],
     [{ ...good, centres: [0.9] }, 'centre'],
-    [{ ...good, bindings: { a0: 'fly away' } }, 'nothing that can be done'],
-    [{ ...good, bindings: { 'rm -rf': '+X' } }, 'no key, button or axis'],
-    [{ ...good, bindings: { a0: 'rate' } }, 'cannot'],
+    [{ ...good, bindings: { a0: 'fly away' } }, 'fly away'],
+    [{ ...good, bindings: { 'rm -rf': '+X' } }, 'rm -rf'],
+    [{ ...good, bindings: { a0: 'rate' } }, 'rate'],
   ] as const) {
     expect(() => parseMapping(data)).toThrow(words);
   }
@@ -164,7 +164,7 @@ test('what was saved is there when the page is opened again; what is broken is n
   reread();
   expect(mappingOf('keyboard')).toBe(DEFAULTS.keyboard);
   kept.set('aftdeck.controllers.pad', '{"bindings": 3}');
-  expect(reread()).toEqual([expect.stringContaining('a mapping has bindings')]);
+  expect(reread()).toEqual([expect.stringContaining('bindings')]);
   expect(mappingOf('pad')).toBe(DEFAULTS.pad);
   Reflect.deleteProperty(globalThis, 'localStorage');
   reread();

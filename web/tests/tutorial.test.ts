@@ -114,7 +114,7 @@ test('words are in the operator’s units', () => {
   expect(told('line up', {})).toContain('under 5.0 cm');
   expect(told('line up', {}, FEET)).toContain('under 2.0 in');
   expect(told('close in', { offAxis: true })).toContain('the last 30 cm');
-  expect(told('lift', { held: true, flags: ['RIGID'], seat: '' })).toContain('stands 1 m above');
+  expect(told('lift', { held: true, flags: ['RIGID'], seat: '' })).toContain('is 1 m above');
 });
 
 test('once the latches have let go the lift names what lifts, and an alarm that its seat sets off', () => {
@@ -224,10 +224,10 @@ test('who has skipped steps is not told that all is flown until it is', () => {
   let progress: Progress = { ...BEGIN, at: STEPS.length };
   for (const now of [frame(), frame({ held: true }), frame({ seat: '' })]) {
     progress = seen(progress, now, 0);
-    expect(farewell(progress.flown)[0]).toBe('To be flown yet');
+    expect(farewell(progress.flown)[0]).toBe('Not complete yet');
   }
   progress = seen(progress, { ...frame({ held: true, seat: '' }), time_s: 90 }, 0);
-  expect(farewell(progress.flown)[0]).toBe('Well flown');
+  expect(farewell(progress.flown)[0]).toBe('Complete');
 });
 
 test('the closing time stands, whatever is flown afterwards, until a step is gone back to', () => {
@@ -244,6 +244,6 @@ test('the closing time stands, whatever is flown afterwards, until a step is gon
 
 test('the closing words tell the time', () => {
   const told = (flown: number) => farewell(flown).join();
-  expect(told(59.9)).toMatch(/^Well flown.*, 59 s after/);
+  expect(told(59.9)).toMatch(/^Complete.*, 59 s after/);
   expect(told(185)).toMatch(/, 3 min 5 s after/);
 });

@@ -7,21 +7,21 @@ import type { Scene } from '../scene';
 import type { Rect } from '../scene/drawn';
 import { pairWords, type Survey } from './coverage';
 
-/** One camera is looked through each so many times that the page is drawn. */
+/** Number of pictures for each survey of one camera. */
 const SURVEYED = 3;
 
-/** A monitor, by its label and what it shows. */
+/** A monitor's label and cameras. */
 export interface Showing {
   readonly label: string;
   readonly cameras: readonly Camera[];
 }
 
-/** Parts of the page while all cameras are shown. */
+/** State of the page while all cameras are shown. */
 export interface Drawn {
   readonly frame: Frame;
   readonly gap: ClosestPoints | null;
   readonly monitors: readonly Showing[];
-  /** So often has the page been drawn. */
+  /** Number of pictures drawn. */
   readonly count: number;
   /** Redraw everything. */
   readonly wiped: boolean;
@@ -30,7 +30,7 @@ export interface Drawn {
 export class AllCameras {
   private readonly televised: readonly Camera[];
 
-  /** `pace`: the plan is drawn each so many times that the page is. */
+  /** `pace`: number of pictures for each drawing of the plan. */
   constructor(
     private readonly matrix: Matrix,
     private readonly scene: Scene,
@@ -41,7 +41,7 @@ export class AllCameras {
     this.televised = cameras.filter(({ kind }) => kind === 'camera');
   }
 
-  /** @param rectOf where an element lies on the canvas. */
+  /** @param rectOf position of an element on the canvas. */
   show(drawn: Drawn, rectOf: (element: HTMLElement) => Rect): void {
     const { frame, gap, monitors, count, wiped } = drawn;
     const { matrix, survey } = this;
@@ -70,7 +70,7 @@ export class AllCameras {
       camera,
       lens: scene.sight.lens(camera),
       ahead: scene.sight.direction(camera),
-      angle: scene.setting(camera.name)[2],
+      angle: scene.cameras.setting(camera.name)[2],
       used: used.includes(camera),
     }));
     const extent = extentOf([...marks.map(({ lens }) => lens), ...this.survey.places], rect);

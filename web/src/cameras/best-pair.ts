@@ -1,12 +1,12 @@
-/** Which two cameras show the work best: both see it, and from directions as different as they can be. */
+/** The best two cameras: both see the same target, from directions as different as possible. */
 
 import type { Vec3 } from '../link/protocol';
 
-/** What there is to see, the most telling last. */
+/** Targets of a view, the most important last. */
 export const TARGETS = ['tip', 'payload', 'gap'] as const;
 export type Target = (typeof TARGETS)[number];
 
-/** What one camera sees now. */
+/** Result of a survey of one camera. */
 export interface Sighting {
   readonly camera: string;
   readonly sees: ReadonlySet<Target>;
@@ -17,29 +17,30 @@ export interface Sighting {
 }
 
 export interface Pair {
-  /** What both see. */
+  /** Targets that both see. */
   readonly targets: readonly Target[];
-  /** The one whose picture goes more with the sticks first. */
+  /** The two cameras; first the one whose picture is turned less against the sticks. */
   readonly cameras: readonly [Sighting, Sighting];
-  /** Between their lines of sight, 0 to 90° [rad]. */
+  /** Angle between their lines of sight, 0 to 90° [rad]. */
   readonly apart: number;
 }
 
-/** What a pair is for, the most telling first; the angle is taken at the first of each. */
+/** Sets of targets for a pair, the most important first; the angle is computed at the first target of a set. */
 const PURPOSES: readonly (readonly [Target, ...Target[]])[] = [
   ['gap'],
   ['tip', 'payload'],
   ['tip'],
   ['payload'],
 ];
-/** Nearer to square than this is as good as square [rad]. */
+/** Angles above this count as equally good [rad]. */
 const GOOD = (70 * Math.PI) / 180;
 
 /**
- * The pair that sees the most telling thing which any two see: the one whose lines of sight are the most apart; of
- * those that are apart by more than `GOOD`, the one whose more turned picture is turned the least against the sticks.
+ * The best pair among those that see the most important target that any two cameras see: the one with the greatest
+ * angle between the lines of sight. Of several with more than `GOOD`, the one whose more turned picture is turned least
+ * against the sticks.
  *
- * @param at where the targets are in the scene; null: there is none.
+ * @param at positions of the targets in the scene; null if there is no such target.
  */
 export function bestPair(
   sightings: readonly Sighting[],
@@ -54,7 +55,7 @@ export function bestPair(
     seeing.forEach((a, i) => {
       for (const b of seeing.slice(i + 1)) {
         const apart = between(a.lens, b.lens, place);
-        // Turned pictures count only among pairs that are equally good.
+        // The turn of the pictures counts only among pairs that are equally good.
         const missing = 1e3 * Math.max(0, GOOD - apart) + Math.max(a.turned, b.turned);
         if (missing >= least) continue;
         least = missing;
@@ -66,7 +67,7 @@ export function bestPair(
   return null;
 }
 
-/** Angle between the lines from a place to two lenses, as lines: 0 to 90° [rad]. */
+/** Angle between the lines from a point to two lenses, 0 to 90° [rad]. */
 export function between(a: Vec3, b: Vec3, place: Vec3): number {
   const [u, v] = [a, b].map((lens) => lens.map((value, i) => value - (place[i] ?? 0)));
   if (!u || !v) return 0;

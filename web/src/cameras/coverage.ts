@@ -1,11 +1,11 @@
-/** What every camera sees of the work, looked at one camera after the other, and what follows from it. */
+/** Survey of all cameras, one after the other: the targets that each one sees, and the best cameras for the monitors. */
 
 import type { Camera, ClosestPoints, Frame, Vec3, Welcome } from '../link/protocol';
 import { stickToPicture } from '../panel/monitors/axes';
 import type { Scene } from '../scene';
 import { bestPair, type Pair, type Sighting, TARGETS, type Target } from './best-pair';
 
-/** How the names of the arm's bodies begin; the one that carries the tip; a payload without a place of its own. */
+/** Prefix of the arm's bodies; the body with the tip; the payload attached by the scenario. */
 const [ARM, TIP, PAYLOAD] = ['arm.', 'arm.wrist_roll', 'payload'];
 
 type Places = Readonly<Record<Target, Vec3 | null>>;
@@ -24,7 +24,7 @@ export class Survey {
     this.payloads = welcome.bodies.map(({ name }) => name).filter((name) => names.has(name));
   }
 
-  /** Look through so many more cameras, with the scene of a frame. */
+  /** Surveys the next `count` cameras, in the scene of a frame. */
   look(frame: Frame, gap: ClosestPoints | null, count: number): void {
     const { cameras } = this.welcome;
     this.at = {
@@ -39,25 +39,25 @@ export class Survey {
     }
   }
 
-  /** Where something to see is; null: there is none. */
+  /** Position of a target in the scene; null if there is no such target. */
   place(target: Target, gap: ClosestPoints | null): Vec3 | null {
     if (target === 'tip') return this.scene.middle(TIP);
     if (target === 'gap') return gap?.plane ?? null;
     return this.payloads.map((name) => this.scene.middle(name)).find((place) => place !== null) ?? null;
   }
 
-  /** Looks through all of them at once. */
+  /** Surveys all cameras. */
   lookAll(frame: Frame, gap: ClosestPoints | null): void {
     this.look(frame, gap, this.welcome.cameras.length);
   }
 
-  /** What a camera saw when it was looked through last. */
+  /** Targets that a camera saw in its last survey. */
   sees(camera: Camera): readonly Target[] {
     const seen = this.seen.get(camera.name)?.sees;
     return TARGETS.filter((target) => seen?.has(target));
   }
 
-  /** Where what there is to see is. */
+  /** Positions of all targets. */
   get places(): readonly Vec3[] {
     return Object.values(this.at).filter((place) => place !== null);
   }
@@ -68,9 +68,8 @@ export class Survey {
   }
 
   /**
-   * First cameras of the two monitors: the best pair of those that do not move, as the arm's own cameras look
-   * elsewhere once it moves; with an empty hand, the hand's own camera in place of the second, if it sees the payload
-   * that is to be taken.
+   * First cameras of the two monitors: the best pair of those that are not on the arm, whose views change when it moves.
+   * If the end effector is empty and its camera sees a payload, this camera replaces the second one.
    */
   first(frame: Frame): readonly Camera[] {
     const { cameras } = this.welcome;
@@ -99,14 +98,14 @@ export class Survey {
     if (ahead.has(TIP) || sight.body(camera, TIP)) sees.add('tip');
     if (this.payloads.some((name) => ahead.has(name) || sight.body(camera, name))) sees.add('payload');
     if (gap && sight.line(camera, gap.point_a, gap.point_b)) sees.add('gap');
-    const turned = stickToPicture(this.scene.directions(camera.name, frame.display.axes));
+    const turned = stickToPicture(this.scene.cameras.directions(camera.name, frame.display.axes));
     return { camera: camera.name, sees, lens: sight.lens(camera), turned };
   }
 }
 
-/** What the best pair is good for, in a few sentences. */
+/** Description of the best pair, in a few sentences. */
 export function pairWords(pair: Pair | null): readonly string[] {
-  if (!pair) return ['No two cameras see the same.'];
+  if (!pair) return ['No two cameras see the same target.'];
   const [a, b] = pair.cameras;
   const angle = (radians: number) => `${Math.round((radians * 180) / Math.PI)}°`;
   return [

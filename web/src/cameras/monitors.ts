@@ -16,7 +16,7 @@ export interface MonitorsListener {
   /** The next target of the engineering views is selected. */
   round(): void;
   orbited(camera: Camera, right: number, upwards: number, nearer: number, aside?: boolean): void;
-  /** A monitor is to be shown in a window of its own; absent: there are no such windows. */
+  /** Opens a monitor in a secondary window; absent if there are no such windows. */
   tearOff?: (index: 0 | 1) => void;
   /** Whether dragging a picture turns its camera. */
   readonly turns: boolean;
@@ -24,7 +24,7 @@ export interface MonitorsListener {
 
 export class Monitors {
   readonly both: readonly [Monitor, Monitor];
-  /** Whether a person, a recording or another page has chosen what they show. */
+  /** Whether a user, a recording or another page has chosen the cameras. */
   chosen = false;
   private selected = 0;
   private slowly = false;
@@ -61,7 +61,7 @@ export class Monitors {
     return this.hand.picture.camera;
   }
 
-  /** How a drag or the wheel pushes the switches of the selected camera. */
+  /** Deflections of the selected camera's switches by a drag or the wheel. */
   get turning(): Turning {
     return this.hand.picture.turning(performance.now());
   }
@@ -71,7 +71,7 @@ export class Monitors {
     return this.slowly;
   }
 
-  /** What the monitors show, by the cameras' names. */
+  /** Names of the cameras on the monitors. */
   get shown(): readonly (readonly string[])[] {
     return this.both.map(({ pictures }) => pictures.map(({ camera }) => camera.name));
   }

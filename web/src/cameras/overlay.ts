@@ -8,7 +8,7 @@ import type { View } from '../scene/drawn';
 
 export interface Over {
   readonly frame: Frame;
-  /** The gap that is worth a line, and whether it calls for attention. */
+  /** The minimum clearance to draw, and whether it is a caution. */
   readonly gap: ClosestPoints | null;
   readonly caution: boolean;
 }
@@ -16,15 +16,15 @@ export interface Over {
 export function overlay(scene: Scene, picture: Picture, view: View, over: Over): void {
   const { frame, gap, caution } = over;
   const [w, x, y, z] = frame.display.axes;
-  picture.setLens(scene.setting(picture.camera.name), view.rect);
-  picture.setAxes(scene.directions(view.camera, [w, x, y, z]));
+  picture.setLens(scene.cameras.setting(picture.camera.name), view.rect);
+  picture.setAxes(scene.cameras.directions(view.camera, [w, x, y, z]));
   const line = gap && gapLine(scene, view, gap, caution);
   picture.setGap(line, touches(scene, view, frame), view.rect);
 }
 
 function gapLine(scene: Scene, { camera, rect }: View, gap: ClosestPoints, caution: boolean): GapLine | null {
   const { width, height } = rect;
-  const ends = scene.segment(camera, width / height, gap.point_a, gap.point_b);
+  const ends = scene.cameras.segment(camera, width / height, gap.point_a, gap.point_b);
   if (!ends) return null;
   const [a, b] = ends;
   return {
@@ -37,7 +37,7 @@ function gapLine(scene: Scene, { camera, rect }: View, gap: ClosestPoints, cauti
 function touches(scene: Scene, { camera, rect }: View, { work, display }: Frame): readonly Touch[] {
   const { width, height } = rect;
   return display.contacts.flatMap(({ plane }, i) => {
-    const at = scene.project(camera, width / height, plane);
+    const at = scene.cameras.project(camera, width / height, plane);
     return at.visible
       ? [{ at: { x: at.x * width, y: at.y * height }, essential: work.contacts[i]?.essential ?? false }]
       : [];

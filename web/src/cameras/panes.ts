@@ -1,4 +1,4 @@
-/** The pictures on the canvas: where each is on the page, how often it is drawn, and which are due. */
+/** The pictures on the canvas: their positions on the page, how often each one is drawn, and which are due. */
 
 import type { Camera } from '../link/protocol';
 import type { Drawing } from '../page/quality';
@@ -16,7 +16,7 @@ export interface Pane {
   readonly camera: Camera;
   readonly element: HTMLElement;
   readonly pace: number;
-  /** On a monitor; null: a tile. */
+  /** The picture of a monitor; null for a tile. */
   readonly picture: Picture | null;
 }
 
@@ -60,7 +60,7 @@ export class Panes {
   /**
    * The pictures to draw now, and whether all others are of this frame too.
    *
-   * @param state what a picture depends on beside its exposure.
+   * @param state everything that a picture depends on, except its exposure.
    * @param stops exposure of a camera.
    * @param count number of drawings of the page so far.
    * @param wiped whether the canvas was wiped, so that every picture is due.
@@ -74,7 +74,7 @@ export class Panes {
     wiped: boolean,
   ): { readonly due: readonly Pane[]; readonly complete: boolean } {
     const look = ({ camera: { name } }: Pane) => `${name} ${stops(name)}`;
-    // A picture that lies in another one is drawn whenever that is.
+    // A picture inside another one is drawn whenever the outer one is.
     const looks = this.inset(open) ? panes.map(look).join() : null;
     let complete = true;
     const due = panes.filter((pane, i) => {
@@ -90,7 +90,7 @@ export class Panes {
     return { due, complete };
   }
 
-  /** Takes over the page's layout; returns whether pictures have come, gone or moved. */
+  /** Takes over the page's layout; returns whether pictures were added, removed or moved. */
   takeLayout(panes: readonly Pane[], open: boolean): boolean {
     const layout = this.laidOut(panes, open);
     const changed = layout !== this.layout;
@@ -98,12 +98,12 @@ export class Panes {
     return changed;
   }
 
-  /** Whether the pictures are where they were when the layout was taken over. */
+  /** Whether the pictures' positions are still those of the layout. */
   isLaidOut(panes: readonly Pane[], open: boolean): boolean {
     return this.laidOut(panes, open) === this.layout;
   }
 
-  /** The place of an element on the canvas. */
+  /** Position of an element on the canvas. */
   rectOf(element: HTMLElement): Rect {
     const over = this.canvas.getBoundingClientRect();
     const { left, top, width, height } = element.getBoundingClientRect();
@@ -115,7 +115,7 @@ export class Panes {
     return inset() && !open && this.monitors.both.every(({ element }) => element.isConnected);
   }
 
-  /** What the pictures' places on the page depend on. */
+  /** Description of all that the pictures' positions depend on. */
   private laidOut(panes: readonly Pane[], open: boolean): string {
     const { clientWidth, clientHeight } = this.canvas;
     return [clientWidth, clientHeight, open, ...panes.map(({ element }) => element.clientWidth)].join();

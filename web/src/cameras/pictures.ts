@@ -20,19 +20,19 @@ import { Monitors } from './monitors';
 import { overlay } from './overlay';
 import { PACES, type Pane, Panes } from './panes';
 
-/** Colours of the gap's line, as `--caution` and `--ink`. */
+/** Colours of the line of minimum clearance, as `--caution` and `--ink`. */
 const [CAUTION, CALM] = ['#ffb534', '#d9dbdc'];
-/** Pictures on their way to the page are looked for so often [ms]. */
+/** Time between two checks whether the pictures are on the page [ms]. */
 const LOOK_MS = 3;
 
 export interface PicturesListener {
-  /** A monitor shall be shown in a window of its own (0, 1), or all cameras. */
+  /** Opens a monitor (0, 1) or all cameras in a secondary window. */
   tearOff?: (what: 0 | 1 | 'matrix') => void;
-  /** All cameras are shown, or no longer. */
+  /** All cameras were shown or hidden. */
   opened?: (matrix: boolean) => void;
-  /** Dragging a picture turns its camera. */
+  /** Whether dragging a picture turns its camera. */
   turns?: boolean;
-  /** A monitor shows another camera, or is split. */
+  /** A monitor shows another camera, or was split. */
   changed?: () => void;
 }
 
@@ -52,9 +52,9 @@ export class Pictures {
   private open = false;
   private count = 0;
   private orbits = 0;
-  /** What the engineering views go round: what is there to see; null: the place where they began. */
+  /** Centre of the engineering views; null for their start. */
   private round: Target | null = null;
-  /** Does what is left to do once the pictures drawn last are on the page. */
+  /** Completes the last pictures once they are on the page; null if they are complete. */
   private finish: (() => void) | null = null;
   private looking = 0;
 
@@ -86,17 +86,17 @@ export class Pictures {
     this.panes = new Panes(this.canvas, this.monitors, this.matrix, drawing);
   }
 
-  /** How a camera's picture is exposed [stops over full sunlight]. */
+  /** Exposure of a camera's picture [stops over full sunlight]. */
   stops({ name }: Camera): number {
     return this.scene.stops(name);
   }
 
-  /** How often an engineering view was moved. */
+  /** Number of moves of engineering views. */
   get moved(): number {
     return this.orbits;
   }
 
-  /** All cameras are shown in place of the monitors. */
+  /** Whether all cameras are shown in place of the monitors. */
   get matrixOpen(): boolean {
     return this.open;
   }
@@ -120,18 +120,18 @@ export class Pictures {
     this.listener.opened?.(on);
   }
 
-  /** Moves an engineering view: round to the right and upwards [rad], or aside, and nearer by a factor. */
+  /** Rotates an engineering view to the right and upwards [rad], or shifts it if `aside`, and brings it nearer by a factor. */
   orbit({ name }: Camera, right: number, upwards: number, nearer: number, aside = false): void {
     this.orbits += 1;
-    this.scene.orbit(name, right, upwards, nearer, aside || this.monitors.slow);
+    this.scene.cameras.orbit(name, right, upwards, nearer, aside || this.monitors.slow);
   }
 
-  /** The engineering views go round the next of: where they began, the tip, the payload, the narrowest gap. */
+  /** Sets the next centre of the engineering views: their start, the tip, the payload, the minimum clearance. */
   private turnRound(): void {
     const all = [null, ...TARGETS];
     this.round = all[(all.indexOf(this.round) + 1) % all.length] ?? null;
     this.orbits += 1;
-    this.scene.turnTo(null);
+    this.scene.cameras.turnTo(null);
     for (const monitor of this.monitors.both) monitor.setRound(this.round);
   }
 
@@ -141,24 +141,24 @@ export class Pictures {
     return this.plane;
   }
 
-  /** The pictures drawn last are not on the page yet; until then no others are begun. */
+  /** Whether the last pictures are not on the page yet; until then no others are drawn. */
   get drawing(): boolean {
     return this.finish !== null;
   }
 
   /**
-   * Draws what is due; true: all that is shown will be of this frame.
+   * Draws the pictures that are due; returns whether all pictures will show this frame.
    *
-   * @param clearance what the narrowest gap calls for.
-   * @param done called once it is on the page, if that is still laid out as it was.
+   * @param clearance level of the minimum clearance.
+   * @param done called once the pictures are on the page, if its layout has not changed.
    */
   draw(frame: Frame, clearance: Level, done: () => void): boolean {
     const caution = clearance !== 'info';
     const gap = drawnGap(frame);
     this.scene.setPoses(frame.display.poses);
-    this.scene.setViews(frame.views);
+    this.scene.cameras.put(frame.views);
     const round = this.round && this.survey.place(this.round, gap);
-    if (round) this.scene.follow(round);
+    if (round) this.scene.cameras.follow(round);
     this.scene.setLighting(frame.display.lighting, frame.time_s);
     this.scene.setGap(gap, caution ? CAUTION : CALM, this.plane);
     const { ahead } = frame.display;
@@ -177,7 +177,7 @@ export class Pictures {
     if (this.open) this.showAll(frame, gap, wiped);
     this.scene.send();
     this.finish = () => {
-      if (!this.panes.isLaidOut(panes, this.open)) return; // the window has changed: they are drawn again
+      if (!this.panes.isLaidOut(panes, this.open)) return; // the layout has changed: all are drawn again
       for (const [{ picture }, view] of due)
         if (picture) overlay(this.scene, picture, view, { frame, gap, caution });
       done();
@@ -186,7 +186,7 @@ export class Pictures {
     return drawn.complete && metered;
   }
 
-  /** Puts the pictures on the page with what is written over them, or looks again soon. */
+  /** Puts the pictures on the page with their overlays, or checks again soon. */
   private put(): void {
     const { finish } = this;
     if (!finish) return;
@@ -198,7 +198,7 @@ export class Pictures {
     finish();
   }
 
-  /** Time codes and figures; `age` of the picture, null where it is a recorded one. */
+  /** Writes time codes and figures; `age` of the pictures, null in a replay. */
   setTime({ frame, units }: Pick<DeskView, 'frame' | 'units'>, age: Age | null): void {
     const [gap, { nearest }] = [drawnGap(frame), frame.work];
     for (const picture of this.monitors.both.flatMap(({ pictures }) => pictures)) {
@@ -216,7 +216,7 @@ export class Pictures {
     this.scene.dispose();
   }
 
-  /** At the first frame, the monitors show what the work needs. */
+  /** Chooses the monitors' cameras at the first frame. */
   private begin(frame: Frame, gap: ClosestPoints | null): void {
     if (this.monitors.chosen) return;
     this.survey.lookAll(frame, gap);
@@ -239,7 +239,7 @@ export class Pictures {
   }
 }
 
-/** The gap that is worth a line: none that is wide, none where the two touch. */
+/** The minimum clearance if it is drawn as a line; null if it is large, or if the parts are in contact. */
 export function drawnGap({ work: { nearest }, display: { gap } }: Frame): ClosestPoints | null {
   return nearest && nearest.clearance > 0 && nearest.clearance < FARTHEST ? gap : null;
 }

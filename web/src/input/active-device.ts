@@ -1,4 +1,4 @@
-/** What the operator flies with at the moment: keys, or the device that was moved last; and what a use is called there. */
+/** The device in use: the keyboard, or the device that was moved last; and the names of uses on it. */
 
 import type { Device } from './device';
 import type { Keyboard } from './keyboard';
@@ -7,32 +7,32 @@ import { centred, indexOf, type Kind } from './mapping';
 import { movers, type Source } from './rebind';
 import { mappingOf } from './store';
 
-/** An axis so far from its rest is moved by somebody. */
+/** Least deflection of an axis that counts as moved. */
 const MOVED = 0.3;
 
-/** What people call the key, button or end of an axis that has a use; empty where none has. */
+/** Name of the key, button or axis direction for a use; empty if there is none. */
 export interface Names {
   name(use: string): string;
-  /** In a few letters where a device's parts have longer names. */
+  /** The same, abbreviated for devices with long names. */
   short(use: string): string;
 }
 
-/** Those of the keyboard. */
+/** Names of the keyboard's keys. */
 export const KEYS: Names = { name: keyOf, short: (use) => called(['keyboard'], use, shortOfSource) };
 
-/** What may be moved: the keys, and devices. */
+/** Devices that can be in use. */
 export interface Movable {
   readonly devices: readonly Device[];
   readonly keyboard: Pick<Keyboard, 'held'>;
 }
 
 export class InHand implements Names {
-  /** The device moved last; null: the keys. */
+  /** The device moved last; null for the keyboard. */
   device: Device | null = null;
 
   constructor(private readonly controllers: Movable) {}
 
-  /** Looks which was moved. */
+  /** Updates which device was moved last. */
   look(): void {
     const { devices, keyboard } = this.controllers;
     const moved = devices.find((device) => device.state === 'flying' && isMoved(device));
@@ -40,7 +40,7 @@ export class InHand implements Names {
     this.device = moved ?? (keyboard.held.size > 0 ? null : kept) ?? null;
   }
 
-  /** Kinds of device, the one in hand first; what it cannot do, others can. */
+  /** Kinds of device in which a use is looked up: first the one in use, then the others. */
   get kinds(): readonly Kind[] {
     const { device } = this;
     if (!device) return ['keyboard'];
@@ -56,7 +56,7 @@ export class InHand implements Names {
     return called(this.kinds, use, shortOfSource);
   }
 
-  /** Whether something is held that has this use. */
+  /** Whether a key, button or axis of this use is held. */
   holds(use: string): boolean {
     const { devices, keyboard } = this.controllers;
     if (movers(mappingOf('keyboard'), use).some(({ source }) => keyboard.held.has(source))) return true;
@@ -65,7 +65,7 @@ export class InHand implements Names {
     );
   }
 
-  /** Buttons and axes of the device in hand that have one of these uses. */
+  /** Buttons and axes of the device in use that have one of these uses. */
   sources(uses: readonly string[]): ReadonlySet<string> {
     const { device } = this;
     if (!device) return new Set();
@@ -74,7 +74,7 @@ export class InHand implements Names {
   }
 }
 
-/** What the first of these kinds of device that has a part for a use has it called. */
+/** Name of a use on the first of these kinds of device that has the use. */
 function called(
   kinds: readonly Kind[],
   use: string,
@@ -95,13 +95,13 @@ function isMoved(device: Read): boolean {
   return parts.some((part) => Math.abs(standing(device, part)) > MOVED);
 }
 
-/** Whether a button is down, or an axis is off its rest to that side. */
+/** Whether a button is pressed, or an axis is deflected to that side. */
 export function isDown(device: Read, source: string, sign: 1 | -1): boolean {
   if (indexOf(source, 'a') !== null) return sign * standing(device, source) > device.mapping.deadband;
   return source.split('+').every((part) => standing(device, part) === 1);
 }
 
-/** How far an axis is off its rest; 1 for a button that is down. */
+/** Deflection of an axis from its rest; 1 for a pressed button. */
 function standing({ reading, mapping }: Read, part: string): number {
   if (!reading) return 0;
   const axis = indexOf(part, 'a');

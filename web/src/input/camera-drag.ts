@@ -1,15 +1,15 @@
-/** Turning a camera by its picture: a drag is a switch pushed as far as it went from where it began. */
+/** Turns a camera by its picture: the length of a drag sets the deflection of the camera's switches. */
 
 import { clamp } from '../basics/clamp';
 import { STILL, type Turning } from './camera-hand';
 
-/** A drag this long turns at full rate, in picture heights; one shorter than the slack not at all [px]. */
+/** Length of a drag for full rate [picture heights], and greatest length without effect [px]. */
 const TRAVEL = 0.35;
 const SLACK = 4;
-/** A notch of the wheel zooms for this long [ms]; notches add up to no more than the greatest. */
+/** Time of zooming for a notch of the wheel, and greatest sum for several notches [ms]. */
 const NOTCH_MS = 120;
 const MOST_MS = 480;
-/** Fingers twice as far apart as they began, or half, zoom at full rate. */
+/** Two fingers at twice or half their first distance zoom at full rate. */
 const PINCH = Math.log(2);
 
 interface Finger {
@@ -27,7 +27,7 @@ export class CameraDrag {
   private height = 1;
   private wheel = { zoom: 0, until: 0 };
 
-  /** A finger, or a mouse's button, went down on a picture of that height [px]. */
+  /** Takes a press of a finger or a mouse button on a picture of that height [px]. */
   press(id: number, at: Place, height: number): void {
     this.height = height;
     this.fingers.set(id, { begun: at, at });
@@ -42,25 +42,25 @@ export class CameraDrag {
     this.fingers.delete(id);
   }
 
-  /** All let go: the page is not looked at. */
+  /** Ends all drags. */
   release(): void {
     this.fingers.clear();
     this.wheel = { zoom: 0, until: 0 };
   }
 
-  /** The wheel went a notch, at `now` [ms]; `zoom`: 1 in, -1 out. */
+  /** Takes a notch of the wheel at `now` [ms]; `zoom`: 1 in, -1 out. */
   turnWheel(zoom: 1 | -1, now: number): void {
     const left = this.wheel.zoom === zoom ? Math.max(0, this.wheel.until - now) : 0;
     this.wheel = { zoom, until: now + Math.min(MOST_MS, left + NOTCH_MS) };
   }
 
-  /** From where to where one finger drags now; null: none does, or two pinch. */
+  /** Start and end of the present drag by one finger; null if there is none, or if two fingers pinch. */
   get line(): { readonly from: Place; readonly to: Place } | null {
     const [finger, other] = this.fingers.values();
     return finger && !other ? { from: finger.begun, to: finger.at } : null;
   }
 
-  /** How far the switches are pushed at `now` [ms]. */
+  /** Deflections of the switches at `now` [ms]. */
   turning(now: number): Turning {
     const zoom = now < this.wheel.until ? this.wheel.zoom : 0;
     const [finger, other] = this.fingers.values();
@@ -71,7 +71,7 @@ export class CameraDrag {
   }
 }
 
-/** Logarithm of how much farther apart two fingers are than they began. */
+/** Logarithm of the present distance of two fingers over their first distance. */
 function pinched(a: Finger, b: Finger): number {
   const apart = (one: Place, two: Place) => Math.max(1, Math.hypot(one.x - two.x, one.y - two.y));
   return Math.log(apart(a.at, b.at) / apart(a.begun, b.begun));

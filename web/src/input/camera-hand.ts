@@ -1,4 +1,4 @@
-/** The switches that turn the camera in hand: held keys, or whatever else says how far they are pushed. */
+/** The switches that turn the selected camera, by keys, devices or drags. */
 
 import { clamp } from '../basics/clamp';
 import type { Camera } from '../link/protocol';
@@ -12,24 +12,24 @@ export interface Turning {
   readonly zoom: number;
 }
 
-/** The hand is read this often [ms]; a deflected one is sent at least every `REPEAT_MS`. */
+/** Time between two readings of the switches; deflected ones are sent at least every `REPEAT_MS` [ms]. */
 const TICK_MS = 15;
 const REPEAT_MS = 100;
-/** An engineering view goes round [rad/s] and comes nearer by this factor in a second. */
+/** Rate of rotation of an engineering view [rad/s], and factor of its distance in a second. */
 const ROUND = 0.8;
 const NEARER = 2.5;
 const LONGEST_S = 0.1;
 export const STILL: Turning = { pan: 0, tilt: 0, zoom: 0 };
 
 export interface CameraHandListener {
-  /** The camera in hand, and whether its drives turn slowly. */
+  /** The selected camera, and whether its drives turn slowly. */
   hand(): { readonly camera: Camera; readonly slow: boolean };
-  /** Why this page may not turn cameras, in a sentence; empty: it may. */
+  /** Reason why this page cannot turn cameras, in a sentence; empty if it can. */
   barred(): string;
-  /** Sentence that is logged once when the switches are pushed. */
+  /** Logs a sentence, once when the switches are deflected. */
   say(text: string): void;
   send(command: Command): void;
-  /** An engineering view moves: to the right and upwards [rad], nearer by a factor. */
+  /** Rotates an engineering view to the right and upwards [rad], and brings it nearer by a factor. */
   orbit(camera: Camera, right: number, upwards: number, nearer: number): void;
 }
 
@@ -48,7 +48,7 @@ export class CameraHand {
     this.timer = window.setInterval(() => this.tick(performance.now()), TICK_MS);
   }
 
-  /** Reads the switches at `now` [ms] and sends what changed. */
+  /** Reads the switches at `now` [ms] and sends changes. */
   tick(now: number): void {
     const dt = Math.min(LONGEST_S, (now - this.last) / 1000);
     this.last = now;
@@ -77,7 +77,7 @@ export class CameraHand {
     clearInterval(this.timer);
   }
 
-  /** Sends how a camera turns, when that changed or was long ago; null: none turns any more. */
+  /** Sends the deflections of a camera's switches if they changed, or if the last message is old; null stops the camera. */
   private drive(turned: typeof this.sent, now: number): void {
     const { sent } = this;
     if (!turned) {
@@ -96,7 +96,7 @@ export class CameraHand {
   }
 }
 
-/** How held keys push the switches, by the keyboard's mapping. */
+/** Deflections of the switches by held keys, with the keyboard's mapping. */
 export function turningOf(held: ReadonlySet<string>, { bindings }: Pick<Mapping, 'bindings'>): Turning {
   const turning = { ...STILL };
   for (const code of held) {
@@ -107,7 +107,7 @@ export function turningOf(held: ReadonlySet<string>, { bindings }: Pick<Mapping,
   return turning;
 }
 
-/** Two hands on the same switches. */
+/** Sum of two deflections of the same switches, limited to full deflection. */
 export function together(a: Turning, b: Turning): Turning {
   return { pan: clamp(a.pan + b.pan), tilt: clamp(a.tilt + b.tilt), zoom: clamp(a.zoom + b.zoom) };
 }

@@ -1,20 +1,20 @@
-/** Waits for the one thing that the operator presses or moves next. */
+/** Waits for the next key, button or axis that the operator presses or moves. */
 
 import type { Reading } from './device';
 import type { Mapping } from './mapping';
 import type { Source } from './rebind';
 
-/** An axis that went that far was meant. */
+/** Least motion of an axis that counts as a choice. */
 const MEANT = 0.5;
 
 export class Capture {
   private before: Reading | null = null;
-  /** A button that changes others' uses is down: it is meant itself only where it comes up alone. */
+  /** A pressed button that changes the uses of others; it is the choice only if it is released without another one. */
   private changer: number | null = null;
 
   constructor(private readonly mapping: Mapping) {}
 
-  /** What was pressed or moved since the first look; null: nothing yet. */
+  /** The source that was pressed or moved since the first reading; null if there is none. */
   look(reading: Reading | null): Source | null {
     if (!reading) return null;
     const before = this.before ?? reading;

@@ -1,4 +1,4 @@
-/** All that moves the hand controllers: keyboard, pads, SpaceMouse and touch sticks, each with its mapping. */
+/** Devices of the hand controllers: keyboard, pads, SpaceMouse and touch sticks, each with its mapping. */
 
 import type { ControllerInUse } from '../link/protocol';
 import { InHand, KEYS, type Names } from './active-device';
@@ -15,19 +15,19 @@ import { TouchSticks } from './touch';
 /** Longest name of a device that is reported [characters]. */
 const LONGEST_NAME = 80;
 
-/** What the desk shows of the devices. */
+/** Description of the devices for the desk. */
 export interface ControllersShown {
-  /** The device that flies, or the reason why none does. */
+  /** The devices in use, or the reason why there are none. */
   readonly words: string;
-  /** Of each hand controller the device that is gone; null: none. */
+  /** Lost device of each hand controller; null if there is none. */
   readonly gone: Readonly<Record<Hand, string | null>>;
-  /** Of each hand controller the widest deadband of what moves it. */
+  /** Widest deadband among the devices of each hand controller. */
   readonly deadband: Readonly<Record<Hand, number>>;
-  /** What keys, buttons and axes are called, on what is flown with at the moment. */
+  /** Names of keys, buttons and axes on the device in use. */
   readonly names: Names;
 }
 
-/** Hand controllers as the desk displays them on a page that has no control. */
+/** Description for the desk of a page that is not in control. */
 export const NO_CONTROLLERS: ControllersShown = {
   words: '',
   gone: { thc: null, rhc: null },
@@ -40,11 +40,11 @@ export class Controllers {
   readonly pads: Pads;
   readonly spaceMouse = new SpaceMouse();
   readonly touch = new TouchSticks();
-  /** What the operator flies with at the moment. */
+  /** The device in use. */
   readonly inHand: InHand;
-  /** They are being looked at and changed: nothing flies. */
+  /** Whether the sheet of controllers is open, so that all sticks are centred. */
   paused = false;
-  /** A device, other than the keyboard, stood elsewhere at the last look. */
+  /** Whether a device other than the keyboard has moved since the last reading. */
   moved = false;
   private before = ZERO;
   private readonly cap: Device;
@@ -59,23 +59,23 @@ export class Controllers {
     this.inHand = new InHand(this);
   }
 
-  /** In use, without the keyboard, which always is. */
+  /** Devices in use, without the keyboard, which always is in use. */
   get devices(): readonly Device[] {
     const others = [this.cap, this.screen].filter(({ state }) => state !== 'none');
     return [...this.pads.devices, ...others];
   }
 
-  /** The devices that were ours and are gone. */
+  /** Lost devices. */
   get lost(): readonly Device[] {
     return this.devices.filter(({ state }) => state === 'lost');
   }
 
-  /** The devices that have not been seen at zero yet. */
+  /** Devices that have not been at zero yet. */
   get waiting(): readonly Device[] {
     return this.devices.filter(({ state }) => state === 'waiting');
   }
 
-  /** Return all deflections at `now` [ms], `dt` [s] after the last call; a lost device makes them zero. */
+  /** Returns all deflections at `now` [ms], `dt` [s] after the last call; a lost device makes them zero. */
   poll(now: number, dt: number): Deflection {
     const gone = this.lost.length;
     const parts = [this.pads.poll(now), this.readCap(now), this.readScreen(now)];
@@ -91,7 +91,7 @@ export class Controllers {
     return this.paused ? ZERO : sum(keys, others);
   }
 
-  /** Take control away: keys must be pressed again, and devices must be at zero first. */
+  /** Centres all devices: keys must be pressed again, and devices must return to zero first. */
   release(): void {
     this.keyboard.release();
     this.pads.disarm();
@@ -100,13 +100,13 @@ export class Controllers {
     this.screen.disarm();
   }
 
-  /** The operator knows that devices are gone. */
+  /** Acknowledges the loss of devices. */
   acknowledge(): void {
     this.pads.acknowledge();
     for (const device of [this.cap, this.screen]) if (device.state === 'lost') device.forget();
   }
 
-  /** What the desk shows of them now. */
+  /** Present description for the desk. */
   get shown(): ControllersShown {
     return {
       words: this.words,
@@ -121,7 +121,7 @@ export class Controllers {
     return `${revision()} ${this.devices.map(({ kind, name }) => `${kind} ${name}`).join()}`;
   }
 
-  /** What is in use and how, for the recording. */
+  /** Devices in use and their mappings, for the recording. */
   told(): readonly ControllerInUse[] {
     const used = this.devices.map(({ kind, name }) => inUse(kind, name));
     return [inUse('keyboard', 'Keyboard'), ...used];
@@ -134,9 +134,9 @@ export class Controllers {
 
   private get words(): string {
     const [lost] = this.lost;
-    if (lost) return `${lost.short} is gone; keys fly`;
+    if (lost) return `${lost.short} is gone; use the keys`;
     const [waiting] = this.waiting;
-    if (waiting) return waiting.resting ? 'Off centre: see Controllers' : `Let go: ${waiting.short}`;
+    if (waiting) return waiting.resting ? 'Off centre: see Controllers' : `Centre: ${waiting.short}`;
     const names = this.devices.map(({ short }) => short);
     return names.length === 0 ? 'Keyboard flies' : `${names.join(', ')} and keyboard fly`;
   }

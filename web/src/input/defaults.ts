@@ -10,7 +10,7 @@ const digits = Array.from({ length: 10 }, (_, i): [string, string] => [
   `camera ${i + 1}`,
 ]);
 
-/** By place on the keyboard: the left hand moves, the right hand turns. */
+/** Keys by their position on the keyboard: the left hand translates, the right hand rotates. */
 const KEYBOARD = {
   KeyW: '+X',
   KeyS: '-X',
@@ -76,7 +76,7 @@ const PAD_CAMERAS = {
   b9: 'cameraStep +',
 };
 
-/** Axes grow to the right and towards the operator; a stick pushed away is +X and nose up. */
+/** Axes are positive to the right and towards the operator; a stick pushed away means +X and nose up. */
 const PAD = {
   a1: '-X',
   a0: '+Y',
@@ -129,7 +129,7 @@ const RHC_PAD = {
 const THC_JOYSTICK = { a1: '-X', a0: '+Y', a2: '+Z', b1: 'stop' };
 const RHC_JOYSTICK = { a1: '-pitch', a0: '+roll', a2: '+yaw', b0: 'close', b1: 'rate hold', b2: 'rate' };
 
-/** x right, y to the operator, z down, rotations right-handed about them (HID Usage Tables, 4.2). */
+/** x to the right, y to the operator, z down, right-handed rotations about them (HID Usage Tables, 4.2). */
 const SPACEMOUSE = {
   a1: '-X',
   a0: '+Y',
@@ -141,7 +141,7 @@ const SPACEMOUSE = {
   b1: 'rate',
 };
 
-/** Left stick, its slider, right stick, its slider; drawn axes grow to the right and downwards. */
+/** Left stick and slider, right stick and slider; drawn axes are positive to the right and downwards. */
 const TOUCH = { a1: '-X', a0: '+Y', a2: '+Z', a4: '-pitch', a3: '+yaw', a5: '+roll' };
 
 function mapping(bindings: Readonly<Record<string, string>>): Mapping {

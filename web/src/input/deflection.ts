@@ -1,8 +1,8 @@
-/** Axes of the hand controllers and of the camera in hand, each in [-1, 1]. */
+/** Axes of the hand controllers and of the selected camera, each in [-1, 1]. */
 
 import { clamp } from '../basics/clamp';
 
-/** THC X, Y, Z; RHC roll, pitch, yaw; the telescope (positive: longer); the camera in hand. */
+/** THC X, Y, Z; RHC roll, pitch, yaw; the telescope (positive: longer); the selected camera. */
 export const AXES = ['X', 'Y', 'Z', 'roll', 'pitch', 'yaw', 'telescope', 'pan', 'tilt', 'zoom'] as const;
 
 export const [X, Y, Z, ROLL, PITCH, YAW, TELESCOPE, PAN, TILT, ZOOM] = [
@@ -18,7 +18,7 @@ export const ZERO: Deflection = AXES.map(() => 0);
 export const HANDS = { thc: [X, Y, Z], rhc: [ROLL, PITCH, YAW] } as const;
 export type Hand = keyof typeof HANDS;
 
-/** All devices together, no axis past full deflection. */
+/** Sum of all devices, each axis limited to full deflection. */
 export function sum(...parts: readonly Deflection[]): Deflection {
   return ZERO.map((_, axis) => clamp(parts.reduce((total, part) => total + (part[axis] ?? 0), 0)));
 }

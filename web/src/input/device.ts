@@ -1,4 +1,4 @@
-/** One device with axes and buttons: from its raw reading to axes and actions, and whether it may fly. */
+/** One device: conversion of its raw axes and buttons to deflections and actions, and its state. */
 
 import { clamp } from '../basics/clamp';
 import { AXES, type Deflection, HANDS, type Hand, isZero, ZERO } from './deflection';
@@ -6,14 +6,14 @@ import { type Action, type Grip, USES } from './keymap';
 import { centred, indexOf, type Kind, type Mapping, shape } from './mapping';
 import { mappingOf } from './store';
 
-/** What a device shows at a moment. */
+/** Raw reading of a device. */
 export interface Reading {
   /** Each in [-1, 1]. */
   readonly axes: readonly number[];
   readonly buttons: readonly { readonly pressed: boolean; readonly value: number }[];
 }
 
-/** `none`: never seen · `waiting`: not yet seen at zero · `flying` · `lost`: gone while it was ours. */
+/** `none`: never seen · `waiting`: not at zero yet · `flying`: in use · `lost`: disconnected while in use. */
 export type DeviceState = 'none' | 'waiting' | 'flying' | 'lost';
 
 /** Time without motion after which an axis off zero counts as at rest [ms]. */
@@ -21,13 +21,13 @@ const REST_MS = 1500;
 /** A sensor's noise. */
 const STILL = 0.02;
 
-/** How far a button is pressed; some drivers tell only that it is. */
+/** How far a button is pressed; some drivers report only whether it is pressed. */
 function travel(reading: Reading, index: number): number {
   const button = reading.buttons[index];
   return button ? button.value || Number(button.pressed) : 0;
 }
 
-/** What a source gives before deadband and expo; a button that another one changes the use of gives nothing. */
+/** Value of a source before deadband and expo; zero for a button whose use another pressed button changes. */
 function raw(reading: Reading, source: string, { bindings, centres }: Mapping): number {
   const axis = indexOf(source, 'a');
   if (axis !== null) return centred(reading.axes[axis] ?? 0, centres[axis] ?? 0);
@@ -39,7 +39,7 @@ function raw(reading: Reading, source: string, { bindings, centres }: Mapping): 
   return other ? 0 : travel(reading, first ?? 0);
 }
 
-/** The axes that a reading deflects, before (`shaped` false) or after deadband and expo. */
+/** Deflections by a reading, before (`shaped` false) or after deadband and expo. */
 export function deflection(reading: Reading, mapping: Mapping, shaped = true): Deflection {
   const values = ZERO.map(() => 0);
   for (const [source, use] of Object.entries(mapping.bindings)) {
@@ -53,15 +53,15 @@ export function deflection(reading: Reading, mapping: Mapping, shaped = true): D
 
 export class Device {
   state: DeviceState = 'none';
-  /** As the browser names it; empty before it was first seen. */
+  /** The browser's name for it; empty before it was first seen. */
   name = '';
-  /** What it shows now; null: it is not there. */
+  /** Its present reading; null if it is not connected. */
   reading: Reading | null = null;
-  /** Off zero without motion: a sensor with an offset, not a deflection. */
+  /** Whether it is off zero without motion: a sensor's offset, not a deflection. */
   resting = false;
-  /** Buttons down, each with the use that it went down for. */
+  /** Pressed buttons, each with the use that it was pressed for. */
   private readonly down = new Map<number, string | undefined>();
-  /** A button that changes others' uses is down, and nothing was pressed with it. */
+  /** A pressed button that changes the uses of others, if no other one was pressed with it. */
   private alone: number | null = null;
   private still: { axes: readonly number[]; since: number } = { axes: [], since: 0 };
 
@@ -74,7 +74,7 @@ export class Device {
     return mappingOf(this.kind);
   }
 
-  /** The browser's name without what it says in brackets. */
+  /** The browser's name without the part in brackets. */
   get short(): string {
     return this.name.replace(/\s*\(.*$/, '').slice(0, 26) || this.kind;
   }
@@ -85,7 +85,7 @@ export class Device {
     return Object.values(this.mapping.bindings).some((use) => axes.some((axis) => axis === use.slice(1)));
   }
 
-  /** Takes what it shows at `now` [ms]; anything but a flying device is at zero. */
+  /** Takes its reading at `now` [ms]; a device that is not in use is at zero. */
   read(reading: Reading | null, now: number): Deflection {
     this.reading = reading;
     if (!reading) {
@@ -103,7 +103,7 @@ export class Device {
     return ZERO;
   }
 
-  /** Take control away until the device has been at zero; a held button must be pressed again. */
+  /** Centres the device until it has been at zero; a held button must be pressed again. */
   disarm(): void {
     if (this.state === 'flying') this.wait();
     for (const [index, use] of this.down) {
@@ -113,7 +113,7 @@ export class Device {
     this.alone = null;
   }
 
-  /** The operator put it away; its absence is not reported. */
+  /** Takes the device out of use at the operator's wish; its absence is not reported. */
   forget(): void {
     this.read(null, 0);
     this.state = 'none';
@@ -174,7 +174,7 @@ export class Device {
     this.acted({ name: 'grip', grip, down, at: performance.now() });
   }
 
-  /** It is gone: nothing is held any more. */
+  /** Releases all buttons of a device that is disconnected. */
   private letGo(): void {
     const uses = [...this.down.values()];
     this.down.clear();

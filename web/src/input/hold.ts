@@ -1,4 +1,4 @@
-/** A switch that acts only once it was held for a while. */
+/** A switch that acts only after it was held for a set time. */
 
 export class Hold {
   private since: number | null = null;
@@ -9,19 +9,19 @@ export class Hold {
     private readonly act: () => void,
   ) {}
 
-  /** It went down at `now` [ms]. */
+  /** Takes a press at `now` [ms]. */
   press(now: number): void {
     this.since ??= now;
   }
 
-  /** The key came up at `now` [ms]. If no frame was drawn in time, it may have been held long enough. */
+  /** Takes a release at `now` [ms]. If no picture was drawn in time, the key may have been held long enough. */
   lift(now: number): void {
     this.tick(now);
     this.since = null;
     this.done = false;
   }
 
-  /** How much of its time is over at `now` [ms], 0 to 1; acts once when that is all of it. */
+  /** The elapsed part of the time at `now` [ms], 0 to 1; acts once at 1. */
   tick(now: number): number {
     if (this.since === null) return 0;
     const part = (now - this.since) / (1000 * this.seconds);

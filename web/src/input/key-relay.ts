@@ -1,4 +1,4 @@
-/** Keys pressed in a second window, passed to its page, which takes them as its own. */
+/** Keys pressed in a secondary window, sent to its page, which handles them as its own. */
 
 import { isControl, isTyping } from './keyboard';
 import { mappingOf } from './store';
@@ -11,23 +11,23 @@ export type Relayed =
       readonly key: string;
       readonly shift: boolean;
     }
-  /** Keys are held still. */
+  /** Keys are still held. */
   | { readonly kind: 'holding' }
-  /** The window lost the focus: every key is let go. */
+  /** The window lost the focus: all keys are released. */
   | { readonly kind: 'released' };
 
 /** Interval of the messages while keys are held [ms]. */
 const HOLDING_MS = 100;
-/** A window silent for this long holds no key any more [ms]; as the station has it for sticks. */
+/** A window without a message for this time releases all keys [ms]; the same time as the station's for sticks. */
 const SILENT_MS = 500;
 
-/** The second window's end. */
+/** Sender in the secondary window. */
 export class KeyRelay {
   private readonly held = new Set<string>();
   private readonly ended = new AbortController();
   private readonly timer: number;
 
-  /** `passes`: whether there is a page that takes this key. */
+  /** `passes`: whether there is a page that handles this key. */
   constructor(
     private readonly passes: (code: string) => boolean,
     private readonly say: (said: Relayed) => void,
@@ -61,7 +61,7 @@ export class KeyRelay {
 
   private up(event: KeyboardEvent): void {
     const { code, key, shiftKey: shift } = event;
-    if (code === 'Space') event.preventDefault(); // or a button in focus would take it as its click
+    if (code === 'Space') event.preventDefault(); // otherwise it would click the button in focus
     if (!this.held.delete(code)) return;
     event.stopImmediatePropagation();
     this.say({ kind: 'key', down: false, code, key, shift });
@@ -73,13 +73,13 @@ export class KeyRelay {
   }
 }
 
-/** The end of the page that flies or plays. */
+/** Receiver in the page. */
 export class RelayedKeys {
   private readonly held = new Set<string>();
   private heard = 0;
   private readonly timer: number;
 
-  /** `zero`: lets go of every key and stick at once. */
+  /** `zero` releases all keys and centres all sticks. */
   constructor(private readonly zero: () => void) {
     this.timer = window.setInterval(() => {
       if (this.held.size > 0 && performance.now() - this.heard > SILENT_MS) this.release();

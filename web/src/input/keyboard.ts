@@ -1,4 +1,4 @@
-/** The keyboard as two hand controllers and a row of switches, by the keyboard's mapping. */
+/** The keyboard as two hand controllers and switches, with the keyboard's mapping. */
 
 import { clamp } from '../basics/clamp';
 import { type Deflection, ZERO } from './deflection';
@@ -6,11 +6,11 @@ import { type Action, USES, type Use } from './keymap';
 import { learnLetter } from './layout';
 import { mappingOf } from './store';
 
-/** A held key reaches full deflection in this time, a released one zero [s]. */
+/** Time from zero to full deflection while a key is held, and back after its release [s]. */
 const FULL_S = 0.35;
 const RETURN_S = 0.15;
 
-/** An axis `dt` [s] later on its way from `value` to `target`; it changes sides through zero. */
+/** Value of an axis after `dt` [s], between `value` and `target`; a change of sign stops at zero first. */
 export function ramp(value: number, target: number, dt: number): number {
   const crossing = value * target < 0;
   const goal = crossing ? 0 : target;
@@ -20,16 +20,16 @@ export function ramp(value: number, target: number, dt: number): number {
 }
 
 export interface KeyboardListener {
-  /** A flying key went down or up at `at` [ms, as performance.now()]. */
+  /** A stick's key was pressed or released at `at` [ms, as performance.now()]. */
   moved(at: number): void;
   acted(action: Action): void;
-  /** Every key passes here first; true where it was taken for something else. */
+  /** Gets every key first; returns true if it used the key for something else. */
   taken(event: KeyboardEvent): boolean;
 }
 
 export class Keyboard {
   readonly held = new Set<string>();
-  /** Where the keys have brought the sticks. */
+  /** Present deflections. */
   value: Deflection = ZERO;
   private readonly ended = new AbortController();
 
@@ -39,7 +39,7 @@ export class Keyboard {
     window.addEventListener('keyup', (event) => this.up(event), options);
   }
 
-  /** Where the keys held now lead to. */
+  /** Deflections to which the held keys lead. */
   get target(): Deflection {
     const target = ZERO.map(() => 0);
     for (const code of this.held) {
@@ -56,7 +56,7 @@ export class Keyboard {
     return this.value;
   }
 
-  /** Release every key at once; a held key acts only when it is pressed again. */
+  /** Releases all keys; a held key acts only when it is pressed again. */
   release(): void {
     const held = [...this.held];
     this.held.clear();
@@ -94,13 +94,13 @@ export class Keyboard {
   }
 
   private up(event: KeyboardEvent): void {
-    // A button takes the click of Space on release; Space is stop and nothing else.
+    // Space must only stop: a button would take its release as a click.
     if (event.code === 'Space') event.preventDefault();
     if (!this.held.delete(event.code)) return;
     if (!this.grip(event.code, false, event.timeStamp)) this.listener.moved(event.timeStamp);
   }
 
-  /** Passes on a key that is held to act; false where it is none. */
+  /** Handles a key that acts when held; returns false for other keys. */
   private grip(code: string, down: boolean, at: number): boolean {
     const does = useOf(code)?.does;
     if (does?.kind === 'grip') this.listener.acted({ name: 'grip', grip: does.grip, down, at });
@@ -115,17 +115,17 @@ function useOf(code: string): Use | undefined {
   return name === undefined ? undefined : USES.get(name);
 }
 
-/** Fields that take letters; a slider or a box to tick takes none. */
+/** Whether an element is a field that takes letters, unlike a slider or a check box. */
 export function isTyping(target: EventTarget | null): target is HTMLInputElement {
   return target instanceof HTMLInputElement && !/^(?:range|checkbox|radio|button)$/.test(target.type);
 }
 
-/** A field for words, in which Space is typed, too. */
+/** Whether an element is a field for words, in which Space is typed, too. */
 function takesSpaces(target: EventTarget | null): boolean {
   return isTyping(target) && target.inputMode === 'text';
 }
 
-/** A slider or a list in focus has its arrows to itself. */
+/** Whether an element in focus, such as a slider or a list, uses the arrow keys itself. */
 function isOwn({ code, target }: KeyboardEvent): boolean {
   const arrows = /^(Arrow|Page|Home|End)/.test(code);
   return (

@@ -1,11 +1,11 @@
 /**
- * Everything that a key, a button or an axis can be put to. To add one: a line in `USES`, its key in `defaults.ts`,
- * and for an action its case in `page/commands.ts`; sheet, saving, rebinding and recording follow from the table.
+ * All uses of keys, buttons and axes. A new use needs a line in `USES`, its key in `defaults.ts`, and for an action its
+ * case in `page/commands.ts`; sheet, storage, rebinding and recording follow from the table.
  */
 
 import { AXES } from './deflection';
 
-/** What is held for a while before it acts: close or open the hand, latch or unlatch what it holds, let go the brakes. */
+/** Uses that act only when held: close or open the end effector, latch or unlatch its payload, release the brakes. */
 export type Grip = 'close' | 'open' | 'latch' | 'brakes';
 
 export type Action =
@@ -39,20 +39,20 @@ export interface GripAction {
   readonly name: 'grip';
   readonly grip: Grip;
   readonly down: boolean;
-  /** When it went down or up [ms, as performance.now()]. */
+  /** Time of the press or release [ms, as performance.now()]. */
   readonly at: number;
 }
 
-/** An axis held to one side, something done once a press, or a grip for as long as it is down. */
+/** Effect of a use: an axis to one side, an action at each press, or a grip as long as it is held. */
 export type Does =
   | { readonly kind: 'axis'; readonly axis: number; readonly sign: 1 | -1 }
   | { readonly kind: 'once'; readonly action: Exclude<Action, GripAction> }
   | { readonly kind: 'grip'; readonly grip: Grip };
 
 export interface Use {
-  /** As a mapping writes it: `+X`, `rate hold`, `camera 3`. */
+  /** Name in a mapping: `+X`, `rate hold`, `camera 3`. */
   readonly name: string;
-  /** For people. */
+  /** Name on the page. */
   readonly label: string;
   readonly does: Does;
 }
@@ -88,7 +88,7 @@ function held(grip: Grip, label: string): Use {
   return { name: grip, label, does: { kind: 'grip', grip } };
 }
 
-/** Cameras that have a key each. */
+/** Number of cameras with a key of their own. */
 const CAMERAS = 10;
 
 const ACTIONS: readonly Use[] = [
@@ -101,31 +101,31 @@ const ACTIONS: readonly Use[] = [
   held('brakes', 'brakes'),
   once('safing', 'safing', { name: 'safing' }),
   once('position hold', 'position hold', { name: 'position hold' }),
-  once('mode -', 'mode before', { name: 'turn mode', by: -1 }),
-  once('mode +', 'mode after', { name: 'turn mode', by: 1 }),
+  once('mode -', 'previous mode', { name: 'turn mode', by: -1 }),
+  once('mode +', 'next mode', { name: 'turn mode', by: 1 }),
   once('enter', 'enter mode', { name: 'enter' }),
   once('proceed', 'proceed', { name: 'proceed' }),
-  once('joint -', 'joint before', { name: 'turn joint', by: -1 }),
-  once('joint +', 'joint after', { name: 'turn joint', by: 1 }),
-  once('fly orbiter', 'THC flies orbiter', { name: 'fly orbiter' }),
+  once('joint -', 'previous joint', { name: 'turn joint', by: -1 }),
+  once('joint +', 'next joint', { name: 'turn joint', by: 1 }),
+  once('fly orbiter', 'THC to orbiter', { name: 'fly orbiter' }),
   once('acknowledge', 'acknowledge', { name: 'acknowledge' }),
   once('plane', 'separating plane', { name: 'plane' }),
   once('otherMonitor', 'other monitor', { name: 'otherMonitor' }),
-  once('cameraStep -', 'camera before', { name: 'cameraStep', by: -1 }),
-  once('cameraStep +', 'camera after', { name: 'cameraStep', by: 1 }),
+  once('cameraStep -', 'previous camera', { name: 'cameraStep', by: -1 }),
+  once('cameraStep +', 'next camera', { name: 'cameraStep', by: 1 }),
   once('split', 'split', { name: 'split' }),
   once('matrix', 'all cameras', { name: 'matrix' }),
-  once('slow camera', 'cameras turn slowly', { name: 'slow camera' }),
+  once('slow camera', 'slow cameras', { name: 'slow camera' }),
   once('light', 'light and lamps', { name: 'light' }),
   once('lock exposure', 'lock the exposure', { name: 'lock exposure' }),
   once('control page', 'PDRS control (SPEC 94)', { name: 'control page' }),
-  once('leave', 'close what is open', { name: 'leave' }),
+  once('leave', 'close sheets', { name: 'leave' }),
   ...Array.from({ length: CAMERAS }, (_, i) =>
     once(`camera ${i + 1}`, `camera ${i + 1}`, { name: 'camera', number: i + 1 }),
   ),
 ];
 
-/** By name, in the order of the key sheet. */
+/** All uses by name, in the order of the sheet. */
 export const USES: ReadonlyMap<string, Use> = new Map(
   [...axisUses(), ...ACTIONS].map((use) => [use.name, use]),
 );
@@ -135,7 +135,7 @@ export function axisUse(axis: number, sign: number): string {
   return `${sign < 0 ? '-' : '+'}${AXES[axis]}`;
 }
 
-/** For people: `THC +X`, `rate hold`. */
+/** Name of a use on the page: `THC +X`, `rate hold`. */
 export function labelOf(use: string): string {
   return USES.get(use)?.label ?? use;
 }

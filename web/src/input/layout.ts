@@ -1,6 +1,6 @@
 /**
- * What keys, buttons and axes are called: the letters on the user's own keyboard (keys go by their place), as the browser
- * tells them, or as they are pressed; and the parts of a pad.
+ * Names of keys, buttons and axes. Keys have the letters of the user's keyboard, as the browser reports them or as they
+ * were written when pressed.
  */
 
 import { keeper } from '../page/local-storage';
@@ -58,10 +58,10 @@ const BUTTONS = [
   'Home',
 ];
 
-/** The same where there is little room. */
+/** Abbreviations of these names. */
 const SHORT_BUTTONS = 'S E W N LB RB LT RT View Menu LP RP ✚↑ ✚↓ ✚← ✚→ Home'.split(' ');
 
-/** Each axis, its two ends, and those where there is little room. */
+/** Names of each axis, its two directions, and their abbreviations. */
 type AxisWords = readonly [name: string, minus: string, plus: string, shortMinus: string, shortPlus: string];
 
 const PAD_AXES: readonly AxisWords[] = [
@@ -90,7 +90,7 @@ const KEY = 'aftdeck.letters';
 let letters: ReadonlyMap<string, string> = new Map();
 let learned: Map<string, string> | null = null;
 
-/** Return the legend of the key at that place, if known. */
+/** Returns the legend of the key at that position, if known. */
 export function nameOf(code: string): string {
   return (
     NAMES[code] ??
@@ -99,7 +99,7 @@ export function nameOf(code: string): string {
   );
 }
 
-/** What people call a source; `sign`: the end of an axis that is meant. */
+/** Name of a source; `sign`: direction of an axis. */
 export function nameOfSource(kind: Kind, source: string, sign?: 1 | -1): string {
   if (kind === 'keyboard') return nameOf(source);
   if (source.includes('+'))
@@ -115,7 +115,7 @@ export function nameOfSource(kind: Kind, source: string, sign?: 1 | -1): string 
   return (kind.endsWith('pad') ? BUTTONS[number] : undefined) ?? `Button ${number + 1}`;
 }
 
-/** The same in a few letters. */
+/** Abbreviated name of a source. */
 export function shortOfSource(kind: Kind, source: string, sign: 1 | -1): string {
   if (kind === 'keyboard')
     return nameOf(source)
@@ -133,13 +133,13 @@ export function shortOfSource(kind: Kind, source: string, sign: 1 | -1): string 
   return words ? words[sign < 0 ? 3 : 4] : `${number}${sign < 0 ? '−' : '+'}`;
 }
 
-/** The key that does something now; empty where none does. */
+/** Name of the key for a use; empty if there is none. */
 export function keyOf(use: string): string {
   const code = sourcesOf(mappingOf('keyboard'), use)[0];
   return code === undefined ? '' : nameOf(code);
 }
 
-/** Asks the browser once; afterwards `nameOf` knows. */
+/** Asks the browser once for the layout, for `nameOf`. */
 export async function learnLayout(): Promise<void> {
   const { keyboard } = navigator as Navigator & {
     keyboard?: { getLayoutMap(): Promise<ReadonlyMap<string, string>> };
@@ -149,7 +149,7 @@ export async function learnLayout(): Promise<void> {
 
 type Pressed = Pick<KeyboardEvent, 'code' | 'key' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>;
 
-/** A key that was pressed alone wrote its legend. */
+/** Stores the legend of a key that was pressed alone. */
 export function learnLetter({ code, key, shiftKey, ctrlKey, altKey, metaKey }: Pressed): void {
   if (shiftKey || ctrlKey || altKey || metaKey || !/^Key[A-Z]$/.test(code) || !/^\S$/u.test(key)) return;
   if (letters.size > 0 || pressed().get(code) === key.toLowerCase()) return;
@@ -157,7 +157,7 @@ export function learnLetter({ code, key, shiftKey, ctrlKey, altKey, metaKey }: P
   keeper.setItem(KEY, JSON.stringify([...pressed()]));
 }
 
-/** What was learned, now or before. */
+/** Legends learned in this or an earlier visit. */
 function pressed(): Map<string, string> {
   learned ??= new Map(saved());
   return learned;
@@ -168,7 +168,7 @@ function saved(): [string, string][] {
     const kept: unknown = JSON.parse(keeper.getItem(KEY) ?? '[]');
     return Array.isArray(kept) ? kept.filter(isPair) : [];
   } catch {
-    return []; // not ours: it is written anew as keys are pressed
+    return []; // invalid: it is rewritten as keys are pressed
   }
 }
 

@@ -1,6 +1,6 @@
 /**
- * What a kind of device is put to, as plain data. A binding goes from a source to a use, so that no source can have
- * two. Sources are keys by their place (`KeyW`), buttons (`b3`), axes (`a1`), and a button with another one held
+ * Mapping of a kind of device, as plain data. A binding assigns a use to a source, so that no source can have two uses.
+ * Sources are keys by their position (`KeyW`), buttons (`b3`), axes (`a1`), and a button while another one is held
  * (`b9+b12`).
  */
 
@@ -25,25 +25,25 @@ export interface Mapping {
   /** 0: straight; 1: the cube. */
   readonly expo: number;
   readonly bindings: Readonly<Record<string, string>>;
-  /** Where each axis rests, as the operator has confirmed; absent: 0. */
+  /** Rest position of each axis, as the operator has confirmed; absent: 0. */
   readonly centres: readonly number[];
 }
 
-/** Greatest deadband, and the farthest from 0 that a sensor may rest. */
+/** Greatest deadband, and greatest rest position of a sensor. */
 export const MOST_DEADBAND = 0.5;
 export const MOST_OFFSET = 0.3;
-/** As many sources may have a use; the station takes no more. */
+/** Greatest number of bindings that the station accepts. */
 export const MOST_BINDINGS = 64;
 
 const SOURCE = /^(?:[ab]\d{1,2}|b\d{1,2}\+b\d{1,2}|[A-Z][A-Za-z0-9]{1,15})$/;
 
-/** The number in `a1` or `b3`; null where the source is another one. */
+/** The number in `a1` or `b3`; null for another kind of source. */
 export function indexOf(source: string, letter: 'a' | 'b'): number | null {
   const index = source[0] === letter ? Number(source.slice(1)) : Number.NaN;
   return Number.isNaN(index) ? null : index;
 }
 
-/** An axis' travel from where it rests, full deflection staying full on either side. */
+/** Deflection of an axis from its rest position, scaled to full deflection at both ends. */
 export function centred(raw: number, centre: number): number {
   const from = clamp(raw) - centre;
   return from === 0 ? 0 : from / (from > 0 ? 1 - centre : 1 + centre);
@@ -61,22 +61,22 @@ export function sourcesOf(mapping: Mapping, use: string): readonly string[] {
 }
 
 /**
- * A mapping from data that came from somewhere.
+ * Returns the mapping in decoded data.
  *
- * Throws an Error whose sentence says what is wrong.
+ * Throws an Error that names what is invalid.
  */
 export function parseMapping(data: unknown): Mapping {
-  if (typeof data !== 'object' || data === null) throw new Error('a mapping is an object');
+  if (typeof data !== 'object' || data === null) throw new Error('a mapping must be an object');
   const { deadband, expo, bindings, centres } = data as Record<string, unknown>;
-  if (typeof bindings !== 'object' || bindings === null) throw new Error('a mapping has bindings');
+  if (typeof bindings !== 'object' || bindings === null) throw new Error('a mapping must have bindings');
   const entries = Object.entries(bindings);
   if (entries.length > MOST_BINDINGS) throw new Error(`a mapping has at most ${MOST_BINDINGS} bindings`);
   for (const [source, use] of entries) {
-    if (!SOURCE.test(source)) throw new Error(`“${source}” is no key, button or axis`);
-    if (typeof use !== 'string' || !USES.has(use)) throw new Error(`“${use}” is nothing that can be done`);
+    if (!SOURCE.test(source)) throw new Error(`“${source}” is not a key, button or axis`);
+    if (typeof use !== 'string' || !USES.has(use)) throw new Error(`“${use}” is not a use`);
     if (source[0] === 'a' && USES.get(use)?.does.kind !== 'axis') throw new Error(`an axis cannot ${use}`);
   }
-  if (!Array.isArray(centres)) throw new Error('a mapping has centres');
+  if (!Array.isArray(centres)) throw new Error('a mapping must have centres');
   return {
     deadband: within(deadband, 0, MOST_DEADBAND, 'the deadband'),
     expo: within(expo, 0, 1, 'expo'),
@@ -87,5 +87,5 @@ export function parseMapping(data: unknown): Mapping {
 
 function within(value: unknown, least: number, most: number, what: string): number {
   if (typeof value === 'number' && value >= least && value <= most) return value;
-  throw new Error(`${what} lies between ${least} and ${most}, got ${value}`);
+  throw new Error(`${what} must be between ${least} and ${most}, got ${value}`);
 }

@@ -1,6 +1,6 @@
 /**
- * Gamepads and joysticks: one is both hands; of two the one moved first is the THC, the other one the RHC. A device
- * that nobody has moved flies nothing and is not spoken of.
+ * Gamepads and joysticks: one device is both THC and RHC; of two, the one moved first is the THC, the other one the RHC.
+ * A device that was not moved is not in use and not reported.
  */
 
 import { type Deflection, sum, ZERO } from './deflection';
@@ -8,7 +8,7 @@ import { Device, type Reading } from './device';
 import type { Action } from './keymap';
 import type { Kind } from './mapping';
 
-/** An axis that far from where it was first seen was moved by somebody. */
+/** Least change of an axis from its first position that counts as moved. */
 const MOVED = 0.3;
 /** Hands. */
 const MOST = 2;
@@ -16,33 +16,33 @@ const MOST = 2;
 interface Seat {
   readonly id: string;
   readonly standard: boolean;
-  /** The browser's number for it; another one after it was plugged in again. */
+  /** The browser's number for it, which changes when it is plugged in again. */
   index: number;
   device: Device;
 }
 
 export class Pads {
-  /** Two devices fly, and the operator has not yet confirmed which hand each is in. */
+  /** Whether two devices are in use, and the operator has not confirmed which one is the THC. */
   asks = false;
   private seats: Seat[] = [];
-  /** What devices not in use showed when they were first seen, by the browser's number. */
+  /** First readings of devices that are not in use, by the browser's number. */
   private readonly first = new Map<number, Reading>();
 
   constructor(private readonly acted: (action: Action) => void) {}
 
-  /** In use: the one for both hands, or THC and RHC. */
+  /** Devices in use: the one for both, or THC and RHC. */
   get devices(): readonly Device[] {
     return this.seats.map(({ device }) => device);
   }
 
-  /** Reads all of them at `now` [ms]. */
+  /** Reads all devices at `now` [ms]. */
   poll(now: number): Deflection {
     const there = navigator.getGamepads().filter((pad): pad is Gamepad => pad?.connected === true);
     const free = new Set(there);
     const found = this.seats.map((seat) => {
       const own = there.find(({ id, index }) => id === seat.id && index === seat.index);
       const pad = own ?? there.find((each) => each.id === seat.id && !this.taken(each));
-      // Two that come back may have changed places.
+      // Two devices that are plugged in again may have been exchanged.
       if (pad && seat.device.state === 'lost') this.asks = this.seats.length === MOST;
       if (pad) seat.index = pad.index;
       if (pad) free.delete(pad);
@@ -55,14 +55,14 @@ export class Pads {
     return sum(ZERO, ...this.seats.map(({ device }, i) => device.read(found[i] ?? null, now)));
   }
 
-  /** The THC's device becomes the RHC's, and the other way round. */
+  /** Exchanges the devices of THC and RHC. */
   swap(): void {
     this.seats.reverse();
     this.assign();
     this.asks = false;
   }
 
-  /** Each is in the right hand. */
+  /** Confirms the devices of THC and RHC. */
   keep(): void {
     this.asks = false;
   }
@@ -71,7 +71,7 @@ export class Pads {
     for (const { device } of this.seats) device.disarm();
   }
 
-  /** The operator knows which are gone; what is left is both hands again. */
+  /** Acknowledges lost devices; a remaining one is both THC and RHC again. */
   acknowledge(): void {
     const left = this.seats.filter(({ device }) => device.state !== 'lost');
     if (left.length === this.seats.length) return;
@@ -84,12 +84,12 @@ export class Pads {
     return this.seats.some((seat) => seat.index === index);
   }
 
-  /** Takes a device into use where somebody moved it; a standard pad alone is meant to be used. */
+  /** Takes a device into use if it was moved; a standard pad also without motion, if no device is in use. */
   private joins(pad: Gamepad): boolean {
     const standard = pad.mapping === 'standard';
     const first = this.first.get(pad.index) ?? copied(pad);
     this.first.set(pad.index, first);
-    // Some have switches that are always on, and levers that rest anywhere.
+    // Some devices have switches that are always on, and levers that rest anywhere.
     const moved =
       pad.axes.some((value, i) => Math.abs(value - (first.axes[i] ?? 0)) > MOVED) ||
       pad.buttons.some(({ pressed }, i) => pressed !== first.buttons[i]?.pressed);
@@ -102,7 +102,7 @@ export class Pads {
     return true;
   }
 
-  /** Gives each its part; whose part has changed must be seen at zero before it flies. */
+  /** Assigns each device to THC, RHC or both; a device whose assignment has changed must return to zero first. */
   private assign(): void {
     this.seats.forEach((seat, i) => {
       const kind = kindOf(seat.standard, this.seats.length === 1 ? null : i === 0 ? 'thc' : 'rhc');

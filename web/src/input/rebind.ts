@@ -1,10 +1,10 @@
-/** Changing a mapping, and what is refused. */
+/** Changes of a mapping, and reasons to reject them. */
 
 import { axisUse, labelOf, USES } from './keymap';
 import { nameOfSource } from './layout';
 import { indexOf, type Kind, type Mapping, MOST_OFFSET, sourcesOf } from './mapping';
 
-/** What was pressed or moved; `sign`: to which side an axis went. */
+/** A source that was pressed or moved; `sign`: direction of an axis. */
 export interface Source {
   readonly source: string;
   readonly sign: 1 | -1;
@@ -12,8 +12,8 @@ export interface Source {
 
 /** Keys whose use never changes. */
 const FIXED: Readonly<Record<string, string>> = {
-  Space: 'Space stops, always',
-  Escape: 'Esc closes what is open, always',
+  Space: 'Space always stops',
+  Escape: 'Esc always closes sheets',
   Enter: 'Enter presses buttons and enters the mode',
   NumpadEnter: 'Enter presses buttons and enters the mode',
 };
@@ -32,12 +32,12 @@ const BROWSERS = new Set([
 const BROWSERS_PATTERN =
   /^(?:F\d{1,2}|(?:Control|Alt|Meta|OS|Shift)(?:Left|Right)?|Print.*|Pause|Browser.*|Media.*|Audio.*)$/;
 
-/** Whether people may put another key to a use. */
+/** Whether another key can be assigned to a use. */
 export function isFixed(kind: Kind, use: string): boolean {
   return kind === 'keyboard' && FIXED_USES.has(use);
 }
 
-/** Why a key cannot be taken, in a sentence; null: it can. */
+/** Reason why a key cannot be assigned, in a sentence; null if it can. */
 export function keyRefusal(
   event: Pick<KeyboardEvent, 'code' | 'ctrlKey' | 'altKey' | 'metaKey'>,
 ): string | null {
@@ -47,26 +47,26 @@ export function keyRefusal(
   if (FIXED[code]) return `${FIXED[code]}: press another key.`;
   if (BROWSERS.has(code) || BROWSERS_PATTERN.test(code))
     return `${nameOfSource('keyboard', code)} belongs to the browser: press another key.`;
-  if (!/^[A-Z][A-Za-z0-9]{1,15}$/.test(code)) return 'This key has no place of its own: press another key.';
+  if (!/^[A-Z][A-Za-z0-9]{1,15}$/.test(code)) return 'This key has no position code: press another key.';
   return null;
 }
 
 /**
- * A mapping with a use put to what was pressed or moved.
+ * Returns a mapping in which a use is assigned to the source that was pressed or moved.
  *
  * Throws an Error with the reason for a rejection.
  */
 export function bind(kind: Kind, mapping: Mapping, use: string, { source, sign }: Source): Mapping {
   const does = USES.get(use)?.does;
-  if (!does) throw new Error(`“${use}” is nothing that can be done.`);
+  if (!does) throw new Error(`“${use}” is not a use.`);
   const analogue = indexOf(source, 'a') !== null;
   const name = nameOfSource(kind, source);
   if (analogue && does.kind !== 'axis')
-    throw new Error(`${name} moves things; “${labelOf(use)}” needs a button.`);
+    throw new Error(`${name} is an axis; “${labelOf(use)}” needs a button.`);
   const goal = does.kind === 'axis' && sign < 0 ? axisUse(does.axis, -does.sign) : use;
   const before = mapping.bindings[source];
   if (before !== undefined && !sameAxis(before, use, analogue))
-    throw new Error(`${name} is “${labelOf(before)}” already: put that elsewhere first.`);
+    throw new Error(`${name} is already “${labelOf(before)}”: assign that to another control first.`);
   const bindings: Record<string, string> = {};
   for (const [each, its] of Object.entries(mapping.bindings)) {
     const whole = (analogue || indexOf(each, 'a') !== null) && sameAxis(its, use, true);
@@ -76,7 +76,7 @@ export function bind(kind: Kind, mapping: Mapping, use: string, { source, sign }
   return { ...mapping, bindings };
 }
 
-/** A mapping in which nothing has this use. */
+/** Returns a mapping in which no source has this use. */
 export function unbind(mapping: Mapping, use: string): Mapping {
   const gone = new Set(sourcesOf(mapping, use));
   for (const source of wholeAxes(mapping, use)) gone.add(source);
@@ -84,7 +84,7 @@ export function unbind(mapping: Mapping, use: string): Mapping {
   return { ...mapping, bindings: Object.fromEntries(kept) };
 }
 
-/** What moves a use: keys and buttons of its own, and axes that go to both sides. */
+/** Sources of a use: its keys and buttons, and axes, which also have the opposite use. */
 export function movers(mapping: Mapping, use: string): readonly Source[] {
   const own = sourcesOf(mapping, use).map((source): Source => ({ source, sign: 1 }));
   const others = wholeAxes(mapping, use)
@@ -94,7 +94,7 @@ export function movers(mapping: Mapping, use: string): readonly Source[] {
 }
 
 /**
- * Return a mapping in which the present positions of the axes are zero.
+ * Returns a mapping in which the present positions of the axes are zero.
  *
  * Throws an Error that names an axis too far from its centre.
  */
@@ -103,8 +103,8 @@ export function zeroed(kind: Kind, mapping: Mapping, axes: readonly number[]): M
     if (mapping.bindings[`a${axis}`] === undefined) return 0;
     if (Math.abs(value) <= MOST_OFFSET) return Math.round(value * 1000) / 1000;
     throw new Error(
-      `${nameOfSource(kind, `a${axis}`)} stands at ${value.toFixed(2)}, more than ${MOST_OFFSET} off: ` +
-        'let go of it, or leave it without a use.',
+      `${nameOfSource(kind, `a${axis}`)} is at ${value.toFixed(2)}, more than ${MOST_OFFSET} from its centre: ` +
+        'release it, or remove its assignment.',
     );
   });
   return { ...mapping, centres };
@@ -116,7 +116,7 @@ function wholeAxes(mapping: Mapping, use: string): readonly string[] {
     .map(([source]) => source);
 }
 
-/** The same use, or where `either`, the same axis to whichever side. */
+/** Whether two uses are the same, or if `either`, move the same axis. */
 function sameAxis(a: string, b: string, either: boolean): boolean {
   const [one, other] = [USES.get(a)?.does, USES.get(b)?.does];
   return a === b || (either && one?.kind === 'axis' && other?.kind === 'axis' && one.axis === other.axis);

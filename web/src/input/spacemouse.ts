@@ -1,23 +1,23 @@
 /**
  * A SpaceMouse through WebHID. Report 1 holds three translations, or all six axes; report 2 three rotations; report 3
  * the buttons, a bit each; little-endian 16 bit, full deflection about 350. Layouts as in PySpaceMouse's table of
- * devices and spacenavd; what is not understood is said, and moves nothing.
+ * devices and spacenavd. A report of unknown length is reported to the user, and moves nothing.
  */
 
 import { clamp } from '../basics/clamp';
 import type { Reading } from './device';
 
-/** Logitech, who made the early ones, and 3Dconnexion. */
+/** Vendors: Logitech (early models) and 3Dconnexion. */
 const VENDORS = [0x046d, 0x256f];
-/** Generic desktop, multi-axis controller: no mouse or keyboard of the same makers. */
+/** Usage “generic desktop, multi-axis controller”, which excludes these vendors' mice and keyboards. */
 const PAGE = 0x01;
 const USAGE = 0x08;
 const FULL = 350;
 const AXES = 6;
 const MOST_BUTTONS = 32;
-/** A deflected cap reports continuously; after this time without a report it is out of reach [ms]. */
+/** A deflected cap reports continuously; after this time without a report the device is lost [ms]. */
 const SILENCE_MS = 500;
-/** A look counts for no more than this [ms]: reports wait, too, while the page is busy. */
+/** Greatest time that counts between two readings, because reports also wait while the page is busy [ms]. */
 const MOST_OF_A_LOOK_MS = 50;
 
 const [TRANSLATION, ROTATION, BUTTONS] = [1, 2, 3];
@@ -29,7 +29,7 @@ export interface Cap {
 
 export const CAP_AT_REST: Cap = { axes: Array<number>(AXES).fill(0), buttons: [] };
 
-/** What the cap shows after a report; null: the report is not understood. Others than the three are passed over. */
+/** Reading of the cap after a report; null if the report has an unknown length. Reports other than the three are ignored. */
 export function parsed(cap: Cap, report: number, data: DataView): Cap | null {
   if (report === BUTTONS) return { ...cap, buttons: bits(data) };
   if (report !== TRANSLATION && report !== ROTATION) return cap;
@@ -48,7 +48,7 @@ function bits(data: DataView): readonly boolean[] {
   return Array.from({ length: count }, (_, i) => ((data.getUint8(i >> 3) >> (i & 7)) & 1) === 1);
 }
 
-/** What of WebHID is used here; TypeScript's own library does not know it. */
+/** The part of WebHID that is used here, which TypeScript's library lacks. */
 interface HidDevice extends EventTarget {
   readonly vendorId: number;
   readonly productName: string;
@@ -72,9 +72,9 @@ function hid(): Hid | undefined {
 }
 
 export class SpaceMouse {
-  /** As it calls itself; empty before there is one. */
+  /** Its product name; empty before it is connected. */
   name = '';
-  /** Why it does not fly, in a sentence; empty where nothing is wrong. */
+  /** Why it is not in use, in a sentence; empty if there is no problem. */
   problem = '';
   private device: HidDevice | null = null;
   private cap = CAP_AT_REST;
@@ -92,22 +92,22 @@ export class SpaceMouse {
       },
     );
     hid()?.addEventListener('connect', () => void this.find((all) => all.getDevices()), { signal });
-    // One that was allowed before needs no second asking.
+    // A device that the user allowed before needs no second question.
     void this.find((all) => all.getDevices());
   }
 
-  /** Whether this browser can talk to one. */
+  /** Whether this browser supports WebHID. */
   get possible(): boolean {
     return hid() !== undefined;
   }
 
-  /** Asks the operator to choose one; the browser wants a press of a button before. */
+  /** Asks the user to choose a device; the browser allows this only after a click or a key. */
   async connect(): Promise<void> {
     const filters = VENDORS.map((vendorId) => ({ vendorId, usagePage: PAGE, usage: USAGE }));
     await this.find((all) => all.requestDevice({ filters }));
   }
 
-  /** What it shows at `now` [ms]; null: there is none, it is out of reach, or not understood. */
+  /** Its reading at `now` [ms]; null if it is not connected, lost, or sends unknown reports. */
   reading(now: number): Reading | null {
     if (!this.device || this.problem) return null;
     const { axes, buttons } = this.cap;
@@ -127,7 +127,7 @@ export class SpaceMouse {
     try {
       await this.open((await ask(all)).find(isOurs));
     } catch (error) {
-      this.problem = `The browser opened no SpaceMouse: ${error instanceof Error ? error.message : error}`;
+      this.problem = `The browser cannot open the SpaceMouse: ${error instanceof Error ? error.message : error}`;
     }
   }
 
@@ -152,7 +152,7 @@ export class SpaceMouse {
     this.silent = 0;
     if (cap) this.cap = cap;
     else
-      this.problem = `Report ${reportId} with ${data.byteLength} bytes is not understood; this model does not fly.`;
+      this.problem = `Report ${reportId} with ${data.byteLength} bytes is unknown: this model is not supported.`;
   }
 }
 

@@ -1,4 +1,4 @@
-/** State of the hand controllers as it is sent to the station. */
+/** The hand controllers as this page sends them to the station. */
 
 import type { Latency } from '../link/latency';
 import type { Vec3 } from '../link/protocol';
@@ -25,15 +25,15 @@ import {
 /** Deflected or held sticks are sent at least this often [ms]; the station zeroes silent ones after 0.5 s. */
 const REPEAT_MS = 100;
 
-/** The sticks at rest, without the camera. */
+/** The sticks at zero, without the camera. */
 const REST: Deflection = ZERO.slice(0, PAN);
 
 export class Sticks {
   /** X drives the selected joint (SINGLE, DIRECT). */
   driving = false;
-  /** RATE HOLD keeps a rate: the station has to hear of somebody. */
+  /** Whether RATE HOLD is on, so that the station needs regular messages. */
   kept = false;
-  /** What the camera in hand is asked for now. */
+  /** Deflections for the selected camera. */
   camera: Turning = STILL;
   private orbiter = false;
   private last = 0;
@@ -51,28 +51,28 @@ export class Sticks {
     return this.sent;
   }
 
-  /** The THC flies the orbiter, not the arm. */
+  /** Whether the THC is assigned to the orbiter, not to the arm. */
   get flyingOrbiter(): boolean {
     return this.orbiter;
   }
 
-  /** Hands the THC to the orbiter or back to the arm, with the sticks at zero. */
+  /** Assigns the THC to the orbiter or to the arm, with the sticks at zero. */
   flyOrbiter(on: boolean): void {
     this.zero();
     this.orbiter = on;
   }
 
-  /** An input at `at` [ms]; the answer shall not wait for the next tick. */
+  /** Takes an input at `at` [ms] and sends at once, not at the next tick. */
   moved(at: number): void {
     this.read(Math.max(performance.now(), this.last + 16), at);
   }
 
-  /** Reads the devices at `now` [ms] and sends what changed. */
+  /** Reads the devices at `now` [ms] and sends changes. */
   tick(now: number): void {
     this.read(now, null);
   }
 
-  /** `inputAt`: when a key went down or up [ms]; null: none did, and what a device does is known from now. */
+  /** `inputAt`: time of a key's press or release [ms]; null if there was none, so that a device's change counts from now. */
   private read(now: number, inputAt: number | null): void {
     const dt = Math.min(0.1, Math.max(0, (now - this.last) / 1000));
     this.last = Math.max(now, this.last);
@@ -84,11 +84,11 @@ export class Sticks {
     if (!changed && !(speaks && now - this.sentAt >= REPEAT_MS)) return;
     const seq = this.transmit(value, now);
     const from = inputAt ?? (this.controllers.moved ? now : null);
-    // What moved no stick, as a camera's key, shows in no picture of the arm.
+    // An input without a change of the sticks, such as a camera's key, has no picture to measure.
     if (changed && from !== null) this.latency.sent(seq, from);
   }
 
-  /** Zero the sticks at once; keys must be pressed again, and devices must be at zero first. */
+  /** Centres the sticks at once; keys must be pressed again, and devices must return to zero first. */
   zero(): void {
     this.controllers.release();
     this.camera = STILL;
@@ -102,7 +102,7 @@ export class Sticks {
   }
 }
 
-/** What each stick axis moves; `driving`: one joint; `orbiter`: the THC translates the orbiter. */
+/** Channels of the stick axes; `driving`: X drives one joint; `orbiter`: the THC translates the orbiter. */
 export function routed(value: Deflection, driving: boolean, orbiter: boolean) {
   const at = (axis: number) => value[axis] ?? 0;
   const none: Vec3 = [0, 0, 0];

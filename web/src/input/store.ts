@@ -1,4 +1,4 @@
-/** The mappings in use, kept in the browser, a kind of device at a time; and how often they have changed. */
+/** The present mappings, stored in the browser for each kind of device; and the number of their changes. */
 
 import { keeper } from '../page/local-storage';
 import { DEFAULTS } from './defaults';
@@ -15,7 +15,7 @@ export function revision(): number {
   return changes;
 }
 
-/** What is in use for a kind: what was saved, else what the station comes with. */
+/** Present mapping of a kind: the saved one, or else the default. */
 export function mappingOf(kind: Kind): Mapping {
   const known = present.get(kind);
   if (known) return known;
@@ -24,26 +24,26 @@ export function mappingOf(kind: Kind): Mapping {
   return read;
 }
 
-/** Uses a mapping from now on; false: a browser that keeps nothing forgets it with the page. */
+/** Uses a mapping from now on; returns false if the browser cannot store it. */
 export function save(kind: Kind, mapping: Mapping): boolean {
   present.set(kind, mapping);
   changes += 1;
   return keeper.setItem(KEY + kind, JSON.stringify(mapping));
 }
 
-/** Goes back to what the station comes with. */
+/** Restores the default mapping. */
 export function restore(kind: Kind): void {
   present.set(kind, DEFAULTS[kind]);
   changes += 1;
   keeper.removeItem(KEY + kind);
 }
 
-/** Whether a mapping is what the station comes with. */
+/** Whether a mapping is the default. */
 export function isDefault(kind: Kind): boolean {
   return mappingOf(kind) === DEFAULTS[kind];
 }
 
-/** Read everything again. Returns a sentence for each saved mapping that is not used. */
+/** Reads all saved mappings again; returns a sentence for each invalid one. */
 export function reread(): readonly string[] {
   present.clear();
   troubles = [];
@@ -58,7 +58,7 @@ function saved(kind: Kind): Mapping | null {
     return parseMapping(JSON.parse(text));
   } catch (error) {
     const why = error instanceof Error ? error.message : error;
-    troubles.push(`The saved mapping of the ${kind} is not used, it is as it came: ${why}.`);
+    troubles.push(`The saved mapping of the ${kind} is invalid, so the default is used: ${why}.`);
     return null;
   }
 }

@@ -1,4 +1,4 @@
-/** Two sticks and two sliders on the screen: where fingers, or a mouse, have put them. */
+/** Two sticks and two sliders on the screen, moved by fingers or a mouse. */
 
 import { clamp } from '../basics/clamp';
 import type { Reading } from './device';
@@ -7,13 +7,13 @@ import type { Reading } from './device';
 export const TOUCH_AXES = 6;
 
 export class TouchSticks {
-  /** On the screen, where they can be moved. */
+  /** Whether they are on the screen. */
   shown = false;
-  /** They were sent away, and come back only when asked for. */
+  /** Whether the user hid them, so that a touch does not show them again. */
   private refused = false;
   private readonly axes: number[] = Array<number>(TOUCH_AXES).fill(0);
 
-  /** Offer touch sticks: the screen was touched. */
+  /** Shows the touch sticks because the screen was touched, unless the user hid them. */
   touched(): void {
     if (!this.refused) this.shown = true;
   }
@@ -37,12 +37,12 @@ export class TouchSticks {
     return this.axes[axis] ?? 0;
   }
 
-  /** All spring back. */
+  /** Centres all axes. */
   release(): void {
     this.axes.fill(0);
   }
 
-  /** What they show now; null: they are not on the screen. */
+  /** Their reading; null if they are not on the screen. */
   reading(): Reading | null {
     return this.shown ? { axes: [...this.axes], buttons: [] } : null;
   }

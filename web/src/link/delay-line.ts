@@ -1,23 +1,23 @@
-/** Frames on their way: figures and pictures show the flight as late as the scenario has it. */
+/** Delays frames by the scenario's delay before figures or pictures show them. */
 
 import type { Frame } from './protocol';
 
-/** What is older than it is meant to be by this much is stale [s]. */
+/** Excess of age over the set delay from which data is stale [s]. */
 const STALE_S = 0.5;
 
 export interface Seen {
   readonly frame: Frame;
-  /** When it came [ms, as performance.now()]. */
+  /** Time of arrival [ms, as performance.now()]. */
   readonly at: number;
 }
 
-/** How old something shown is, and how old it is meant to be [s]. */
+/** Age of displayed data, and the set delay [s]. */
 export interface Age {
   readonly s: number;
   readonly set: number;
 }
 
-/** Older than it is meant to be, by so much that a person has to know. */
+/** Whether data is so much older than the set delay that the page must show it. */
 export function isStale({ s, set }: Age): boolean {
   return s > set + STALE_S;
 }
@@ -26,10 +26,10 @@ export class DelayLine {
   private shown: Seen | null = null;
   private underWay: Seen[] = [];
 
-  /** `delay`: how long every frame is under way [s]. */
+  /** `delay`: delay of every frame [s]. */
   constructor(readonly delay: number) {}
 
-  /** A frame came. The first of a flight is shown at once, since nothing can be shown before it. */
+  /** Takes a frame. The first frame of a run is displayed at once, because there is none to display before it. */
   put(seen: Seen): void {
     const before = this.underWay.at(-1) ?? this.shown;
     if (!before || this.delay === 0 || seen.frame.tick < before.frame.tick) {
@@ -38,7 +38,7 @@ export class DelayLine {
     } else this.underWay.push(seen);
   }
 
-  /** The frame to show at `now` [ms]; null: none has come. */
+  /** The frame to display at `now` [ms]; null before the first one. */
   at(now: number): Seen | null {
     let through = 0;
     for (const { at } of this.underWay) {
@@ -50,7 +50,7 @@ export class DelayLine {
     return this.shown;
   }
 
-  /** How old at `now` [ms] what is shown is. */
+  /** Age of the displayed frame at `now` [ms]. */
   age(now: number): Age {
     const seen = this.at(now);
     return { s: seen ? Math.max(0, now - seen.at) / 1000 : 0, set: this.delay };

@@ -1,4 +1,4 @@
-/** What comes from the station, each thing shown as late as the scenario has it, and how late that is by measure. */
+/** Frames and log lines of the station, displayed after the scenario's delays, and measurements of these delays. */
 
 import type { Delays } from '../panel/rail/delays';
 import { type Age, DelayLine, type Seen } from './delay-line';
@@ -10,7 +10,7 @@ export type Shows = 'telemetry' | 'camera';
 
 interface Line {
   readonly line: DelayLine;
-  /** How old what was shown was, as it was shown first [s]. */
+  /** Ages of frames when they were displayed first [s]. */
   readonly ages: Samples;
   last: Seen | null;
 }
@@ -20,7 +20,7 @@ export class Arrivals {
   restarts = 0;
   private newest: Seen | null = null;
   private readonly lines: Readonly<Record<Shows, Line>>;
-  /** Lines of the log that are on their way. */
+  /** Lines of the log that are not due yet. */
   private log: LogEvent[] = [];
   private readonly command: number;
 
@@ -30,7 +30,7 @@ export class Arrivals {
     this.lines = { telemetry: line(welcome.telemetry_delay_s), camera: line(welcome.camera_delay_s) };
   }
 
-  /** Take a frame that arrived at `now` [ms]; return true if the run restarted with it. */
+  /** Takes a frame that arrived at `now` [ms]; returns whether the run restarted with it. */
   put(frame: Frame, now: number): boolean {
     const anew = this.newest !== null && frame.tick < this.newest.frame.tick;
     if (anew) this.restarts += 1;
@@ -39,12 +39,12 @@ export class Arrivals {
     return anew;
   }
 
-  /** What is to be shown at `now` [ms]; null: nothing has come. */
+  /** The frame to display at `now` [ms]; null before the first one. */
   at(shows: Shows, now: number): Seen | null {
     return this.lines[shows].line.at(now);
   }
 
-  /** The frame that figures, lamps and log show now; null: nothing has come. */
+  /** The frame that figures, lamps and log display now; null before the first one. */
   get telemetry(): Frame | null {
     return this.at('telemetry', performance.now())?.frame ?? null;
   }
@@ -53,12 +53,12 @@ export class Arrivals {
     return this.lines[shows].line.age(now);
   }
 
-  /** So long has nothing come [s]. */
+  /** Time since the last frame [s]. */
   silence(now: number): number {
     return (now - (this.newest?.at ?? now)) / 1000;
   }
 
-  /** This is shown at `now` [ms]; what was shown before it had to come is not so old. */
+  /** Records that a frame is displayed at `now` [ms]; one displayed before its delay was over does not count. */
   show(shows: Shows, seen: Seen, now: number): void {
     const line = this.lines[shows];
     const age = (now - seen.at) / 1000;
@@ -66,7 +66,7 @@ export class Arrivals {
     line.last = seen;
   }
 
-  /** `answer`: from a stick to the frame that has flown it, as measured [s]. */
+  /** The delays; `answer`: measured time from a stick to the frame that used it [s]. */
   delays(answer: number | null, now: number): Delays {
     const { telemetry, camera } = this.lines;
     const shown = ({ line, ages }: Line) => ({ set: line.delay, measured: ages.part(0.5, now) });
@@ -77,7 +77,7 @@ export class Arrivals {
     };
   }
 
-  /** Lines of the log come with the figures of their time. */
+  /** Takes lines of the log, which are due with the figures of their time. */
   addEvents(events: readonly LogEvent[]): void {
     this.log.push(...events);
   }
@@ -90,7 +90,7 @@ export class Arrivals {
     return this.log.splice(0, later < 0 ? Infinity : later);
   }
 
-  /** All lines that are on their way. */
+  /** Takes all lines that are not due yet. */
   takeEvents(): readonly LogEvent[] {
     return this.log.splice(0);
   }

@@ -1,13 +1,13 @@
 /**
- * Stick to picture: from an input event until the first frame that has taken it is drawn on the page. And the command's
- * way: until the frame is here that has flown it, after the delay that a scenario may set.
+ * Latency from an input event to the first picture of a frame that received it, and to the arrival of the first frame that
+ * used it, after the scenario's command delay.
  */
 
 import { Samples } from './samples';
 
-/** A station that is well answers within this time, a control period and the way there and back [ms]. */
+/** Normal time of an answer: a control period and the transmission [ms]. */
 const ANSWERED_MS = 40;
-/** Pictures wait for an input so seldom [ms]. */
+/** Least time between two inputs for which pictures wait [ms]. */
 const HELD_MS = 150;
 
 export class Latency {
@@ -15,19 +15,19 @@ export class Latency {
   private readonly samples = new Samples();
   private unanswered: { seq: number; at: number }[] = [];
   private readonly answers = new Samples();
-  /** The input that pictures waited for last. */
+  /** Time of the last input for which pictures waited. */
   private heldFor = Number.NEGATIVE_INFINITY;
 
-  /** `cameraDelay`: pictures are late by this much, which is not counted [s]. */
+  /** `cameraDelay`: the scenario's delay of pictures, which is not counted [s]. */
   constructor(private readonly cameraDelay = 0) {}
 
-  /** A sticks message went out, caused by an input event at `at` [ms, as performance.now()]. */
+  /** Records a sticks message for an input event at `at` [ms, as performance.now()]. */
   sent(seq: number, at: number): void {
     this.waiting.push({ seq, at });
     this.unanswered.push({ seq, at });
   }
 
-  /** A frame that has taken `stickSeq` is drawn at `now` [ms]. */
+  /** Records the picture at `now` [ms] of a frame that received `stickSeq`. */
   drawn(stickSeq: number, now: number): void {
     for (const { seq, at } of this.waiting) {
       if (seq <= stickSeq) this.samples.add(now - at - 1000 * this.cameraDelay, now);
@@ -35,7 +35,7 @@ export class Latency {
     this.waiting = this.waiting.filter(({ seq }) => seq > stickSeq);
   }
 
-  /** A frame that has flown `flownSeq` has come at `now` [ms]. */
+  /** Records the arrival at `now` [ms] of a frame that used `flownSeq`. */
   answered(flownSeq: number, now: number): void {
     for (const { seq, at } of this.unanswered) {
       if (seq <= flownSeq) this.answers.add(now - at, now);
@@ -43,15 +43,15 @@ export class Latency {
     this.unanswered = this.unanswered.filter(({ seq }) => seq > flownSeq);
   }
 
-  /** What the inputs of the last 10 s took to their frame, the middle of them [s]; null where no stick moved. */
+  /** Median time from an input to the frame that used it, in the last 10 s [s]; null if no stick moved. */
   answer(now: number): number | null {
     const ms = this.answers.part(0.5, now);
     return ms === null ? null : ms / 1000;
   }
 
   /**
-   * Whether the frame that has flown an input is about to arrive: a picture of `stickSeq`, begun now, would hold it up.
-   * Where inputs never end, not each of them is waited for.
+   * Whether the frame that used an input will arrive soon, so that a picture of `stickSeq` begun now would delay it.
+   * During continuous inputs, pictures wait only for some of them.
    */
   due(stickSeq: number, now: number): boolean {
     if (this.cameraDelay > 0) return false;
@@ -61,13 +61,13 @@ export class Latency {
     return true;
   }
 
-  /** What was on its way is lost with the connection. */
+  /** Forgets inputs without an answer, because none will arrive. */
   forget(): void {
     this.waiting = [];
     this.unanswered = [];
   }
 
-  /** 95th percentile of the last 10 s [ms], or null where no stick moved. */
+  /** 95th percentile of the latency to pictures in the last 10 s [ms]; null if no stick moved. */
   percentile95(now: number): number | null {
     return this.samples.part(0.95, now);
   }

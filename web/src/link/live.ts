@@ -1,4 +1,4 @@
-/** Flying: connect, and hand every message to the station. */
+/** A live run: connects to the station's server, and gives every message to the page. */
 
 import { assertUnreachable } from '../basics/assert';
 import { publish } from '../page/hook';
@@ -12,7 +12,7 @@ import { tornHere } from '../windows/opened';
 import type { Role, Scenarios, Welcome } from './protocol';
 import { type FromSession, Link, type LinkState } from './socket';
 
-/** What the page says while there is nothing to fly yet. */
+/** Sentence on the page while there is no run yet. */
 function words(link: LinkState): string {
   if (link.kind === 'preparing') return link.text;
   return link.kind === 'lost'
@@ -28,7 +28,7 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
   let scenarios: Scenarios | null = null;
 
   function welcome(message: Welcome): void {
-    // A station that comes back unchanged keeps its page, and sends its whole log again.
+    // After a reconnection to the same run the page stays, and the server sends the whole log again.
     if (station && JSON.stringify(message) === JSON.stringify(welcomed)) {
       if (!(station instanceof Display)) station.forgetEvents();
       return;
@@ -106,6 +106,6 @@ export function fly(root: HTMLElement, drawing: Drawing): void {
     lastFrame: station?.shown.frame ?? null,
     restarts: station?.shown.restarts ?? 0,
     bodies: station?.bodies ?? [],
-    latency95: station instanceof Station ? station.latency.percentile95(performance.now()) : null,
+    latency95: station instanceof Station ? station.latency95 : null,
   }));
 }

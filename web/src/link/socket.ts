@@ -1,11 +1,11 @@
-/** The connection to the station: handshake, typed messages, and coming back after a loss. */
+/** The connection to the station: handshake, typed messages, and reconnection after a loss. */
 
 import { assertUnreachable } from '../basics/assert';
 import { type FromPage, type FromServer, type Hello, PROTOCOL, type Preparing } from './protocol';
 
 type WithoutSeq<M> = M extends unknown ? Omit<M, 'seq'> : never;
 
-/** What the page may ask of the station; the link numbers it. */
+/** Commands of the page, which the link numbers. */
 export type Command = WithoutSeq<FromPage>;
 
 /** Messages that come once the station has its session. */
@@ -37,7 +37,7 @@ export class Link {
   constructor(
     private readonly url: string,
     private readonly listener: LinkListener,
-    /** State that the page reports: it cannot fly (a secondary window, or too narrow); it draws strips. */
+    /** State that the page reports: whether it only observes (a secondary window, or too narrow), and whether it draws strips. */
     private readonly itself: () => Pick<Hello, 'shows' | 'strips'>,
   ) {
     listener.state({ kind: 'connecting' });
@@ -51,7 +51,7 @@ export class Link {
     return this.seq;
   }
 
-  /** Tells whether the page has hands, where that has changed. */
+  /** Reports whether the page only observes, if this has changed. */
   reseat(): void {
     const { shows } = this.itself();
     if (!this.welcomed || shows === this.toldShows) return;

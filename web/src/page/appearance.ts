@@ -1,4 +1,4 @@
-/** How the page and its pictures look, as their user likes it: kept by the browser, the same in all its windows. */
+/** Appearance of the page and its pictures, stored in the browser and the same in all its windows. */
 
 import type { Keeper } from './local-storage';
 
@@ -13,7 +13,7 @@ export interface Looks {
 
 const FRESH: Looks = { early: false, night: false };
 
-/** What was kept; what cannot be read is as new. */
+/** The stored appearance; the default if it cannot be decoded. */
 export function looksOf(text: string | null): Looks {
   if (text === null) return FRESH;
   try {
@@ -27,7 +27,7 @@ export function looksOf(text: string | null): Looks {
 export class Appearance {
   private looks: Looks;
 
-  /** `changed`: called with what holds, now and after each change. */
+  /** `changed` is called with the appearance, now and after each change. */
   constructor(
     private readonly store: Keeper,
     private readonly changed: (looks: Looks) => void,
@@ -50,7 +50,7 @@ export class Appearance {
     this.changed(this.looks);
   }
 
-  /** Follows what other windows of this browser keep, until the signal. */
+  /** Follows changes by other windows of this browser, until the signal. */
   follow(signal: AbortSignal): void {
     window.addEventListener(
       'storage',

@@ -1,11 +1,11 @@
-/** What keys and buttons do beside moving the sticks. */
+/** Calls the effect of each action of keys and buttons. */
 
 import { assertUnreachable } from '../basics/assert';
 import type { Pictures } from '../cameras/pictures';
 import type { Action } from '../input/keymap';
 import type { Groups } from '../panel/desk/desk';
 
-/** Something that opens and closes. */
+/** A sheet or list that opens and closes. */
 interface Sheet {
   close(): void;
 }
@@ -16,7 +16,7 @@ export interface Acting {
   readonly light: { toggle(): void; lock(): void };
   readonly controlPage: Sheet & { toggle(): void };
   readonly keys: Sheet & { toggle(): void };
-  /** What else an Escape closes. */
+  /** Further sheets that Escape closes. */
   readonly sheets: readonly Sheet[];
   stop(): void;
   changeRate(): void;

@@ -1,4 +1,4 @@
-/** Whether this page's sticks move the arm: its role, its link to the station, and what keeps it from flying. */
+/** Whether this page's sticks move the arm: its role, its link to the station, and what prevents control. */
 
 import type { Role } from '../link/protocol';
 import type { LinkState } from '../link/socket';
@@ -15,9 +15,9 @@ export class Control {
     names: [],
   };
   link: LinkState = { kind: 'open' };
-  /** Another scenario is being made ready: the sticks rest. */
+  /** Whether another scenario is in preparation, so that the sticks are centred. */
   leaving = false;
-  /** The window is too narrow for the controls: the page only observes. */
+  /** Whether the window is too narrow for the controls, so that the page only observes. */
   tooNarrow = false;
 
   get flies(): boolean {

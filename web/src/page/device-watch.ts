@@ -1,4 +1,4 @@
-/** Tells the station what is flown with, and that a device is gone or back. */
+/** Reports the devices in use and lost devices to the station and to the log. */
 
 import type { Controllers } from '../input/controllers';
 import type { Level } from '../link/protocol';
@@ -6,14 +6,14 @@ import type { Command } from '../link/socket';
 
 export interface DeviceWatchListener {
   send(command: Command): void;
-  /** A line of the log. */
+  /** Adds a line to the log. */
   say(text: string, level: Level): void;
 }
 
 export class DeviceWatch {
   /** Devices that were last reported to the station. */
   private told = '';
-  /** The devices that were gone, by name. */
+  /** Names of the lost devices at the last call. */
   private lost: ReadonlySet<string> = new Set();
 
   constructor(
@@ -27,10 +27,10 @@ export class DeviceWatch {
   }
 
   /**
-   * Looks at the devices; where one is gone, position is held.
+   * Checks the devices; if one is lost, the station holds position.
    *
-   * @param ours the flight is this page's.
-   * @param flying and it flies: nothing keeps its sticks from it.
+   * @param ours whether this page is in control.
+   * @param flying whether its sticks also move the arm.
    */
   watch(ours: boolean, flying: boolean): void {
     const { controllers, listener } = this;
@@ -38,7 +38,7 @@ export class DeviceWatch {
     const gone = [...lost].filter((short) => !this.lost.has(short));
     if (gone.length > 0 && ours) listener.send({ type: 'hands_off', cause: 'device lost' });
     for (const short of gone) listener.say(`${short} is gone: sticks at zero`, 'caution');
-    for (const short of this.lost) if (!lost.has(short)) listener.say(`${short} is no longer missed`, 'info');
+    for (const short of this.lost) if (!lost.has(short)) listener.say(`${short}: loss cleared`, 'info');
     this.lost = lost;
     const { revision } = controllers;
     if (!flying || revision === this.told) return;

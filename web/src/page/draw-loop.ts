@@ -1,4 +1,4 @@
-/** When pictures, bars and figures are drawn, and from which frame: pictures first, figures ten times a second. */
+/** Schedule of pictures, bars and figures, and their frames: pictures first, figures ten times a second. */
 
 import type { Pictures } from '../cameras/pictures';
 import { isStale, type Seen } from '../link/delay-line';
@@ -13,16 +13,16 @@ import type { Operator } from './operator';
 
 /** Time between two updates of figures and legends [ms]. */
 const VALUES_MS = 100;
-/** Longest time that they wait for a picture [ms]. */
+/** Longest time that figures wait for a picture [ms]. */
 const OVERDUE_MS = 300;
 
 /** The parts of the page that the loop draws. */
 export interface Drawn {
   readonly pictures: Pictures;
   readonly groups: Groups;
-  /** Every other part with marks that move at picture rate. */
+  /** Draws all other marks that move at picture rate. */
   bars(): void;
-  /** Every other part with figures, lamps or sounds. */
+  /** Updates all other figures, lamps and sounds. */
   values(view: View, measured: Measured, now: number): void;
   viewOf(frame: Frame): View;
 }
@@ -30,13 +30,13 @@ export interface Drawn {
 export class DrawLoop {
   /** Number of pictures drawn. */
   drawn = 0;
-  /** What the whole page shows of the run: pictures, lamps and figures. */
+  /** Frame and restarts that the whole page shows: pictures, lamps and figures. */
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  /** What the figures are of. */
+  /** Frame and restarts of the figures. */
   private figures = this.shown;
-  /** A frame has come since the last picture. */
+  /** Whether a frame has arrived since the last picture. */
   private fresh = false;
-  /** The next picture waits for the frame that answers a stick. */
+  /** Whether the next picture waits for the frame that answers a stick. */
   private held = false;
   private valuesAt = 0;
   private readonly modes: ReadonlyMap<string, ModeInfo['kind']>;
@@ -53,18 +53,13 @@ export class DrawLoop {
     this.modes = new Map(welcome.modes.map(({ position, kind }) => [position, kind]));
   }
 
-  /** A frame has come. */
+  /** Takes the arrival of a frame. */
   arrived(now: number): void {
     this.fresh = true;
     if (this.held) this.draw(now);
   }
 
-  /** The kind of a mode; undefined: the arm has no such mode. */
-  kindOf(mode: string): ModeInfo['kind'] | undefined {
-    return this.modes.get(mode);
-  }
-
-  /** Draws what is due, once the pictures of the frame before are on the page. */
+  /** Draws what is due, once the previous pictures are on the page. */
   draw(now: number): void {
     const [told, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
     if (!told || !seen) return;
@@ -77,8 +72,8 @@ export class DrawLoop {
     }
     this.held = this.latency.due(seen.frame.display.stick_seq, now);
     if (this.held) return;
-    this.operator.sticks.driving = this.kindOf(told.frame.mode) === 'single';
-    // Where bars wait for a picture, it is not one with MON 2 in it.
+    this.operator.sticks.driving = this.modes.get(told.frame.mode) === 'single';
+    // At half pace, bars move with the pictures that do not include MON 2.
     const barsMove = (this.drawn + 1) % this.barPace === 0;
     this.fresh = false;
     // Pictures first: they read the page's layout, which the desk's bars invalidate.
@@ -88,7 +83,7 @@ export class DrawLoop {
     if (barsMove && now - this.valuesAt >= VALUES_MS) this.values(view, now);
   }
 
-  /** The pictures of a frame are on the page. */
+  /** Counts and times pictures that are on the page. */
   private pictured(seen: Seen): void {
     const now = performance.now();
     this.drawn += 1;

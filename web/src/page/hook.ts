@@ -1,4 +1,4 @@
-/** What tests and measurements read: `window.__aftdeck`. */
+/** `window.__aftdeck`, for tests and measurements. */
 
 import type { Frame } from '../link/protocol';
 import type { DrawnBody } from '../scene/bodies';
@@ -15,7 +15,7 @@ export interface Hook {
   latency95: number | null;
   /** The bodies of the scene as they are drawn now. */
   readonly bodies: readonly DrawnBody[];
-  /** What draws, as WebGL names it. */
+  /** Renderer's name in WebGL. */
   renderer: string;
 }
 
@@ -25,7 +25,7 @@ declare global {
   }
 }
 
-/** Publishes the hook; `read` is asked at every look. */
+/** Publishes the hook, which calls `read` at each access. */
 export function publish(renderer: string, read: () => Omit<Hook, 'fps' | 'renderer'>): void {
   let fps = 0;
   let before = 0;

@@ -1,6 +1,6 @@
-/** What the browser keeps between visits; with one that keeps nothing (private, blocked, full) all goes as if new. */
+/** Wrapper of localStorage, which returns null and false if storage is unavailable (private mode, blocked, full). */
 
-/** Whether the browser did it. */
+/** Returns whether `act` did not throw. */
 function done(act: () => void): boolean {
   try {
     act();
@@ -18,7 +18,7 @@ export const keeper = {
     });
     return text;
   },
-  /** Returns whether it is kept. */
+  /** Returns whether the value was stored. */
   setItem: (key: string, value: string) => done(() => localStorage.setItem(key, value)),
   removeItem: (key: string) => done(() => localStorage.removeItem(key)),
 };

@@ -1,11 +1,11 @@
-/** The page's log: the station's lines with the figures of their time, the page's own, and the last rejection. */
+/** The page's log: the station's lines, added with the figures of their time, the page's own lines, and the last rejection. */
 
 import type { Arrivals } from '../link/delayed-messages';
 import type { Level, Event as LogEvent } from '../link/protocol';
 import type { EventsGroup } from '../panel/desk/events';
 import type { LampName } from '../panel/spine/lamps';
 
-/** The log of a page that connects again holds older rejections; those older than this light no lamp [s]. */
+/** Greatest age of a rejection that lights a lamp, because a page that reconnects receives old ones [s]. */
 const RECENT_S = 2;
 
 export class Log {

@@ -1,4 +1,4 @@
-/** A full page of one sentence, for what leaves nothing to fly or to play. */
+/** Fills the page with one sentence, if there is no run or recording to show. */
 
 import { el } from '../panel/parts/dom';
 

@@ -1,4 +1,4 @@
-/** The operator's hands: devices into sticks and actions, and everything that takes the sticks to zero. */
+/** The operator's inputs: devices to sticks and actions, and every cause that centres the sticks. */
 
 import { STILL, type Turning, turningOf } from '../input/camera-hand';
 import { Controllers } from '../input/controllers';
@@ -10,27 +10,27 @@ import type { Latency } from '../link/latency';
 import type { Command } from '../link/socket';
 import { setClass } from '../panel/parts/dom';
 
-/** Devices are read this often, even where pictures are drawn more slowly [ms]. */
+/** Time between two readings of the devices, even if pictures take longer [ms]. */
 const TICK_MS = 15;
 
-/** A page that did nothing for so long, or heard nothing, asks for its sticks at zero; the station does as well [ms]. */
+/** Time without a tick or a frame after which the sticks are centred; the station does the same [ms]. */
 export const LOST_MS = 2000;
 
-/** What keys and buttons do even while controllers are looked at and changed. */
+/** Whether an action is allowed while the sheet of controllers is open. */
 const always = (action: Action) =>
   action.name === 'stop' || action.name === 'leave' || (action.name === 'grip' && action.grip === 'brakes');
 
 export interface OperatorListener {
   acted(action: Action): void;
   send(command: Command): number;
-  /** Every key passes here first; true where it was taken for something else. */
+  /** Gets every key first; returns true if it used the key for something else. */
   taken(event: KeyboardEvent): boolean;
 }
 
 export class Operator {
   readonly controllers: Controllers;
   readonly sticks: Sticks;
-  /** Only the page that flies moves the sticks. */
+  /** Whether the sticks move the arm; otherwise they are centred. */
   flying = false;
   private ticked = 0;
   private readonly timer: number;
@@ -62,7 +62,7 @@ export class Operator {
     this.timer = window.setInterval(() => this.tick(performance.now()), TICK_MS);
   }
 
-  /** Read the devices. On a hidden page and on an observer's page the sticks are zero. */
+  /** Reads the devices. On a hidden page and on an observer's page the sticks are centred. */
   tick(now: number): void {
     if (this.ticked > 0 && now - this.ticked > LOST_MS) this.sticks.zero();
     this.ticked = now;
@@ -70,14 +70,14 @@ export class Operator {
     else this.sticks.zero();
   }
 
-  /** How the switches of the camera in hand are pushed; who only watches has the keyboard's, for views of its own. */
+  /** Deflections of the selected camera's switches; an observer's keyboard moves engineering views. */
   get turning(): Turning {
     if (this.controllers.paused) return STILL;
     const watched = turningOf(this.controllers.keyboard.held, mappingOf('keyboard'));
     return this.flying ? this.sticks.camera : watched;
   }
 
-  /** Zero the sticks at once; a held key acts only when it is pressed again. */
+  /** Centres the sticks at once; a held key acts only when it is pressed again. */
   zero(): void {
     this.sticks.zero();
   }
@@ -88,7 +88,7 @@ export class Operator {
     this.controllers.dispose();
   }
 
-  /** Nobody sees the arm. */
+  /** Centres the sticks and reports that the page is hidden. */
   private hidden(): void {
     this.sticks.zero();
     if (this.flying) this.listener.send({ type: 'hands_off', cause: 'page hidden' });
@@ -100,7 +100,7 @@ export class Operator {
     setClass(document.body, 'typing', typing);
   }
 
-  /** Whoever uses a finger is shown sticks for it. */
+  /** Shows the touch sticks at the first touch. */
   private pointed({ pointerType }: PointerEvent): void {
     if (pointerType === 'touch') this.controllers.touch.touched();
   }

@@ -1,16 +1,16 @@
-/** Which drawing profile the page uses, and on what. */
+/** Choice of the drawing profile, by the renderer. */
 
 import type { Quality } from '../scene/drawn';
 
 export interface Drawing {
   readonly quality: Quality;
-  /** What draws, as WebGL names it. */
+  /** Renderer's name in WebGL. */
   readonly renderer: string;
-  /** Drawn by the processor. */
+  /** Whether the processor draws. */
   readonly software: boolean;
 }
 
-/** The profile asked for by `?quality=`, else the low one where no graphics card draws; null without WebGL 2. */
+/** The profile of `?quality=`, or else the low one without a graphics card; null without WebGL 2. */
 export function chooseDrawing(search: string): Drawing | null {
   const gl = document.createElement('canvas').getContext('webgl2');
   if (!gl) return null;

@@ -1,11 +1,11 @@
 /** How much room the page has: each name's condition, for `@container page (--NAME)` in the style sheets and for code. */
 
 export const ROOM = {
-  /** MON 2 lies in a corner of MON 1, and the desk has more rows. */
+  /** MON 2 is in a corner of MON 1, and the desk has more rows. */
   inset: '(width < 1100px)',
   /** The desk's two tables have a row of their own. */
   upright: '(width < 956px)',
-  /** The arm is watched, not flown. */
+  /** The page can only observe. */
   watching: '(width < 720px)',
   /** Lamps are in two columns. */
   low: '((height < 860px) or ((width < 956px) and (height < 1020px)))',
@@ -15,13 +15,14 @@ export const ROOM = {
   shallow: '(height <= 809px)',
 } as const;
 
-export const TOO_NARROW_WORDS = 'Watching only: too narrow to fly from. Widen the window or turn the screen.';
+export const TOO_NARROW_WORDS =
+  'Observing only: the window is too narrow for the controls. Widen it or rotate the screen.';
 
 export const inset = () => matchMedia(ROOM.inset).matches;
 
 export const tooNarrow = () => matchMedia(ROOM.watching).matches;
 
-/** Call `changed` when the window becomes too narrow to fly from, and when it is wide enough again. */
+/** Calls `changed` when the window becomes too narrow for the controls, and when it is wide enough again. */
 export function onTooNarrow(changed: () => void): void {
   matchMedia(ROOM.watching).addEventListener('change', changed);
 }

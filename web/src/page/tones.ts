@@ -1,4 +1,4 @@
-/** The station's sounds: alarms that are heard until they are seen, and clicks for what was done. */
+/** The station's sounds: alarms until they are acknowledged, and clicks for modes and captures. */
 
 import type { Keeper } from './local-storage';
 
@@ -19,7 +19,7 @@ export interface Kept {
   readonly muted: boolean;
 }
 
-/** What was kept of volume and mute; what cannot be read is as new. */
+/** The stored volume and mute; the defaults if they cannot be decoded. */
 export function kept(text: string | null): Kept {
   const fresh = { volume: 0.5, muted: false };
   if (text === null) return fresh;
@@ -40,7 +40,7 @@ export class Tones {
   private alarm: Alarm = 'none';
   private settings: Kept;
 
-  /** `open`: makes the browser's sound; browsers let it be heard only once a key or a pointer was used. */
+  /** `open` makes the audio context, which browsers let sound only after the first key or click. */
   constructor(
     private readonly store: Keeper,
     private readonly open: () => AudioContext,
@@ -62,7 +62,7 @@ export class Tones {
     if (this.master) this.master.gain.value = this.level;
   }
 
-  /** The operator has used a key or a pointer: from now on the browser lets sounds be heard. */
+  /** Starts the sound, at the first use of a key or a pointer. */
   wake(): void {
     if (this.context) {
       if (this.context.state === 'suspended') void this.context.resume();
@@ -74,7 +74,7 @@ export class Tones {
     this.master.connect(this.context.destination);
   }
 
-  /** Sound the unacknowledged alarm; called ten times a second. `more`: another alarm has come in. */
+  /** Sounds the unacknowledged alarm; called ten times a second. `more`: another alarm was added. */
   sound(alarm: Alarm, more: boolean): void {
     if (alarm === 'caution' && (this.alarm === 'none' || more)) this.tone(CAUTION.pitch, 0, CAUTION.seconds);
     this.alarm = alarm;
@@ -93,14 +93,14 @@ export class Tones {
     this.warble.frequency.value = WARNING.pitches[Math.floor(context.currentTime / WARNING.half) % 2] ?? 0;
   }
 
-  /** A payload was captured. */
+  /** Sounds the click for a captured payload. */
   captured(): void {
     CLICK.captured.forEach((pitch, k) => {
       this.tone(pitch, k * CLICK.apart, CLICK.seconds);
     });
   }
 
-  /** A mode was entered. */
+  /** Sounds the click for an entered mode. */
   entered(): void {
     this.tone(CLICK.entered[0], 0, CLICK.seconds);
   }

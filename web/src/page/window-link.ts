@@ -1,4 +1,4 @@
-/** The page's secondary windows: what they show follows the page, and their keys fly while the page flies. */
+/** The page's secondary windows: they follow the page, and their keys act in it while it is in control. */
 
 import type { Pictures } from '../cameras/pictures';
 import { RelayedKeys } from '../input/key-relay';
@@ -44,7 +44,7 @@ export class WindowLink {
     this.windows.say({ kind: 'page', monitors, plane, units: this.units(), takesKeys });
   }
 
-  /** Closes the windows' link, because the page goes. */
+  /** Tells the windows that the page closes. */
   gone(): void {
     this.windows.say({ kind: 'gone' });
   }

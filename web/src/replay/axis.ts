@@ -4,11 +4,11 @@ import { el } from '../panel/parts/dom';
 import { minutes } from './quantity';
 import { lengthOf, partOf, type Span } from './span';
 
-/** Distances between marks [s]. */
+/** Possible distances between marks [s]. */
 const STEPS = [0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400];
 const MOST_MARKS = 10;
 
-/** A mark nearer to the end than this part of the axis has no room for its time. */
+/** Least distance of a labelled mark from the end, as a part of the axis. */
 const ROOM = 0.02;
 
 function stepOf(length: number): number {

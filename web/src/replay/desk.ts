@@ -1,4 +1,4 @@
-/** The desk as it was flown: the same groups, drawn from the recorded frame, and nothing to operate. */
+/** The desk as flown: the same groups, drawn from the recorded frame, without effect of their controls. */
 
 import { NO_CONTROLLERS } from '../input/controllers';
 import type { Frame, PlaybackIndex } from '../link/protocol';
@@ -33,7 +33,7 @@ export class FlownDesk {
     this.groups.bars(viewOf(frame, units));
   }
 
-  /** `past`: how many events lie behind the playhead. */
+  /** `past`: number of events up to the playhead. */
   values(frame: Frame, units: Units, past: number): void {
     this.groups.values(viewOf(frame, units));
     if (frame.mode === 'TEST') lightSegments();

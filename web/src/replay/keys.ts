@@ -1,8 +1,8 @@
-/** The keys of a replay, by their place on the keyboard. */
+/** The keys of a replay, by their position on the keyboard. */
 
 import type { Player } from './player';
 
-/** Arrow keys go this far [s]. */
+/** Steps of the arrow keys and of Page up and down [s]. */
 const SECOND = 1;
 const PAGE = 10;
 
@@ -20,7 +20,7 @@ export interface ReplayKeys {
   close(): void;
 }
 
-/** What a key does; undefined: it is not ours. */
+/** Action of a key; undefined for other keys. */
 export function actionOf(player: Player, keys: ReplayKeys, event: Pick<KeyboardEvent, 'code' | 'shiftKey'>) {
   const digit = /^Digit([0-9])$/.exec(event.code)?.[1];
   if (digit) return () => keys.camera((Number(digit) + 9) % 10);
@@ -54,7 +54,7 @@ export function actionOf(player: Player, keys: ReplayKeys, event: Pick<KeyboardE
   return actions[event.code];
 }
 
-/** Listens from now on. */
+/** Listens to the keys from now on. */
 export function listen(player: Player, keys: ReplayKeys): void {
   const options = { capture: true };
   const down = (event: KeyboardEvent) => {
@@ -64,7 +64,7 @@ export function listen(player: Player, keys: ReplayKeys): void {
     event.preventDefault();
     act();
   };
-  // A button takes the click of Space on release; Space plays and nothing else.
+  // Space must only play: a button would take its release as a click.
   const up = (event: KeyboardEvent) => {
     if (event.code === 'Space') event.preventDefault();
   };

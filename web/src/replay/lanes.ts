@@ -1,23 +1,23 @@
-/** Lanes: what was so from when to when, and the events as marks. */
+/** Lanes: stretches of time with a name, and events as marks. */
 
 import type { Lane, Event as LogEvent, Stretch } from '../link/protocol';
 import { el, setAttribute, setClass, setText, svg } from '../panel/parts/dom';
 import { lengthOf, partOf, type Span } from './span';
 
-/** A stretch shorter than this part of the axis has no room for its name. */
+/** Least length of a stretch with a name, as a part of the axis. */
 const ROOM = 0.035;
 
-/** Between two stretches, as parts of the axis and of the stretch: a short one is not eaten up. */
+/** Gap between two stretches, as parts of the axis and of the stretch, so that a short one stays visible. */
 const GAP = 0.0008;
 const GAP_OF_STRETCH = 0.15;
 
 export interface Row {
   readonly element: HTMLElement;
-  /** The playhead is at that time [s]. */
+  /** Draws the playhead at that time [s]. */
   at(position: number): void;
 }
 
-/** A drawing over time, to the right [s], from 0 to 1 downwards, stretched to its place. */
+/** A drawing over time to the right [s] and 0 to 1 downwards, stretched to its element. */
 export function stretched(span: Span, ...drawn: SVGElement[]): SVGElement {
   const attributes = {
     viewBox: `${span.from} 0 ${lengthOf(span)} 1`,
@@ -90,7 +90,7 @@ export function laneRow({ name, stretches }: Lane, span: Span): Row {
   };
 }
 
-/** What is named on the time axis, by the kind of its line in the log. */
+/** Names on the time axis, by the kind of the log line. */
 const NAMED: Readonly<Record<string, string>> = {
   acquired: 'captured',
   released: 'released',
@@ -105,7 +105,7 @@ export interface Mark {
   readonly text: string;
 }
 
-/** Capture, release, docking and latching; two equal log lines of a step are one mark. */
+/** Marks of capture, release, docking and latching; two equal log lines of a step are one mark. */
 export function marksOf(events: readonly LogEvent[]): readonly Mark[] {
   const marks: Mark[] = [];
   for (const { kind, time_s, text } of events) {
@@ -144,7 +144,7 @@ export function eventRow(events: readonly LogEvent[], span: Span): Row {
   return { element: el('div', { class: 'lane events-lane row' }, el('b', {}, 'Events'), plot), at() {} };
 }
 
-/** Puts a tag at the playhead, on the side where there is room. */
+/** Places a tag at the playhead, on the side where there is room. */
 export function placeAt(tag: HTMLElement, part: number): void {
   setClass(tag, 'before', part > 0.8);
   const percent = `${(part * 100).toFixed(3)}%`;

@@ -1,15 +1,15 @@
-/** A recording's position, speed and the blocks of frames round it; it knows nothing of the page. */
+/** Position and speed of a playback, and the blocks of frames around the playhead; independent of the page. */
 
 import type { Block, Moment, PlaybackIndex } from '../link/protocol';
 
 export const SPEEDS = [0.25, 0.5, 1, 2, 4, 8] as const;
 /** Blocks kept decoded, so that memory does not grow with the recording. */
 const MOST_KEPT = 8;
-/** Playing fast, this many blocks are fetched ahead. */
+/** Number of blocks fetched ahead at more than normal speed. */
 const AHEAD = 2;
-/** A block that did not come is asked for again after this time [ms]. */
+/** Time after which a failed block is requested again [ms]. */
 const AGAIN_MS = 1000;
-/** Times are multiples of the period; this much of one is rounding [periods]. */
+/** Rounding error of times, which are multiples of the period [periods]. */
 const ROUNDING = 1e-6;
 
 type Extent = Pick<PlaybackIndex, 'period_s' | 'ticks' | 'stride' | 'block'>;
@@ -19,7 +19,7 @@ export class Player {
   position: number;
   speed = 1;
   playing = false;
-  /** Why frames do not come, in a sentence; empty while they do. */
+  /** Why frames are missing, in a sentence; empty if they are not. */
   failure = '';
   private readonly blocks = new Map<number, Block>();
   private readonly waiting = new Set<number>();
@@ -41,19 +41,19 @@ export class Player {
     return this.extent.period_s * this.extent.ticks;
   }
 
-  /** Number of the frame at the playhead: the last one drawn that is not ahead of it. */
+  /** Number of the recorded frame at the playhead, or else of the last one before it. */
   get number(): number {
     const tick = Math.floor(this.position / this.extent.period_s + ROUNDING);
     return Math.floor((Math.min(Math.max(tick, 1), this.extent.ticks) - 1) / this.extent.stride);
   }
 
-  /** The moment at the playhead; null until it has come. */
+  /** The moment at the playhead; null until it is loaded. */
   get moment(): Moment | null {
     const { block } = this.extent;
     return this.blocks.get(Math.floor(this.number / block))?.[this.number % block] ?? null;
   }
 
-  /** Plays on, from the beginning where the end was reached. */
+  /** Plays, from the start if the playhead is at the end. */
   play(): void {
     if (this.position >= this.duration) this.seek(this.start);
     this.playing = true;
@@ -68,13 +68,13 @@ export class Player {
     else this.play();
   }
 
-  /** Puts the playhead at a time [s], within the recording. */
+  /** Moves the playhead to a time [s], within the recording. */
   seek(position: number): void {
     this.position = Math.min(Math.max(position, this.start), this.duration);
     this.fetch();
   }
 
-  /** Step forwards or back by frames, and pause. */
+  /** Steps forwards or back by frames, and pauses. */
   step(frames: number): void {
     const { period_s, stride } = this.extent;
     this.pause();
@@ -89,7 +89,7 @@ export class Player {
     this.speed = SPEEDS.findLast((speed) => speed < this.speed) ?? this.speed;
   }
 
-  /** Time went on by `dt` [s of the clock]; the playhead waits for frames that have not come. */
+  /** Advances the playhead by `dt` [s of the clock]; it waits for frames that are not loaded. */
   advance(dt: number): void {
     if (this.playing && this.moment) {
       this.seek(this.position + dt * this.speed);
@@ -99,7 +99,7 @@ export class Player {
     }
   }
 
-  /** Asks for the block at the playhead and those after it, and drops those longest unused. */
+  /** Requests the block at the playhead and the next ones, and drops those that were unused longest. */
   private fetch(): void {
     const { block, ticks, stride } = this.extent;
     const last = Math.floor((Math.ceil(ticks / stride) - 1) / block);

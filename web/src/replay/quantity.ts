@@ -1,4 +1,4 @@
-/** Numbers of strips and measures with their units, as the operator reads them. */
+/** Numbers of strips and measures with their units, for display. */
 
 import type { Measure, Quantity } from '../link/protocol';
 import { degrees, fixed } from '../words/format';
@@ -13,7 +13,7 @@ interface Shown {
 
 const DEGREE = 180 / Math.PI;
 
-/** How a quantity is written. */
+/** Format of a quantity. */
 export function shown(quantity: Quantity, units: Units): Shown {
   const si = units.name === 'SI';
   const scaled = (unit: string, perSi: number, decimals: number): Shown => ({
@@ -53,7 +53,7 @@ export function shown(quantity: Quantity, units: Units): Shown {
   }
 }
 
-/** A value with its unit; a dash where there is none. */
+/** A value with its unit; a dash if there is none. */
 export function withUnit(quantity: Quantity, value: number | null, units: Units): string {
   if (value === null) return '–';
   const { unit, text } = shown(quantity, units);
@@ -66,7 +66,7 @@ export function figure(measure: Measure, units: Units): string {
   return measure.angle === null ? value : `${value}, ${withUnit('angle', measure.angle, units)}`;
 }
 
-/** Seconds as `mm:ss`, with hours where there are any; tenths or hundredths on demand. */
+/** Seconds as `mm:ss`, with hours if needed; tenths or hundredths on demand. */
 export function minutes(seconds: number, decimals = 0): string {
   const scale = 10 ** decimals;
   const whole = Math.floor(Math.max(0, seconds) * scale + 1e-6);

@@ -1,4 +1,4 @@
-/** The top rail of a replay: what is played, how it was recorded, and whether it was recomputed. */
+/** The top rail of a replay: the recording, its conditions, and the result of its re-simulation. */
 
 import type { PlaybackIndex, Verdict, Welcome } from '../link/protocol';
 import { button, el, setClass, setText } from '../panel/parts/dom';
@@ -11,10 +11,10 @@ export interface ReplayRail {
   setUnits(units: Units): void;
 }
 
-const CUT = 'The recording ends before the run did; it plays as far as it goes.';
-const THINNED = 'So that the file stays small; lanes, strips and log are complete.';
+const CUT = 'The recording ends before the run; it plays up to its last frame';
+const THINNED = 'Fewer frames keep the file small; lanes, strips and log are complete';
 
-/** `flying`: address of the station that plays; null: it does nothing else. */
+/** `flying`: address of the station with the present run; null if there is none. */
 export function replayRail(index: PlaybackIndex, flying: string | null, changeUnits: () => void): ReplayRail {
   const verdict = el('b', { role: 'status' });
   const units = button({ title: 'Change the units of the read-outs' }, [], changeUnits);
@@ -28,7 +28,7 @@ export function replayRail(index: PlaybackIndex, flying: string | null, changeUn
   if (!index.ended) notes.push(note('Cut short', CUT, 'note caution'));
   if (index.changes.length > 0) notes.push(note('Changed', index.changes.join('\n')));
   const late = delayed(index.welcome);
-  if (late) notes.push(note('Flown late', late));
+  if (late) notes.push(note('Delayed', late));
   if (index.stride > 1) notes.push(note(drawnRate(index), THINNED));
   const element = el(
     'header',
@@ -42,9 +42,9 @@ export function replayRail(index: PlaybackIndex, flying: string | null, changeUn
     ...words('Participant', index.participant),
     ...words('Condition', index.condition),
     fact('Recorded', began(index.began), `Aftdeck ${index.version}, seed ${index.seed}`),
-    fact('Recomputed', verdict, 'Whether its inputs, flown anew, give the same frames.'),
+    fact('Re-simulated', verdict, 'Result of re-simulating the recorded inputs'),
     units,
-    ...(flying === null ? [] : [el('a', { class: 'key', href: flying }, 'Back to flying')]),
+    ...(flying === null ? [] : [el('a', { class: 'key', href: flying }, 'Back to flight')]),
   );
   return {
     element,
@@ -57,7 +57,7 @@ export function replayRail(index: PlaybackIndex, flying: string | null, changeUn
   };
 }
 
-/** The delays that the operator flew with; empty where there was none. */
+/** The delays of the run; empty if there were none. */
 function delayed(welcome: Welcome): string {
   const delay = (set: number) => ({ set, measured: null });
   const { label, text } = delayWords({
@@ -65,7 +65,7 @@ function delayed(welcome: Welcome): string {
     telemetry: delay(welcome.telemetry_delay_s),
     camera: delay(welcome.camera_delay_s),
   });
-  return text && `${label} ${text}. What is shown here is not delayed.`;
+  return text && `${label} ${text}. The replay is not delayed`;
 }
 
 /** `2026-03-01 14:05 UTC` of an ISO time. */
@@ -73,7 +73,7 @@ export function began(iso: string): string {
   return `${iso.slice(0, 16).replace('T', ' ')} UTC`;
 }
 
-/** How often a thinned recording is drawn. */
+/** Rate of the frames in a thinned recording. */
 export function drawnRate({ period_s, stride }: Pick<PlaybackIndex, 'period_s' | 'stride'>): string {
   const rate = 1 / (period_s * stride);
   if (rate < 1) return `Drawn every ${(1 / rate).toFixed(1)} s`;

@@ -9,9 +9,9 @@ import { figure } from './quantity';
 /** Height of a line [rem], as `.log li`. */
 const LINE = 1.28;
 const HINTS = [
-  'Space plays and pauses. Home, End.',
-  'Left, right: a second; with Shift a frame.',
-  'Up, down: speed. [ ] go from event to event.',
+  'Space: play, pause. Home, End: start, end.',
+  'Left, right: one second; with Shift, one frame.',
+  'Up, down: speed. [ ]: previous, next event.',
   '1–9, 0 , . cameras · X monitor · Z split · C all',
   'A cameras as flown · D desk · F plane',
   '+ − time axis',
@@ -45,7 +45,7 @@ export class RunColumn {
     turn(log, figures, 'Figures', false);
   }
 
-  /** `past`: how many events lie behind the playhead. */
+  /** `past`: number of events up to the playhead. */
   show(past: number, units: Units): void {
     for (const { measure, value } of this.figures) setText(value, figure(measure, units));
     const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);

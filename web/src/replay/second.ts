@@ -1,4 +1,4 @@
-/** A second window of a recording: a monitor, all cameras or the strips, at the playhead of the page that plays. */
+/** A secondary window of a replay: a monitor, all cameras or the strips, at the playhead of its page. */
 
 import type { Frame, PlaybackIndex } from '../link/protocol';
 import { publish } from '../page/hook';
@@ -14,10 +14,10 @@ import { minutes } from './quantity';
 import type { Source } from './source';
 import { STEP } from './span';
 
-/** Keys that act in the window of the strips itself: how much time the axis shows. */
+/** Keys that act in the strips' window itself, not in its page: zoom of the time axis. */
 const ZOOMS: Readonly<Record<string, 1 | -1>> = { Equal: 1, NumpadAdd: 1, Minus: -1, NumpadSubtract: -1 };
 
-/** Fills a window with one thing of a recording. */
+/** Fills a secondary window with one view of a recording. */
 export function follow(
   root: HTMLElement,
   drawing: Drawing,

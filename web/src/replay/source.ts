@@ -1,4 +1,4 @@
-/** Where a recording comes from: the server that `aftdeck replay --open` runs, or this very file. */
+/** Source of a recording: the server of `aftdeck replay --open`, or the page's own file. */
 
 import type { Block, PlaybackIndex, Verdict } from '../link/protocol';
 
@@ -9,12 +9,12 @@ export interface Source {
   verdict(): Promise<Verdict> | null;
 }
 
-/** Address of the station that plays, where it flies, too. */
+/** Address of the station with the present run; null if there is none. */
 export function flyingHere(page: Document): string | null {
   return page.querySelector<HTMLMetaElement>('meta[name=flying]')?.content ?? null;
 }
 
-/** The recording that this page was made for; null: the page flies. */
+/** The recording of this page; null if the page shows a live run. */
 export function recordingHere(page: Document): Source | null {
   const served = page.querySelector<HTMLMetaElement>('meta[name=recording]');
   if (served) return fromServer(served.content);

@@ -6,9 +6,9 @@ export interface Span {
   readonly to: number;
 }
 
-/** The axis shows no less [s]: a second is then wide enough to tell frames apart. */
+/** Shortest span of the axis, at which single frames can be distinguished [s]. */
 export const LEAST_S = 2;
-/** One step in or out makes the span so many times shorter or longer. */
+/** Factor of the span's length for one step of zoom. */
 export const STEP = 2;
 /** Position of the playhead in a span that moved with it, from the end that it came from. */
 const AHEAD = 0.1;
@@ -17,18 +17,18 @@ export function lengthOf({ from, to }: Span): number {
   return to - from;
 }
 
-/** Where a time lies: 0 at the span's beginning, 1 at its end. */
+/** Position of a time: 0 at the span's start, 1 at its end. */
 export function partOf(span: Span, time: number): number {
   return (time - span.from) / lengthOf(span);
 }
 
-/** So many times shorter, the playhead in its place; never shorter than `LEAST_S`, never longer than the run. */
+/** Shortens the span by a factor around the playhead; not below `LEAST_S`, and not above the run's length. */
 export function zoomed(span: Span, by: number, position: number, duration: number): Span {
   const length = Math.min(Math.max(lengthOf(span) / by, LEAST_S), duration);
   return within(position - partOf(span, position) * length, length, duration);
 }
 
-/** The span itself while the playhead is in it, else one of the same length that has it. */
+/** The span itself if it contains the playhead, or else one of the same length that does. */
 export function following(span: Span, position: number, duration: number): Span {
   if (position >= span.from && position <= span.to) return span;
   const length = lengthOf(span);

@@ -1,4 +1,4 @@
-/** The key that opens the list of strips, of which some are drawn. */
+/** The key that opens the list of strips, from which the user chooses. */
 
 import type { Strip } from '../link/protocol';
 import { button, el, setPressed } from '../panel/parts/dom';
@@ -10,7 +10,7 @@ export class StripChoice {
   private readonly choices;
   private names: readonly string[];
 
-  /** `most`: strips that there is room for. */
+  /** `most`: greatest number of strips. */
   constructor(
     strips: readonly Strip[],
     private readonly most: number,
@@ -31,7 +31,7 @@ export class StripChoice {
     this.mark();
   }
 
-  /** Those drawn, in this order. */
+  /** The chosen strips, in this order. */
   get chosen(): readonly string[] {
     return this.names;
   }

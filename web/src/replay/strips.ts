@@ -7,14 +7,14 @@ import { placeAt, stretched } from './lanes';
 import { shown, withUnit } from './quantity';
 import { partOf, type Span } from './span';
 
-/** Room above and below the curves, as a part of their range. */
+/** Margin above and below the curves, as a part of their range. */
 const MARGIN = 0.08;
 /** Half the height of the curve's value, which stays within its strip. */
 const HALF_TAG = '0.6rem';
 
 export interface StripRow {
   readonly element: HTMLElement;
-  /** The playhead is at that time [s]; the curves' values there, and a word to the last one. */
+  /** Draws the playhead at that time [s], with the curves' values and a word for the last one. */
   at(position: number, values: readonly (number | null)[], word: string, units: Units): void;
 }
 
@@ -33,14 +33,14 @@ export function path({ times_s, values }: Curve, height: (value: number) => numb
   return text;
 }
 
-/** Where a value lies between 0 at the top and 1 at the bottom. */
+/** Position of a value: 0 at the top, 1 at the bottom. */
 export function heights({ low, high, limit }: Strip): (value: number) => number {
   const top = limit !== null && high > limit / 2 ? Math.max(high, limit) : high;
   const range = top - low || Math.abs(top) || 1;
   return (value) => (1 + MARGIN - (value - low) / range) / (1 + 2 * MARGIN);
 }
 
-/** What a strip's values are held against, and how that is drawn. */
+/** Reference values of a strip, and how they are drawn. */
 export function boundsOf({ limit, caution, warning }: Pick<Strip, 'limit' | 'caution' | 'warning'>) {
   const all = [
     { level: 'limit', value: limit },

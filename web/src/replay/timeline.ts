@@ -1,4 +1,4 @@
-/** One time axis and one playhead over lanes and strips; a click or a drag puts the playhead there. */
+/** The time axis and the playhead over lanes and strips; a click or a drag moves the playhead. */
 
 import type { Moment, PlaybackIndex } from '../link/protocol';
 import { el, setAttribute } from '../panel/parts/dom';
@@ -12,7 +12,7 @@ import { type StripRow, stripRow } from './strips';
 /** The strip that names the joint concerned. */
 const NAMES_JOINT = 'Joint rate';
 
-/** What lies over the time axis. */
+/** Lanes and strips over the time axis. */
 export type Timed = Pick<PlaybackIndex, 'lanes' | 'events' | 'strips'>;
 
 export class Timeline {
@@ -72,12 +72,12 @@ export class Timeline {
     return lengthOf(this.span) < this.duration;
   }
 
-  /** So many times more time for the axis' width, about the playhead. */
+  /** Zooms by a factor around the playhead. */
   zoom(by: number, position: number): void {
     this.look(zoomed(this.span, by, position, this.duration));
   }
 
-  /** Draws what is known now of another part of the run. */
+  /** Draws the present data of another part of the run. */
   renew(index: Timed, span: Span): void {
     this.index = index;
     this.span = span;
@@ -90,7 +90,7 @@ export class Timeline {
     this.drawStrips();
   }
 
-  /** Puts the playhead; what is known of the moment there, where it has come. */
+  /** Moves the playhead; `moment` is null if it is not loaded. */
   show(position: number, moment: Pick<Moment, 'values' | 'worst'> | null, units: Units): void {
     this.look(following(this.span, position, this.duration));
     const percent = `${(partOf(this.span, position) * 100).toFixed(3)}%`;
@@ -130,7 +130,7 @@ export class Timeline {
   private seekBy(sought: (position: number) => void): void {
     const seek = (event: PointerEvent) => {
       const { left, width } = this.slider.getBoundingClientRect();
-      const along = Math.min(1, Math.max(0, (event.clientX - left) / width)); // past an edge it stays there
+      const along = Math.min(1, Math.max(0, (event.clientX - left) / width)); // beyond an edge the playhead stays at the edge
       sought(this.span.from + along * lengthOf(this.span));
     };
     this.slider.addEventListener('pointerdown', (event) => {

@@ -7,19 +7,19 @@ import { minutes } from './quantity';
 import { StripChoice } from './strip-choice';
 
 const SPEED_NAMES: Readonly<Record<number, string>> = { 0.25: '¼', 0.5: '½' };
-/** Strips that there is room for. */
+/** Number of strips. */
 const MOST_STRIPS = 4;
 
 export interface TransportListener {
-  /** To the event before or after the playhead. */
+  /** Moves the playhead to the previous or the next event. */
   event(by: 1 | -1): void;
   strips(names: readonly string[]): void;
   desk(): void;
-  /** The monitors show again what they showed in flight. */
+  /** Shows the run's cameras on the monitors again. */
   asFlown(): void;
-  /** The time axis: more of it, or less. */
+  /** Shows less (1) or more (−1) of the time axis. */
   zoom(way: 1 | -1): void;
-  /** Shown in a window of their own. */
+  /** Opens a secondary window. */
   tearOff(what: 'matrix' | 'strips'): void;
 }
 
@@ -52,7 +52,7 @@ export class Transport {
     });
     this.desk = button({ title: 'Show the desk as flown: D' }, ['Desk'], () => listener.desk());
     this.asFlown = button(
-      { title: 'Show the cameras that the monitors showed in flight: A' },
+      { title: 'Show the cameras that the monitors had in the run: A' },
       ['As flown'],
       () => listener.asFlown(),
     );
@@ -111,11 +111,11 @@ export class Transport {
     setClass(this.said, 'caution', troubled);
   }
 
-  /** Whether the monitors follow the recording; null: it does not tell what they showed. */
+  /** Whether the monitors follow the recording; null if it does not contain their cameras. */
   setFollowing(on: boolean | null): void {
     setPressed(this.asFlown, on === true);
     this.asFlown.disabled = on === null;
-    if (on === null) this.asFlown.title = 'This recording does not tell what the monitors showed';
+    if (on === null) this.asFlown.title = 'This recording does not contain the cameras of the monitors';
   }
 
   setZoomed(on: boolean): void {

@@ -22,14 +22,14 @@ export class ReplayWindows {
     window.addEventListener('pagehide', () => this.windows.say({ kind: 'gone' }));
   }
 
-  /** What the page shows. */
+  /** Sends the windows the page's cameras, plane and units. */
   tell(): void {
     const { showsPlane: plane } = this.pictures;
     const { shown: monitors } = this.pictures.monitors;
     this.windows.say({ kind: 'page', monitors, plane, units: this.units(), takesKeys: true });
   }
 
-  /** Position of the playhead, if it has changed since it was last sent. */
+  /** Sends the playhead if it has changed since the last message. */
   tellHead(): void {
     const { position, speed } = this.player;
     const head = `${position} ${speed}`;

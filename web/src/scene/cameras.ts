@@ -15,13 +15,13 @@ const turn = new Quaternion();
 const inverse = new Matrix4();
 const AXES = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)] as const;
 
-/** A place in a picture: 0 to 1 from its left and from its top. */
+/** A position in a picture: 0 to 1 from its left and from its top. */
 export interface Place {
   readonly x: number;
   readonly y: number;
 }
 
-/** A point in a picture; `visible` where it lies in it. */
+/** A point in a picture; `visible` if it is inside the picture. */
 export interface Projected extends Place {
   readonly visible: boolean;
 }
@@ -32,7 +32,7 @@ class Mounted {
   private readonly inBody = new Matrix4();
   private aspect = 0;
   private angle = 0;
-  /** Pan, tilt, horizontal field of view [rad], as put last. */
+  /** Pan, tilt, horizontal field of view [rad], as set last. */
   setting: Vec3;
 
   constructor(
@@ -46,14 +46,14 @@ class Mounted {
     this.look(viewOf(camera, this.setting));
   }
 
-  /** Puts the drives: pan, tilt, horizontal field of view [rad]. */
+  /** Sets the drives: pan, tilt, horizontal field of view [rad]. */
   put(setting: Vec3): void {
     if (setting.every((angle, i) => angle === this.setting[i])) return;
     this.setting = setting;
     this.look(viewOf(this.camera, setting));
   }
 
-  /** Takes a place of the scene into the body's frame. */
+  /** Transform from the scene to the body's frame. */
   get toBody(): Matrix4 {
     return inverse.copy(this.body.group.matrixWorld).invert();
   }
@@ -65,7 +65,7 @@ class Mounted {
     this.angle = angle;
   }
 
-  /** The camera where its body is now; its stated field of view is the horizontal one at every aspect. */
+  /** The camera at its body's present pose; the given field of view is the horizontal one at every aspect. */
   at(aspect: number): PerspectiveCamera {
     const { picture } = this;
     if (this.aspect !== aspect) {
@@ -95,7 +95,7 @@ export class Cameras {
     this.driven = [...this.mounted.values()].filter(({ camera }) => camera.drive !== null);
   }
 
-  /** Puts the drives of those that have any, in order: pan, tilt, horizontal field of view [rad]. */
+  /** Sets the drives of all cameras with drives, in order: pan, tilt, horizontal field of view [rad]. */
   put(views: readonly Vec3[]): void {
     this.driven.forEach((mounted, i) => {
       const view = views[i];
@@ -108,7 +108,7 @@ export class Cameras {
     return this.one(name).setting;
   }
 
-  /** Engineering views go round another thing, at a place of the scene; null: round where they began. */
+  /** Sets the centre of the engineering views, in the scene; null for their start. */
   turnTo(at: Vec3 | null): void {
     for (const [name, orbit] of this.orbits) {
       const one = this.one(name);
@@ -117,7 +117,7 @@ export class Cameras {
     }
   }
 
-  /** What they go round is there now. */
+  /** Moves the centre of the engineering views, in the scene. */
   follow(at: Vec3): void {
     for (const [name, orbit] of this.orbits) {
       const one = this.one(name);
@@ -126,7 +126,7 @@ export class Cameras {
     }
   }
 
-  /** Moves an engineering view: round to the right and upwards [rad], or aside, and nearer by a factor. */
+  /** Rotates an engineering view to the right and upwards [rad], or shifts it if `aside`, and brings it nearer by a factor. */
   orbit(name: string, right: number, upwards: number, nearer: number, aside: boolean): void {
     const orbit = this.orbits.get(name);
     if (!orbit) return;
@@ -136,7 +136,7 @@ export class Cameras {
     this.one(name).look(orbit.view);
   }
 
-  /** The camera at present, for a picture of this width over height. */
+  /** The camera at present; `aspect`: the picture's width over its height. */
   at(name: string, aspect: number): PerspectiveCamera {
     return this.one(name).at(aspect);
   }
@@ -145,7 +145,7 @@ export class Cameras {
     return present(this.mounted.get(name), `camera ${name}`);
   }
 
-  /** Where a point of the scene lies in a camera's picture. */
+  /** Position of a point of the scene in a camera's picture. */
   project(name: string, aspect: number, position: Vec3): Projected {
     const camera = this.at(name, aspect);
     point.set(...position).applyMatrix4(camera.matrixWorldInverse);
@@ -156,8 +156,8 @@ export class Cameras {
   }
 
   /**
-   * Where a straight line of the scene lies in a camera's picture, as far as it is before the camera: its ends,
-   * 0 to 1 from the left and from the top, not cut off at the picture's edges; null: it is all behind it.
+   * Ends of a straight line of the scene in a camera's picture, 0 to 1 from the left and from the top. The part behind the
+   * camera is cut off, parts outside the picture are not; null if the whole line is behind the camera.
    */
   segment(name: string, aspect: number, a: Vec3, b: Vec3): readonly [Place, Place] | null {
     const camera = this.at(name, aspect);

@@ -2,25 +2,25 @@ import { Color, Vector3 } from 'three';
 import { present } from '../basics/assert';
 import type { LightCondition } from '../link/protocol';
 
-/** What comes from sun, Earth and sky: unit directions in the scene, and colours times strength. */
+/** Light of sun, Earth and sky: unit directions in the scene, and colours times strength. */
 export interface Daylight {
   readonly name: string;
   readonly toSun: Vector3;
   readonly nadir: Vector3;
-  /** Full sunlight has 4.1, which is the scale of a file's lamps. */
+  /** Colour times strength; full sunlight has strength 4.1, on the same scale as lamps in files. */
   readonly sun: Color;
   readonly earthshine: Color;
-  /** From the half sphere above the orbiter and from the one below it. */
+  /** Light from the half sphere above the orbiter, and from the one below it. */
   readonly above: Color;
   readonly below: Color;
-  /** Where the exposure begins [stops over that of full sunlight]. */
+  /** Exposure at the start of the condition [stops over full sunlight]. */
   readonly exposure: number;
 }
 
 /** Strength of full sunlight. */
 export const FULL_SUN = 4.1;
 
-/** The condition of a name as it is drawn. */
+/** Light of the condition with this name. */
 export function daylightOf(conditions: readonly LightCondition[], name: string): Daylight {
   const condition = present(
     conditions.find((each) => each.name === name),

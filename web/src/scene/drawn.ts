@@ -1,4 +1,4 @@
-/** What is drawn: which profile, and which pictures where. */
+/** Drawing profile, and pictures with their positions. */
 
 /** `full` is for graphics hardware; `low` is quick where the processor draws. */
 export type Quality = 'full' | 'low';
@@ -10,7 +10,7 @@ export interface Rect {
   readonly height: number;
 }
 
-/** One picture: a camera by name, and where on the canvas it goes [CSS px from its top left]. */
+/** One picture: the camera's name, and the position on the canvas [CSS px from its top left]. */
 export interface View {
   readonly camera: string;
   readonly rect: Rect;

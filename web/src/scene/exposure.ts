@@ -1,17 +1,17 @@
-/** How a camera's exposure follows its picture. All exposures are in stops over that of full sunlight. */
+/** Automatic exposure of a camera from its picture. All exposures are in stops over that of full sunlight. */
 
-/** It goes this far from where the light's condition begins [stops]. */
+/** Greatest difference from the exposure at which the light condition begins [stops]. */
 export const RANGE = 2;
-/** It comes nearer by e in this time [s]. */
+/** Time in which the exposure's error decreases by the factor e [s]. */
 export const TIME_CONSTANT_S = 0.8;
-/** Light that is exposed right at 0 stops: four tenths of what a white blanket in sunlight reflects. */
+/** Light for which 0 stops is the right exposure: four tenths of the light from a white blanket in sunlight. */
 export const KEY = 0.4;
-/** Pause after which, as after a jump back in time, the exposure changes at once [s]. */
+/** Pause after which the exposure changes at once, as after a jump back in time [s]. */
 const PAUSE_S = 2;
 
 /**
- * What a picture's light calls for: the mean of its places, each weighted with itself, so that black space does not
- * count, at `KEY`. Null: nothing can be seen.
+ * Exposure that brings a picture's mean light to `KEY`. Each sample is weighted with itself, so that black space does not
+ * count. Null if the picture is black.
  */
 export function metered(lights: Iterable<number>): number | null {
   let [sum, squares] = [0, 0];
@@ -25,28 +25,28 @@ export function metered(lights: Iterable<number>): number | null {
 /** One camera's exposure. */
 export class Exposure {
   private now: number | null = null;
-  /** The next picture sets it, instead of drawing it near. */
+  /** Whether the next picture sets the exposure at once, not gradually. */
   private anew = true;
   private wanted: number | null = null;
   private at = 0;
   private base = 0;
 
-  /** The present one. */
+  /** The present exposure. */
   get stops(): number {
     return this.now ?? this.base;
   }
 
-  /** It has followed a picture already. */
+  /** Whether the exposure was set from a picture. */
   get settled(): boolean {
     return !this.anew;
   }
 
-  /** The light has changed: set the exposure at once when the next picture is measured. */
+  /** Lets the next picture set the exposure at once, because the light has changed. */
   renew(): void {
     this.anew = true;
   }
 
-  /** Goes on to a time [s] in a light whose exposure begins at `base`; `locked` holds it. */
+  /** Changes the exposure until a time [s]; `base`: exposure at which the light condition begins; `locked`: fixed exposure or null. */
   follow(time: number, base: number, locked: number | null): void {
     const step = time - this.at;
     this.at = time;
@@ -61,7 +61,7 @@ export class Exposure {
     }
   }
 
-  /** Take the exposure that its picture asks for; the first time, set it at once. */
+  /** Takes the exposure that its picture needs; sets it at once the first time. */
   meter(wanted: number | null): void {
     if (wanted !== null) this.wanted = wanted;
     if (this.anew) this.now = this.held(wanted ?? this.base);

@@ -16,10 +16,10 @@ import {
 import type { ClosestPoints } from '../link/protocol';
 import type { Body } from './bodies';
 
-/** Width of the line and of its edge [CSS px]. */
+/** Widths of the line and of its edge [CSS px]. */
 const WIDTH = 2;
 const EDGE = 1.5;
-/** A body this near to a point is one of the two that the point lies between [m]. */
+/** Greatest distance between a closest point and its body [m]. */
 const NEAR = 0.3;
 /** Sides of the plane [m]. */
 const LEAST = 0.6;
@@ -30,7 +30,7 @@ const FORE = new Vector3(1, 0, 0);
 const point = new Vector3();
 const size = new Vector3();
 
-/** The line is widened on the screen; an end behind the camera is moved to just before it. */
+/** Widens the line on the screen, and moves an end behind the camera to just before it. */
 const vertexShader = /* glsl */ `
   uniform vec3 a, b;
   uniform vec2 viewport;
@@ -58,7 +58,7 @@ const fragmentShader = /* glsl */ `
     gl_FragColor = vec4(abs(side) < core ? colour : vec3(0.0), 1.0);
   }`;
 
-/** The line across the narrowest gap where nothing hides it, and, on demand, the plane that separates the two. */
+/** The visible part of the line of minimum clearance, and on demand the separating plane of its two parts. */
 export class Gap {
   private readonly line = new Mesh(quad(), strokeMaterial());
   private readonly plane = new Object3D();
@@ -92,7 +92,7 @@ export class Gap {
     this.set(null, '#ffffff', false);
   }
 
-  /** Draws the gap of a pair in a colour; null: none. `plane`: with the separating plane. */
+  /** Draws the minimum clearance in a colour; null hides it. `plane`: with the separating plane. */
   set(gap: ClosestPoints | null, colour: string, plane: boolean): void {
     this.line.visible = gap !== null;
     this.plane.visible = plane && gap !== null && Math.hypot(...gap.normal) > 0;
@@ -104,7 +104,7 @@ export class Gap {
     if (this.plane.visible) this.turn(gap);
   }
 
-  /** A picture of this size is drawn next [CSS px]. */
+  /** Prepares for a picture of this size [CSS px]. */
   fit(width: number, height: number): void {
     this.line.material.uniforms['viewport']?.value.set(width, height);
   }
@@ -119,7 +119,7 @@ export class Gap {
     this.plane.removeFromParent();
   }
 
-  /** Puts the square halfway between the two, as large as the smaller of them. */
+  /** Places the square halfway between the two bodies, as large as the smaller one. */
   private turn(gap: ClosestPoints): void {
     const { plane } = this;
     const normal = new Vector3(...gap.normal);

@@ -13,19 +13,19 @@ import {
 } from 'three';
 import type { Body } from './bodies';
 
-/** As what is commanded. */
+/** Colour, as that of commanded values. */
 const BLUE = '#78bdf7';
-/** How much it covers what is behind it: where it is seen straight on, where it turns away, and along its edges. */
+/** Opacity of faces seen straight on, of faces that turn away, and of edges. */
 const FILL = '0.16';
 const RIM = '0.9';
 const EDGE = 0.5;
-/** It comes and goes in this time [s]. */
+/** Time in which it appears and disappears [s]. */
 const FADE_S = 0.15;
-/** Faces that meet at more than this have an edge [deg]. */
+/** Least angle between two faces with an edge [deg]. */
 const CORNER = 30;
-/** A body that goes less far than this, and turns less, has no ghost: it would only flicker on the body [m, rad]. */
+/** Least motion for which a body has a ghost; below it the ghost would flicker on the body [m, rad]. */
 const STIRS = 0.02;
-/** Numbers a body in a look ahead's poses. */
+/** Numbers for each body in the look-ahead's poses. */
 const POSE = 7;
 
 const ONE = new Vector3(1, 1, 1);
@@ -42,7 +42,7 @@ const vertexShader = /* glsl */ `
     gl_Position = projectionMatrix * at;
   }`;
 
-/** Tubes and cans have few edges: what turns away from the eye draws their outline. */
+/** Tubes have few edges, so that faces which turn away from the camera draw their outline. */
 const fragmentShader = /* glsl */ `
   varying vec3 ray, n;
   uniform vec3 colour;
@@ -52,7 +52,7 @@ const fragmentShader = /* glsl */ `
     gl_FragColor = vec4(colour, shown * mix(FILL, RIM, turned));
   }`;
 
-/** The arm, and what it carries, where holding the sticks would take them. */
+/** The arm and its payload at the pose of the look-ahead. */
 export class Ghost {
   private readonly fill = new ShaderMaterial({
     defines: { FILL, RIM },
@@ -88,7 +88,7 @@ export class Ghost {
     this.setVisible(false);
   }
 
-  /** Puts it there: seven numbers a body, as in `Frame.poses`; null: it fades away. */
+  /** Sets its poses: seven numbers for each body, as in `Frame.poses`; null lets it fade. */
   set(poses: readonly number[] | null, now: number): void {
     const step = Math.max(0, now - this.at) / 1000 / FADE_S;
     this.at = now;
@@ -109,7 +109,7 @@ export class Ghost {
     });
   }
 
-  /** Whether the pictures drawn next show it. */
+  /** Sets whether the pictures drawn next show it. */
   setVisible(on: boolean): void {
     for (const { part, moves } of this.parts) part.visible = on && moves && this.shown > 0;
   }

@@ -1,15 +1,15 @@
 import type { WebGLRenderer } from 'three';
 import type { Rect } from './drawn';
 
-/** The middle of a picture, of its width and height. */
+/** Metered middle of a picture, as a part of its width and height. */
 const MIDDLE = 0.6;
-/** Rows looked at, and places in each. */
+/** Number of metered rows, and of samples in each. */
 const ROWS = 9;
 const PLACES = 16;
 
 interface Look {
   readonly camera: string;
-  /** Of that picture: what light was multiplied by. */
+  /** Factor of light in that picture. */
   readonly factor: number;
   readonly width: number;
   readonly done: WebGLSync;
@@ -17,20 +17,20 @@ interface Look {
 
 export interface Seen {
   readonly camera: string;
-  /** Light of the scene in places of the picture, of its strongest colour, so that none is washed out. */
+  /** Light of the scene at samples of the picture, for the strongest colour, so that no colour is overexposed. */
   readonly lights: readonly number[];
 }
 
 /**
- * Looks at a few rows of a picture that was drawn: they are asked for now, and collected at a later picture, when they
- * are there.
+ * Meters a few rows of a picture that was drawn. The rows are requested at once and collected at a later picture, when
+ * they are available.
  */
 export class Meter {
   private readonly gl: WebGL2RenderingContext;
   private buffer: WebGLBuffer | null = null;
   private look: Look | null = null;
 
-  /** `lightOf`: light times exposure, by the byte that shows it. */
+  /** `lightOf`: light times exposure, by the byte in the picture. */
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly lightOf: readonly number[],
@@ -38,12 +38,12 @@ export class Meter {
     this.gl = renderer.getContext() as WebGL2RenderingContext;
   }
 
-  /** It can look at a picture. */
+  /** Whether no request is pending. */
   get free(): boolean {
     return this.look === null;
   }
 
-  /** Asks for the picture just drawn in a part of the canvas so high [CSS px]. */
+  /** Requests the picture just drawn at `rect`; `canvas`: the canvas' height [CSS px]. */
   ask(camera: string, { left, top, width, height }: Rect, canvas: number, factor: number): void {
     const { gl } = this;
     const ratio = this.renderer.getPixelRatio();
@@ -68,7 +68,7 @@ export class Meter {
     this.look = { camera, factor, width: wide, done };
   }
 
-  /** What was asked for, once it is there. */
+  /** The requested light, once it is available; null before. */
   collect(): Seen | null {
     const { gl, look } = this;
     if (!look) return null;
@@ -82,7 +82,7 @@ export class Meter {
     return { camera: look.camera, lights: lightsIn(bytes, look, this.lightOf) };
   }
 
-  /** What was asked for is of no use: the light is another. */
+  /** Discards the pending request, because the light has changed. */
   forget(): void {
     if (this.look) this.gl.deleteSync(this.look.done);
     this.look = null;

@@ -1,18 +1,18 @@
-/** The engineering view: an eye that goes round a place or a thing, moved freely by mouse and keys. */
+/** The engineering view: a camera that rotates around a centre, moved by mouse and keys. */
 
 import { type Matrix4, Vector3 } from 'three';
 import { clamp } from '../basics/clamp';
 import type { Camera, Vec3 } from '../link/protocol';
 import type { View } from './view';
 
-/** It does not look straight down or up, where left and right would change sides [rad]. */
+/** Greatest elevation; at 90° left and right would be undefined [rad]. */
 const STEEPEST = 1.45;
 const UP = new Vector3(0, 0, 1);
 const [NEAREST, FARTHEST] = [1.5, 120];
 const [way, across] = [new Vector3(), new Vector3()];
 
 export class Orbit {
-  /** What it goes round, in its body's frame [m]: where it began, or what it follows; and how far it is shifted. */
+  /** Its centre in its body's frame [m], and the shift of the view. */
   private readonly place: Vector3;
   private readonly middle: Vector3;
   private readonly shifted = new Vector3();
@@ -20,7 +20,7 @@ export class Orbit {
   private heading: number;
   private rise: number;
 
-  /** Start from the camera's pose; it looks at a point over the origin of its body. */
+  /** Starts from the camera's pose; the centre is a point over the origin of its body. */
   constructor(private readonly camera: Camera) {
     const eye = new Vector3(...camera.position);
     const look = way.set(...camera.boresight).normalize();
@@ -31,25 +31,25 @@ export class Orbit {
     this.rise = Math.asin(-look.z);
   }
 
-  /** Goes round, to the right and upwards [rad]. */
+  /** Rotates to the right and upwards [rad]. */
   turn(right: number, upwards: number): void {
     this.heading += right;
     this.rise = clamp(this.rise + upwards, -STEEPEST, STEEPEST);
   }
 
-  /** Goes round another thing, in the middle of the picture; null: the place where it began. */
+  /** Sets the centre, and puts it into the middle of the picture; null for the start. */
   turnTo(at: Vec3 | null, toBody: Matrix4): void {
     this.shifted.set(0, 0, 0);
     this.middle.copy(this.place);
     if (at) this.follow(at, toBody);
   }
 
-  /** What it goes round is there now, in the scene. */
+  /** Moves the centre, in the scene. */
   follow([x, y, z]: Vec3, toBody: Matrix4): void {
     this.middle.set(x, y, z).applyMatrix4(toBody);
   }
 
-  /** Shifts to the right and upwards, as far as what is in the middle then seems to go by such an angle of a drag. */
+  /** Shifts the view to the right and upwards, by a distance for which the centre seems to follow a drag of these angles. */
   shift(right: number, upwards: number): void {
     const [x, y, z] = this.view.boresight;
     const wide = (2 * this.distance * Math.tan(this.camera.field_of_view / 2)) / Math.PI;
@@ -59,7 +59,7 @@ export class Orbit {
     this.shifted.addScaledVector(across.cross(way), upwards * wide);
   }
 
-  /** Comes nearer by a factor: 2 halves the distance. */
+  /** Brings the camera nearer by a factor: 2 halves the distance. */
   approach(factor: number): void {
     this.distance = clamp(this.distance / factor, NEAREST, FARTHEST);
   }

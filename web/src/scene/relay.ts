@@ -1,4 +1,4 @@
-/** Where the processor draws: what was drawn is read back once it is there, and put on the page then. */
+/** Without a graphics card: pictures are read back once they are drawn, and then put on the page. */
 
 import type { WebGLRenderer } from 'three';
 import { present } from '../basics/assert';
@@ -17,8 +17,8 @@ interface Part {
 }
 
 /**
- * A canvas with pictures of WebGL's, where no graphics card draws. Such a canvas holds up its page until the processor
- * has drawn; here the page goes on meanwhile, with what it has to write, and with keys that are pressed.
+ * Brings WebGL pictures to the page if no graphics card draws them. A WebGL canvas would block its page until the
+ * processor has drawn; with this class the page handles keys and texts meanwhile.
  */
 export class Relay {
   private readonly gl: WebGL2RenderingContext;
@@ -30,7 +30,7 @@ export class Relay {
   private done: WebGLSync | null = null;
   private readonly ended = new AbortController();
 
-  /** From what the renderer draws on, to what the page shows. */
+  /** From the renderer's canvas to the page's canvas. */
   constructor(
     private readonly renderer: WebGLRenderer,
     shown: HTMLCanvasElement,
@@ -53,7 +53,7 @@ export class Relay {
     canvas.fillRect(0, 0, width, height);
   }
 
-  /** A part of the canvas so high was drawn [CSS px]. */
+  /** Adds a part of the canvas that was drawn; `height` of the canvas [CSS px]. */
   add({ left, top, width, height }: Rect, canvas: number): void {
     const ratio = this.renderer.getPixelRatio();
     const [x, y, wide, high] = [left, canvas - top - height, width, height].map((side) =>
@@ -64,7 +64,7 @@ export class Relay {
     this.parts.push({ x, y, width: wide, height: high, first });
   }
 
-  /** Asks for all parts added, from what is drawn by now. */
+  /** Requests the pixels of all added parts. */
   send(): void {
     const { gl, parts } = this;
     const last = parts.at(-1);
@@ -84,7 +84,7 @@ export class Relay {
     if (!this.done) this.lose();
   }
 
-  /** Puts on the page what was asked for, if it is there; false: it is still being drawn. */
+  /** Puts the requested pixels on the page; returns false if they are still being drawn. */
   put(): boolean {
     const { gl, done } = this;
     if (!done) return true;
@@ -114,7 +114,7 @@ export class Relay {
     this.gl.deleteBuffer(this.buffer);
   }
 
-  /** WebGL's rows go upwards, the page's downwards. */
+  /** Reverses the rows, which WebGL counts upwards and the page downwards. */
   private show({ x, y, width, height, first }: Part): void {
     const { canvas } = this;
     const picture = canvas.createImageData(width, height);
@@ -126,7 +126,7 @@ export class Relay {
     canvas.putImageData(picture, x, canvas.canvas.height - y - height);
   }
 
-  /** The context is gone, and with it what was asked for. */
+  /** Discards requests, because the context is lost. */
   private lose(): void {
     this.done = this.buffer = null;
     this.size = 0;

@@ -5,15 +5,15 @@ import type { Camera, Vec3 } from '../link/protocol';
 import type { Body } from './bodies';
 import type { Cameras } from './cameras';
 
-/** A picture's width over its height, for what counts as within it. */
+/** Width over height of the picture within which a point counts as visible. */
 export const ASPECT = 1.5;
-/** Points of a picture, from -1 to 1 to the right and upwards. */
+/** Sample points of a picture, from -1 to 1 to the right and upwards. */
 const SPREAD = [-0.75, -0.25, 0.25, 0.75].flatMap((x) => [-0.7, 0, 0.7].map((y) => [x, y] as const));
-/** Nothing farther away is looked for [m]. */
+/** Range of visibility [m]. */
 const FARTHEST = 400;
-/** Where a line is looked at, from one end to the other. */
+/** Sample points of a line, from one end to the other. */
 const ALONG = [0.5, 0.2, 0.8] as const;
-/** A hit this much before the point is the point's own surface [m]. */
+/** Distance before a point within which a hit is the point's own surface [m]. */
 const OWN = 0.02;
 
 const ray = new Raycaster();
@@ -32,7 +32,7 @@ export class Sight {
     );
   }
 
-  /** The bodies at places all over its picture: what is too near for its box to be in it, or shows a part alone. */
+  /** Bodies at sample points of the picture, which include near bodies of which only a part is in the picture. */
   ahead(camera: Camera): ReadonlySet<string> {
     const seen = this.cameras.at(camera.name, ASPECT);
     const found = new Set<string>();
@@ -46,7 +46,7 @@ export class Sight {
     return found;
   }
 
-  /** Whether it sees any of a line of the scene, but for its ends, which lie on what they belong to. */
+  /** Whether the camera sees any part of a line of the scene, except its ends, which are on their bodies. */
   line(camera: Camera, a: Vec3, b: Vec3): boolean {
     return ALONG.some((part) => {
       const place = between(a, b, part);
@@ -54,14 +54,14 @@ export class Sight {
     });
   }
 
-  /** For each end of a line of the scene, whether it is visible. */
+  /** Whether each end of a line of the scene is visible. */
   ends(camera: Camera, a: Vec3, b: Vec3): readonly [boolean, boolean] {
     const [, ...near] = ALONG;
     const [first = false, last = false] = near.map((part) => this.clear(camera, between(a, b, part), null));
     return [first, last];
   }
 
-  /** Whether it sees any of a body: the middle of its box, or of one of the box's faces. */
+  /** Whether the camera sees a body: the middle of its box, or of one of the box's faces. */
   body(camera: Camera, name: string): boolean {
     const body = this.bodies.find(({ group }) => group.name === name);
     if (!body || camera.body === name) return false;
@@ -72,13 +72,13 @@ export class Sight {
     });
   }
 
-  /** Position of its lens in the scene. */
+  /** Position of the camera's lens in the scene. */
   lens({ name }: Camera): Vec3 {
     const { x, y, z } = lens.setFromMatrixPosition(this.cameras.at(name, ASPECT).matrixWorld);
     return [x, y, z];
   }
 
-  /** Direction of its view in the scene. */
+  /** Direction of the camera's view in the scene. */
   direction({ name }: Camera): Vec3 {
     const { x, y, z } = axis.set(0, 0, -1).transformDirection(this.cameras.at(name, ASPECT).matrixWorld);
     return [x, y, z];
@@ -92,7 +92,7 @@ export class Sight {
     return Math.abs(x) <= wide * pane.width && Math.abs(y) <= wide * pane.height;
   }
 
-  /** True if nothing but `own` is between the lens and a point. */
+  /** Whether nothing except `own` is between the lens and a point. */
   private clear(camera: Camera, place: Vec3, own: Body | null): boolean {
     const seen = this.cameras.at(camera.name, ASPECT);
     lens.setFromMatrixPosition(seen.matrixWorld);
@@ -128,7 +128,7 @@ export class Sight {
   }
 }
 
-/** A place on a line, from one end to the other. */
+/** A point on a line, from one end (0) to the other (1). */
 function between(a: Vec3, b: Vec3, part: number): Vec3 {
   const [x = 0, y = 0, z = 0] = a.map((value, i) => value + part * ((b[i] ?? 0) - value));
   return [x, y, z];

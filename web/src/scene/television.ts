@@ -15,7 +15,7 @@ import {
 } from 'three';
 import type { Rect } from './drawn';
 
-/** Of the noise, from its mean to its edge, of white. */
+/** Amplitude of the noise, as a part of white. */
 const NOISE = '0.07';
 
 const vertexShader = /* glsl */ `
@@ -51,7 +51,7 @@ export class Television {
     depthWrite: false,
     blending: NoBlending,
   });
-  /** What is to be changed, by its size: halves and whole monitors are drawn in turn. */
+  /** Textures by their size, because halves and whole monitors are drawn in turn. */
   private readonly textures = new Map<string, FramebufferTexture>();
   private readonly corner = new Vector2();
 
@@ -79,7 +79,7 @@ export class Television {
     renderer.render(this.stage, this.camera);
   }
 
-  /** Pictures have other sizes from now on. */
+  /** Drops the textures, because pictures have other sizes from now on. */
   forget(): void {
     for (const texture of this.textures.values()) texture.dispose();
     this.textures.clear();

@@ -1,9 +1,9 @@
-/** Where a camera looks from and to with its drives at a setting; the same law as `bodies/cameras.py`. */
+/** View of a camera with its drives at a setting; the same formulas as `bodies/cameras.py`. */
 
 import { Vector3 } from 'three';
 import type { Camera, Vec3 } from '../link/protocol';
 
-/** What a camera shows, in its body's frame. */
+/** A camera's view, in its body's frame. */
 export interface View {
   readonly position: Vec3;
   readonly boresight: Vec3;

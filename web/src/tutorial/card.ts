@@ -1,4 +1,4 @@
-/** The tutorial's card, over the groups that a beginner does not need. */
+/** The tutorial's card, which covers groups that a beginner does not need. */
 
 import type { InHand } from '../input/active-device';
 import { button, el, setClass, setText } from '../panel/parts/dom';
@@ -7,14 +7,14 @@ import { isOver, type Progress } from './progress';
 import { type Cap, STEPS } from './steps';
 import { pieces } from './words';
 
-/** What is always true here. */
-const NOTE = 'Nothing can break here. {stop} stops all motion.';
+/** Note under every step. */
+const NOTE = 'You cannot damage anything here. {stop} stops all motion.';
 
 export interface CardListener {
   back(): void;
   skip(): void;
   close(): void;
-  /** Turns the rotary to where the tutorial is flown, and enters it. */
+  /** Enters the tutorial's mode. */
   enterMode(): void;
 }
 
@@ -77,7 +77,7 @@ export class Card {
     setText(this.title, title);
     this.write(words, over);
     this.mode.hidden = over || astray === '';
-    setText(this.modeWords, `The mode is ${astray}: here you fly in END EFF.`);
+    setText(this.modeWords, `The mode is ${astray}; this step needs END EFF.`);
     this.note.hidden = !this.mode.hidden;
     const following = STEPS[at + 1]?.title.toLowerCase() ?? '';
     setText(this.next, following && `Next: ${following}`);
@@ -85,7 +85,7 @@ export class Card {
     this.skip.disabled = over;
   }
 
-  /** Caps light as they are pressed, at picture rate. */
+  /** Lights the caps of pressed keys, at picture rate. */
   light(): void {
     const { device } = this.inHand;
     for (const { use, cap } of this.lights) setClass(cap, 'held', this.inHand.holds(use));

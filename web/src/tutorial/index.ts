@@ -1,4 +1,4 @@
-/** The tutorial: six steps of a first capture, each ended by doing it, in the scenario that is made for it. */
+/** The tutorial: six steps of a first capture in a scenario of its own; each step ends when the operator has done it. */
 
 import type { InHand } from '../input/active-device';
 import type { Action } from '../input/keymap';
@@ -12,10 +12,10 @@ import { Card } from './card';
 import { BEGIN, back, looked, type Progress, seen, skip } from './progress';
 import { STEPS } from './steps';
 
-/** The built-in scenario that it is flown in, and the mode. */
+/** Its built-in scenario, and its mode. */
 export const SCENARIO = 'tutorial';
 const MODE = 'END EFF';
-/** Kept in the browser: that it has opened, or was asked for; one that keeps nothing is shown it each time. */
+/** Stored in the browser: whether it was opened before. Without storage it opens at each visit. */
 const KEY = 'aftdeck.tutorial';
 const OPENED = 'opened';
 const LOOKS: ReadonlySet<Action['name']> = new Set([
@@ -27,14 +27,14 @@ const LOOKS: ReadonlySet<Action['name']> = new Set([
 ]);
 
 export class Tutorial {
-  /** For the rail: goes to the tutorial's scenario, or opens and closes its guide there. */
+  /** Key for the rail: loads the tutorial's scenario, or opens and closes the guide in it. */
   readonly key: HTMLButtonElement;
   private readonly card: Card;
   private readonly ended = new AbortController();
   private readonly payload: number;
   private progress: Progress = BEGIN;
   private open = false;
-  /** It may still open by itself. */
+  /** Whether it may still open by itself. */
   private unasked: boolean;
   private drawn = '';
 
@@ -46,7 +46,7 @@ export class Tutorial {
     const { welcome } = desk;
     this.unasked = this.offered && keeper.getItem(KEY) !== OPENED;
     const name = this.offered ? 'Guide' : 'Tutorial';
-    this.key = button({ title: 'A first capture, in six steps' }, [name], () => this.toggle());
+    this.key = button({ title: 'Learn a first capture in six steps' }, [name], () => this.toggle());
     this.payload = welcome.bodies.findIndex(({ name }) => name === welcome.work.cargo[0]);
     this.card = new Card(this.inHand, {
       back: () => this.go(back(this.progress)),
@@ -66,14 +66,14 @@ export class Tutorial {
     return this.card.element;
   }
 
-  /** A scenario is asked for: with the tutorial's own comes its guide, at once where that is flown already. */
+  /** Takes the choice of a scenario; opens the guide for the tutorial's own, at once if it is loaded. */
   chosen(scenario: string): void {
     if (scenario !== SCENARIO) return;
     if (this.offered) this.show(true);
     else keeper.setItem(KEY, 'asked');
   }
 
-  /** What the operator does besides flying. */
+  /** Takes an action of the operator. */
   acted({ name }: Action): void {
     if (LOOKS.has(name)) this.progress = looked(this.progress);
   }
@@ -138,19 +138,19 @@ export class Tutorial {
   }
 }
 
-/** The closing title and words: when the payload came free [s], or that it has not (null). */
+/** Closing title and words; `flown`: time at which the payload was free [s], null if it is not. */
 export function farewell(flown: number | null): readonly [title: string, words: string] {
   if (flown === null)
     return [
-      'To be flown yet',
-      'That was the whole way, but the payload is still in the bay. Go back to where you left off, or put everything ' +
-        'back with *Restart* and fly it from the start.',
+      'Not complete yet',
+      'These were all steps, but the payload is still in the bay. Go back to a skipped step, or press *Restart* ' +
+        'to begin again.',
     ];
   const [minutes, seconds] = [Math.floor(flown / 60), Math.floor(flown % 60)];
   const took = minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`;
   return [
-    'Well flown',
-    `The payload is captured and out of its latches, ${took} after the start. Close the guide and fly on: turn it, put it back, ` +
-      'let it go. *Keys ?* shows all keys; *Restart* puts everything back.',
+    'Complete',
+    `The payload is captured and out of its latches, ${took} after the start. Close the guide and continue: rotate it, berth it, ` +
+      'release it. *Keys ?* shows all keys; *Restart* begins again.',
   ];
 }

@@ -1,10 +1,10 @@
-/** A pad of the browser's standard mapping, drawn: what matters is outlined, what is held is lit. */
+/** Drawing of a pad with the browser's standard mapping: the controls of the step are outlined, held ones are lit. */
 
 import { isDown } from '../input/active-device';
 import type { Device } from '../input/device';
 import { setAttribute, setClass, svg } from '../panel/parts/dom';
 
-/** Round parts: sources that stand for it, centre and radius. */
+/** Round parts: sources, centre and radius. */
 const ROUND: readonly (readonly [sources: string, x: number, y: number, r: number])[] = [
   ['a0 a1 b10', 55, 52, 15],
   ['a2 a3 b11', 122, 80, 15],
@@ -15,7 +15,7 @@ const ROUND: readonly (readonly [sources: string, x: number, y: number, r: numbe
   ['b8', 87, 46, 4.5],
   ['b9', 113, 46, 4.5],
 ];
-/** Square ones: left, top, width, height. */
+/** Rectangular parts: left, top, width, height. */
 const SQUARE: readonly (readonly [sources: string, x: number, y: number, w: number, h: number])[] = [
   ['b6', 36, 3, 36, 10],
   ['b7', 128, 3, 36, 10],
@@ -28,7 +28,7 @@ const SQUARE: readonly (readonly [sources: string, x: number, y: number, w: numb
 ];
 const BODY =
   'M40 27 H160 C180 27 187 52 192 84 C196 112 178 120 164 106 L150 96 H50 L36 106 C22 120 4 112 8 84 C13 52 20 27 40 27 Z';
-/** How far a drawn stick leans at full deflection. */
+/** Shift of a drawn stick at full deflection. */
 const LEAN = 7;
 
 export function padDrawing() {
@@ -48,7 +48,7 @@ export function padDrawing() {
   );
   return {
     element,
-    /** `wanted`: the sources that this step is flown with. */
+    /** `wanted`: sources for this step. */
     set(device: Device, wanted: ReadonlySet<string>) {
       for (const each of parts) {
         setClass(

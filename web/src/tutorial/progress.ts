@@ -1,23 +1,23 @@
-/** How far a beginner has come: plain data, taken on by what the frames show. */
+/** Progress in the tutorial: plain data, updated from the frames. */
 
 import type { Frame, Vec3 } from '../link/protocol';
 import { held, isFree, STEPS } from './steps';
 
 export interface Progress {
-  /** The present step; as many as there are: all are done. */
+  /** Index of the present step; the number of steps once all are complete. */
   readonly at: number;
-  /** Where the tip was when this step began; null: not seen yet. */
+  /** Position of the tip at the start of this step; null if not known yet. */
   readonly from: Vec3 | null;
   readonly looked: boolean;
-  /** This step was complete before; it ends only when it is repeated. */
+  /** Whether this step was complete before; it then ends only when it is repeated. */
   readonly again: boolean;
-  /** Steps skipped, and not done since. */
+  /** Steps that were skipped and not completed since. */
   readonly skipped: ReadonlySet<number>;
-  /** Height of the payload in its seat, or where it was first seen [m]; null: not seen yet. */
+  /** Height of the payload in its berth, or of its first position [m]; null if not known yet. */
   readonly seat: number | null;
-  /** When everything was flown [s]; null: not yet. */
+  /** Time at which everything was complete [s]; null before. */
   readonly flown: number | null;
-  /** The frame seen last. */
+  /** The last frame. */
   readonly tick: number;
 }
 
@@ -37,7 +37,7 @@ export function isOver({ at }: Progress): boolean {
   return at >= STEPS.length;
 }
 
-/** Take the next frame, with the payload's `height` [m]. A restart of the run restarts the tutorial. */
+/** Takes the next frame, with the payload's `height` [m]. A restart of the run restarts the tutorial. */
 export function seen(before: Progress, now: Frame, height: number): Progress {
   if (now.tick < before.tick) return seen(BEGIN, now, height);
   const first = before.tick < 0 && held(now);
@@ -53,7 +53,7 @@ export function seen(before: Progress, now: Frame, height: number): Progress {
   return ended({ ...enter(after, at + 1), skipped }, now);
 }
 
-/** The operator has changed a picture. */
+/** Records that the operator has changed a picture. */
 export function looked(before: Progress): Progress {
   return { ...before, looked: true, again: false };
 }

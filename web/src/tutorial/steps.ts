@@ -1,6 +1,6 @@
 /**
- * The six steps of a first capture: what each asks for, what it is flown with, and by what the frames show that it is
- * done. `{+X}` in words stands for whatever moves +X on the device in use; `*…*` is something that the desk shows.
+ * The six steps of a first capture: their instructions, their controls, and how frames show that a step is complete.
+ * `{+X}` in words is the control for +X on the device in use; `*…*` is a text on the desk.
  */
 
 import type { Condition, Frame, Vec3 } from '../link/protocol';
@@ -8,13 +8,13 @@ import { conditionText } from '../words/condition-text';
 import { small } from '../words/format';
 import type { Units } from '../words/units';
 
-/** What is known of the flight since a step began. */
+/** Progress since a step began. */
 export interface Since {
-  /** Where the tip was, panel components [m]. */
+  /** Position of the tip at its start, panel components [m]. */
   readonly from: Vec3;
-  /** The operator has changed a picture, or taken the other monitor in hand. */
+  /** Whether the operator has changed a picture or selected the other monitor. */
   readonly looked: boolean;
-  /** How far the payload has come up out of its seat [m]. */
+  /** Height of the payload above its berth [m]. */
   readonly lifted: number;
 }
 
@@ -23,7 +23,7 @@ export interface Step {
   readonly title: string;
   /** Instruction for the present state. */
   words(now: Frame, units: Units): string;
-  /** Uses that matter now, and what each does here. */
+  /** Uses for the present state, and their effects. */
   caps(now: Frame): readonly Cap[];
   /** The desk's groups concerned. */
   readonly groups: readonly ('thc' | 'conditions' | 'effector')[];
@@ -32,14 +32,14 @@ export interface Step {
 
 export type Cap = readonly [use: string, does: string];
 
-/** The tip has moved when it has come this far [m]. */
+/** Least distance for which the tip counts as moved [m]. */
 export const MOVED = 0.3;
-/** Height above its seat from which on the payload counts as lifted [m]. */
+/** Least height above its berth for which the payload counts as lifted [m]. */
 export const LIFTED = 1;
-/** Lined up means as near to the axis as this part of what capture allows. */
+/** Greatest distance from the axis that counts as aligned, as a part of the capture limit. */
 export const MIDDLE = 0.5;
 
-/** By place on the keyboard, as the left hand has them. */
+/** In the order of their positions on the keyboard. */
 const MOVERS: readonly Cap[] = [
   ['-Z', 'up'],
   ['+X', 'closer'],
@@ -54,8 +54,8 @@ export const STEPS: readonly Step[] = [
     name: 'look',
     title: 'Look around',
     words: () =>
-      'Each monitor shows a camera. *WR*, the wrist camera, looks along the end effector, at the pin that it shall take. ' +
-      'Put another camera on the monitor in hand: press {cameraStep +} or click one under a picture.',
+      'Each monitor shows a camera. *WR*, the wrist camera, looks along the end effector, at the pin to capture. ' +
+      'Put another camera on the selected monitor: press {cameraStep +} or click a name under a picture.',
     caps: () => [
       ['cameraStep +', 'next camera'],
       ['otherMonitor', 'other monitor'],
@@ -67,8 +67,8 @@ export const STEPS: readonly Step[] = [
     name: 'move',
     title: 'Move the arm',
     words: () =>
-      'The end effector goes where its own camera looks: {+X} into the picture of *WR*, {-X} back out of it, the others ' +
-      'across it. Hold one for some seconds and watch both pictures.',
+      '{+X} moves the end effector into the picture of *WR*, its own camera; {-X} moves it back, the other keys ' +
+      'move it sideways. Hold one for some seconds and watch both pictures.',
     caps: () => MOVERS,
     groups: ['thc'],
     done: (now, { from }) => distance(now.display.actual.position, from) >= MOVED,
@@ -80,8 +80,8 @@ export const STEPS: readonly Step[] = [
       const off = offAxis(now);
       const near = off ? `under ${small(MIDDLE * off.limit, units.gap)} ${units.gap.name}` : 'small';
       return (
-        'Slide until the ball on the dark target stands in the middle of *WR*, and let go once *pin off axis* below is ' +
-        `${near}; *to pin* beside it tells the way. {rate} changes to slow rates, and back.`
+        'Move sideways until the ball on the dark target is in the middle of *WR*. Release the stick once *pin off axis* below is ' +
+        `${near}; *to pin* beside it shows the directions. {rate} changes to slow rates, and back.`
       );
     },
     caps: () => [
@@ -101,8 +101,8 @@ export const STEPS: readonly Step[] = [
     words: (now, units) =>
       lined(now)
         ? `Hold {+X} until *pin depth* has its tick too. Go slowly over the last ${units.name === 'SI' ? '30 cm' : 'foot'}: {rate}. ` +
-          'Too far? {-X} takes you back.'
-        : `Off the line again: ${wanting(now, units)}. Slide back until every condition but *pin depth* has its tick.`,
+          'Too far? {-X} moves back.'
+        : `No longer aligned: ${wanting(now, units)}. Move sideways until every condition except *pin depth* has its tick.`,
     caps: () => MOVERS,
     groups: ['thc', 'conditions'],
     done: (now) => held(now) || met(now),
@@ -112,11 +112,10 @@ export const STEPS: readonly Step[] = [
     title: 'Capture it',
     words: (now, units) => {
       if (now.work.hand.flags.includes('CLOSE'))
-        return 'The snares have closed on nothing. Hold {open} for a second to open them, then try again.';
-      if (now.work.hand.switch === 'close') return 'The snares close round the pin.';
-      if (!met(now))
-        return `Not yet: ${wanting(now, units)}. Bring it back until every condition has its tick.`;
-      return 'The pin stands between the snares. Hold {close} until its bar is full: they close round it.';
+        return 'The snares have closed without the pin. Hold {open} for a second to open them, then try again.';
+      if (now.work.hand.switch === 'close') return 'The snares are closing on the pin.';
+      if (!met(now)) return `Not yet: ${wanting(now, units)}. Move until every condition has its tick.`;
+      return 'The pin is between the snares. Hold {close} until its bar is full: the snares close on the pin.';
     },
     caps: () => [
       ['close', 'capture'],
@@ -129,16 +128,16 @@ export const STEPS: readonly Step[] = [
     name: 'lift',
     title: 'Lift it out',
     words: (now, units) => {
-      if (!held(now)) return 'The payload is no longer held. Go back, and capture it once more.';
+      if (!held(now)) return 'The payload is no longer captured. Go back, and capture it again.';
       if (!now.work.hand.flags.includes('RIGID'))
-        return 'You have it. The end effector draws the pin in and pulls tight: wait for *RIGID*.';
+        return 'The pin is captured, and the end effector rigidizes: wait for *RIGID*.';
       if (!isFree(now))
-        return 'Latches still hold the payload. Hold {latch} for a second: they let go, which takes half a minute.';
+        return 'Latches still hold the payload. Hold {latch} for a second: they release it, which takes half a minute.';
       const high = units.name === 'SI' ? '1 m' : '40 in';
       const fast = now.rate === 'vernier' ? ' {rate} changes to fast rates.' : '';
       return (
-        'Free. Hold {-X}: the end effector backs up, and the payload comes with it, until it stands ' +
-        `${high} above its seat.${fast}${besides(now)}`
+        'The payload is free. Hold {-X} to move back and lift it, until it is ' +
+        `${high} above its berth.${fast}${besides(now)}`
       );
     },
     caps: (now) =>
@@ -157,12 +156,12 @@ export function held({ work }: Frame): boolean {
   return work.cargo.some((cargo) => cargo.held);
 }
 
-/** The payload is held and out of its latches. */
+/** Whether the payload is captured and unlatched. */
 export function isFree(now: Frame): boolean {
   return held(now) && !now.work.cargo.some((cargo) => cargo.held && cargo.seat !== '');
 }
 
-/** Only the way to the pin is left. */
+/** Whether all conditions hold, except perhaps the distance to the pin. */
 function lined({ work: { conditions } }: Frame): boolean {
   return conditions.length > 0 && conditions.every(({ name, holds }) => holds || name === 'pin depth');
 }
@@ -171,7 +170,7 @@ function met({ work: { conditions } }: Frame): boolean {
   return conditions.length > 0 && conditions.every(({ holds }) => holds);
 }
 
-/** Lined up, and well within the bound: what drifts on the way in has room. */
+/** Whether the end effector is aligned, with a margin for drift on the way to the pin. */
 function centred(now: Frame): boolean {
   const off = offAxis(now);
   return lined(now) && off !== undefined && off.value <= MIDDLE * off.limit;
@@ -181,11 +180,11 @@ function offAxis({ work: { conditions } }: Frame): Condition | undefined {
   return conditions.find(({ name }) => name === 'pin off axis');
 }
 
-/** What the desk shows of the seat just left, where that would mislead. */
+/** Explanation of what the desk shows about the berth just left, if that would mislead. */
 function besides(now: Frame): string {
   if (now.work.clearance_level === 'warning')
-    return ' *CLEARANCE* warns while the seat is so close: press *MASTER ALARM*, and lift on.';
-  return met(now) ? ' The panel offers to latch it again: not now.' : '';
+    return ' *CLEARANCE* warns because the berth is close: press *MASTER ALARM* and continue.';
+  return met(now) ? ' The panel shows that it could be latched again: ignore this.' : '';
 }
 
 /** Condition that prevents a capture, as the panel displays it. */

@@ -1,4 +1,4 @@
-/** Words with marks in them, as pieces: `{+X}` stands for a key or a stick, `*RIGID*` for what the desk shows. */
+/** Splits words with marks into pieces: `{+X}` is a key or a stick, `*RIGID*` a text on the desk. */
 
 export interface Piece {
   readonly kind: 'text' | 'use' | 'shown';

@@ -1,4 +1,4 @@
-/** The last minutes of a flight, as the time axis of lanes and strips draws them; what is older is forgotten. */
+/** Data of the last minutes of a run for lanes and strips; older data is dropped. */
 
 import type { Lane, Event as LogEvent, Recent, Sample, Strip } from '../link/protocol';
 import { shown } from '../replay/quantity';
@@ -7,7 +7,7 @@ import type { Timed } from '../replay/timeline';
 import { roundRange } from '../words/round-range';
 import type { Units } from '../words/units';
 
-/** No more is kept [s]. */
+/** Longest time kept [s]. */
 export const KEPT_S = 300;
 
 export class LastMinutes {
@@ -31,12 +31,12 @@ export class LastMinutes {
     this.forgetEvents(before);
   }
 
-  /** What is later than `time` [s] is kept, and not shown yet. */
+  /** Sets the displayed time [s]; later data is kept, but not displayed yet. */
   reach(time: number): void {
     this.until = time;
   }
 
-  /** Add lines of the log; a time that goes back is a restart. */
+  /** Adds lines of the log; an earlier time means a restart. */
   note(events: readonly LogEvent[]): void {
     for (const event of events) {
       const last = this.events.at(-1);
@@ -46,12 +46,12 @@ export class LastMinutes {
     this.forgetEvents((this.events.at(-1)?.time_s ?? 0) - KEPT_S);
   }
 
-  /** Replace the log by the lines that follow. */
+  /** Deletes the log; the station sends all lines again. */
   forget(): void {
     this.events = [];
   }
 
-  /** The newest sample that is shown; null: there is none yet. */
+  /** The newest displayed sample; null before the first one. */
   get newest(): Sample | null {
     return this.samples.findLast(({ time_s }) => time_s <= this.until) ?? null;
   }

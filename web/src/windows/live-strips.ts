@@ -1,4 +1,4 @@
-/** A second window with the last minutes of what its page flies, as lanes and strips; time runs at its right end. */
+/** A secondary window with the last minutes of a live run as lanes and strips; the present is at the right. */
 
 import { DelayLine, isStale } from '../link/delay-line';
 import type { Frame, Event as LogEvent, Recent, Welcome } from '../link/protocol';
@@ -11,7 +11,7 @@ import { KEPT_S, LastMinutes } from './last-minutes';
 import { FLOWN, Tether } from './secondary-window';
 import { StripWindow } from './strip-window';
 
-/** Figures change this often [ms]. */
+/** Time between two updates of the figures [ms]. */
 const VALUES_MS = 100;
 /** Curves move on when that is a pixel's width or so: this part of the axis. */
 const PIXEL = 1 / 1200;

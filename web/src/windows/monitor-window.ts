@@ -1,4 +1,4 @@
-/** A second window with pictures: one monitor or all cameras, of what its page flies or plays. */
+/** A secondary window with pictures: one monitor or all cameras, of a live run or of a replay. */
 
 import { Pictures } from '../cameras/pictures';
 import { Keyboard } from '../input/keyboard';
@@ -13,34 +13,34 @@ import { type UnitName, unitsOf } from '../words/units';
 import type { PageState, Said, Torn } from './opened';
 import { FLOWN, PLAYED, Tether } from './secondary-window';
 
-/** Figures change this often [ms]. */
+/** Time between two updates of the figures [ms]. */
 const VALUES_MS = 100;
 
 /** The recording that is shown. */
 export interface Played {
   readonly file: string;
-  /** What the page says, the place of its playhead among it. */
+  /** Gets the page's messages, among them the playhead. */
   heard(said: Said): void;
 }
 
 export class Display {
   drawn = 0;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
-  /** What the figures are of. */
+  /** Frame and restarts of the figures. */
   private told = this.shown;
   private newest: Frame | null = null;
   private restarts = 0;
   private readonly line: DelayLine;
   private valuesAt = 0;
   private request = 0;
-  /** A change that came from another window is not sent back. */
+  /** Whether a message is being applied, whose changes are not sent back. */
   private hearing = false;
   private units: UnitName;
   private readonly pictures: Pictures;
   private readonly tether: Tether;
   private readonly keyboard: Keyboard;
 
-  /** Without `played`, what is shown is flown. */
+  /** `played` is null for a live run. */
   constructor(
     root: HTMLElement,
     welcome: Welcome,
@@ -97,7 +97,7 @@ export class Display {
     this.request = requestAnimationFrame(() => this.tick());
     const frame = this.line.at(performance.now())?.frame;
     if (!frame || this.pictures.drawing) return;
-    this.hearing = true; // what it shows at first is its page's choice
+    this.hearing = true; // its first cameras are its page's choice
     this.pictures.draw(frame, frame.work.clearance_level, () => {
       this.drawn += 1;
       this.shown = this.told;
@@ -113,7 +113,7 @@ export class Display {
     if (!this.pictures.drawing) this.shown = this.told;
   }
 
-  /** Shows what the page does. */
+  /** Applies the page's state. */
   private follow({ monitors, plane, units }: PageState): void {
     this.hearing = true;
     this.units = units;
@@ -124,7 +124,7 @@ export class Display {
     this.hearing = false;
   }
 
-  /** The page shows what was chosen here. */
+  /** Sends the user's choice to the page. */
   private tell(): void {
     if (this.hearing) return;
     const { what, pictures } = this;

@@ -1,4 +1,4 @@
-/** A page and the windows torn off it: what the monitors show, where the playhead is, and keys that act from all. */
+/** Messages between a page and its secondary windows: cameras of the monitors, playhead, and keys. */
 
 import type { Relayed } from '../input/key-relay';
 import { pageName } from '../link/identity';
@@ -6,17 +6,17 @@ import type { UnitName } from '../words/units';
 
 export type Torn = 0 | 1 | 'matrix' | 'strips';
 
-/** What a page shows; it says so when it is asked, and whenever something of it changes. */
+/** State of a page, sent on request and after each change. */
 export interface PageState {
   readonly kind: 'page';
   readonly monitors: readonly (readonly string[])[];
   readonly plane: boolean;
   readonly units: UnitName;
-  /** It takes the keys of its windows: it flies, or it plays. */
+  /** Whether it takes the keys of its windows: it is in control, or it plays. */
   readonly takesKeys: boolean;
 }
 
-/** Where the page that plays is in its recording. */
+/** Playhead of a page that plays. */
 export interface Playhead {
   readonly kind: 'head';
   /** [s] */
@@ -24,13 +24,13 @@ export interface Playhead {
   readonly speed: number;
 }
 
-/** What page and windows say to each other. */
+/** Messages of page and windows. */
 export type Said =
   | PageState
   | Playhead
   /** The page is closed or reloaded. */
   | { readonly kind: 'gone' }
-  /** A window asks what its page shows. */
+  /** A window asks for its page's state. */
   | { readonly kind: 'ask' }
   /** The window of a monitor has the focus: camera keys act on it. */
   | { readonly kind: 'take'; readonly monitor: 0 | 1 }
@@ -39,20 +39,20 @@ export type Said =
   | { readonly kind: 'put'; readonly name: string }
   | { readonly kind: 'seek'; readonly position: number };
 
-/** As `?view=` names them. */
+/** Values of `?view=`. */
 const VIEWS: readonly (readonly [string, Torn])[] = [
   ['mon1', 0],
   ['mon2', 1],
   ['matrix', 'matrix'],
   ['strips', 'strips'],
 ];
-/** Names the page that a window was torn off. */
+/** Parameter with the name of a window's page. */
 const OF = 'of';
 
 /** Text for a browser that blocks the window. */
 export const BLOCKED = 'Pop-ups are blocked: allow them for this page, then press ↗ again.';
 
-/** The way between one page and its windows; other pages of the browser have their own. */
+/** Channel between one page and its windows; each page of the browser has its own. */
 export class Windows {
   private readonly channel: BroadcastChannel;
 
@@ -70,18 +70,18 @@ export class Windows {
   }
 }
 
-/** What a page was asked to show alone, by its address; null: the whole station. */
+/** View of a secondary window, from its address; null for the whole station. */
 export function tornHere(search: string): Torn | null {
   const asked = new URLSearchParams(search).get('view');
   return VIEWS.find(([name]) => name === asked)?.[1] ?? null;
 }
 
-/** The page that a window was torn off, by its address; null: it was opened by hand. */
+/** Name of a secondary window's page, from its address; null if the user opened the address. */
 export function tornOff(search: string): string | null {
   return new URLSearchParams(search).get(OF);
 }
 
-/** Opens a window of its own, or brings it to the front; false: the browser did not let it. */
+/** Opens a secondary window, or brings it to the front; returns false if the browser blocked it. */
 export function tearOff(what: Torn): boolean {
   const [name] = VIEWS.find(([, torn]) => torn === what) ?? VIEWS[0] ?? ['mon1'];
   const address = new URL(location.href);

@@ -1,44 +1,44 @@
-/** What every second window has: its rail, the way to the page that it was torn off, and keys that go there. */
+/** Base of every secondary window: its rail, the channel to its page, and the keys that it sends there. */
 
 import { KeyRelay } from '../input/key-relay';
 import { el, setClass, setText } from '../panel/parts/dom';
 import { type PageState, type Said, tornOff, Windows } from './opened';
 
-/** It asks what its page shows so often, and takes a page for closed that was silent for so long [ms]. */
+/** Time between two requests for the page's state, and time without an answer after which the page counts as closed [ms]. */
 const ASK_MS = 1000;
 const SILENT_MS = 5000;
 
 export interface TetherListener {
   heard(said: Said): void;
-  /** A key is to be passed on: what it acts on is taken in hand first. */
+  /** Selects what a key acts on, before the key is sent to the page. */
   take?(): void;
   /** Whether a key acts in the window itself. */
   own?(code: string): boolean;
 }
 
 export interface Words {
-  /** What is shown, and of what. */
+  /** Content of the window. */
   readonly name: string;
   readonly title: string;
-  /** The recording's file; absent: what is shown is flown. */
+  /** The recording's file; absent for a live run. */
   readonly file?: string;
-  /** Its page takes the keys. */
+  /** Words if the page takes the keys. */
   readonly keys: string;
-  /** There is no page that does. */
+  /** Words if no page does. */
   readonly alone: string;
 }
 
-/** The words of a window whose page flies, and of one whose page plays. */
-export const FLOWN = { keys: 'Keys fly here too', alone: 'Watching' };
-export const PLAYED = { keys: 'Keys play here too', alone: 'No page plays' };
+/** Words of a window of a live run, and of a replay. */
+export const FLOWN = { keys: 'Keys act here too', alone: 'Observing' };
+export const PLAYED = { keys: 'Keys act here too', alone: 'No page plays it' };
 
 export class Tether {
   readonly rail: HTMLElement;
-  /** State that the page sent last; null before the first. */
+  /** The page's last state; null before the first one. */
   page: PageState | null = null;
   private gone = false;
   private heardAt = performance.now();
-  /** What the keys act on was taken in hand since the window got the focus. */
+  /** Whether the window's monitor was selected since the window got the focus. */
   private taken = false;
   private readonly windows: Windows | null;
   private readonly relay: KeyRelay;
@@ -94,7 +94,7 @@ export class Tether {
     this.windows?.say(said);
   }
 
-  /** `lost`: why what is shown is old, in a word; empty: it is not. */
+  /** `lost`: a word if the content is out of date; empty if it is not. */
   show(time: string, lost = ''): void {
     setText(this.time, time);
     const { keys, alone } = this.words;

@@ -1,14 +1,14 @@
-/** Lanes and strips that fill a window: what is drawn of them, and how much time the axis shows, by choice. */
+/** Lanes and strips that fill a window, with the choice of strips and the zoom of the time axis. */
 
 import { button, el, setText } from '../panel/parts/dom';
 import { StripChoice } from '../replay/strip-choice';
 import { type Timed, Timeline } from '../replay/timeline';
 
-/** Strips that there is room for. */
+/** Number of strips. */
 const MOST_STRIPS = 7;
 
 export interface StripWindowListener {
-  /** The reader puts the playhead; null: it stays at the end. */
+  /** The user moves the playhead; null if it stays at the end. */
   readonly sought: ((position: number) => void) | null;
   /** The time axis: less of it, or more. */
   zoom(way: 1 | -1): void;
@@ -23,7 +23,7 @@ export class StripWindow {
   private readonly wider: HTMLButtonElement;
   private readonly closer: HTMLButtonElement;
 
-  /** `duration`: the axis never shows more [s]. */
+  /** `duration`: longest span of the axis [s]. */
   constructor(timed: Timed, duration: number, listener: StripWindowListener) {
     this.timeline = new Timeline(timed, duration, listener.sought);
     this.choice = new StripChoice(timed.strips, MOST_STRIPS, (names) => this.timeline.choose(names));

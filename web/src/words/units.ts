@@ -43,3 +43,16 @@ const SI: Units = {
 export function unitsOf(name: UnitName): Units {
   return name === 'SI' ? SI : FEET_INCHES;
 }
+
+/** The units that a page shows; its user switches between SI and feet and inches. */
+export class ShownUnits {
+  constructor(public name: UnitName) {}
+
+  get units(): Units {
+    return unitsOf(this.name);
+  }
+
+  toggle(): void {
+    this.name = this.name === 'SI' ? 'ft-in' : 'SI';
+  }
+}

@@ -1,4 +1,4 @@
-/** Clearance: the nearest pair of parts, how fast it closes, its last minute, and what contact inhibits. */
+/** Minimum clearance: its pair of parts, its rate of change, its last minute, and the inhibits by contact. */
 
 import { keyOf } from '../../input/layout';
 import type { Near } from '../../link/protocol';
@@ -68,10 +68,10 @@ export function clearanceGroup({ welcome }: Desk, plane: () => void): ClearanceG
       setText(closing, nearest ? closingWords(nearest, units.creep) : '');
       const seconds = nearest && contactIn(nearest.clearance, nearest.closing);
       setText(contact, seconds ? `contact in ${Math.max(1, Math.round(seconds))} s` : '');
-      setText(pair, nearest ? pairWords(nearest) : 'No parts are watched here');
+      setText(pair, nearest ? pairWords(nearest) : 'No pair is monitored');
       setAttribute(pair, 'title', pair.textContent);
       gauge.setUnits(units);
-      // What touches takes the history's room.
+      // Contacts take the room of the last minute.
       history.element.hidden = contacts.set(frame, units, controllers.names);
       history.draw(trend, frame.time_s, units);
       setClass(arm, 'lit', arm_inhibit);
@@ -91,7 +91,7 @@ function closingWords({ closing, clearance }: Near, creep: Unit): string {
   return `${closing > 0 ? 'closing' : 'opening'} ${small(Math.abs(closing), creep)} ${creep.name}`;
 }
 
-/** What the lamp says: the pair and how far apart it is. */
+/** Cause beside the lamp CLEARANCE: the pair and its clearance. */
 export function clearanceCause(nearest: Near, { gap }: Units): string {
   return `${small(nearest.clearance, gap)} ${gap.name}, ${nearest.a} to ${nearest.b}`;
 }

@@ -1,4 +1,4 @@
-/** How long the bars of conditions are. */
+/** Lengths of the bars of conditions. */
 
 import type { Condition } from '../../link/protocol';
 
@@ -9,7 +9,7 @@ export class ConditionBars {
   /** The greatest bound seen of each condition, by name. */
   private readonly bounds = new Map<string, number>();
 
-  /** A condition's bound is the nearer of two: its scale is the greater, once that was seen. */
+  /** A condition reports the nearer of its two bounds; the scale is the greatest bound that was reported. */
   learn(conditions: readonly Condition[]): void {
     for (const { name, limit } of conditions) {
       const bound = Math.abs(limit);
@@ -17,12 +17,12 @@ export class ConditionBars {
     }
   }
 
-  /** The part of its bar that a condition fills: the limit is at 0.5, what holds is short of it. */
+  /** The filled part of a condition's bar: the limit is at 0.5, and a condition that holds is below it. */
   part(condition: Condition): number {
     return Math.min(1, Math.max(0, 0.5 - 0.5 * this.margin(condition)));
   }
 
-  /** The margin as a part of the condition's scale; what cannot be measured holds nowhere. */
+  /** The margin as a part of the condition's scale; a value that cannot be measured never holds. */
   private margin({ name, unit, margin }: Condition): number {
     if (!Number.isFinite(margin)) return -1;
     return margin / (this.bounds.get(name) || SCALES[unit] || 1);

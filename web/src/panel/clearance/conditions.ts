@@ -1,4 +1,4 @@
-/** What has to hold before something is captured, docked or latched: each with its limit, in its own place. */
+/** Conditions of a capture, of docking or of latching: each with its limit, in a cell of its own. */
 
 import type { Names } from '../../input/active-device';
 import type { Condition, Work } from '../../link/protocol';
@@ -11,7 +11,7 @@ import { ConditionBars } from './condition-bar';
 import { Places } from './places';
 import { wayToFixture } from './way-to-fixture';
 
-/** Cells that there is room for. */
+/** Number of cells. */
 const MOST = 6;
 /** Abbreviations of the flown panels: a cell keeps the words that distinguish it. */
 const SHORT = { forward: 'fwd', starboard: 'stbd', 'trunnion in guide': 'in guide' } as const;
@@ -26,7 +26,7 @@ export function conditionsGroup(): Part {
     'Conditions',
     el('ol', { class: 'cells' }, ...cells.map((each) => each.element), way.element),
   );
-  // The title has the object's whole name or none.
+  // The title contains the object's whole name, or no name.
   const [deed, object] = [el('span'), el('span')];
   const title = element.querySelector('h2 b');
   title?.replaceChildren(deed, object);
@@ -60,19 +60,19 @@ export function conditionsGroup(): Part {
   };
 }
 
-/** What fails first, in words. */
+/** Text of the first condition that fails; empty if all hold. */
 function failure(conditions: readonly Condition[], units: Units): string {
   const first = conditions.find(({ holds }) => !holds);
   return first ? conditionText(first, units) : '';
 }
 
-/** What the operator does once all conditions are met; nothing where it happens by itself. */
+/** What the operator does once all conditions are met; empty if the mechanism acts by itself. */
 export function whatNow({ objective }: Pick<Work, 'objective'>, names: Names): string {
   switch (objective?.action) {
     case 'berth':
       return `: latch, hold ${names.name('latch')}`;
     case 'insert':
-      return `: let go, hold ${names.name('open')}`;
+      return `: release, hold ${names.name('open')}`;
     case 'capture':
       return `: squeeze, hold ${names.name('close')}`;
     default:
@@ -118,7 +118,7 @@ function cell() {
   };
 }
 
-/** A condition's name as a cell holds it. */
+/** A condition's name, abbreviated for its cell. */
 export function shortened(name: string): string {
   return Object.entries(SHORT).reduce((text, [long, short]) => text.replace(long, short), name);
 }

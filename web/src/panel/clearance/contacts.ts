@@ -1,4 +1,4 @@
-/** What touches, what that inhibits, and what frees it, in a few lines. */
+/** Contacts, and the escape directions from detrimental ones, in a few lines. */
 
 import type { Names } from '../../input/active-device';
 import type { Frame, Welcome, Work } from '../../link/protocol';
@@ -14,7 +14,7 @@ export interface Line {
 
 export interface Touching {
   readonly element: HTMLElement;
-  /** Writes the lines of a frame; returns whether any of them calls for the operator. */
+  /** Writes the lines of a frame; returns whether any of them is a caution or a warning. */
   set(frame: Pick<Frame, 'work' | 'ways_out'>, units: Units, names: Names): boolean;
 }
 
@@ -39,7 +39,7 @@ export function touching({ joints }: Pick<Welcome, 'joints'>): Touching {
   };
 }
 
-/** Detrimental contacts, deepest first; what frees the arm of them; the contacts that are made to be, in one line. */
+/** Lines for detrimental contacts, deepest first; for escape directions; and one for all essential contacts. */
 export function linesOf(
   { work: { contacts }, ways_out }: { readonly work: Pick<Work, 'contacts'> } & Pick<Frame, 'ways_out'>,
   joints: Welcome['joints'],
@@ -55,14 +55,14 @@ export function linesOf(
     });
   const ways = ways_out
     .filter(({ cause }) => cause === 'contact')
-    .map((way) => `Way out: ${wayOutText(way, spoken(joints[way.axis]?.name ?? ''), names)}`);
+    .map((way) => `Escape: ${wayOutText(way, spoken(joints[way.axis]?.name ?? ''), names)}`);
   const essential = contacts.filter((each) => each.essential).map(({ a, b }) => `${a} – ${b}`);
   return [
     ...harmful.map((text): Line => ({ text: sentence(text), level: 'warning' })),
     ...ways.map((text): Line => ({ text, level: 'caution' })),
     ...essential
       .slice(0, 1)
-      .map((): Line => ({ text: `Made to touch: ${essential.join(', ')}`, level: 'info' })),
+      .map((): Line => ({ text: `Essential contact: ${essential.join(', ')}`, level: 'info' })),
   ];
 }
 

@@ -1,4 +1,4 @@
-/** The clearance's gauge: logarithmic, the thresholds' zones on it, and the marks under it. */
+/** The logarithmic gauge of the clearance, with the thresholds' zones and the marks below it. */
 
 import type { WorkInfo } from '../../link/protocol';
 import { small } from '../../words/format';

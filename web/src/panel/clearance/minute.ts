@@ -7,7 +7,7 @@ import { el, setAttribute, setText, svg } from '../parts/dom';
 import { FARTHEST } from './gap-scale';
 import { SPAN_S, type Trend } from './trend';
 
-/** Height of the picture [m]: the smaller while all of the last minute fits into it. */
+/** Heights of the picture [m]: the smaller one if all of the last minute fits into it. */
 const RANGES = [1, FARTHEST] as const;
 
 export interface LastMinute {

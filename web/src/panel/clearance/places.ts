@@ -1,4 +1,4 @@
-/** Places of conditions: each keeps its place while they are the same ones. */
+/** Cells of conditions: each condition keeps its cell as long as the set of conditions is the same. */
 
 import type { Condition } from '../../link/protocol';
 
@@ -8,8 +8,8 @@ export class Places {
   constructor(private readonly most: number) {}
 
   /**
-   * The conditions shown, in the order given where all find room. Where not, the first that fail are shown; one that
-   * fails later takes the place of one that holds, and nothing else moves.
+   * The displayed conditions, in the given order if there is a cell for each. Otherwise those that fail come first; one
+   * that fails later replaces one that holds, and no other condition moves.
    */
   order(conditions: readonly Condition[]): readonly Condition[] {
     if (conditions.length <= this.most) {
@@ -29,7 +29,7 @@ export class Places {
     return places.flatMap((name) => known.get(name) ?? []);
   }
 
-  /** Those that fail before those that hold, as many as find room, in the order given. */
+  /** As many conditions as there are cells, those that fail before those that hold, in the given order. */
   private first(conditions: readonly Condition[]): string[] {
     const wanted = [...conditions.filter(({ holds }) => !holds), ...conditions.filter(({ holds }) => holds)];
     const chosen = new Set(wanted.slice(0, this.most));

@@ -3,7 +3,7 @@
 /** Length of the curve [s], and the least time between two of its points. */
 export const SPAN_S = 60;
 const SPACING_S = 0.25;
-/** Time that goes on by more than this was put there, by a restart or a replay's playhead [s]. */
+/** A greater step of time is a jump, by a restart or by a replay's playhead [s]. */
 const LEAP_S = 5;
 
 interface Sample {
@@ -14,7 +14,7 @@ interface Sample {
 export class Trend {
   private samples: Sample[] = [];
 
-  /** The value at `time` [s], null where there is none. */
+  /** Adds the value at `time` [s]; null if there is none. */
   add(time: number, value: number | null): void {
     const last = this.samples.at(-1);
     if (last && (time < last.time || time - last.time > LEAP_S)) this.samples = [];

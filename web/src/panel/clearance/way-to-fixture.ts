@@ -1,6 +1,6 @@
 /**
- * The way from the empty snares to the grapple fixture, along the sticks' axes, with the key, button or end of an axis
- * that flies each part.
+ * The vector from the empty snares to the grapple pin, along the sticks' axes, with the key, button or axis for each
+ * component.
  */
 
 import type { Names } from '../../input/active-device';
@@ -9,14 +9,14 @@ import { small } from '../../words/format';
 import type { Units } from '../../words/units';
 import { el, setAttribute, setText } from '../parts/dom';
 
-/** Shorter than this nothing has to be flown [m]. */
+/** A smaller component needs no motion [m]. */
 const LEAST = 0.005;
 const AXES = ['X', 'Y', 'Z'] as const;
 
 export interface WayPart {
-  /** `−Z`: which way the stick goes. */
+  /** Stick and its direction, as `−Z`. */
   readonly stick: string;
-  /** What does it; empty: nothing to fly. */
+  /** Key, button or axis; empty if no motion is needed. */
   readonly handle: string;
   readonly value: string;
 }
@@ -62,5 +62,5 @@ function told(parts: readonly WayPart[], { gap }: Units): string {
   const words = flown
     .map(({ stick, handle, value }) => `${stick} (${handle}) ${value} ${gap.name}`)
     .join(', ');
-  return `From the end effector to the pin: ${words || 'it is there'}`;
+  return `From the end effector to the pin: ${words || 'at the pin'}`;
 }

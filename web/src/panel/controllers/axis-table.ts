@@ -1,4 +1,4 @@
-/** Every axis live: as the device gives it, and after deadband and expo; with what moves it to either side. */
+/** Every axis live: raw, and after deadband and expo; with the key, button or axis for either direction. */
 
 import { AXES, type Deflection, ZERO } from '../../input/deflection';
 import { type Device, deflection } from '../../input/device';
@@ -22,7 +22,7 @@ const NAMES = [
   'Camera tilt',
   'Camera zoom',
 ];
-/** Half the bar's length in its own units. */
+/** Half the bar's length, in the units of its view box. */
 const HALF = 50;
 
 interface Row {
@@ -64,7 +64,7 @@ export class AxisTable {
     markAsked(this.caps, use);
   }
 
-  /** Keys go all the way; the sticks follow in a third of a second. */
+  /** A key means full deflection, which the stick reaches in a third of a second. */
   keys(target: Deflection, value: Deflection, held: ReadonlySet<string>): void {
     this.rows.forEach((row, axis) => {
       row.show(target[axis] ?? 0, value[axis] ?? 0);

@@ -1,4 +1,4 @@
-/** The sheet “Controllers”: every device's axes live, what each part of it does, and changing that. Nothing flies. */
+/** The sheet “Controllers”: every device's axes live, and the use of each part, which can be changed. The sticks are centred meanwhile. */
 
 import { Capture } from '../../input/capture';
 import type { Controllers } from '../../input/controllers';
@@ -19,7 +19,7 @@ const NOTHING_FLIES =
 export class ControllersSheet {
   readonly element: HTMLDialogElement;
   private kind: Kind = 'keyboard';
-  /** The use that waits for a press or a movement. */
+  /** The use for which the sheet waits for a press or a movement. */
   private asked: { readonly use: string; readonly capture: Capture } | null = null;
   private drawn = '';
   private readonly choices;
@@ -27,8 +27,8 @@ export class ControllersSheet {
   private readonly uses = new UseTable((use) => this.ask(use));
   private readonly state = el('span', { class: 'state' });
   private readonly told = el('p', { class: 'told', role: 'status' }, NOTHING_FLIES);
-  private readonly cancel = button({ class: 'quiet' }, ['As it was'], () => this.answer(NOTHING_FLIES));
-  private readonly empty = button({ class: 'quiet' }, ['Nothing'], () => this.leave());
+  private readonly cancel = button({ class: 'quiet' }, ['Cancel'], () => this.answer(NOTHING_FLIES));
+  private readonly empty = button({ class: 'quiet' }, ['Remove'], () => this.leave());
   private readonly deadband = range('Deadband', MOST_DEADBAND, 0.01, percent, (deadband) =>
     this.change({ deadband }),
   );
@@ -41,13 +41,13 @@ export class ControllersSheet {
   );
   private readonly zero = button(
     { title: 'Set the present positions of the axes as zero' },
-    ['Zero where it rests'],
+    ['Set zero'],
     () => this.zeroNow(),
   );
   private readonly swap = button({}, ['Swap THC, RHC'], () => this.controllers.pads.swap());
   private readonly connect = button({}, ['Connect'], () => void this.controllers.spaceMouse.connect());
   private readonly show = button({}, ['Show them'], () => this.controllers.touch.show());
-  private readonly restore = button({}, ['As it came'], () => this.toDefault());
+  private readonly restore = button({}, ['Defaults'], () => this.toDefault());
 
   constructor(private readonly controllers: Controllers) {
     this.choices = new Choices((kind) => this.choose(kind));
@@ -94,7 +94,7 @@ export class ControllersSheet {
     this.left();
   }
 
-  /** A key while the sheet waits for one; true: it was taken. */
+  /** Takes a key if the sheet waits for one; returns whether it was taken. */
   taken(event: KeyboardEvent): boolean {
     if (!this.element.open || !this.asked) return false;
     if (event.repeat) return true;
@@ -175,8 +175,8 @@ export class ControllersSheet {
     const { use } = this.asked;
     try {
       const kept = save(this.kind, bind(this.kind, mappingOf(this.kind), use, source));
-      const how = kept ? 'and kept by this browser' : 'for now: this browser keeps nothing';
-      this.answer(`“${labelOf(use)}” is changed, ${how}.`);
+      const how = kept ? 'and stored in this browser' : 'but this browser cannot store it';
+      this.answer(`“${labelOf(use)}” is assigned, ${how}.`);
     } catch (error) {
       this.asked = { use, capture: new Capture(mappingOf(this.kind)) };
       setText(this.told, error instanceof Error ? error.message : String(error));
@@ -203,7 +203,7 @@ export class ControllersSheet {
 
   private toDefault(): void {
     restore(this.kind);
-    this.answer('All assignments are the defaults already.');
+    this.answer('All assignments are the defaults.');
   }
 
   private zeroNow(): void {
@@ -229,7 +229,7 @@ function percent(value: number): string {
   return `${Math.round(100 * value)} %`;
 }
 
-/** Sources of the buttons that are down. */
+/** Sources of the pressed buttons. */
 function pressed(device: Device | null): ReadonlySet<string> {
   const buttons = device?.reading?.buttons ?? [];
   return new Set(buttons.flatMap((each, i) => (each.pressed || each.value > 0.5 ? [`b${i}`] : [])));
@@ -237,7 +237,7 @@ function pressed(device: Device | null): ReadonlySet<string> {
 
 const STATES = {
   none: '',
-  waiting: 'let go of all its sticks',
+  waiting: 'centre all its sticks',
   flying: 'ready',
   lost: 'is gone',
 } as const;
@@ -249,7 +249,7 @@ function stateWords(kind: Kind, device: Device | null, { spaceMouse }: Controlle
   if (kind === 'spacemouse' && spaceMouse.problem) return spaceMouse.problem;
   if (device) {
     const rests = device.state === 'waiting' && device.resting;
-    return `${device.short}: ${rests ? 'rests off centre; let go, then zero it' : STATES[device.state]}`;
+    return `${device.short}: ${rests ? 'off centre; release it, then set zero' : STATES[device.state]}`;
   }
   if (kind === 'touch') return 'Touch sticks appear when the screen is touched.';
   if (kind === 'spacemouse') return 'No SpaceMouse is connected.';

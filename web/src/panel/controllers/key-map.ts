@@ -1,4 +1,4 @@
-/** The key map, over the monitors, as the mappings in use have it; its caps light as they are pressed. */
+/** The key map over the monitors, for the present mappings; its caps light while their keys are pressed. */
 
 import { keyOf, learnLayout, nameOfSource } from '../../input/layout';
 import { type Kind, sourcesOf } from '../../input/mapping';
@@ -28,25 +28,25 @@ const RIGHT: readonly Cap[] = [
 
 type Row = readonly [uses: readonly string[], does: string, pad?: 'untold'];
 
-/** Uses, and what they do. */
+/** Uses, and their effects. */
 const FLYING: readonly Row[] = [
-  [['stop'], 'stop: sticks to zero, a sequence to rest'],
+  [['stop'], 'stop: centre the sticks, stop a sequence'],
   [['brakes'], 'brakes on; held 0.5 s: off'],
   [['rate'], 'coarse or vernier'],
-  [['rate hold'], 'rate hold: keep the rates, let go of them'],
+  [['rate hold'], 'rate hold: keep the rates, or cancel'],
   [['mode -', 'mode +', 'enter'], 'turn the mode rotary, enter the mode'],
   [['joint -', 'joint +'], 'joint in SINGLE, DIRECT; THC X drives it'],
-  [['proceed'], 'proceed: to the target, on from a pause'],
-  [['otherMonitor'], 'the other monitor, or half, in hand'],
-  [['camera 1', 'camera 10'], 'camera 1 to 10 in hand; twice: 11 to 20'],
-  [['cameraStep -', 'cameraStep +'], 'camera before, after'],
-  [['-pan', '+tilt', '+zoom'], 'and their opposites: pan, tilt, zoom'],
+  [['proceed'], 'proceed: start, or continue after a pause'],
+  [['otherMonitor'], 'select the other monitor, or half'],
+  [['camera 1', 'camera 10'], 'camera 1 to 10; twice: camera 11 to 20'],
+  [['cameraStep -', 'cameraStep +'], 'previous, next camera'],
+  [['-pan', '+tilt', '+zoom'], 'and opposites: pan, tilt, zoom'],
   [['slow camera'], 'cameras turn slowly'],
   [['matrix', 'split'], 'all cameras, and back; split'],
-  [['light', 'lock exposure'], 'sun and lamps; lock the exposure in hand'],
+  [['light', 'lock exposure'], 'sun and lamps; lock the exposure'],
 ];
 
-/** The same of what this arm has. */
+/** The same for the equipment of this arm. */
 export function working({ work: { hand, stand } }: Pick<Welcome, 'work'>): readonly Row[] {
   const prong: readonly Row[] = [
     [['close'], 'held 0.3 s: the prong closes'],
@@ -59,13 +59,13 @@ export function working({ work: { hand, stand } }: Pick<Welcome, 'work'>): reado
   ];
   return [
     ...(hand === 'prong' ? prong : snares),
-    [['latch'], 'held 1 s: latch the payload in its seat, or unlatch'],
+    [['latch'], 'held 1 s: latch the payload in its berth, or unlatch'],
     [['safing', 'position hold'], 'safing, position hold; again: off'],
     [['plane'], 'separating plane in the pictures'],
     [['acknowledge'], 'acknowledge the master alarm'],
     [['control page'], 'PDRS control: target, stored points, payloads'],
     ...(stand ? ([[['-telescope', '+telescope'], 'telescope shorter, longer']] as const) : []),
-    [['fly orbiter'], 'THC flies the orbiter, or the arm again'],
+    [['fly orbiter'], 'assign the THC to the orbiter, or to the arm'],
   ];
 }
 
@@ -78,7 +78,7 @@ export class KeyMap {
   });
   private caps = new Map<string, HTMLElement[]>();
 
-  /** `change`: opens what changes the keys. */
+  /** `change` opens the sheet that changes the keys. */
   constructor(
     private readonly welcome: Welcome,
     private readonly change: () => void,
@@ -99,7 +99,7 @@ export class KeyMap {
     this.element.close();
   }
 
-  /** Lights the caps of the keys held. */
+  /** Lights the caps of the pressed keys. */
   light(held: ReadonlySet<string>): void {
     if (!this.element.open) return;
     for (const [code, caps] of this.caps) {
@@ -107,7 +107,7 @@ export class KeyMap {
     }
   }
 
-  /** Rewrite the sheet: mappings may have changed. */
+  /** Writes the sheet for the present mappings. */
   private fill(): void {
     this.caps = new Map();
     this.element.replaceChildren(
@@ -119,11 +119,15 @@ export class KeyMap {
         el('h3', {}, 'End effector, worksite, panel'),
         this.table(working(this.welcome)),
         el('p', {}, 'MASTER: arrows move the slider in focus by half a degree, Page up, down by five.'),
-        el('p', {}, 'Keys are assigned by position. In a text field, keys type and do not fly.'),
+        el(
+          'p',
+          {},
+          'Keys are assigned by position. In a text field, keys write text and do not move the arm.',
+        ),
         el(
           'div',
           { class: 'close' },
-          button({}, ['Controllers: see, change'], () => this.change()),
+          button({}, ['Change controllers'], () => this.change()),
           button({}, ['Close'], () => this.close()),
         ),
       ),
@@ -178,7 +182,7 @@ function sources(kind: Kind, use: string): readonly string[] {
   return sourcesOf(mappingOf(kind), use).map((source) => nameOfSource(kind, source));
 }
 
-/** Join names, with a common beginning written once: `Menu + Cross ↓ ↑`. */
+/** Joins names, with a common beginning written once: `Menu + Cross ↓ ↑`. */
 export function together(names: readonly string[]): string {
   const [first = '', ...others] = names;
   if (others.length === 0) return first;

@@ -1,4 +1,4 @@
-/** Asks whether each of two devices is in the right hand. */
+/** Asks whether two devices are assigned correctly to THC and RHC. */
 
 import type { Pads } from '../../input/pads';
 import { button, el, setText } from '../parts/dom';
@@ -23,7 +23,7 @@ export function swapQuestion(pads: Pads): SwapQuestion {
       if (element.hidden === pads.asks) element.hidden = !pads.asks;
       const [thc, rhc] = pads.devices;
       if (!pads.asks || !thc || !rhc) return;
-      setText(words, `First moved, so THC: ${thc.short}. Second, so RHC: ${rhc.short}. Swap?`);
+      setText(words, `Moved first: ${thc.short} is the THC. Moved second: ${rhc.short} is the RHC. Swap?`);
     },
   };
 }

@@ -3,12 +3,12 @@
 import type { TouchSticks } from '../../input/touch';
 import { button, el } from '../parts/dom';
 
-/** How far a finger goes for full deflection [rem]. */
+/** Travel of a finger for full deflection [rem]. */
 const TRAVEL = 3;
 
 interface Knob {
   readonly element: HTMLElement;
-  /** Draw it at its present deflection. */
+  /** Draws the knob at its present deflection. */
   draw(): void;
 }
 
@@ -23,7 +23,7 @@ export function touchView(sticks: TouchSticks): TouchView {
   const right = knob(sticks, 3, 4, 'round');
   const roll = knob(sticks, 5, null, 'level');
   const knobs = [left, height, right, roll];
-  const close = button({ class: 'away', 'aria-label': 'Put the touch sticks away' }, ['Put away'], () =>
+  const close = button({ class: 'away', 'aria-label': 'Hide the touch sticks' }, ['Hide'], () =>
     sticks.hide(),
   );
   const element = el(
@@ -47,7 +47,7 @@ export function touchView(sticks: TouchSticks): TouchView {
   };
 }
 
-/** A stick or slider that moves these axes; null: it does not go that way. */
+/** A stick or slider for these axes; null for a direction in which it cannot move. */
 function knob(sticks: TouchSticks, across: number | null, down: number | null, shape: string): Knob {
   const cap = el('i');
   const element = el('div', { class: `knob ${shape}` }, cap);

@@ -10,7 +10,7 @@ import { button, setClass } from '../parts/dom';
 export interface UseCap {
   readonly element: HTMLButtonElement;
   readonly use: string;
-  /** Its keys and buttons. */
+  /** Sets its keys and buttons. */
   readonly sources: readonly string[];
 }
 

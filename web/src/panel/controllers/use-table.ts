@@ -1,4 +1,4 @@
-/** What is done once, or held: a cap for each. */
+/** Uses that act once or while held, with a cap for each. */
 
 import { labelOf, USES } from '../../input/keymap';
 import type { Kind } from '../../input/mapping';
@@ -25,7 +25,10 @@ export class UseTable {
       el('div', { class: 'ten' }, ...cameras.flatMap((name) => cap(all, name))),
     );
     this.caps = [...all.values()];
-    this.element.replaceChildren(el('h3', {}, 'Done or held'), el('div', { class: 'grid' }, ...rows, row));
+    this.element.replaceChildren(
+      el('h3', {}, 'Keys and buttons'),
+      el('div', { class: 'grid' }, ...rows, row),
+    );
   }
 
   ask(use: string | null): void {

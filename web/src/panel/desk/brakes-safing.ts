@@ -1,4 +1,4 @@
-/** BRAKES, SAFING and POSITION HOLD: what keeps the arm where it is, in reach whatever flies it; and who moves the sticks. */
+/** BRAKES, SAFING and POSITION HOLD, which stop the arm in every mode; and the device or page that moves the sticks. */
 
 import type { GripAction } from '../../input/keymap';
 import { keyOf } from '../../input/layout';
@@ -6,16 +6,16 @@ import { button, el, setAttribute, setClass, setPressed, setText } from '../part
 import { holdButton } from '../parts/hold-button';
 import type { Desk, View } from '../parts/part';
 
-/** Brakes are let go only by holding their switch this long [s]; they are on at once. */
+/** Time to hold the switch until the brakes release [s]; they are set at once. */
 const OFF_S = 0.5;
 
 export interface Standing {
   readonly element: HTMLElement;
-  /** The brakes' key or button went down or up. */
+  /** The key or button of the brakes was pressed or released. */
   grip(action: GripAction): void;
-  /** SAFING, or its CANCEL. */
+  /** Switches SAFING on, or cancels it. */
   safe(): void;
-  /** POSITION HOLD on or off. */
+  /** Switches POSITION HOLD on or off. */
   hold(): void;
   bars(): void;
   values(view: View): void;
@@ -78,11 +78,15 @@ export function standing(desk: Desk): Standing {
       setText(holdKey, keyOf('position hold'));
       setClass(brakes.element, 'caution', on);
       setClass(safing, 'caution', safed);
-      setAttribute(brakes.element, 'title', on ? `Hold ${OFF_S} s to release` : 'Stop every joint at once');
+      setAttribute(
+        brakes.element,
+        'title',
+        on ? `Hold ${OFF_S} s to release` : 'Set the brakes on all joints',
+      );
     },
   };
 }
 
-/** By whom; a recording does not tell. */
+/** The operator's name as a sentence; empty for a recording, which does not contain it. */
 const flown = (flier: string | null) =>
   flier === '' ? 'Unattended' : flier === null ? '' : `${flier} flies`;

@@ -1,4 +1,4 @@
-/** The desk's groups, flown and replayed: their places, and which replace others. */
+/** Groups of the desk, live and in a replay: their positions, and which one replaces another. */
 
 import type { GripAction } from '../../input/keymap';
 import { clearanceGroup } from '../clearance/clearance';
@@ -25,9 +25,9 @@ export interface DeskListener {
   plane(): void;
   /** Opens or closes the page PDRS control. */
   controlPage(): void;
-  /** Hands the THC to the orbiter, or back to the arm. */
+  /** Assigns the THC to the orbiter, or to the arm. */
   flyOrbiter(on: boolean): void;
-  /** Shows the last minutes as strips, in a window of their own; absent: there is no such window. */
+  /** Shows the last minutes as strips in a secondary window; absent if there is no such window. */
   strips?(): void;
 }
 
@@ -38,11 +38,11 @@ export interface Groups {
   readonly target: TargetGroup;
   setPlane(on: boolean): void;
   grip(action: GripAction): void;
-  /** SAFING, or its CANCEL. */
+  /** Switches SAFING on, or cancels it. */
   safe(): void;
-  /** POSITION HOLD on or off. */
+  /** Switches POSITION HOLD on or off. */
   holdPosition(): void;
-  /** Puts the master arm where the arm is. */
+  /** Sets the master arm to the arm's angles. */
   meetMaster(): void;
   bars(view: View): void;
   values(view: View): void;
@@ -80,7 +80,7 @@ export function deskGroups(desk: Desk, events: EventsGroup, listener: DeskListen
   cargo.element.hidden = desk.welcome.work.cargo.length === 0;
   setClass(resting, 'alone', cargo.element.hidden);
 
-  /** Each of these replaces the other while it is the one that matters. */
+  /** Shows the groups of the present mode and objective in place of the others. */
   function give(view: View): void {
     const kind = (position: string) => desk.welcome.modes.find((each) => each.position === position)?.kind;
     const entered = kind(view.frame.mode);
@@ -119,7 +119,7 @@ function pageKey(pressed: () => void): HTMLElement {
   return button(
     {
       class: 'more',
-      title: 'PDRS control, number 94 of the flown displays: target, stored points, payloads',
+      title: 'Open PDRS control (SPEC 94): target, stored points, payloads',
     },
     ['SPEC 94'],
     pressed,

@@ -1,25 +1,25 @@
-/** The log, newest first: three lines of it, and opened every entry whole, over the read-outs beside; a lamp pressed keeps it to its cause. */
+/** The log, newest line first: three lines, or on demand every entry in full over the read-outs beside it. A pressed lamp filters it by cause. */
 
 import type { Event as LogEvent } from '../../link/protocol';
 import { clock } from '../../words/format';
 import { button, el, group, setAbout, setText } from '../parts/dom';
 
 const LINES = 3;
-/** Entries kept: opened, it is scrolled through them, and a filter finds older ones. */
+/** Number of entries kept, for scrolling and for the filter. */
 const KEPT = 200;
 
 export class EventsGroup {
   readonly element: HTMLElement;
   private readonly list = el('ol', { class: 'log' });
-  /** Opened: each entry whole. It lies over read-outs, never over what is pressed. */
-  private readonly whole = el('ol', { class: 'log wrapped', 'aria-label': 'Events, whole', tabindex: '0' });
+  /** Every entry in full. It covers read-outs, never keys. */
+  private readonly whole = el('ol', { class: 'log wrapped', 'aria-label': 'Events in full', tabindex: '0' });
   private readonly more: HTMLButtonElement;
   private readonly all: HTMLButtonElement;
   private events: readonly LogEvent[] = [];
   private open = false;
   private keptTo: { readonly name: string; readonly kinds: readonly string[] } | null = null;
 
-  /** `hints` are under the oldest line. */
+  /** `hints` are displayed below the oldest line. */
   constructor(private readonly hints: readonly string[]) {
     this.more = button({ class: 'more', 'aria-expanded': 'false' }, ['more'], () => this.toggle());
     this.all = button({ class: 'all', hidden: '' }, ['show all'], () => this.keepTo('', []));
@@ -28,10 +28,10 @@ export class EventsGroup {
     this.draw();
   }
 
-  /** New lines, oldest first. */
+  /** Adds lines, oldest first. */
   add(events: readonly LogEvent[]): void {
     this.events = [...events].reverse().concat(this.events).slice(0, KEPT);
-    // Nothing new is hidden: a line that the filter would leave out ends it.
+    // No new line is hidden: a line that the filter excludes ends the filter.
     if (events.some((event) => !this.shows(event))) this.keptTo = null;
     this.draw();
   }
@@ -42,7 +42,7 @@ export class EventsGroup {
     this.draw();
   }
 
-  /** Shows only lines of these kinds, for the lamp of that name; all again when asked twice, or for no kind. */
+  /** Shows only lines of these kinds, for the lamp of that name; shows all at the second call for it, or without a kind. */
   keepTo(name: string, kinds: readonly string[]): void {
     this.keptTo = kinds.length === 0 || this.keptTo?.name === name ? null : { name, kinds };
     this.draw();
@@ -68,17 +68,17 @@ export class EventsGroup {
     const { keptTo } = this;
     setAbout(this.element, keptTo ? `${keptTo.name} only` : '');
     this.all.hidden = keptTo === null;
-    const under = keptTo ? [`No older line is about ${keptTo.name}.`] : this.hints;
+    const under = keptTo ? [`No older lines about ${keptTo.name}.`] : this.hints;
     const events = this.events.filter((event) => this.shows(event));
     const entries = (count = KEPT) => [...events.slice(0, count).map(entry), ...under.map(hint)];
     const lines = entries(LINES).slice(0, LINES);
-    // Two lines are the least that is worth wrapping into.
+    // A text is wrapped if there is room for two lines.
     const told = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
     const place = Math.max(0, told);
     lines[place]?.classList.add('whole');
     lines[place]?.style.setProperty('--lines', String(events.length > 0 ? LINES - 1 : LINES));
     this.list.replaceChildren(...lines);
-    // Those that the whole one leaves no room for are read out, and not seen.
+    // Lines without room beside the wrapped one stay for screen readers, but are invisible.
     const over = lines.filter((line) => line.offsetTop + line.offsetHeight > this.bottom);
     for (const line of over) line.classList.add('unseen');
     this.whole.hidden = !this.open;

@@ -1,4 +1,4 @@
-/** Which limits hold the arm back now, and what leads a joint away from its own, in words. */
+/** Active limits, and the escape directions of joints that have reached one. */
 
 import type { Names } from '../../input/active-device';
 import type { Frame, Limit, WayOut } from '../../link/protocol';
@@ -44,7 +44,7 @@ export function limits({ welcome }: Desk): Part {
       const rest = all.length - LINES;
       const lines: Line[] = rest > 0 ? all.slice(0, LINES - 1) : all;
       if (rest > 0) lines.push({ text: `and ${rest + 1} more`, level: 'info' });
-      setAbout(element, acting.length > 0 ? 'acting now' : ways.length > 0 ? 'the way out' : '');
+      setAbout(element, acting.length > 0 ? 'active' : ways.length > 0 ? 'escape' : '');
       const key = lines.map((line) => `${line.level} ${line.text}`).join('\n');
       if (key === shown) return;
       shown = key;
@@ -56,7 +56,7 @@ export function limits({ welcome }: Desk): Part {
           el('span', { title: line.text }, line.text),
         ),
       );
-      if (items.length === 0) items.push(el('li', { class: 'none' }, 'None acts'));
+      if (items.length === 0) items.push(el('li', { class: 'none' }, 'None active'));
       list.replaceChildren(...items);
     },
   };
@@ -68,7 +68,7 @@ export function leadsAway(way: WayOut, names: Names): string {
   return `${name.charAt(0).toUpperCase()}${name.slice(1)}: ${wayOutText(way, '', names)} leads away`;
 }
 
-/** The point's own limits shape every motion; only the arm's want a person's eye. */
+/** POR limits act in every motion and are information; the arm's limits are cautions. */
 function level(kind: Limit['kind']): Line['level'] {
   switch (kind) {
     case 'POR translation':

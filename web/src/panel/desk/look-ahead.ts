@@ -6,7 +6,7 @@ import type { Units } from '../../words/units';
 import { button, el, group, setAbout, setAttribute, setClass, setText } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 
-/** How far may be looked ahead, in turn [s]. */
+/** Prediction times [s]. */
 const TIMES = [2, 5, 10, 20] as const;
 const DEGREES = 180 / Math.PI;
 
@@ -58,13 +58,13 @@ export function lookAhead(desk: Desk): Part {
 
 const ABOUT = 'Prediction with the present stick command; the blue arm in the pictures is the predicted arm';
 
-/** Whose look it is. */
+/** The stick command that is predicted: the present one, or full deflection of the last axis that was used. */
 export function about({ held, moves }: Pick<Ahead, 'held' | 'moves'>): string {
   if (held) return 'sticks held';
-  return moves ? 'last axis, in full' : 'sticks at rest';
+  return moves ? 'last axis, full' : 'sticks centred';
 }
 
-/** The next time that may be chosen [s]. */
+/** The next prediction time [s]. */
 export function next(seconds: number): number {
   return TIMES.find((each) => each > seconds) ?? TIMES[0];
 }
@@ -73,7 +73,7 @@ function below({ clearance }: Ahead, caution: number): boolean {
   return clearance !== null && clearance < caution;
 }
 
-/** The figures, in the operator's units. */
+/** The figures in the operator's units. */
 export function words(
   ahead: Ahead,
   joints: readonly { readonly label: string }[],

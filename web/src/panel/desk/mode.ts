@@ -7,17 +7,17 @@ import { rotary } from './rotary';
 import { switches } from './switches';
 
 export interface ModeGroup extends Part {
-  /** Turns the rotary by one position, without entering it. */
+  /** Turns the rotary by one position, without entering the mode. */
   turn(by: number): void;
-  /** Enters the position turned to. */
+  /** Enters the selected position. */
   enter(): void;
-  /** Turns the JOINT rotary by one. */
+  /** Turns the JOINT rotary by one joint. */
   turnJoint(by: number): void;
-  /** The position turned to, or else the one entered. */
+  /** The selected position, or the entered one if none is selected. */
   inView(): ModeInfo | undefined;
 }
 
-/** `proceed` is what the PROCEED key does. */
+/** `proceed`: action of the PROCEED key. */
 export function modeGroup(desk: Desk, proceed: () => void): ModeGroup {
   const positions = rotary(desk);
   const below = switches(desk, proceed);

@@ -1,11 +1,11 @@
-/** How far the orbiter has moved against what does not move with it, and how fast it does. */
+/** Translation of the orbiter relative to the bodies that do not move with it, and its speed. */
 
 import type { Display, Vec3 } from '../../link/protocol';
 import { fixed } from '../../words/format';
 import type { Units } from '../../words/units';
 import { el, setText } from '../parts/dom';
 
-/** Slower than this it rests [m/s]. */
+/** Below this speed the orbiter counts as at rest [m/s]. */
 const REST = 1e-4;
 const AXES = ['fwd', 'stbd', 'down'] as const;
 const FOOT = 0.3048;

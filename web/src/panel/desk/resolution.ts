@@ -1,4 +1,4 @@
-/** Point of resolution: place and attitude, commanded and actual, and how fast. */
+/** Point of resolution: position and attitude, commanded and actual, and its rates. */
 
 import type { Frame, JointInfo, ModeInfo, Resolution } from '../../link/protocol';
 import { attitude, degrees, fixed } from '../../words/format';
@@ -6,7 +6,7 @@ import { rateBar } from '../parts/bar';
 import { el, group, setAbout, setAttribute, setClass, setText } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 
-/** The report's mode that moves along the orbiter's axes and turns in the payload's. */
+/** The report's steering law that translates along the orbiter's axes and rotates in the payload's. */
 const IN_PAYLOAD_AXES = 7;
 const ROWS = ['X', 'Y', 'Z', 'Pitch', 'Yaw', 'Roll'] as const;
 
@@ -94,7 +94,7 @@ function parts(point: Resolution): readonly number[] {
   return [...point.velocity, ...point.turn_rate];
 }
 
-/** What moves, and along which axes. */
+/** The point that moves, and its axes. */
 export function pointWords(mode: ModeInfo | undefined, frame: Frame, joints: readonly JointInfo[]): string {
   switch (mode?.kind) {
     case 'single':
@@ -114,11 +114,11 @@ export function pointWords(mode: ModeInfo | undefined, frame: Frame, joints: rea
 
 interface Tag {
   readonly text: string;
-  /** The point's own limits shape every motion; only the arm's want a person's eye. */
+  /** POR limits act in every motion and are information; the arm's limits are cautions. */
   readonly caution: boolean;
 }
 
-/** Names what holds back each row, at the axis that feels it most. */
+/** Names the active limit of each row, at the axis that it affects most. */
 export function limitTags(frame: Frame, joints: readonly JointInfo[]): readonly (Tag | null)[] {
   const tags: (Tag | null)[] = [null, null, null, null, null, null];
   const commanded = parts(frame.display.commanded);

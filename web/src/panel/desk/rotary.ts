@@ -1,16 +1,16 @@
-/** The MODE rotary: twelve positions, and MASTER where the arm has one; one is turned to, then entered. */
+/** The MODE rotary: twelve positions, and MASTER if the arm has one; the operator selects one, then enters it. */
 
 import { button, el, setAttribute, setClass, setPressed } from '../parts/dom';
 import type { Desk } from '../parts/part';
 
 export interface Rotary {
   readonly element: HTMLElement;
-  /** The position turned to; the one entered where none is. */
+  /** The selected position; the entered one if none is selected. */
   shown(): string;
-  /** The position that the station has entered; `grasping`: a payload is in the grasp. */
+  /** Sets the position that the station has entered; `grasping`: a payload is captured. */
   set(position: string, grasping: boolean): void;
   turn(by: number): void;
-  /** Enters the position turned to. */
+  /** Enters the selected position. */
   enter(): void;
 }
 
@@ -57,7 +57,7 @@ export function rotary(desk: Desk): Rotary {
       modes.forEach(({ title, point, enabled }, i) => {
         const key = keys[i];
         if (!key) return;
-        const missing = point === 'payload' ? 'needs a payload in the grasp' : 'no points are stored';
+        const missing = point === 'payload' ? 'needs a captured payload' : 'no points are stored';
         const there = enabled && (grasping || point !== 'payload');
         setClass(key, 'absent', !there);
         setAttribute(key, 'title', there ? title : `${title}: ${missing}`);

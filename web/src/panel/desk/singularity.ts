@@ -1,4 +1,4 @@
-/** How far each singularity is: 0 at it, 1 farthest; caution below the arm's threshold, with the way out. */
+/** Distance from each singularity: 0 at it, at most 1; below the arm's threshold a caution with the escape direction. */
 
 import { fixed } from '../../words/format';
 import { spoken, wayOutText } from '../../words/way-out';

@@ -1,6 +1,6 @@
 /**
- * Stick displays: what the step drawn has flown, on the THC's square and the RHC's round. Under RATE HOLD a
- * second mark shows the rates held, and the first one the hand.
+ * Stick displays: the deflections used in the displayed frame, on the THC's square and the RHC's round. Under RATE HOLD
+ * a second mark shows the rates held, and the first one the present deflection.
  */
 
 import type { ControllersShown } from '../../input/controllers';
@@ -11,13 +11,13 @@ import type { View } from '../parts/part';
 
 const REACH = 40;
 
-/** Places of a hollow mark and its stem at (x, y), each in [-1, 1], y upwards. */
+/** A hollow mark with a stem, at (x, y), each in [-1, 1], y upwards. */
 interface Mark {
   readonly element: SVGGElement;
   set(x: number, y: number): void;
 }
 
-/** A `held` mark is dashed, has no stem, and shows itself only off the middle. */
+/** A `held` mark is dashed, has no stem, and is visible only off the middle. */
 export function mark(held = false): Mark {
   const stem = svg('line', { class: 'stem', x1: '0', y1: '0', x2: '0', y2: '0' });
   const ring = svg('circle', { class: 'mark', r: held ? '8.5' : '5.5', cx: '0', cy: '0' });
@@ -35,7 +35,7 @@ export function mark(held = false): Mark {
   };
 }
 
-/** A stick display's deadband ring, its cross, and the words on it where its device is gone. */
+/** A stick display's deadband ring, and the cross and words that report a lost device. */
 export function gone(cross: string): {
   readonly ring: SVGElement;
   readonly cross: SVGElement;
@@ -83,7 +83,7 @@ export function triple(letters: readonly [string, string, string]): {
   };
 }
 
-/** The group's title says whose hand the sticks are in. */
+/** Writes after the group's title who moves the sticks. */
 export function setHand(
   section: HTMLElement,
   hand: string,

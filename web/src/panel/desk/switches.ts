@@ -1,10 +1,10 @@
-/** The switches under the MODE rotary; only those that the mode in view needs are there. */
+/** The switches under the MODE rotary; only those of the selected mode are visible. */
 
 import type { Frame, LawChoice, ModeInfo } from '../../link/protocol';
 import { button, el, setAttribute, setClass, setPressed, setText } from '../parts/dom';
 import type { Desk } from '../parts/part';
 
-/** The law's keys, and the number of the report's mode that each one flies. */
+/** The keys for the law, and the number of the report's mode that each one selects. */
 const LAWS: readonly (readonly [LawChoice, string, number])[] = [
   ['position', 'Position', 1],
   ['closed loop', 'Closed', 2],
@@ -13,9 +13,9 @@ const LAWS: readonly (readonly [LawChoice, string, number])[] = [
 
 export interface Switches {
   readonly element: HTMLElement;
-  /** `mode` is the one turned to, or the one entered. */
+  /** `mode`: the selected one, or the entered one. */
   set(frame: Frame, mode: ModeInfo | undefined): void;
-  /** Turns the JOINT rotary by one. */
+  /** Turns the JOINT rotary by one joint. */
   turnJoint(by: number): void;
 }
 
@@ -31,7 +31,7 @@ export function switches(desk: Desk, proceed: () => void): Switches {
   );
   const law = el('div', { class: 'switch plain', role: 'group', 'aria-label': 'Law' }, ...laws);
   const axes = button(
-    { class: 'axes', title: 'Rotate in payload axes, mode 7; off: in orbiter axes, mode 4' },
+    { class: 'axes', title: 'Rotate in payload axes (mode 7) or in orbiter axes (mode 4)' },
     ['Rotate in payload axes'],
     () => desk.send({ type: 'payload_axes', on: !inPayloadAxes }),
   );
@@ -54,7 +54,7 @@ export function switches(desk: Desk, proceed: () => void): Switches {
     set(frame, mode) {
       joint = frame.joint;
       inPayloadAxes = frame.payload_axes;
-      // STOP stays in reach for as long as the arm flies by itself.
+      // STOP stays visible while an automatic motion is in progress.
       const single = mode?.kind === 'single' && frame.sequence !== 'in progress';
       const automatic = mode?.kind === 'automatic';
       const loaded = mode?.kind === 'manual' && mode.laws.length > 1;

@@ -6,7 +6,7 @@ import type { Desk, Part } from '../parts/part';
 import { isMoving, orbiterReading } from './orbiter';
 import { gone, mark, setHand, triple } from './sticks';
 
-/** `flyOrbiter` hands the THC to the orbiter, or back to the arm. */
+/** `flyOrbiter` assigns the THC to the orbiter, or to the arm. */
 export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
   const [up, down] = [el('span'), el('span')];
   const [lift, drop] = [el('span'), el('span')];
@@ -19,7 +19,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
   const coarse = button({}, ['Coarse'], () => desk.send({ type: 'select_rate', rate: 'coarse' }));
   const vernier = button({}, ['Vernier'], () => desk.send({ type: 'select_rate', rate: 'vernier' }));
   const hold = button(
-    { class: 'hold', title: 'Keep the present rates when the sticks are released' },
+    { class: 'hold', title: 'Keep the present rates while the sticks are centred' },
     ['Rate hold'],
     () => desk.send({ type: 'rate_hold' }),
   );
@@ -95,7 +95,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
       setText(lift, driving ? '' : opposite(z));
       setText(drop, driving ? '' : z);
       setClass(element, 'driving', driving);
-      setHand(element, orbiting ? 'flies the orbiter' : 'left hand', { frame, flying, flier });
+      setHand(element, orbiting ? 'moves the orbiter' : 'left hand', { frame, flying, flier });
       setClass(element, 'orbiting', orbiting);
       setPressed(arm, !orbiting);
       setPressed(orbiter, orbiting);
@@ -115,7 +115,7 @@ export function thc(desk: Desk, flyOrbiter: (on: boolean) => void): Part {
   };
 }
 
-/** What + means for the THC while it flies the orbiter. */
+/** Positive directions of the THC while it moves the orbiter. */
 const ORBITER_AXES = ['+X fwd', '+Y stbd', '+Z down'] as const;
 
 const OPPOSITES: Readonly<Record<string, string>> = {
@@ -129,7 +129,7 @@ const OPPOSITES: Readonly<Record<string, string>> = {
   right: 'left',
 };
 
-/** `−X aft` for `+X fwd`; the letter alone where the word has no opposite here. */
+/** `−X aft` for `+X fwd`; the axis alone if the word has no opposite. */
 export function opposite(name: string): string {
   const [axis = '', word = ''] = name.replace('+', '−').split(' ');
   const other = OPPOSITES[word];

@@ -1,11 +1,11 @@
-/** The payloads of the worksite: what holds each, and how fast it moves. */
+/** The payloads of the worksite: to what each one is fixed, and its speed if it is free. */
 
 import { small } from '../../words/format';
 import { el, group, setAbout, setAttribute, setText } from '../parts/dom';
 import type { Desk, Part } from '../parts/part';
 import { seatTitle } from './seat';
 
-/** The report's modes, by their numbers from 1 on. */
+/** Names of the report's task phases, from number 1 on. */
 export const TASKS = ['Acquire', 'Extract', 'Manoeuvre', 'Docked'] as const;
 const DOING = ['acquisition', 'extraction', 'manoeuvring', 'docked'] as const;
 const ROWS = 3;
@@ -28,7 +28,7 @@ export function cargoGroup({ welcome }: Desk): Part {
         const seat = cargo ? seatTitle(welcome.work, cargo.seat) : '';
         setText(state, cargo ? whereIs(cargo.held, seat) : '–');
         setAttribute(state, 'title', seat);
-        // What is held moves as the arm does, and what is seated does not.
+        // A held payload moves with the arm, a berthed one not at all.
         const free = cargo && !cargo.held && cargo.seat === '';
         setText(speed, free ? `${small(Math.hypot(...cargo.velocity), creep)} ${creep.name}` : '');
       }
@@ -36,7 +36,7 @@ export function cargoGroup({ welcome }: Desk): Part {
   };
 }
 
-/** What a payload is fixed to: the arm, a seat of this title, both, or nothing. */
+/** To what a payload is fixed: the arm, a berth of this title, both, or nothing. */
 export function whereIs(held: boolean, seat: string): string {
   if (!held) return seat === '' ? 'free' : seat;
   return seat === '' ? 'held' : 'held, fixed';

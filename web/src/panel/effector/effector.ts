@@ -1,4 +1,4 @@
-/** The end effector: its switches and flags, and the seat that holds a payload; what is held to act. */
+/** The end effector: its switches and flags, and the berth of a payload. Its buttons act only when held. */
 
 import type { GripAction } from '../../input/keymap';
 import type { Display, Frame, PayloadInfo, Work } from '../../link/protocol';
@@ -11,7 +11,7 @@ import { seat } from './seat';
 import { snares } from './snares';
 
 export interface EffectorGroup extends Part {
-  /** A grip's key or button went down or up. */
+  /** The key or button of a grip was pressed or released. */
   grip(action: GripAction): void;
 }
 
@@ -24,7 +24,7 @@ export function effectorGroup(desk: Desk): EffectorGroup {
   let latest: Work | null = null;
 
   function grip({ grip: which, down, at }: GripAction): void {
-    if (which === 'brakes') return; // not the hand's
+    if (which === 'brakes') return; // no part of the end effector
     if (which === 'latch') {
       if (down) seats?.keyed().press(at);
       else seats?.lift(at);
@@ -36,7 +36,7 @@ export function effectorGroup(desk: Desk): EffectorGroup {
     }
     const moving = latest !== null && hand.moves(latest.hand);
     if (moving) desk.send({ type: 'effector', switch: 'stop' });
-    // Held on, the other way's key turns it round.
+    // While it moves, the key of the other direction, held, reverses it.
     if (!moving || latest?.hand.switch !== which) hand[which].press(at);
   }
 
@@ -56,10 +56,10 @@ export function effectorGroup(desk: Desk): EffectorGroup {
   };
 }
 
-/** Nearer than this, the conditions of a capture tell how far the fixture is [m]. */
+/** Below this distance, the conditions of a capture show the distance to the fixture [m]. */
 const CONDITIONS_M = 3;
 
-/** What the end effector holds, how heavy that is and how fast its point may move; empty, how far the next fixture is. */
+/** The held payload, its mass and the speed limit of its POR; or the distance to the nearest fixture. */
 export function graspWords(
   {
     work: { cargo },

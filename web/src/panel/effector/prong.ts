@@ -1,4 +1,4 @@
-/** The concept arm's prong: how far it is from the fixed finger, and its switch with its three positions. */
+/** The concept arm's prong: its distance from the fixed finger, and its switch with three positions. */
 
 import type { EffectorSwitch, Hand as HandState } from '../../link/protocol';
 import { small } from '../../words/format';
@@ -9,7 +9,7 @@ import { CLOSE_S, type Hand, OPEN_S } from './hand';
 
 const LENGTH = 100;
 
-/** Whether the prong is on its way: its switch is put, and it is not where that ends. */
+/** Whether the prong moves: its switch is not at stop, and the prong is not at the end of its travel. */
 export function isMoving({ switch: put, opening }: Pick<HandState, 'switch' | 'opening'>): boolean {
   return put !== 'stop' && opening !== (put === 'close' ? 0 : 1);
 }
@@ -18,7 +18,7 @@ export function prong(desk: Desk): Hand {
   const put = (position: EffectorSwitch) => desk.send({ type: 'effector', switch: position });
   const close = holdButton('Close', 'close', CLOSE_S, () => put('close'));
   const open = holdButton('Open', 'open', OPEN_S, () => put('open'));
-  const stop = button({ title: 'Stop the prong; either key does the same while it moves' }, ['Stop'], () =>
+  const stop = button({ title: 'Stop the prong; while it moves, either key stops it too' }, ['Stop'], () =>
     put('stop'),
   );
   const keys = { close: close.element, stop, open: open.element };

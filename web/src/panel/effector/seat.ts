@@ -1,18 +1,18 @@
-/** The switch that fixes a payload in its seat, or frees it: retention latches, docking port. */
+/** The switch that latches a payload in its berth, or unlatches it: retention latches or docking port. */
 
 import type { Work, WorkInfo } from '../../link/protocol';
 import { el, setAttribute, setClass, setText } from '../parts/dom';
 import { type HoldButton, holdButton } from '../parts/hold-button';
 import type { Desk } from '../parts/part';
 
-/** Held so long to latch or to unlatch [s]. */
+/** Time to hold a button to latch or to unlatch [s]. */
 const LATCH_S = 1;
 
 export interface Seat {
   readonly element: HTMLElement;
-  /** The button that the key presses now. */
+  /** Presses the button that applies now, for the key. */
   keyed(): HoldButton;
-  /** Whichever it pressed comes up: by then the other may be the one. */
+  /** Releases the button that the key pressed; meanwhile the other one may apply. */
   lift(at: number): void;
   tick(): void;
   set(work: Work): void;
@@ -39,7 +39,7 @@ export function seat(desk: Desk): Seat {
     set(work) {
       const at = seatTitle(desk.welcome.work, seatNow(work));
       fixed = at !== '';
-      setText(where, at === '' ? 'in no seat' : at);
+      setText(where, at === '' ? 'in no berth' : at);
       setAttribute(where, 'title', at);
       setClass(latch.element, 'keyed', !fixed);
       setClass(unlatch.element, 'keyed', fixed);
@@ -47,13 +47,13 @@ export function seat(desk: Desk): Seat {
   };
 }
 
-/** The seat of the payload that is held, else of any; empty where that is in none. */
+/** The berth of the held payload, or else of any payload; empty if it is in none. */
 export function seatNow({ cargo }: Pick<Work, 'cargo'>): string {
   const held = cargo.find((each) => each.held);
   return held ? held.seat : (cargo.find((each) => each.seat !== '')?.seat ?? '');
 }
 
-/** A seat's name for display; empty for none. */
+/** Title of a berth for display; empty if there is none. */
 export function seatTitle({ seats }: Pick<WorkInfo, 'seats'>, name: string): string {
   return seats.find((seat) => seat.name === name)?.title ?? name;
 }

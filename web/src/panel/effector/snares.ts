@@ -6,7 +6,7 @@ import { holdButton } from '../parts/hold-button';
 import type { Desk } from '../parts/part';
 import { CLOSE_S, type Hand, OPEN_S } from './hand';
 
-/** As on the panel, the row of a capture over that of a release. */
+/** The flags as on the panel: the row of a capture above that of a release. */
 const FLAGS = ['CAPTURE', 'CLOSE', 'RIGID', 'EXTEND', 'OPEN', 'DERIGID'] as const;
 
 const MODES = [
@@ -26,7 +26,7 @@ export function snares(desk: Desk): Hand {
   );
   let rigid: HandState['rigid'] = 'off';
   const carriage = CARRIAGE.map((way) =>
-    button({ title: 'Move the carriage alone; press again to switch off' }, [way], () =>
+    button({ title: 'Move only the carriage; press again to stop it' }, [way], () =>
       desk.send({ type: 'rigid', rigid: rigid === way ? 'off' : way }),
     ),
   );

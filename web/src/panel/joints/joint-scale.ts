@@ -2,7 +2,7 @@
 
 import type { JointInfo } from '../../link/protocol';
 
-/** Length of the bar, and of each of its four limit zones, which true scale would hide. */
+/** Length of the bar, and of each of its four limit zones, which would be invisible at true scale. */
 export const BAR = 170;
 const ZONE = 9;
 const PLACES = [0, ZONE, 2 * ZONE, BAR - 2 * ZONE, BAR - ZONE, BAR] as const;
@@ -14,12 +14,12 @@ function angles({ hard, soft, reach }: Limits): readonly number[] {
   return [hard[0], soft[0], reach[0], reach[1], soft[1], hard[1]];
 }
 
-/** Place on the bar, 0 at the lower hard stop to `BAR` at the upper, of an angle [rad]. */
+/** Position of an angle [rad] on the bar: 0 at the lower hard stop, `BAR` at the upper one. */
 export function place(joint: Limits, angle: number): number {
   return between(angles(joint), PLACES, angle);
 }
 
-/** The angle [rad] at a place on the bar. */
+/** The angle [rad] at a position on the bar. */
 export function angleAt(joint: Limits, at: number): number {
   return between(PLACES, angles(joint), at);
 }

@@ -1,4 +1,4 @@
-/** The master arm: six sliders in the joints' place, turned by the sticks as well; the arm follows it in MASTER. */
+/** The master arm: six sliders in place of the joints, which the sticks move as well; in MASTER the arm follows it. */
 
 import type { Frame, Six } from '../../link/protocol';
 import { degrees } from '../../words/format';
@@ -8,13 +8,13 @@ import type { Desk, Part } from '../parts/part';
 import { slider } from './slider';
 import { standRow } from './stand';
 
-/** Sent no more often than this [ms]. */
+/** Least time between two messages [ms]. */
 const PERIOD_MS = 50;
 /** Time after a change here, after which the station's angles of the master are displayed again [ms]. */
 const OWN_MS = 500;
 
 export interface MasterGroup extends Part {
-  /** Puts the master where the arm is, so that the arm has nothing left to follow. */
+  /** Sets the master to the arm's angles, so that the arm stops. */
   meet(): void;
 }
 
@@ -27,7 +27,7 @@ export function masterGroup(desk: Desk): MasterGroup {
     own = { angles, at: performance.now() };
     out.put(angles);
   };
-  /** Angles of the master: as last set, here or at the station; in other modes, those of the arm. */
+  /** Angles of the master: as set last by this page or the station; in other modes those of the arm. */
   const master = (frame: Frame): Six => {
     if (own && performance.now() - own.at > OWN_MS) own = null;
     return own?.angles ?? frame.work.master ?? frame.angles;
@@ -41,7 +41,7 @@ export function masterGroup(desk: Desk): MasterGroup {
     const row = el(
       'tr',
       {},
-      el('th', { scope: 'row', title: `${joint.stick} turns it as well` }, joint.label),
+      el('th', { scope: 'row', title: `Turn this joint also by ${joint.stick}` }, joint.label),
       el('td', { class: 'scale' }, bar.element),
       actual,
       commanded,

@@ -1,4 +1,4 @@
-/** One joint of the master arm: a slider over the joint's bar, commanded above, actual below. */
+/** One joint of the master arm: a slider on the joint's bar, with the commanded angle above and the actual one below. */
 
 import type { JointInfo } from '../../link/protocol';
 import { degrees } from '../../words/format';
@@ -10,7 +10,7 @@ const DEGREE = Math.PI / 180;
 /** Steps of the arrow keys and of Page up and down [rad]. */
 const STEP = 0.5 * DEGREE;
 const PAGE = 5 * DEGREE;
-/** The bar's margin at either end, in its own units, as in its view box. */
+/** The bar's margin at either end, in the units of its view box. */
 const MARGIN = 3;
 
 export interface Slider {
@@ -42,7 +42,7 @@ export function slider(joint: JointInfo, moved: (angle: number) => void): Slider
     commanded = Math.min(greatest, Math.max(least, angle));
     moved(commanded);
   };
-  // A drag moves the master by as much as the pointer: a touch alone moves no arm.
+  // A drag moves the master by the pointer's distance, so that a touch alone does not move the arm.
   let grip = { from: 0, at: 0 };
   element.addEventListener('pointerdown', (event) => {
     element.setPointerCapture(event.pointerId);

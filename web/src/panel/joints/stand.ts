@@ -1,4 +1,4 @@
-/** The telescope under the arm: one more row under the joints. */
+/** The telescope under the arm: one more row below the joints. */
 
 import { keyOf } from '../../input/layout';
 import type { StandInfo } from '../../link/protocol';
@@ -9,7 +9,7 @@ import { BAR } from './joint-scale';
 
 export interface StandRow {
   readonly element: HTMLElement;
-  /** Its length [m], at picture rate. */
+  /** Sets the length [m], at picture rate. */
   point(length: number): void;
   set(length: number, units: Units): void;
 }
@@ -48,7 +48,7 @@ export function standRow({ least, greatest }: StandInfo): StandRow {
       const shown = (metres: number) => fixed(metres * units.length.perSi, units.length.decimals, false);
       setText(unit, units.length.name);
       setText(value, shown(length));
-      setAttribute(scale, 'title', `Stand: ${shown(least)} to ${shown(greatest)} ${units.length.name}`);
+      setAttribute(scale, 'title', `Telescope: ${shown(least)} to ${shown(greatest)} ${units.length.name}`);
       setText(keys[0], `${keyOf('+telescope')} longer`);
       setText(keys[1], `${keyOf('-telescope')} shorter`);
     },

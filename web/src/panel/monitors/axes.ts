@@ -5,13 +5,13 @@ import type { Vec3 } from '../../link/protocol';
 import { setAttribute, setClass, setText, svg } from '../parts/dom';
 
 const LENGTH = 34;
-/** The ring turns dashed from here on: 90°, and a little more so that looking straight down is steady [rad]. */
+/** Angle from which the ring is dashed: slightly more than 90°, so that a view straight down does not flicker [rad]. */
 const CROSSED = Math.PI / 2 + 0.04;
-/** An axis shorter than this in the picture points at the viewer or away. */
+/** An axis shorter than this in the picture points towards the viewer or away. */
 const END_ON = 0.2;
 
 const ABOUT =
-  'Axes that the sticks move along, as this camera sees them. Dashed, with an angle: the picture is turned by so much against the sticks.';
+  'Axes of the sticks as this camera sees them. Dashed, with an angle: the picture is turned against the sticks by this angle';
 
 export interface AxesOverlay {
   readonly element: SVGSVGElement;

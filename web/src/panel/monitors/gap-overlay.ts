@@ -1,37 +1,37 @@
 /**
- * Over a picture: the narrowest gap, dashed, with its ends and how wide it is, and what touches. The scene fills the
- * dashes where nothing hides the line, so that it is solid as far as it is seen.
+ * Overlay of a picture: the minimum clearance as a dashed line with its ends and its value, and the contacts. The scene
+ * fills the dashes where nothing hides the line, so that its visible part is solid.
  */
 
 import { el, setAttribute, setClass, setText, svg } from '../parts/dom';
 import { type Box, clipped, labelPlace, type Point, type Size } from './label-place';
 
-/** A line of the picture [px], and whether it calls for attention. */
+/** A line in the picture [px], and whether it is a caution. */
 export interface GapLine {
   readonly a: Point;
   readonly b: Point;
   readonly caution: boolean;
 }
 
-/** A contact; an essential one is made to be. */
+/** A contact in the picture. */
 export interface Touch {
   readonly at: Point;
   readonly essential: boolean;
 }
 
 export interface GapOverlay {
-  /** Over the picture, in this order. */
+  /** Elements over the picture, in this order. */
   readonly elements: readonly [SVGSVGElement, HTMLElement];
-  /** At picture rate; `line` null: no gap is seen here. */
+  /** Draws line and contacts, at picture rate; `line` is null if the picture does not show the clearance. */
   show(line: GapLine | null, touches: readonly Touch[], picture: Size): void;
-  /** Width of the gap, and for each end whether it is visible. */
+  /** Writes the clearance; `seen`: for each end whether it is visible. */
   setText(text: string, seen: readonly [boolean, boolean]): void;
 }
 
-/** So many contacts are marked, each with a mark of this radius [px]. */
+/** Greatest number of marks for contacts, and their radius [px]. */
 const MOST = 8;
 const RADIUS = 14;
-const MEANT = 'Parts touch here, as the work has it: no alarm';
+const MEANT = 'Essential contact: no alarm';
 
 function around({ x, y }: Point): Box {
   return { left: x - RADIUS, top: y - RADIUS, right: x + RADIUS, bottom: y + RADIUS };
@@ -53,7 +53,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
   });
   const label = el('p', { class: 'gap-label' });
   const element = svg('svg', { class: 'gaps', 'aria-hidden': 'true' }, gap, ...marks);
-  /** The label's sizes by the number of its letters: its figures are all as wide. To measure one, the page is laid out. */
+  /** The label's sizes by its number of letters, because all figures have the same width, and measuring one lays out the page. */
   const sizes = new Map<number, Size>();
   let room = 0;
   let placeLabel: () => void = () => undefined;
@@ -78,8 +78,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
         if (!touch) return;
         setAttribute(mark, 'transform', `translate(${touch.at.x.toFixed(1)} ${touch.at.y.toFixed(1)})`);
         setClass(mark, 'essential', touch.essential);
-        if (mark.firstElementChild)
-          setText(mark.firstElementChild, touch.essential ? MEANT : 'Parts touch here');
+        if (mark.firstElementChild) setText(mark.firstElementChild, touch.essential ? MEANT : 'Contact');
       });
       if (picture.width !== room) sizes.clear();
       room = picture.width;
@@ -116,7 +115,7 @@ export function gapOverlay(taken: (picture: Size) => readonly Box[]): GapOverlay
       ends.forEach((end, i) => {
         setClass(end, 'hidden', !seen[i]);
       });
-      // A paused replay draws no picture that would place it again.
+      // A paused replay draws no further picture that would place the label.
       if (label.textContent.length !== letters && !label.hidden) placeLabel();
     },
   };

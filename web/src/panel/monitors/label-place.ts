@@ -1,4 +1,4 @@
-/** Where a label goes beside a line in a picture. All in px from the picture's top left. */
+/** Position of a label beside a line in a picture. All lengths in px from the picture's top left. */
 
 export interface Point {
   readonly x: number;
@@ -12,12 +12,12 @@ export interface Box {
   readonly bottom: number;
 }
 
-/** From the line to the label's nearer edge. */
+/** Distance from the line to the label's nearer edge. */
 const APART = 12;
-/** From the picture's edge. */
+/** Distance from the picture's edge. */
 const MARGIN = 6;
 
-/** The part of a line that lies in a box; null where none does. */
+/** The part of a line in a box; null if the line is outside. */
 export function clipped(a: Point, b: Point, box: Box): readonly [Point, Point] | null {
   const [dx, dy] = [b.x - a.x, b.y - a.y];
   let [from, to] = [0, 1];
@@ -40,9 +40,9 @@ export function clipped(a: Point, b: Point, box: Box): readonly [Point, Point] |
 }
 
 /**
- * Top left of a label beside the middle of a line: on the side away from the picture's middle, as what is worked on
- * is mostly there, else wherever it fits and covers nothing of `taken`; at the picture's edge, moved into it, and off
- * what it would cover there.
+ * Top left of a label beside the middle of a line. First choice is the side away from the picture's middle, where the
+ * payload mostly is; otherwise any side on which the label fits and covers nothing of `taken`. At the picture's edge it
+ * is moved into the picture, and off the boxes of `taken`.
  */
 export function labelPlace(
   ends: readonly [Point, Point],
@@ -78,7 +78,7 @@ export function labelPlace(
   return places.find(fits) ?? inside.find(free) ?? nearest ?? inside[0] ?? middle;
 }
 
-/** How far from the middle of a line its label's edge is, aside and above: past the line, or as soon as it is clear of it. */
+/** Distance of the label's edge from the middle of the line, aside and above: past the line's end, or just clear of the line. */
 function reachOf(a: Point, b: Point, label: Size): Point {
   const [wide, high] = [Math.abs(a.x - b.x), Math.abs(a.y - b.y)];
   const off = APART * Math.hypot(wide, high);
@@ -103,7 +103,7 @@ function overlap(a: Box, b: Box): boolean {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-/** The nearest place that lies in the picture. */
+/** The nearest position in the picture. */
 function into({ x, y }: Point, label: Size, picture: Size): Point {
   const within = (value: number, most: number) => Math.max(MARGIN, Math.min(most - MARGIN, value));
   return { x: within(x, picture.width - label.width), y: within(y, picture.height - label.height) };

@@ -1,4 +1,4 @@
-/** All cameras at once: a tile each, what it sees, and below them what is needed to fly on. */
+/** All cameras at once: a tile for each with the targets that it sees, and below them clearance and lamps. */
 
 import type { Target } from '../../cameras/best-pair';
 import { type Age, isStale } from '../../link/delay-line';
@@ -7,18 +7,18 @@ import { button, el, group, setAttribute, setClass, setText } from '../parts/dom
 import { fitPane } from './picture';
 import { type Plan, plan } from './plan';
 
-/** Tiles beside and below each other; one size, whatever there are. */
+/** Columns and rows of tiles, which have one size whatever their number. */
 const [ACROSS, DOWN] = [5, 3];
 
 export interface Tile {
   readonly camera: Camera;
-  /** The hole over the scene's canvas. */
+  /** Transparent element over the scene's canvas. */
   readonly picture: HTMLElement;
 }
 
 export interface MatrixListener {
   chosen(camera: Camera): void;
-  /** All cameras shall be shown in a window of their own; absent: they are. */
+  /** Opens all cameras in a secondary window; absent in such a window. */
   tearOff?: () => void;
 }
 
@@ -58,7 +58,7 @@ export class Matrix {
     );
     const across = Math.max(ACROSS, Math.ceil(cameras.length / DOWN));
     const places = group('places', 'Camera places', this.plan.element);
-    // The plan takes the tiles that are left over, if it is larger there than below them.
+    // The plan uses the free tiles if it is larger there than below the tiles.
     const left = across * DOWN - cameras.length;
     const among = left >= 2 && left < across;
     if (among) {
@@ -85,7 +85,7 @@ export class Matrix {
     );
   }
 
-  /** Takes the desk's clearance and the lamps in, until `close`. */
+  /** Takes the desk's clearance and the lamps, until `close`. */
   open(clearance: HTMLElement | null, lamps: HTMLElement | null): void {
     for (const [node, place] of [
       [clearance, this.lentTo.clearance],
@@ -104,7 +104,7 @@ export class Matrix {
     this.back = [];
   }
 
-  /** What a camera sees, and the monitors that show it. */
+  /** Writes the targets that a camera sees, and the monitors that show it. */
   say(index: number, sees: readonly Target[], tags: readonly string[]): void {
     const part = this.parts[index];
     if (!part) return;
@@ -118,12 +118,12 @@ export class Matrix {
       camera.name,
       camera.title,
       ...tags,
-      sees.length > 0 ? `sees ${sees.join(', ')}` : 'sees none of it',
+      sees.length > 0 ? `sees ${sees.join(', ')}` : 'sees no target',
     ];
     setAttribute(tile, 'aria-label', label.join(', '));
   }
 
-  /** How old the pictures are [s]; null: they are recorded ones. */
+  /** Sets the age of the pictures; null for a replay. */
   setAge(age: Age | null): void {
     const lost = age !== null && isStale(age);
     for (const { tile, lost: words } of this.parts) {
@@ -133,7 +133,7 @@ export class Matrix {
   }
 
   setAdvice(sentences: readonly string[]): void {
-    const said = [...sentences, 'Words under a picture: what it sees.'];
+    const said = [...sentences, 'Under a picture: the targets in it.'];
     if (this.views.childElementCount !== said.length) this.views.replaceChildren(...said.map(() => el('p')));
     said.forEach((sentence, i) => {
       const line = this.views.children[i];
@@ -144,5 +144,4 @@ export class Matrix {
   }
 }
 
-const TURNED =
-  'By how much a picture is turned against the directions in which the sticks move what it shows';
+const TURNED = 'Angle by which a picture is turned against the directions of the sticks';

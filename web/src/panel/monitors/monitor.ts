@@ -7,27 +7,27 @@ import { button, el, setAttribute, setClass, setPressed, setText } from '../part
 import { Picture } from './picture';
 
 export interface MonitorListener {
-  /** The operator took a half of this monitor in hand, or pressed a key of the selector, which acts on it. */
+  /** The user selected a half of this monitor, or pressed a key of its selector. */
   taken(half: number): void;
   choose(camera: Camera): void;
   split(): void;
   slow(): void;
-  /** Engineering views shall go round something else. */
+  /** The user asked for the next centre of the engineering views. */
   round(): void;
-  /** It shall be shown in a window of its own; absent: it is. */
+  /** Opens the monitor in a secondary window; absent in such a window. */
   tearOff?: () => void;
   orbited(camera: Camera, right: number, upwards: number, nearer: number, aside: boolean): void;
-  /** Cameras can be turned from this page. */
+  /** Whether this page can turn cameras. */
   readonly turns: boolean;
 }
 
-const ROUND = 'What the free view goes round: where it began, the tip, the payload or the narrowest gap';
-const SHIFT = 'Drags and arrows shift the free view (as a drag with Shift or the second button does)';
-const SLOW = 'Cameras turn at their low speed';
+const ROUND = 'Change the centre of the free view: start, tip, payload or minimum clearance';
+const SHIFT = 'Shift the free view by drags and arrows (as with Shift or the second button)';
+const SLOW = 'Turn cameras at their low speed';
 
 export class Monitor {
   readonly element: HTMLElement;
-  /** Left and right; the right one is shown where the monitor is split. */
+  /** Left and right picture; the right one is visible if the monitor is split. */
   readonly halves: readonly [Picture, Picture];
   private readonly keys: readonly HTMLButtonElement[];
   private readonly hand: HTMLButtonElement;
@@ -60,7 +60,7 @@ export class Monitor {
         listener.choose(camera);
       }),
     );
-    this.hand = button({ class: 'hand' }, [label, el('em', {}, 'in hand')], () => listener.taken(this.half));
+    this.hand = button({ class: 'hand' }, [label, el('em', {}, 'selected')], () => listener.taken(this.half));
     this.splitKey = button(
       { title: `Show two cameras beside each other: ${nameOf('KeyZ')}` },
       ['Split'],
@@ -74,7 +74,7 @@ export class Monitor {
     const off = tearOff
       ? [
           button(
-            { class: 'off', title: `${label} in a secondary window`, 'aria-label': 'Own window' },
+            { class: 'off', title: `Open ${label} in a secondary window`, 'aria-label': 'Own window' },
             ['↗'],
             tearOff,
           ),
@@ -97,12 +97,12 @@ export class Monitor {
     this.setSplit(false);
   }
 
-  /** What the camera keys act on. */
+  /** The picture that the camera keys act on. */
   get picture(): Picture {
     return this.half === 1 && this.two ? this.halves[1] : this.halves[0];
   }
 
-  /** Those that are shown, from the left. */
+  /** The visible pictures, from the left. */
   get pictures(): readonly Picture[] {
     return this.two ? this.halves : [this.halves[0]];
   }
@@ -111,7 +111,7 @@ export class Monitor {
     return this.two;
   }
 
-  /** Shows other cameras: one, or two halves; those that there are not leave what is shown. */
+  /** Shows other cameras: one, or two in halves; a name without a camera changes nothing. */
   show(names: readonly string[]): void {
     const cameras = names.flatMap((name) => this.cameras.filter((camera) => camera.name === name));
     if (cameras.length === 0) return;
@@ -126,7 +126,7 @@ export class Monitor {
     this.mark();
   }
 
-  /** The camera so many places on from the one in hand. */
+  /** Shows the camera that is `by` positions after the present one. */
   step(by: number): void {
     const { cameras } = this;
     const at = cameras.indexOf(this.picture.camera);
@@ -134,7 +134,7 @@ export class Monitor {
     if (next) this.choose(next);
   }
 
-  /** Splits, with the right half in hand, or leaves the half in hand alone. */
+  /** Splits the monitor and selects its right half, or shows only the selected half. */
   toggleSplit(): void {
     if (this.two) {
       this.halves[0].show(this.picture.camera);
@@ -145,7 +145,7 @@ export class Monitor {
     }
   }
 
-  /** `half`: which one of its halves is in hand; null: none is. */
+  /** Marks the selected half; null if this monitor is not selected. */
   setInHand(half: number | null): void {
     if (half !== null) this.half = half;
     setClass(this.element, 'in-hand', half !== null);
@@ -157,7 +157,7 @@ export class Monitor {
     setPressed(this.slowKey, on);
   }
 
-  /** What engineering views go round; null: the place where they began. */
+  /** Shows the centre of the engineering views; null for their start. */
   setRound(target: Target | null): void {
     setText(this.roundKey, `Round ${target ?? 'place'}`);
   }

@@ -1,4 +1,4 @@
-/** One picture: a hole over the scene's canvas, and what is burned into it. */
+/** One picture: a transparent element over the scene's canvas, with texts and marks over it. */
 
 import { CameraDrag, type Place } from '../../input/camera-drag';
 import type { Turning } from '../../input/camera-hand';
@@ -12,29 +12,29 @@ import { axesOverlay } from './axes';
 import { type GapLine, gapOverlay, type Touch } from './gap-overlay';
 import type { Box, Size } from './label-place';
 
-/** Dragging across a whole picture goes round by this much [rad]; a turn of the wheel comes nearer by this much. */
+/** Rotation of an engineering view by a drag across the whole picture [rad]; factor of distance for a notch of the wheel. */
 const DRAGGED = Math.PI;
 const WHEEL = 1.15;
-/** A mouse's second button, among those that are down. */
+/** Bit of a mouse's second button in `buttons`. */
 const SECOND = 2;
-/** What a mouse or a finger does in a picture. */
+/** Effects of mouse and fingers in a picture. */
 const HINTS = {
   turns: 'drag: pan, tilt · wheel or pinch: zoom',
   zooms: 'wheel or pinch: zoom',
   none: '',
 } as const;
-const WATCHED = 'you watch: whoever flies turns cameras';
+const WATCHED = 'observing: only the operator moves cameras';
 
 export interface PictureListener {
-  /** The operator took this picture in hand. */
+  /** The user selected this picture. */
   taken(): void;
-  /** The engineering view was dragged to the right and upwards [rad], round or aside, or brought nearer by a factor. */
+  /** The engineering view was rotated or shifted to the right and upwards [rad], or brought nearer by a factor. */
   orbited(right: number, upwards: number, nearer: number, aside: boolean): void;
-  /** True if this page can turn cameras: it is in control. */
+  /** Whether this page can turn cameras. */
   readonly turns: boolean;
 }
 
-/** The touch sticks, over the pictures' lower corners. */
+/** Selector of the touch sticks, over the pictures' lower corners. */
 const TOUCH = 'div.touch';
 
 export class Picture {
@@ -96,39 +96,39 @@ export class Picture {
     setClass(this.element, 'window', camera.kind === 'window');
   }
 
-  /** Settings of the camera's drives, or those commanded: pan, tilt, field of view [rad]. At picture rate. */
+  /** Writes the settings of the camera's drives, at picture rate: pan, tilt, field of view [rad]. */
   setLens(setting: Vec3, { width }: Size): void {
     setText(this.lens, lensWords(this.shown, setting));
     fitPane(this.pane, this.shown, width);
   }
 
-  /** How a drag, a pinch or the wheel pushes the switches of this camera now. */
+  /** Deflections of this camera's switches by a drag, a pinch or the wheel. */
   turning(now: number): Turning {
     return this.drag.turning(now);
   }
 
-  /** Lets go of what is dragged. */
+  /** Ends a drag. */
   release(): void {
     this.drag.release();
     this.drawBand();
   }
 
-  /** The control frame's axes, at picture rate. */
+  /** Draws the control frame's axes, at picture rate. */
   setAxes(directions: readonly [Vec3, Vec3, Vec3]): void {
     this.axes.set(directions);
   }
 
-  /** The narrowest gap and what touches, as this picture of that size sees them, at picture rate. */
+  /** Draws the minimum clearance and the contacts in a picture of that size, at picture rate. */
   setGap(line: GapLine | null, touches: readonly Touch[], picture: Size): void {
     this.gap.show(line, touches, picture);
   }
 
-  /** How wide the gap is, and which of its ends can be seen here. */
+  /** Writes the minimum clearance; `seen`: which of its ends are visible in this picture. */
   setGapText(text: string, seen: readonly [boolean, boolean]): void {
     this.gap.setText(text, seen);
   }
 
-  /** Time code of the picture and its age; null: it is a recorded one. */
+  /** Writes the picture's time code and age; null for a replay. */
   setTime(frame: Frame, age: Age | null): void {
     const stale = age !== null && isStale(age);
     setText(this.time, timeCode(frame.time_s));
@@ -152,7 +152,7 @@ export class Picture {
     return boxes;
   }
 
-  /** The same where MON 2 lies in a corner of MON 1. */
+  /** The same if MON 2 is in a corner of MON 1. */
   private narrowCorners(picture: Size): readonly Box[] {
     const own = cornersOf(picture);
     if (this.element.closest('.monitor + .monitor')) return own;
@@ -160,7 +160,7 @@ export class Picture {
     return [...own, { left: 0.5 * width, top: 0, right: width, bottom: 0.5 * height }];
   }
 
-  /** Where the touch sticks lie, from this picture's corner. */
+  /** Boxes of the touch sticks, from this picture's corner. */
   private touchSticks(): readonly Box[] {
     const { left: x, top: y } = this.element.getBoundingClientRect();
     return [...document.querySelectorAll(`${TOUCH} > div`)].map((part) => {
@@ -222,7 +222,7 @@ export class Picture {
     return { x: clientX - left, y: clientY - top };
   }
 
-  /** The way from where a drag began: as long as it is, so fast the camera turns. */
+  /** A line from the start of a drag; its length sets the camera's rate. */
   private drawBand(): void {
     const { line } = this.drag;
     const at = ({ x, y }: Place) => `${x.toFixed(1)} ${y.toFixed(1)}`;
@@ -230,13 +230,13 @@ export class Picture {
   }
 }
 
-/** What of a camera a drag or the wheel turns. */
+/** Drives of a camera that a drag or the wheel moves. */
 function drives({ drive }: Camera): keyof typeof HINTS {
   if (!drive) return 'none';
   return drive.pan || drive.tilt ? 'turns' : 'zooms';
 }
 
-/** Opens a window's pane in a picture so many pixels wide. */
+/** Fits the outline of a window's pane to a picture of this width [px]. */
 export function fitPane(element: HTMLElement, { pane, field_of_view }: Camera, width: number): void {
   if (!pane) return;
   const perMetre = width / (2 * Math.tan(field_of_view / 2) * pane.distance);
@@ -244,7 +244,7 @@ export function fitPane(element: HTMLElement, { pane, field_of_view }: Camera, w
   setAttribute(element, 'style', `width: ${wide}; height: ${high}`);
 }
 
-/** What is burned into the corners of a picture, with room around it [px]. */
+/** Boxes of the texts in the corners of a picture, with a margin [px]. */
 function cornersOf({ width, height }: Size): readonly Box[] {
   const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
   const [across, axes, lens] = [0.5 * width, 7 * rem, 3 * rem];

@@ -1,23 +1,16 @@
 /** Plan view: position and direction of each camera, over the worksite as seen from above. */
 
 import type { Camera, Vec3 } from '../../link/protocol';
+import type { Extent } from '../../scene/overhead';
 import { el, setAttribute, setClass, svg } from '../parts/dom';
 import type { Size } from './label-place';
 
-/** Length of a wedge, of the whole place's length. */
+/** Length of a wedge, as a part of the plan's length. */
 const WEDGE = 0.11;
-/** Looking steeper than this, a wedge says nothing [sine]. */
+/** Steepest view for which a wedge is drawn [sine]. */
 const STEEP = 0.97;
-/** Room round what the plan shows, of its size. */
+/** Margin of the plan, as a part of its size. */
 const MARGIN = 0.16;
-
-/** What the plan shows of the scene [m]: x aft to the right, y to starboard upwards, from the lower left corner. */
-export interface Extent {
-  readonly x: number;
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
-}
 
 export interface Mark {
   readonly camera: Camera;
@@ -25,13 +18,13 @@ export interface Mark {
   readonly ahead: Vec3;
   /** Horizontal field of view [rad]. */
   readonly angle: number;
-  /** A monitor shows it. */
+  /** Whether a monitor shows it. */
   readonly used: boolean;
 }
 
 export interface Plan {
   readonly element: HTMLElement;
-  /** The hole over the scene's canvas. */
+  /** Transparent element over the scene's canvas. */
   readonly picture: HTMLElement;
   set(extent: Extent, marks: readonly Mark[], gap: Vec3 | null): void;
 }
@@ -51,7 +44,7 @@ export function plan(cameras: readonly Camera[]): Plan {
     picture,
     set({ x, y, width, height }, seen, at) {
       setAttribute(drawing, 'viewBox', `${x} ${-y - height} ${width} ${height}`);
-      // Text is as high as that of the page, whatever the scale.
+      // Text has the page's size at every scale.
       const unit = height / Math.max(1, picture.clientHeight);
       const size = 12.5 * unit;
       marks.forEach((mark, i) => {
@@ -59,7 +52,7 @@ export function plan(cameras: readonly Camera[]): Plan {
         if (!one) return;
         const [px, up] = one.lens;
         const [dx, ahead, dz] = one.ahead;
-        const [py, dy] = [-up, -ahead]; // a drawing's y goes down
+        const [py, dy] = [-up, -ahead]; // in a drawing, y points down
         setClass(mark.element, 'used', one.used);
         setAttribute(
           mark.wedge,
@@ -72,7 +65,7 @@ export function plan(cameras: readonly Camera[]): Plan {
           ['r', 2.6 * unit],
         ] as const)
           setAttribute(mark.dot, name, value.toFixed(2));
-        // Behind the camera, where its wedge is not.
+        // Behind the camera, clear of its wedge.
         const back = Math.hypot(dx, dy) || 1;
         setAttribute(mark.label, 'x', (px - (dx / back) * size * 0.9).toFixed(2));
         setAttribute(mark.label, 'y', (py - (dy / back) * size * 0.9).toFixed(2));
@@ -96,7 +89,7 @@ function wedge(x: number, y: number, heading: number, angle: number, length: num
   return `M${x.toFixed(2)} ${y.toFixed(2)}L${corner(-1)}L${corner(1)}Z`;
 }
 
-/** What lies round some places of the scene, in the shape of a picture of that size. */
+/** Extent around some points of the scene, in the shape of a picture of that size. */
 export function extentOf(places: readonly Vec3[], { width, height }: Size): Extent {
   const sides = [0, 1].map((k) => places.map((place) => place[k] ?? 0));
   const [left = 0, right = 0, low = 0, high = 0] = sides.flatMap((values) => [

@@ -1,4 +1,4 @@
-/** A rate as a part of its limit, −1 to 1: commanded hollow above, actual filled from the middle below. */
+/** A rate as a part of its limit, −1 to 1: commanded as a hollow mark above, actual as a bar from the middle below. */
 
 import { clamp } from '../../basics/clamp';
 import { setAttribute, svg } from './dom';

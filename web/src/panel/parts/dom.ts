@@ -25,7 +25,7 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   return node;
 }
 
-/** A push button; a click by pointer gives the keys back to flying. */
+/** A push button; after a click by pointer it has no focus, so that keys control the arm again. */
 export function button(attributes: Attributes, children: Child[], pressed: () => void): HTMLButtonElement {
   const node = el('button', { type: 'button', ...attributes }, ...children);
   node.addEventListener('click', (event) => {
@@ -46,7 +46,7 @@ export function group(name: string, title: string, ...children: Child[]): HTMLEl
   );
 }
 
-/** The words after a group's title. */
+/** Writes the words after a group's title. */
 export function setAbout(section: HTMLElement, text: string): void {
   const about = section.querySelector('h2 .about');
   if (!about) return;
@@ -57,7 +57,7 @@ export function setAbout(section: HTMLElement, text: string): void {
 export function setText(node: Element, text: string): void {
   const { firstChild } = node;
   if (firstChild instanceof Text && firstChild === node.lastChild) {
-    if (firstChild.data !== text) firstChild.data = text; // cheaper than a node that goes and another that comes
+    if (firstChild.data !== text) firstChild.data = text; // cheaper than a new node
   } else if (node.textContent !== text) node.textContent = text;
 }
 

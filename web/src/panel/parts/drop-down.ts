@@ -1,4 +1,4 @@
-/** A list that opens under its key, and closes as the focus or a pointer goes elsewhere. */
+/** A list that opens below its key, and closes when the focus or a click is outside it. */
 
 import { button, el } from './dom';
 

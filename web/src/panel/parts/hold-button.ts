@@ -1,4 +1,4 @@
-/** A button that acts once it was held for a while, by pointer, by Enter, or by a key of its own. */
+/** A button that acts after it was held for a set time, by pointer, by Enter, or by a key of its own. */
 
 import { Hold } from '../../input/hold';
 import type { Grip } from '../../input/keymap';
@@ -7,14 +7,14 @@ import { el, setText } from './dom';
 
 export interface HoldButton {
   readonly element: HTMLButtonElement;
-  /** It went down, or came up, at `at` [ms, as performance.now()]. */
+  /** Takes a press or a release at `at` [ms, as performance.now()]. */
   press(at: number): void;
   lift(at: number): void;
-  /** Fills with the time gone; acts when that is over. */
+  /** Fills the bar with the elapsed time; acts when the time is over. */
   tick(): void;
 }
 
-/** `grip`: what the operator holds a key for instead; `begins`: whether being held leads to anything now. */
+/** `grip`: the use whose key does the same; `begins`: whether holding the button has an effect now. */
 export function holdButton(
   label: string,
   grip: Grip,
@@ -55,7 +55,7 @@ export function holdButton(
   });
   element.addEventListener('click', (event) => {
     if (event.detail > 0) element.blur();
-    else if (begins()) act(); // neither pointer nor key: an assistive device, which cannot hold
+    else if (begins()) act(); // click without pointer or key, by an assistive device, which cannot hold
   });
   return {
     element,

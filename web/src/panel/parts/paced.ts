@@ -1,16 +1,16 @@
-/** Hands on the newest of many values, no more often than a link should carry them. */
+/** Sends the newest of many values, at a limited rate. */
 
 export class Paced<T> {
   private newest: { readonly value: T } | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** `period` between two values [ms]. */
+  /** `period`: least time between two values [ms]. */
   constructor(
     private readonly period: number,
     private readonly send: (value: T) => void,
   ) {}
 
-  /** Sends the value now, or as soon as the last one is old enough, unless a newer one comes. */
+  /** Sends the value now, or when the period is over, unless a newer value replaces it. */
   put(value: T): void {
     this.newest = { value };
     if (this.timer === undefined) this.next();

@@ -1,4 +1,4 @@
-/** What the desk's groups have in common: they draw one frame, and hold nothing of the arm themselves. */
+/** Interface of the desk's groups: they draw one frame, and keep no state of the arm. */
 
 import type { ControllersShown } from '../../input/controllers';
 import type { Deflection } from '../../input/deflection';
@@ -6,7 +6,7 @@ import type { Frame, Welcome } from '../../link/protocol';
 import type { Command } from '../../link/socket';
 import type { Units } from '../../words/units';
 
-/** All that a part draws from. */
+/** Data that a part draws. */
 export interface View {
   readonly frame: Frame;
   readonly units: Units;
@@ -14,26 +14,26 @@ export interface View {
   readonly hand: Deflection;
   /** Description of the devices that move them. */
   readonly controllers: ControllersShown;
-  /** What the page that flies is called, at the beginning of a sentence; empty: no page flies; null: a recording, which does not tell. */
+  /** Name of the operator, for the start of a sentence; empty if unattended; null for a recording, which contains no name. */
   readonly flier: string | null;
-  /** This page holds the sticks. */
+  /** Whether this page is in control. */
   readonly flying: boolean;
-  /** This page's THC flies the orbiter. */
+  /** Whether this page's THC is assigned to the orbiter. */
   readonly orbiting: boolean;
 }
 
 export interface Part {
   readonly element: HTMLElement;
-  /** Marks and bars, at picture rate. */
+  /** Draws marks and bars, at picture rate. */
   bars?(view: View): void;
-  /** Figures and legends, ten times a second. */
+  /** Writes figures and legends, ten times a second. */
   values?(view: View): void;
 }
 
-/** What the parts may do. */
+/** Services for the parts. */
 export interface Desk {
   readonly welcome: Welcome;
   send(command: Command): void;
-  /** A line of the page's own in the log. */
+  /** Adds a line of the page's own to the log. */
   say(text: string): void;
 }

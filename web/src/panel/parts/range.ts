@@ -1,4 +1,4 @@
-/** A slider for a number, with its value beside it. */
+/** A slider for a number, with the value beside it. */
 
 import { el, setText } from './dom';
 

@@ -1,14 +1,14 @@
-/** The three delays, as they are set and as they are measured; LINK DELAY, where commands take longer or do not come. */
+/** The three delays as set and as measured; and LINK DELAY, if commands take longer or the station is silent. */
 
 import type { SpineLamp } from '../spine/lamps';
 
-/** A station that says nothing for so long is silent [s]. */
+/** A station without a message for this time is silent [s]. */
 const SILENT_S = 0.5;
 
-/** A station that is well answers so soon after the delay that is set [s]: some control periods, and the way there. */
+/** Normal time of an answer beyond the set delay: some control periods and the transmission [s]. */
 const SLACK_S = 0.25;
 
-/** A delay measured so near to the one set is that one [s]; figures and pictures take their time to be drawn. */
+/** Greatest difference at which a measured delay counts as equal to the set one, because drawing takes time [s]. */
 const USUAL_S = { command: 0.1, telemetry: 0.25, camera: 0.25 } as const;
 
 const NAMES = ['command', 'telemetry', 'camera'] as const;
@@ -18,19 +18,19 @@ const SHORT = { command: 'CMD', telemetry: 'TLM', camera: 'CAM' } as const;
 const LONG = { command: 'Command', telemetry: 'Telemetry', camera: 'Camera' } as const;
 const MANY = 'Delay';
 
-/** A delay as the scenario sets it, and as it was in the last 10 s; null: nothing was measured [s]. */
+/** A delay as set by the scenario, and as measured in the last 10 s, null without a measurement [s]. */
 export interface Delay {
   readonly set: number;
   readonly measured: number | null;
 }
 
 /**
- * From a stick to the frame that has flown it; from a frame's coming to figures, lamps and log that are of it; and to
- * pictures that are.
+ * From a stick to the frame that used it; from the arrival of a frame to its figures, lamps and log; and to its
+ * pictures.
  */
 export type Delays = Readonly<Record<Name, Delay>>;
 
-/** The delays that there are for the rail, as set, and as measured where that differs; no text where there is none. */
+/** The delays for the rail, as set, and as measured if different; an empty text if there are none. */
 export function delayWords(delays: Delays): { readonly label: string; readonly text: string } {
   const told = NAMES.filter((name) => delays[name].set > 0 || differs(name, delays[name]));
   const [only] = told;
@@ -47,7 +47,7 @@ export function delayWords(delays: Delays): { readonly label: string; readonly t
   return { label: MANY, text: `${each.join(' · ')} s` };
 }
 
-/** The words need more room than those of one delay that is as it was set. */
+/** Whether the words need more room than one delay that equals its set value. */
 export function areLong(delays: Delays): boolean {
   return (
     NAMES.filter((name) => delays[name].set > 0).length > 1 ||
@@ -55,12 +55,12 @@ export function areLong(delays: Delays): boolean {
   );
 }
 
-/** Whether something takes another time than was set. */
+/** Whether a measured delay differs from the set one. */
 function differs(name: Name, { set, measured }: Delay): boolean {
   return measured !== null && Math.abs(measured - set) > USUAL_S[name];
 }
 
-/** `silence`: since a frame came last [s]. */
+/** `silence`: time since the last frame [s]. */
 export function linkLamp(silence: number, { command, telemetry, camera }: Delays): SpineLamp | null {
   const name = 'LINK DELAY';
   if (silence > SILENT_S) return { name, level: 'caution', text: `silent for ${silence.toFixed(0)} s` };

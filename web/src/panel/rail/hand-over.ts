@@ -1,19 +1,19 @@
-/** The sticks go from one page to another: who watches asks, who flies gives or keeps. */
+/** Hand-over of control between pages: an observer asks, the operator gives or keeps. */
 
 import type { Role } from '../../link/protocol';
 import type { Command } from '../../link/socket';
 import { button, el, setText } from '../parts/dom';
 import { called, calledFirst } from './operator-name';
 
-/** What the other is called is seen beside one's own name this long [ms]. */
+/** Time for which both names are displayed after a hand-over [ms]. */
 const SEEN_MS = 1000;
 
 export interface HandOver {
-  /** Asks: shown to who flies. */
+  /** The question to the operator. */
   readonly question: HTMLElement;
-  /** The key of who watches. */
+  /** The observer's key. */
   readonly ask: HTMLButtonElement;
-  /** Who flies, and who watches. */
+  /** Names of the operator and the observers. */
   words(role: Role, now: number): string;
 }
 
@@ -41,7 +41,7 @@ export function handOver(send: (command: Command) => void): HandOver {
       before = { flier, first: calledFirst(role, flier) };
       if (question.hidden === (flying && asking !== 0)) question.hidden = !question.hidden;
       setText(asked, asking === 0 ? '' : `${calledFirst(role, asking)} asks for the sticks.`);
-      const asks = !flying && number !== 0; // a page without hands asks for none
+      const asks = !flying && number !== 0; // a page that can only observe has number 0
       if (ask.hidden === asks) ask.hidden = !asks;
       ask.disabled = asking !== 0;
       setText(ask, asking === number ? 'Asked' : 'Ask for the sticks');
@@ -54,7 +54,7 @@ export function handOver(send: (command: Command) => void): HandOver {
   };
 }
 
-/** Who watches the one who flies: one by the name, more by their count. */
+/** The observers: one by name, several by their number. */
 function watched({ watchers, number, names }: Role): string {
   if (watchers === 0) return '';
   const other = names.find((each) => each.number !== number);

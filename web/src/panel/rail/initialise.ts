@@ -1,4 +1,4 @@
-/** The report's INITIALISE: start points of the problem, in a list under its key. */
+/** The report's INITIALISE: task phases at which the run can start, in a list below the key. */
 
 import type { ProblemPart } from '../../link/protocol';
 import { button, el } from '../parts/dom';
@@ -6,10 +6,10 @@ import { dropDown } from '../parts/drop-down';
 import type { Desk } from '../parts/part';
 
 const ABOUT: Readonly<Record<ProblemPart, string>> = {
-  'full problem': 'From the first instant of the problem',
-  acquisition: 'Mode 1: the end effector over the payload',
-  extraction: 'Mode 2: the payload held, still in its place',
-  manoeuvring: 'Mode 3: the payload held, clear of the bay',
+  'full problem': 'Start with the full problem',
+  acquisition: 'Start in mode 1, with the end effector over the payload',
+  extraction: 'Start in mode 2, with the payload captured in its berth',
+  manoeuvring: 'Start in mode 3, with the payload captured and clear of the bay',
 };
 
 export interface Initialise {
@@ -24,8 +24,8 @@ export function initialise({ welcome, send }: Desk): Initialise {
       drop.open(false);
     }),
   );
-  const list = el('div', { class: 'choices', role: 'group', 'aria-label': 'Part of the problem' }, ...parts);
-  const drop = dropDown('Initialise', 'Restart at a part of the problem', list);
+  const list = el('div', { class: 'choices', role: 'group', 'aria-label': 'Task phase' }, ...parts);
+  const drop = dropDown('Initialise', 'Restart at a task phase', list);
   drop.element.hidden = parts.length === 0;
   return { element: drop.element, close: () => drop.open(false) };
 }

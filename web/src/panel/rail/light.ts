@@ -1,4 +1,4 @@
-/** Light on the place: sun and Earth, lamps, an exposure's lock, and what television makes of it; opens under its key. */
+/** Light on the worksite: sun and Earth, lamps, exposure lock, and early television, in a list below the key. */
 
 import { keyOf } from '../../input/layout';
 import type { Camera, Frame, Lighting } from '../../link/protocol';
@@ -10,19 +10,19 @@ import type { Desk } from '../parts/part';
 export interface LightControl {
   readonly element: HTMLElement;
   values(frame: Frame): void;
-  /** Opens or closes the list; its first key has the focus then. */
+  /** Opens the list, with the focus on its first key, or closes it. */
   toggle(): void;
-  /** Locks the exposure of the picture in hand, or lets it follow again. */
+  /** Locks the exposure of the selected picture, or unlocks it. */
   lock(): void;
   close(): void;
 }
 
-/** What the lock acts on. */
+/** Pictures that the exposure lock acts on. */
 export interface Exposed {
-  /** Monitors, of which the selected camera counts. */
+  /** Monitors with the selected camera. */
   readonly monitors: { readonly camera: Camera };
   readonly appearance: Appearance;
-  /** How a camera's picture is exposed now [stops over full sunlight]. */
+  /** Present exposure of a camera's picture [stops over full sunlight]. */
   stops(camera: Camera): number;
 }
 
@@ -97,7 +97,7 @@ export function lightControl({ welcome, send }: Desk, exposed: Exposed): LightCo
 
 const EARLY = 'Show all television cameras in black and white, with noise, in this browser';
 
-/** The lamps that are on, in the order of all, after one is switched. */
+/** The lamps that are on after one is switched, in the order of `all`. */
 export function toggled(all: readonly string[], on: readonly string[], name: string): readonly string[] {
   return all.filter((each) => (each === name ? !on.includes(each) : on.includes(each)));
 }

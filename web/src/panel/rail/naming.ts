@@ -1,4 +1,4 @@
-/** Who flies and who watches, in the rail; under it a field for what the person at this page is called. */
+/** Names of operator and observers in the rail, and below them a field for the user's name. */
 
 import type { Role } from '../../link/protocol';
 import type { Command } from '../../link/socket';
@@ -7,20 +7,20 @@ import { button, el, setAttribute, setClass, setText } from '../parts/dom';
 import { dropDown } from '../parts/drop-down';
 
 const KEPT = 'aftdeck.name';
-/** As the station takes it [characters]. */
+/** Greatest length of a name at the station [characters]. */
 const MOST = 24;
-/** `You watch · page 1 flies`: so much there is always room for [characters]. */
+/** Length of `You watch · page 1 flies`, for which there is always room [characters]. */
 const USUAL = 24;
-const OFFER = 'press to say what you are called';
+const OFFER = 'press to enter your name';
 
 export interface Naming {
   readonly element: HTMLElement;
-  /** Says who flies; pressed, it opens the field. */
+  /** Shows the operator; opens the field. */
   readonly key: HTMLButtonElement;
   say(text: string): void;
-  /** Take the station's list; a page in control without a name sends the stored name. */
+  /** Takes the station's list of names; a page without a name sends the stored name. */
   set(role: Role): void;
-  /** Whether what the station refused is the name that was typed. */
+  /** Returns whether the station rejected the name that was typed, and shows the reason. */
   refuse(number: number, text: string): boolean;
   close(): void;
 }
@@ -29,7 +29,7 @@ export interface Naming {
 export function naming(keeper: Keeper, send: (command: Command) => number): Naming {
   let asked: { readonly number: number; readonly name: string } | null = null;
   let now = '';
-  /** What the person here is called; another page of the browser may keep another. */
+  /** The user's stored name; another page of the browser may store another one. */
   let mine = keeper.getItem(KEPT) ?? '';
   const field = el('input', {
     type: 'text',
@@ -65,7 +65,7 @@ export function naming(keeper: Keeper, send: (command: Command) => number): Nami
     asked = { name: field.value, number: send({ type: 'set_name', name: field.value }) };
     if (asked.name === now) taken();
   };
-  /** The station has the name: the browser keeps it. */
+  /** Stores the name, which the station has accepted. */
   const taken = () => {
     asked = null;
     mine = now;
@@ -73,7 +73,7 @@ export function naming(keeper: Keeper, send: (command: Command) => number): Nami
     close();
   };
   const close = () => {
-    field.blur(); // its letters fly again
+    field.blur(); // letters control the arm again
     drop.open(false);
   };
   return {
@@ -87,7 +87,7 @@ export function naming(keeper: Keeper, send: (command: Command) => number): Nami
     set({ name, number }) {
       now = name;
       if (asked?.name === name) taken();
-      drop.key.disabled = number === 0; // a page without a seat has no name
+      drop.key.disabled = number === 0; // a page that can only observe has number 0 and no name
       if (drop.key.disabled) close();
       else if (name === '' && mine !== '') send({ type: 'set_name', name: mine });
     },

@@ -1,4 +1,4 @@
-/** The top rail: what is flown, how long, how quickly the picture answers, and who flies. */
+/** The top rail: scenario and phase, mission time, delays, operator, and the keys of the page. */
 
 import type { LinkState } from '../../link/socket';
 import type { Appearance } from '../../page/appearance';
@@ -15,7 +15,7 @@ import { recordings } from './recordings';
 import type { ScenarioChoice } from './scenarios';
 import { sound } from './sound';
 
-/** Slower than this, the picture lags behind the hand [ms]. */
+/** Greatest latency from stick to picture without a caution [ms]. */
 const SLOW_MS = 100;
 
 export interface RailListener {
@@ -25,7 +25,7 @@ export interface RailListener {
   controllers(): void;
 }
 
-/** What has a key in the rail and is more than that. */
+/** Parts of the page that have a key in the rail. */
 export interface RailParts {
   readonly tones: Tones;
   readonly light: LightControl;
@@ -34,13 +34,13 @@ export interface RailParts {
   readonly naming: Naming;
   /** Opens and closes the tutorial. */
   readonly tutorial: HTMLElement;
-  /** Who watches asks for the sticks. */
+  /** The observer's key to ask for control. */
   readonly ask: HTMLElement;
 }
 
-/** What the page measures of the last 10 s; null: no stick moved. */
+/** Measurements of the last 10 s. */
 export interface Measured {
-  /** Stick to picture, 95th percentile [ms]. */
+  /** Latency from stick to picture, 95th percentile [ms]; null if no stick moved. */
   readonly picture: number | null;
   readonly delays: Delays;
 }
@@ -48,7 +48,7 @@ export interface Measured {
 export interface Rail {
   readonly element: HTMLElement;
   values(view: View, measured: Measured, who: string, link: LinkState): void;
-  /** Closes what is open. */
+  /** Closes all open lists. */
   close(): void;
 }
 
@@ -59,10 +59,10 @@ export function rail(
   listener: RailListener,
 ): Rail {
   const { welcome } = desk;
-  // The script's phases; flown by hand, the report's modes, which come in any order.
+  // The script's phases; in a manual run the report's task phases, which can occur in any order.
   const scripted = welcome.phases.length > 0;
   const steps = scripted ? welcome.phases : welcome.work.cargo.length > 0 ? TASKS : [];
-  // Only the present one has the room for its name.
+  // There is room only for the name of the present phase.
   const phases = steps.map((name) => ({ name, step: el('li', { title: name, 'aria-label': name }) }));
   const parts = initialise(desk);
   for (const { classList } of [parts.element, light.element]) classList.add('fliers');
@@ -97,7 +97,7 @@ export function rail(
       light.element,
       dim,
       tutorial,
-      button({ title: 'Show the devices that fly, their keys and axes' }, ['Controllers'], () =>
+      button({ title: 'Show the input devices, their keys and axes' }, ['Controllers'], () =>
         listener.controllers(),
       ),
       button({ class: 'keys' }, ['Keys ?'], () => listener.keys()),

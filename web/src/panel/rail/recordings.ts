@@ -1,4 +1,4 @@
-/** REC with its running time, and under it the recordings of this station, each to be played in this page. */
+/** REC with its elapsed time, and below it the station's recordings, each a link to its replay. */
 
 import type { Frame, Recorded } from '../../link/protocol';
 import { clock } from '../../words/format';
@@ -13,7 +13,7 @@ export interface RecordingsControl {
 
 export function recordings(): RecordingsControl {
   const running = el('b');
-  const rows = el('div', {}, el('p', {}, 'Looking.'));
+  const rows = el('div', {}, el('p', {}, 'Loading the list.'));
   const list = el(
     'div',
     { class: 'choices recordings', role: 'group', 'aria-label': 'Recordings' },
@@ -52,9 +52,9 @@ function row({ file, changed, now }: Recorded): HTMLElement {
     'a',
     { href: `replay/${encodeURIComponent(file)}/`, title: now ? SO_FAR : '' },
     el('b', {}, file.replace(/\.mcap$/, '')),
-    el('small', {}, now ? 'this flight so far' : when),
+    el('small', {}, now ? 'this run so far' : when),
   );
 }
 
-const TITLE = 'This flight is recorded. Open a replay of it, or of an earlier one';
-const SO_FAR = 'The flight continues meanwhile, unattended';
+const TITLE = 'Open a replay of this run or of an earlier one';
+const SO_FAR = 'Open the replay; meanwhile the run continues unattended';

@@ -1,29 +1,29 @@
-/** What is flown, and what could be: a list under the scenario's name, a question before a flight is left. */
+/** The list of scenarios below the scenario's name, and a question before a run is left. */
 
 import type { Frame, Scenarios } from '../../link/protocol';
 import { button, el, setPressed, setText } from '../parts/dom';
 import { dropDown } from '../parts/drop-down';
 import type { Desk } from '../parts/part';
 
-/** A joint that has turned by this much has been flown [rad]. */
+/** Least motion of a joint for which a run counts as flown [rad]. */
 const TURNED = 1e-3;
-/** A page that comes so late has not seen the whole flight [s]. */
+/** A page that connects later than this has not seen the whole run [s]. */
 const BEGUN_S = 1;
 
 export interface ScenarioChoice {
-  /** For the rail. */
+  /** The list, for the rail. */
   readonly element: HTMLElement;
-  /** Over the monitors: the question, and what is made ready. */
+  /** The question, or the scenario in preparation, over the monitors. */
   readonly question: HTMLElement;
-  /** Take the station's list of scenarios. */
+  /** Takes the station's list of scenarios. */
   set(told: Scenarios): void;
   values(frame: Frame): void;
-  /** Flies a scenario by its name; asks first where something was flown. */
+  /** Loads a scenario by its name; asks first if the arm has moved in this run. */
   choose(name: string): void;
   close(): void;
 }
 
-/** `chosen`: a built-in scenario by its name, which may be the one that is flown. */
+/** `chosen` is called with the name of a built-in scenario, which may be the present one. */
 export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) => void): ScenarioChoice {
   let told: Scenarios | null = null;
   let first: Frame | null = null;
@@ -83,7 +83,7 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
     values(frame) {
       recorded = frame.display.recording_s !== null;
       if (!first || frame.tick < first.tick) {
-        // What was flown before this page came is flown.
+        // A run that was in progress before this page connected counts as flown.
         flown = first === null && frame.time_s > BEGUN_S;
         first = frame;
       }
@@ -100,10 +100,9 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
   };
 }
 
-const FIRST_TIME =
-  'Its first flight on this machine takes about half a minute to prepare; the arm stops meanwhile.';
+const FIRST_TIME = 'The first time on this machine takes about half a minute; meanwhile the arm stops.';
 
-/** What is asked before a flight is left that was flown already. */
+/** The question before a run is left in which the arm has moved. */
 export function leaving(left: string, next: string, recorded: boolean): string {
   const kept = recorded ? 'Its recording is complete and kept.' : 'It is not recorded.';
   return `Leave “${left}” for “${next}”? ${kept}`;

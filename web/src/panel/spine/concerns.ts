@@ -1,4 +1,4 @@
-/** Shows what a lamp speaks of. */
+/** Outlines the groups that a lamp concerns. */
 
 import type { Concern } from './lamps';
 

@@ -14,12 +14,12 @@ const FIGURES = [
   '.lag b',
 ].join();
 
-/** Writes eights over the figures; the parts write their own again at the next look. */
+/** Writes eights over the figures; the parts write their own at the next update. */
 export function lightSegments(): void {
   for (const figure of document.querySelectorAll(FIGURES)) setText(figure, segments(figure.textContent));
 }
 
-/** `±888.8` for `−12.5`: both strokes of the sign, and tenths with all three places before them. */
+/** `±888.8` for `−12.5`: both strokes of the sign, and always three digits before the tenths. */
 export function segments(text: string): string {
   return text
     .replace(/\d/g, '8')

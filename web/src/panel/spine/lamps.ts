@@ -1,8 +1,8 @@
-/** Every lamp of the spine: its place, the log lines that belong to it, and the desk's group with its cause. */
+/** Every lamp of the spine: its row, the log lines that belong to it, and the desk's group that shows its cause. */
 
 import type { FlightLamp, Lamp } from '../../link/protocol';
 
-/** Lit by a flight; by what this page knows of itself; or by TEST alone, since nothing of the kind is simulated. */
+/** Lit by the simulation; by this page's own state; or only by TEST, because their cause is not simulated. */
 export type LampName =
   | FlightLamp
   | 'CHECK CRT'
@@ -23,12 +23,12 @@ export interface SpineLamp extends Omit<Lamp, 'name'> {
 export interface Concern {
   /** Kinds of log lines. */
   readonly kinds: readonly string[];
-  /** The elements concerned now, and the group where there are none. */
+  /** Selector of the elements concerned, and of the group to use if there are none. */
   readonly elements: string;
   readonly group: string;
 }
 
-/** `arm` and `station` tell their cause beside them; of a pair the cause is in the title. */
+/** Lamps in `arm` and `station` have their cause beside them, those in `pair` in their title. */
 export type Row = 'arm' | 'pair' | 'station';
 
 const EFFECTOR = ['captured', 'missed', 'rigid', 'released'];
@@ -38,7 +38,7 @@ const NONE: Concern = {
   group: '.events',
 };
 
-/** In display order. A lamp without a place does not compile. */
+/** In display order. The compiler rejects a lamp without an entry. */
 export const LAMPS: Readonly<Record<LampName, Concern & { readonly row: Row }>> = {
   SINGULAR: { row: 'arm', kinds: ['singular'], elements: '.distance.caution', group: '.singularity' },
   'REACH LIM': { row: 'arm', kinds: ['limit'], elements: '.joints tr.reach', group: '.joints' },

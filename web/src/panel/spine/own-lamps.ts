@@ -1,25 +1,25 @@
-/** The lamps that only the page can light: a refusal, its link, its pictures' age, its controllers. */
+/** Lamps that only the page can light: rejected command, link, age of pictures, controllers. */
 
 import type { Controllers } from '../../input/controllers';
 import { type Age, isStale } from '../../link/delay-line';
 import { type Delays, linkLamp } from '../rail/delays';
 import type { LampName, SpineLamp } from './lamps';
 
-/** As much of a device's name as a lamp holds [characters]. */
+/** Length of a device's name in a lamp [characters]. */
 const LAMP_NAME = 16;
-/** A refusal keeps CHECK CRT lit this long [ms]. */
+/** Time for which a rejected command lights CHECK CRT [ms]. */
 const REFUSAL_MS = 5000;
 
-/** What the page knows of itself. */
+/** The page's own state. */
 export interface Knows {
-  /** When something was refused last [ms, as performance.now()]. */
+  /** Time of the last rejected command [ms, as performance.now()]. */
   readonly refusedAt: number;
   /** Time since the station's last message [s]. */
   readonly silence: number;
   readonly delays: Delays;
-  /** How old the pictures are. */
+  /** Age of the pictures. */
   readonly pictures: Age;
-  /** Null on a page that cannot fly. */
+  /** Null on a page that is too narrow for the controls. */
   readonly controllers: Pick<Controllers, 'lost' | 'waiting'> | null;
 }
 
@@ -40,9 +40,7 @@ function controllerLamp({ lost, waiting }: Pick<Controllers, 'lost' | 'waiting'>
   const [gone, waits] = [lost[0], waiting[0]];
   if (gone) return [caution('CONTROLLER', `${gone.short.slice(0, LAMP_NAME)} is gone`)];
   if (!waits) return [];
-  return [
-    caution('CONTROLLER', waits.resting ? 'rests off centre: see Controllers' : 'let go of both sticks'),
-  ];
+  return [caution('CONTROLLER', waits.resting ? 'off centre: see Controllers' : 'centre both sticks')];
 }
 
 function caution(name: LampName, text: string): SpineLamp {

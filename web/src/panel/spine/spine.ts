@@ -1,11 +1,11 @@
-/** The lamps between the monitors, each with its cause, under the master alarm. */
+/** The lamps between the monitors, each with its cause, below the master alarm. */
 
 import { keyOf } from '../../input/layout';
 import type { Alarm } from '../../page/tones';
 import { button, el, setAttribute, setClass, setText } from '../parts/dom';
 import { type LampName, lampsIn, type Row, type SpineLamp } from './lamps';
 
-/** A lamp alarms as it rises: one that was seen as a caution does so again as a warning. */
+/** Levels of alarm: an acknowledged caution sounds again when it becomes a warning. */
 const RANK = { info: 0, caution: 1, warning: 2 } as const;
 
 export interface SpineListener {
@@ -44,7 +44,7 @@ export class Spine {
     this.show([]);
   }
 
-  /** Light exactly these lamps; a lamp test lights all of them without an alarm. */
+  /** Lights exactly these lamps; a lamp test lights all lamps without an alarm. */
   show(lamps: readonly SpineLamp[], test = false): void {
     const now = new Map(lamps.map((lamp) => [lamp.name, lamp]));
     for (const [name, lamp] of now) {
@@ -82,12 +82,12 @@ export class Spine {
     return { alarm, more };
   }
 
-  /** Says beside the master alarm that no tone will be heard. */
+  /** Shows beside the master alarm whether the tones are muted. */
   setMuted(muted: boolean): void {
     this.silent.hidden = !muted;
   }
 
-  /** The operator has seen what is lit. */
+  /** Acknowledges all lamps that are lit. */
   acknowledge(): void {
     this.unseen.clear();
     this.show([...this.lit.values()]);
@@ -111,7 +111,7 @@ export class Spine {
   }
 }
 
-/** `1 warning, 2 cautions`; empty where neither is lit. */
+/** `1 warning, 2 cautions`; empty if neither is lit. */
 export function counted(lamps: readonly Pick<SpineLamp, 'level'>[]): string {
   return (['warning', 'caution'] as const)
     .map((name) => ({ name, count: lamps.filter(({ level }) => level === name).length }))

@@ -1,4 +1,4 @@
-/** Fields for the end position and attitude of OPR CMD, and the keys that fill and take them. */
+/** Fields for the end position and attitude of OPR CMD, and the keys that fill them and set the target. */
 
 import type { Frame, Vec3 } from '../../link/protocol';
 import { attitude, fixed, parseNumber } from '../../words/format';
@@ -11,16 +11,16 @@ const DEGREE = Math.PI / 180;
 
 export interface Entry {
   readonly element: HTMLElement;
-  /** Something was typed that is not keyed in yet. */
+  /** Whether a typed value is not keyed in yet. */
   edited(): boolean;
-  /** Nothing was typed or keyed in: the fields go with the present point. */
+  /** Whether nothing was typed or keyed in, so that the fields show the present point. */
   follows(): boolean;
-  /** Sends the fields as the target; false where one holds no number. */
+  /** Sends the fields as the target; returns false if a field does not contain a number. */
   keyIn(): boolean;
   set(frame: Frame, units: Units): void;
 }
 
-/** `label`: what people call the pose; `first`: number of the first field's item, where the fields have numbers. */
+/** `label`: name of the pose; `first`: item number of the first field, if the fields have item numbers. */
 export function entry(desk: Desk, label = 'Target', first: number | null = null): Entry {
   let edited = false;
   let units: Units | null = null;
@@ -80,7 +80,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     });
   }
 
-  /** The present point, as long as no field is about to be typed into; none where it is the payload's. */
+  /** Shows the present point, unless a field has the focus; nothing if it is the payload's point. */
   function follow(frame: Frame, shown: Units): void {
     if (element.contains(document.activeElement)) return;
     if (showsTip(frame)) write(frame.display.actual.position, frame.display.actual.attitude, shown);
@@ -92,7 +92,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     return desk.welcome.modes.find(({ position }) => position === mode)?.point !== 'payload';
   }
 
-  /** The lengths typed, in the units now shown. */
+  /** Converts the typed lengths to the units that are displayed now. */
   function convert(from: Units, to: Units): void {
     for (const field of fields.slice(0, 3)) {
       const value = parseNumber(field.value);
@@ -104,7 +104,9 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
   function copyPresent(): void {
     if (!latest || !units) return;
     if (!showsTip(latest)) {
-      desk.say('Present: the point shown is the payload’s, and OPR CMD moves the tip; enter ORB UNL first.');
+      desk.say(
+        'Present rejected: the displayed point is the payload’s, but OPR CMD moves the tip; enter ORB UNL first.',
+      );
       return;
     }
     write(latest.display.actual.position, latest.display.actual.attitude, units);
@@ -119,7 +121,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
     if (wrong >= 0) {
       fields[wrong]?.setAttribute('aria-invalid', 'true');
       const typed = fields[wrong]?.value.trim();
-      desk.say(`Target ${NAMES[wrong]}: ${typed ? `“${typed}” is not a number` : 'nothing is keyed in'}.`);
+      desk.say(`Target ${NAMES[wrong]}: ${typed ? `“${typed}” is not a number` : 'the field is empty'}.`);
       return false;
     }
     const [x = 0, y = 0, z = 0, pitch = 0, yaw = 0, roll = 0] = numbers.map((value) => value ?? 0);
@@ -144,7 +146,7 @@ export function entry(desk: Desk, label = 'Target', first: number | null = null)
       // The typed values stay until the station has another target, so that a rejected one can be corrected.
       const { aim } = frame.display;
       const key = aim ? JSON.stringify([aim.position, aim.attitude]) : '';
-      if (!aim && aimed && !edited) follows = true; // begun anew
+      if (!aim && aimed && !edited) follows = true; // the run was restarted
       if (aim && !edited && (follows || key !== aimed)) {
         write(aim.position, aim.attitude, shown);
         follows = false;

@@ -1,4 +1,4 @@
-/** The payload table of SPEC 94: what the steering keeps to with each payload in the grasp, and which one is. */
+/** The payload table of SPEC 94: the steering's limits with each payload captured, and the captured payload. */
 
 import type { Display, Frame, PayloadInfo, Welcome } from '../../link/protocol';
 import { degrees, fixed } from '../../words/format';
@@ -48,10 +48,10 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
       'h3',
       {},
       'Payloads ',
-      el('small', {}, 'limits: coarse / vernier; joints in °/s, as SINGLE, DIRECT and MASTER turn them'),
+      el('small', {}, 'limits: coarse / vernier; joints in °/s, in SINGLE, DIRECT and MASTER'),
     ),
     el('table', {}, el('thead', {}, head), el('tbody', {}, ...rows.map(({ row }) => row))),
-    el('p', {}, `Computed modes limit the joints to the servos’ greatest rates instead: ${most} °/s.`),
+    el('p', {}, `Computed modes limit the joints to the greatest servo rates: ${most} °/s.`),
   );
   return {
     element,
@@ -74,10 +74,10 @@ export function payloadTable({ payloads, joints }: Welcome): PayloadTable {
   };
 }
 
-/** Where the point of resolution is from the tip: known once the payload is in the grasp. */
+/** Vector from the tip to the point of resolution, which is known once the payload is captured. */
 function offsetWords({ id }: PayloadInfo, { payload_id, por_offset }: Display, length: Unit): string {
   if (id === 0) return 'at the tip';
-  if (id !== payload_id) return 'set by its grasp';
+  if (id !== payload_id) return 'set by capture';
   return por_offset.map((value) => fixed(value * length.perSi, length.decimals)).join('  ');
 }
 

@@ -1,4 +1,4 @@
-/** AUTO 1-4: which point is flown to, what is left to it, and what comes then. */
+/** AUTO 1-4: the next point, the remaining distance and time, and the next action. */
 
 import type { Frame } from '../../link/protocol';
 import { degrees, fixed } from '../../words/format';
@@ -45,11 +45,11 @@ export function route(): Route {
   };
 }
 
-/** What PROCEED and STOP would do now, in a sentence. */
+/** Present effect of PROCEED and STOP, in a sentence. */
 export function whatNext({ sequence, point, points, goal, check }: Frame): string {
-  if (points === 0) return 'Nothing to fly in this position.';
+  if (points === 0) return 'This position has no points.';
   if (sequence === 'in progress') return 'Moves to the next pause point; STOP or Space stops it.';
-  if (check && !check.good) return 'Fly clear, then enter it again.';
+  if (check && !check.good) return 'Move clear, then enter the mode again.';
   if (point === 1) return 'PROCEED starts the sequence.';
   return goal ? 'Paused; PROCEED continues.' : 'Sequence complete; PROCEED repeats it.';
 }

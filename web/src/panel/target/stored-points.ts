@@ -1,4 +1,4 @@
-/** AUTO MODES of SPEC 94: the points stored for AUTO 1-4, which one comes next, and which is the last. */
+/** AUTO MODES of SPEC 94: the points stored for AUTO 1-4, with the next and the last one. */
 
 import type { Frame, StoredPoint, StoredSequence } from '../../link/protocol';
 import { attitude, fixed } from '../../words/format';
@@ -12,7 +12,7 @@ const SLOTS: readonly (readonly [item: number, position: string])[] = [
   [15, 'AUTO 3'],
   [16, 'AUTO 4'],
 ];
-/** As many points are in sight at once. */
+/** Number of points that are visible at once. */
 const ROWS = 5;
 
 export interface StoredPoints {
@@ -21,7 +21,7 @@ export interface StoredPoints {
 }
 
 export function storedPoints(sequences: readonly StoredSequence[]): StoredPoints {
-  /** Looked at; null: the one entered, or else the first that has points. */
+  /** The displayed sequence; null for the entered one, or else the first that has points. */
   let chosen: string | null = null;
   let entered = '';
   const keys = SLOTS.map(([item, position]) => {
@@ -98,25 +98,23 @@ export function storedPoints(sequences: readonly StoredSequence[]): StoredPoints
       });
       setText(
         words,
-        points.length === 0
-          ? 'No points are stored for it.'
-          : `17 START PT ${next}   LAST PT ${points.length}`,
+        points.length === 0 ? 'No points are stored.' : `17 START PT ${next}   LAST PT ${points.length}`,
       );
     },
   };
 }
 
-/** The point that a sequence is on its way to or begins with. */
+/** The point to which a sequence moves, or with which it begins. */
 export function startPoint(
   position: string,
   { mode, point }: Pick<Frame, 'mode' | 'point'>,
   points: number,
 ): number {
   if (position !== mode) return Math.min(1, points);
-  return point > points ? 1 : point; // one that is complete begins again
+  return point > points ? 1 : point; // a complete sequence begins again
 }
 
-/** The first point in sight, from 0, so that the next one, from 1, is. */
+/** Index of the first visible point (from 0) such that the next point (from 1) is visible. */
 export function firstShown(next: number, points: number): number {
   return Math.max(0, Math.min(next - 2, points - ROWS));
 }

@@ -1,4 +1,4 @@
-/** Where the automatic modes fly to: OPR CMD's keyed-in pose, or the stored points of AUTO 1-4. */
+/** Targets of the automatic modes: OPR CMD's keyed-in pose, or the stored points of AUTO 1-4. */
 
 import type { Frame } from '../../link/protocol';
 import { degrees, fixed } from '../../words/format';
@@ -10,7 +10,7 @@ import { entry } from './entry';
 import { route } from './route';
 
 export interface TargetGroup extends Part {
-  /** Keys in what was typed, then starts. */
+  /** Keys in the typed values, then starts the motion. */
   proceed(): void;
 }
 
@@ -47,8 +47,8 @@ export function targetGroup(desk: Desk): TargetGroup {
 }
 
 export function remaining({ goal, sequence, mode }: Frame, { length }: Units): string {
-  if (!goal) return 'OPR CMD flies the point there.';
+  if (!goal) return 'OPR CMD moves the point there.';
   const left = `${fixed(goal.distance * length.perSi, length.decimals, false)} ${length.name}, ${degrees(goal.angle, 1, false)}°`;
   if (sequence === 'in progress') return `${left} to go, ${Math.ceil(goal.remaining_s)} s`;
-  return mode === 'OPR CMD' ? `${left} away` : `${left} away; OPR CMD flies there.`;
+  return mode === 'OPR CMD' ? `${left} away` : `${left} away; OPR CMD moves there.`;
 }

@@ -1,7 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Command } from '../src/link/socket';
 import { Control } from '../src/page/control';
-import { Report } from '../src/page/report';
 
 describe('control', () => {
   const operator = () => {
@@ -23,18 +21,5 @@ describe('control', () => {
     const control = operator();
     change(control);
     expect(control.flies).toBe(false);
-  });
-});
-
-describe('a report', () => {
-  it('is sent once a second, and at once where a monitor shows another camera', () => {
-    const sent: Command[] = [];
-    const report = new Report((command) => sent.push(command));
-    for (let now = 5000; now < 8000; now += 100) report.update(now, [['A'], ['B', 'C']], now);
-    expect(sent.length).toBe(3);
-    report.update(null, [['A'], ['B', 'D']], 8000 - 50);
-    expect(sent.at(-1)).toEqual({ type: 'shown', latency_ms: null, monitors: [['A'], ['B', 'D']] });
-    report.update(null, [['A'], ['B', 'D']], 8000);
-    expect(sent.length).toBe(4);
   });
 });

@@ -1,0 +1,142 @@
+/** Makes the parts of the operator's page and connects them. */
+
+import { Pictures } from '../cameras/pictures';
+import { CameraHand, together } from '../input/camera-hand';
+import { keyOf } from '../input/layout';
+import { reread } from '../input/store';
+import { Arrivals } from '../link/delayed-messages';
+import { Latency } from '../link/latency';
+import type { Welcome } from '../link/protocol';
+import type { Command } from '../link/socket';
+import { ControllersSheet } from '../panel/controllers/controllers';
+import { KeyMap } from '../panel/controllers/key-map';
+import { swapQuestion } from '../panel/controllers/swap';
+import { touchView } from '../panel/controllers/touch-sticks';
+import { deskGroups } from '../panel/desk/desk';
+import { EventsGroup } from '../panel/desk/events';
+import type { Desk } from '../panel/parts/part';
+import { handOver } from '../panel/rail/hand-over';
+import { lightControl } from '../panel/rail/light';
+import { naming } from '../panel/rail/naming';
+import { rail } from '../panel/rail/rail';
+import { type ScenarioChoice, scenarioChoice } from '../panel/rail/scenarios';
+import { Spine } from '../panel/spine/spine';
+import { ControlPage } from '../panel/target/control-page';
+import { Tutorial } from '../tutorial';
+import { ShownUnits } from '../words/units';
+import { Control } from './control';
+import { DeviceWatch } from './device-watch';
+import { keeper } from './local-storage';
+import { Log } from './log';
+import { Operations } from './operations';
+import { Operator } from './operator';
+import type { Parts } from './parts';
+import type { Drawing } from './quality';
+import { Report } from './report';
+import { Sounds } from './sounds';
+import { Tones } from './tones';
+import { WindowLink } from './window-link';
+
+const [MOVE, TURN] = ['+X -X -Y +Y -Z +Z', '+pitch -pitch -yaw +yaw -roll +roll'];
+
+/** `transmit` sends a command to the station and returns its number. */
+export function buildParts(
+  root: HTMLElement,
+  welcome: Welcome,
+  drawing: Drawing,
+  transmit: (command: Command) => number,
+): Parts {
+  // `operations`, made last, is used only in callbacks, which no constructor calls.
+  const tones = new Tones(keeper, () => new AudioContext());
+  const control = new Control();
+  const spine = new Spine({
+    acknowledged: () => operations.acknowledge(),
+    pressed: (lamp) => operations.explain(lamp),
+  });
+  const units = new ShownUnits(welcome.units);
+  const latency = new Latency(welcome.camera_delay_s);
+  const arrivals = new Arrivals(welcome);
+  const keys = new KeyMap(welcome, () => operations.openControllers());
+  const events = new EventsGroup([welcome.text, ...reread(), keysHint()]);
+  const log = new Log(events, arrivals);
+  const pictures = new Pictures(welcome, drawing, {
+    tearOff: (what) => operations.tearOff(what),
+    turns: true,
+    opened: (matrix) => operations.showMatrix(matrix),
+    changed: () => windows.update(),
+  });
+  const operator = new Operator(latency, {
+    acted: (action) => operations.act(action),
+    send: transmit,
+    taken: (event) => sheet.taken(event),
+  });
+  const { controllers } = operator;
+  const windows: WindowLink = new WindowLink(
+    welcome,
+    pictures,
+    control,
+    () => units.name,
+    () => operator.zero(),
+  );
+  const devices = new DeviceWatch(controllers, {
+    send: transmit,
+    say: (text, level) => log.say(text, 'controller', level),
+  });
+  const sheet: ControllersSheet = new ControllersSheet(controllers);
+  const cameraHand = new CameraHand(() => together(operator.turning, pictures.monitors.turning), {
+    hand: () => pictures.monitors,
+    barred: () => operations.cameraBar(),
+    say: (text) => log.say(text),
+    send: transmit,
+    orbit: (camera, ...by) => pictures.orbit(camera, ...by),
+  });
+  const desk: Desk = {
+    welcome,
+    send: (command) => operations.send(command),
+    say: (text) => log.say(text),
+  };
+  const controlPage = new ControlPage(desk);
+  const groups = deskGroups(desk, events, {
+    plane: () => operations.togglePlane(),
+    controlPage: () => controlPage.toggle(),
+    flyOrbiter: (on) => operations.flyOrbiter(on),
+    strips: () => operations.tearOff('strips'),
+  });
+  const scenarios: ScenarioChoice = scenarioChoice(desk, (name) => tutorial.chosen(name));
+  const tutorial = new Tutorial(desk, controllers.inHand, (name) => scenarios.choose(name));
+  const light = lightControl(desk, pictures);
+  const [handOverParts, nameField] = [handOver(transmit), naming(keeper, transmit)];
+  const { appearance } = pictures;
+  const railParts = {
+    tones,
+    light,
+    scenarios,
+    appearance,
+    naming: nameField,
+    ask: handOverParts.ask,
+    tutorial: tutorial.key,
+  };
+  const topRail = rail(desk, drawing.software && drawing.quality === 'low', railParts, {
+    units: () => operations.changeUnits(),
+    restart: () => operations.send({ type: 'restart' }),
+    keys: () => keys.toggle(),
+    controllers: () => operations.openControllers(),
+  });
+  const parts: Parts = {
+    ...{ welcome, units, arrivals, latency, control, log, operator, cameraHand, devices, pictures, windows },
+    ...{ tones, spine, groups, light, controlPage, keys, scenarios, sheet, tutorial },
+    ...{ rail: topRail, naming: nameField, handOver: handOverParts },
+    report: new Report(transmit),
+    sounds: new Sounds(tones, spine),
+    swap: swapQuestion(controllers.pads),
+    touch: touchView(controllers.touch),
+  };
+  const operations: Operations = new Operations(root, parts, transmit);
+  return parts;
+}
+
+/** A line of the log that lists the keys for the sticks, as they are mapped when the page opens. */
+function keysHint(): string {
+  const list = (uses: string) => uses.split(' ').map(keyOf).join(' ');
+  return `${list(MOVE)} move the point, ${list(TURN)} turn it. ${keyOf('stop')} stops. ? shows all keys.`;
+}

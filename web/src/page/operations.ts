@@ -1,0 +1,114 @@
+/** Effects of keys, buttons and lamps on the station and on the page, except the sticks. */
+
+import type { Action } from '../input/keymap';
+import type { Command } from '../link/socket';
+import { setClass } from '../panel/parts/dom';
+import { outline } from '../panel/spine/concerns';
+import { LAMPS, type LampName } from '../panel/spine/lamps';
+import { BLOCKED, type Torn, tearOff } from '../windows/opened';
+import { act } from './commands';
+import type { Parts } from './parts';
+
+const OBSERVING = 'Observing: only the operator can do that.';
+
+export class Operations {
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly parts: Parts,
+    private readonly transmit: (command: Command) => number,
+  ) {}
+
+  /** Sends a command; an observer's is not sent but logged as rejected. */
+  send(command: Command): void {
+    const { control, log } = this.parts;
+    if (control.role.flying) this.transmit(command);
+    else log.say(OBSERVING);
+  }
+
+  acknowledge(): void {
+    this.parts.operator.controllers.acknowledge();
+    this.parts.spine.acknowledge();
+  }
+
+  /** Filters the log by the cause of a lamp that was pressed, and outlines the groups that it concerns. */
+  explain(lamp: LampName): void {
+    const concern = LAMPS[lamp];
+    this.parts.log.keepTo(lamp, concern.kinds);
+    outline(concern);
+  }
+
+  /** Stops all motion that this page commands; the master arm is set to the arm's angles. */
+  stop(): void {
+    const { control, arrivals, groups, welcome } = this.parts;
+    if (!control.role.flying) return;
+    this.transmit({ type: 'stop' });
+    const entered = arrivals.telemetry?.mode;
+    const mode = welcome.modes.find(({ position }) => position === entered);
+    if (mode?.kind === 'master') groups.meetMaster();
+  }
+
+  changeRate(): void {
+    const coarse = this.parts.arrivals.telemetry?.rate === 'coarse';
+    this.send({ type: 'select_rate', rate: coarse ? 'vernier' : 'coarse' });
+  }
+
+  changeUnits(): void {
+    this.parts.units.toggle();
+    this.parts.windows.update();
+  }
+
+  /** Opens the sheet of controllers in place of the key map. */
+  openControllers(): void {
+    this.parts.keys.close();
+    this.parts.sheet.open();
+  }
+
+  /** Shows or hides the separating plane. */
+  togglePlane(): void {
+    const { groups, pictures, windows } = this.parts;
+    groups.setPlane(pictures.togglePlane());
+    windows.update();
+  }
+
+  /** Shows all cameras in place of monitors and desk; clearance and lamps stay visible. */
+  showMatrix(on: boolean): void {
+    setClass(this.root, 'all-cameras', on);
+    const { matrix } = this.parts.pictures;
+    if (on) matrix.open(this.root.querySelector('.desk > .clearance'), this.parts.spine.element);
+    else matrix.close();
+  }
+
+  /** Opens a secondary window. */
+  tearOff(what: Torn): void {
+    if (!tearOff(what)) this.parts.log.say(BLOCKED);
+  }
+
+  /** Assigns the THC to the orbiter if the worksite has a payload, or to the arm. */
+  flyOrbiter(on: boolean): void {
+    const { control, log, operator, welcome } = this.parts;
+    if (!control.role.flying) log.say(OBSERVING);
+    else operator.sticks.flyOrbiter(on && welcome.work.cargo.length > 0);
+  }
+
+  /** Why camera switches have no effect; empty if they have one. */
+  cameraBar(): string {
+    const { operator, arrivals } = this.parts;
+    if (!operator.flying) return 'Observing: only the operator can move cameras.';
+    return arrivals.telemetry?.by === 'script' ? 'The script flies: take control to turn cameras.' : '';
+  }
+
+  act(action: Action): void {
+    const { tutorial, groups, pictures, light, controlPage, keys, sheet, rail, operator } = this.parts;
+    tutorial.acted(action);
+    act(action, {
+      ...{ groups, pictures, light, controlPage, keys },
+      sheets: [sheet, rail],
+      stop: () => this.stop(),
+      changeRate: () => this.changeRate(),
+      holdRate: () => this.send({ type: 'rate_hold' }),
+      acknowledge: () => this.acknowledge(),
+      showPlane: () => this.togglePlane(),
+      flyOrbiter: () => this.flyOrbiter(!operator.sticks.flyingOrbiter),
+    });
+  }
+}

@@ -1,0 +1,28 @@
+/** Positions of the parts in the document. */
+
+import { el, setClass } from '../panel/parts/dom';
+import type { Parts } from './parts';
+import { TOO_NARROW_WORDS } from './room';
+
+/** Fills the page. The order of the document is that of the focus: monitors, spine, desk, rail. */
+export function place(root: HTMLElement, parts: Parts): void {
+  const { pictures, spine, groups, tutorial, rail } = parts;
+  const [first, second] = pictures.monitors.both;
+  setClass(root, 'all-cameras', false); // the station of the scenario before may have set it
+  root.replaceChildren(
+    pictures.canvas,
+    el('main', { class: 'monitors' }, first.element, second.element, spine.element),
+    pictures.matrix.element,
+    el('section', { class: 'desk', 'aria-label': 'Desk' }, ...groups.elements, tutorial.element),
+    pictures.matrix.strip,
+    rail.element,
+    el('p', { class: 'too-narrow', role: 'status' }, TOO_NARROW_WORDS),
+    parts.touch.element,
+    parts.swap.element,
+    parts.handOver.question,
+    parts.scenarios.question,
+    parts.keys.element,
+    parts.controlPage.element,
+    parts.sheet.element,
+  );
+}

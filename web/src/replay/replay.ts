@@ -1,0 +1,211 @@
+/** The page of a replay: monitors, figures of the run, and the time axis below, drawn as the playhead moves. */
+
+import { Pictures } from '../cameras/pictures';
+import type { Frame, PlaybackIndex } from '../link/protocol';
+import { publish } from '../page/hook';
+import type { Drawing } from '../page/quality';
+import { el, setClass } from '../panel/parts/dom';
+import { BLOCKED, type Torn, tearOff } from '../windows/opened';
+import { ShownUnits } from '../words/units';
+import { FlownDesk } from './desk';
+import { eventBeside, eventsUntil } from './event-steps';
+import { FlownCameras } from './flown-cameras';
+import { listen } from './keys';
+import { Player } from './player';
+import { replayRail } from './rail';
+import { RunColumn } from './run';
+import { flyingHere, type Source } from './source';
+import { STEP } from './span';
+import { Timeline } from './timeline';
+import { Transport } from './transport';
+import { pollVerdict } from './verdict';
+import { ReplayWindows } from './windows';
+
+/** Time between two updates of the figures [ms]. */
+const VALUES_MS = 100;
+/** Greatest step of the playhead between two pictures, whatever pause the browser made [s]. */
+const LONGEST_STEP_S = 0.25;
+/** Time for which a blocked window is reported [ms]. */
+const BLOCKED_MS = 8000;
+
+export class Replay {
+  private drawn = 0;
+  /** The frame that pictures and figures show. */
+  private shown: Frame | null = null;
+  /** The frame that the figures show. */
+  private figures: Frame | null = null;
+  private readonly units: ShownUnits;
+  private before = performance.now();
+  private valuesAt = 0;
+  private pictured = '';
+  /** All pictures are of the frame at the playhead. */
+  private complete = false;
+  private blockedUntil = 0;
+  private readonly windows: ReplayWindows;
+  private readonly player: Player;
+  private readonly pictures: Pictures;
+  private readonly cameras: FlownCameras;
+  private readonly timeline: Timeline;
+  private readonly transport: Transport;
+  private readonly run: RunColumn;
+  private readonly rail;
+  private readonly desk: FlownDesk;
+  private readonly band: HTMLElement;
+
+  constructor(
+    root: HTMLElement,
+    drawing: Drawing,
+    source: Source,
+    private readonly index: PlaybackIndex,
+  ) {
+    this.units = new ShownUnits(index.welcome.units);
+    this.player = new Player(index, (number) => source.block(number));
+    this.pictures = new Pictures(index.welcome, drawing, {
+      opened: (matrix) => setClass(root, 'all-cameras', matrix),
+      tearOff: (what) => this.tearOff(what),
+      changed: () => {
+        this.cameras.changed();
+        this.windows.tell();
+      },
+    });
+    this.cameras = new FlownCameras(index.pictures, this.pictures.monitors);
+    const { cameras } = index.welcome;
+    this.windows = new ReplayWindows(this.player, this.pictures, cameras, () => this.units.name);
+    this.timeline = new Timeline(index, this.player.duration, (position) => this.player.seek(position));
+    this.transport = new Transport(index, this.player, {
+      event: (by) => this.toEvent(by),
+      strips: (names) => this.timeline.choose(names),
+      desk: () => this.showDesk(),
+      asFlown: () => this.showAsFlown(),
+      zoom: (way) => this.zoom(way),
+      tearOff: (what) => this.tearOff(what),
+    });
+    this.run = new RunColumn(index);
+    this.desk = new FlownDesk(index);
+    this.rail = replayRail(index, flyingHere(document), () => {
+      this.units.toggle();
+      this.windows.tell();
+    });
+    const [first, second] = this.pictures.monitors.both;
+    this.band = el(
+      'section',
+      { class: 'band', 'aria-label': 'Time' },
+      this.transport.element,
+      this.timeline.element,
+      this.desk.element,
+    );
+    root.classList.add('replay');
+    root.replaceChildren(
+      this.pictures.canvas,
+      el('main', { class: 'monitors' }, first.element, second.element, this.run.element),
+      this.pictures.matrix.element,
+      this.band,
+      this.rail.element,
+    );
+    document.title = `${index.file} · Aftdeck`;
+    listen(this.player, {
+      event: (by) => this.toEvent(by),
+      desk: () => this.showDesk(),
+      camera: (number) => this.pictures.monitors.chooseDigit(number, performance.now()),
+      stepCamera: (by) => this.pictures.monitors.step(by),
+      matrix: () => this.pictures.toggleMatrix(),
+      split: () => this.pictures.monitors.toggleSplit(),
+      otherMonitor: () => this.pictures.monitors.takeOther(),
+      plane: () => {
+        this.desk.setPlane(this.pictures.togglePlane());
+        this.windows.tell();
+      },
+      asFlown: () => this.showAsFlown(),
+      zoom: (way) => this.zoom(way),
+      close: () => this.transport.open(false),
+    });
+    this.rail.setVerdict(index.verdict);
+    if (index.verdict.state === 'checking') pollVerdict(source, (verdict) => this.rail.setVerdict(verdict));
+    publish(drawing.renderer, () => ({
+      frames: this.drawn,
+      lastFrame: this.shown,
+      restarts: 0,
+      bodies: this.pictures.bodies,
+      latency95: null,
+    }));
+    this.tick();
+  }
+
+  private tick(): void {
+    requestAnimationFrame(() => this.tick());
+    const now = performance.now();
+    this.player.advance(Math.min((now - this.before) / 1000, LONGEST_STEP_S));
+    this.before = now;
+    this.windows.tellHead();
+    const { moment, position } = this.player;
+    const { units } = this.units;
+    if (moment && !this.pictures.drawing && (this.isNew(moment.frame) || !this.complete)) {
+      this.desk.bars(moment.frame, units);
+      this.cameras.show(position);
+      const { frame } = moment;
+      this.complete = this.pictures.draw(frame, frame.work.clearance_level, () => {
+        this.pictures.setTime({ frame, units }, null);
+        this.drawn += 1;
+        this.shown = this.figures;
+      });
+    }
+    this.timeline.show(position, moment, units);
+    if (now - this.valuesAt >= VALUES_MS) {
+      this.valuesAt = now;
+      const past = eventsUntil(this.index.events, position);
+      this.run.show(past, units);
+      this.rail.setUnits(units);
+      if (moment) {
+        this.desk.values(moment.frame, units, past);
+        this.figures = moment.frame;
+        if (!this.pictures.drawing) this.shown = this.figures;
+      }
+      const message = this.player.failure || (now < this.blockedUntil ? BLOCKED : '');
+      this.transport.show(message, message !== '');
+      this.transport.setFollowing(this.cameras.state);
+      this.transport.setZoomed(this.timeline.isZoomed);
+    }
+  }
+
+  /** Whether the pictures have to change, because of another frame, camera or size of the window. */
+  private isNew(frame: Frame): boolean {
+    const { canvas, monitors, showsPlane, matrixOpen, moved } = this.pictures;
+    const { clientWidth, clientHeight } = canvas;
+    const state = [
+      frame.tick,
+      clientWidth,
+      clientHeight,
+      showsPlane,
+      matrixOpen,
+      moved,
+      ...monitors.shown,
+    ].join();
+    if (state === this.pictured) return false;
+    this.pictured = state;
+    return true;
+  }
+
+  private showAsFlown(): void {
+    this.cameras.reset();
+    this.pictured = '';
+  }
+
+  private zoom(way: 1 | -1): void {
+    this.timeline.zoom(way > 0 ? STEP : 1 / STEP, this.player.position);
+  }
+
+  private toEvent(by: 1 | -1): void {
+    const event = eventBeside(this.index.events, this.player.position, by);
+    if (event) this.player.seek(event.time_s);
+  }
+
+  private showDesk(): void {
+    const on = !this.band.classList.contains('with-desk');
+    setClass(this.band, 'with-desk', on);
+    this.transport.setDesk(on);
+  }
+
+  private tearOff(what: Torn): void {
+    if (!tearOff(what)) this.blockedUntil = performance.now() + BLOCKED_MS;
+  }
+}

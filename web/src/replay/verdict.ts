@@ -1,0 +1,16 @@
+/** Result of the re-simulation of a recording, which the server computes while the page plays. */
+
+import type { Verdict } from '../link/protocol';
+import type { Source } from './source';
+
+/** Time between two requests [ms]. */
+const AGAIN_MS = 1000;
+
+/** Asks for the result until it is complete; `shown` gets each one. */
+export function pollVerdict(source: Pick<Source, 'verdict'>, shown: (verdict: Verdict) => void): void {
+  const again = () => setTimeout(() => pollVerdict(source, shown), AGAIN_MS);
+  source.verdict()?.then((verdict) => {
+    shown(verdict);
+    if (verdict.state === 'checking') again();
+  }, again);
+}

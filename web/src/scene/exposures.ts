@@ -1,0 +1,68 @@
+import type { WebGLRenderer } from 'three';
+import type { Lighting } from '../link/protocol';
+import { LIGHT_OF } from './agx';
+import type { Quality, Rect } from './drawn';
+import { Exposure, metered } from './exposure';
+import { Meter } from './meter';
+
+/**
+ * Least time between two meterings of any pictures; twice that for one camera [ms]. To read a picture, the page waits
+ * for all pending drawing, which takes long if the processor draws.
+ */
+const METERED_MS = { full: 300, low: 1500 } as const;
+/** Steps of exposure per stop; a smaller change is invisible. */
+const STEPS = 50;
+/** Light times exposure, by the byte that the low profile displays for it. */
+const ROOTS: readonly number[] = Array.from({ length: 256 }, (_, byte) => (byte / 255) ** 2);
+
+/** Exposures of all cameras, each metered from the camera's own pictures. */
+export class Exposures {
+  private readonly cameras: ReadonlyMap<string, { readonly exposure: Exposure; at: number }>;
+  private readonly meter: Meter;
+  private readonly interval: number;
+  private meteredAt = 0;
+
+  constructor(names: readonly string[], renderer: WebGLRenderer, quality: Quality) {
+    this.cameras = new Map(names.map((name) => [name, { exposure: new Exposure(), at: 0 }]));
+    this.meter = new Meter(renderer, quality === 'full' ? LIGHT_OF : ROOTS);
+    this.interval = METERED_MS[quality];
+  }
+
+  /** A camera's exposure, rounded [stops over full sunlight]. */
+  stops(camera: string): number {
+    return Math.round((this.cameras.get(camera)?.exposure.stops ?? 0) * STEPS) / STEPS;
+  }
+
+  /** Whether a camera's exposure has not been set from a picture yet. */
+  metering(camera: string): boolean {
+    return this.cameras.get(camera)?.exposure.settled === false;
+  }
+
+  /** Discards what was metered in the light condition before. */
+  renew(): void {
+    this.meter.forget();
+    for (const { exposure } of this.cameras.values()) exposure.renew();
+  }
+
+  /** Changes all exposures until the time of the run `time` [s]; `base` is that at which the light condition begins. */
+  follow(time: number, base: number, locked: Lighting['locked']): void {
+    const seen = this.meter.collect();
+    if (seen) this.cameras.get(seen.camera)?.exposure.meter(metered(seen.lights));
+    for (const [name, { exposure }] of this.cameras)
+      exposure.follow(time, base, locked.find(({ camera }) => camera === name)?.stops ?? null);
+  }
+
+  /** Meters a picture just drawn with this factor of light, if it is due; `height` of the canvas [CSS px]. */
+  measure(camera: string, rect: Rect, height: number, factor: number): void {
+    const due = this.cameras.get(camera);
+    if (!due || !this.meter.free) return;
+    const [now, interval] = [performance.now(), this.interval];
+    if (due.exposure.settled && (now - this.meteredAt < interval || now - due.at < 2 * interval)) return;
+    this.meteredAt = due.at = now;
+    this.meter.ask(camera, rect, height, factor);
+  }
+
+  dispose(): void {
+    this.meter.dispose();
+  }
+}

@@ -1,0 +1,53 @@
+import { expect, it } from 'vitest';
+import type { Controllers } from '../src/input/controllers';
+import type { Command } from '../src/link/socket';
+import { DeviceWatch } from '../src/page/device-watch';
+
+function station() {
+  const devices = { lost: [] as { short: string }[], revision: 'keys', told: () => [] };
+  const sent: Command['type'][] = [];
+  const levels: string[] = [];
+  const watch = new DeviceWatch(devices as unknown as Controllers, {
+    send: ({ type }) => sent.push(type),
+    say: (_, level) => levels.push(level),
+  });
+  return { devices, sent, levels, watch };
+}
+
+it('devices are reported once for each change', () => {
+  const { devices, sent, watch } = station();
+  watch.watch(true, true);
+  watch.watch(true, true);
+  expect(sent).toEqual(['controllers']);
+  devices.revision = 'keys, pad';
+  watch.watch(true, true);
+  watch.tellAgain();
+  watch.watch(true, true);
+  expect(sent).toHaveLength(3);
+});
+
+it('devices are not reported while the sticks do not move the arm', () => {
+  const { sent, watch } = station();
+  watch.watch(true, false);
+  watch.watch(false, false);
+  expect(sent).toEqual([]);
+});
+
+it('a lost device is reported once, and its return is logged', () => {
+  const { devices, sent, levels, watch } = station();
+  devices.lost = [{ short: 'pad' }];
+  watch.watch(true, false);
+  watch.watch(true, false);
+  expect(sent).toEqual(['hands_off']);
+  devices.lost = [];
+  watch.watch(true, false);
+  expect(levels).toEqual(['caution', 'info']);
+});
+
+it('an observer’s lost device does not stop the operator', () => {
+  const { devices, sent, levels, watch } = station();
+  devices.lost = [{ short: 'pad' }];
+  watch.watch(false, false);
+  expect(sent).toEqual([]);
+  expect(levels).toEqual(['caution']);
+});
