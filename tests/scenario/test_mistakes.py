@@ -42,7 +42,7 @@ HEADS = [
     ),
     ("arm = 'none.toml'", "a.toml:2: arm: none.toml: cannot be read: No such file or directory"),
     ('arm = "a\\u0000.toml"', "a.toml:2: arm: "),
-    ("worksite = 'moon'", "a.toml:2: worksite: no worksite 'moon'"),
+    ("worksite = 'moon'", "a.toml:2: worksite: 'moon'"),
     ("plant = 'flexible'", "a.toml:2: plant: expected one of kinematic, got 'flexible'"),
     ("rate = 'fast'", "a.toml:2: rate: expected one of coarse, vernier, got 'fast'"),
     ("soft_stops = 'off'", "a.toml:2: soft_stops: expected one of mended, as-flown, got 'off'"),

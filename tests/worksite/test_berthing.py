@@ -79,7 +79,7 @@ def test_what_is_told_of_a_guide_is_what_is_tightest() -> None:
 
 
 def test_a_guide_with_crooked_directions_is_refused() -> None:
-    with pytest.raises(InputError, match=r"'keel'.*square to each other"):
+    with pytest.raises(InputError, match="guide 'keel'"):
         prepare([PORT, msgspec.structs.replace(KEEL, along=(0.0, 0.9, 0.1))])
 
 
@@ -167,8 +167,8 @@ def test_latches_draw_the_payload_in_as_they_close_and_hold_it_until_they_are_op
             "80 mm from its seat, at most 50 mm allowed; keel trunnion 80 mm from its seat, at most 50 mm allowed",
         ),
         (Latches(), "latch", (), "LATCH refused: no payload is at the latches"),
-        (Latches(1.0, 1.0), "latch", ready(), "LATCH refused: latched already"),
-        (Latches(), "unlatch", ready(), "UNLATCH refused: the latches are released already"),
+        (Latches(1.0, 1.0), "latch", ready(), "LATCH refused: the latches are already closed"),
+        (Latches(), "unlatch", ready(), "UNLATCH refused: the latches are already released"),
     ],
 )
 def test_a_command_that_cannot_be_obeyed_says_why(

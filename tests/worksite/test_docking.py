@@ -159,8 +159,8 @@ def test_the_tolerances_count_at_their_bounds() -> None:
         ({"apothem": 0.0}, "apothem is 0 m"),
         ({"length": inf}, "length inf m"),
         ({"sides": 5}, "5 sides"),
-        ({"outward": (1.0, 0.1, 0.0)}, "square to each other"),
-        ({"axis": (1.0, 0.0, 0.0)}, "square to each other"),
+        ({"outward": (1.0, 0.1, 0.0)}, r"\(1.0, 0.1, 0.0\)"),
+        ({"axis": (1.0, 0.0, 0.0)}, r"along \(1.0, 0.0, 0.0\);"),
     ],
 )
 def test_what_makes_no_envelope_is_refused(arguments: dict[str, object], message: str) -> None:

@@ -118,7 +118,7 @@ def test_an_axis_without_rate_or_deadband_stands_still() -> None:
 
 
 def test_a_start_outside_the_deadband_is_refused() -> None:
-    with pytest.raises(InputError, match=r"axis 2: it starts at 0\.2 rad, its deadband is 0\.1 rad"):
+    with pytest.raises(InputError, match=r"axis 2: .*0\.2 rad.*0\.1 rad"):
         LimitCycle((0.1,) * 3, (0.01,) * 3, (0.0, 0.2, 0.0)).packed()
 
 

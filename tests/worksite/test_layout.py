@@ -102,31 +102,30 @@ def test_groups_are_found_by_name_and_by_frame() -> None:
 
 
 @pytest.mark.parametrize(
-    ("solids", "pairs", "message"),
+    ("solids", "pairs", "pattern"),
     [
-        ([Solid("a", "moon", CUBE)], [], "a: no frame is called 'moon'; there are arm.base, "),
+        ([Solid("a", "moon", CUBE)], [], r"a: .*'moon'.* arm\.base, "),
         (
             [Solid("a", "can", CUBE), Solid("a", "box", CUBE)],
             [],
-            "a has solids in can and in box; a part has one frame",
+            "a .*can.*box",
         ),
-        (SOLIDS, [("can", "tin")], "can – tin: no solid belongs to 'tin'; there are wall, floor, "),
-        (SOLIDS, [("can", "bar")], "can – bar: both are fixed to can, so that they never move against each other"),
-        (SOLIDS, [("can", "box"), ("box", "can")], "box and can are named as a watched pair twice"),
+        (SOLIDS, [("can", "tin")], "can – tin: .*'tin'.* wall, floor, "),
+        (SOLIDS, [("can", "bar")], "can – bar: .* can "),
+        (SOLIDS, [("can", "box"), ("box", "can")], "box – can: .*twice"),
         ([Solid("a", "can", CUBE[::-1])], [], "a: vertex 2 "),
     ],
 )
-def test_what_cannot_be_laid_out_is_refused(solids: list[Solid], pairs: list[tuple[str, str]], message: str) -> None:
-    with pytest.raises(InputError) as refused:
+def test_what_cannot_be_laid_out_is_refused(solids: list[Solid], pairs: list[tuple[str, str]], pattern: str) -> None:
+    with pytest.raises(InputError, match=f"^{pattern}"):
         layout_of(FRAMES, solids, pairs)
-    assert str(refused.value).startswith(message)
 
 
 def test_unknown_names_are_refused() -> None:
     layout = worksite()
-    with pytest.raises(InputError, match=r"no part is called 'tin'; there are wall, "):
+    with pytest.raises(InputError, match=r"'tin'.* wall, "):
         among(layout, [("tin", "can")])
-    with pytest.raises(InputError, match=r"no frame is called 'moon'; there are arm.base, "):
+    with pytest.raises(InputError, match=r"'moon'.* arm\.base, "):
         layout.carried(["moon"])
-    with pytest.raises(InputError, match=r"a pair to leave out names 'tin'; there are wall, "):
+    with pytest.raises(InputError, match=r"pair to leave out.*'tin'.* wall, "):
         part_pairs(SOLIDS, CHAIN, apart=[("tin", "can")])

@@ -144,7 +144,9 @@ def test_snares_that_close_beside_the_pin_say_so_and_stop() -> None:
     ]
     assert flags(snare) == Flags(False, True, True, False, False, True)
     again, said = fly(snare, capture(AUTO), 1.0, conditions=INSIDE)
-    assert [line.text for line in said] == ["CAPTURE refused: the snares are closed on nothing; RELEASE opens them"]
+    assert [line.text for line in said] == [
+        "CAPTURE refused: the snares are closed without the pin; RELEASE opens them"
+    ]
     opened, _ = fly(again, release(AUTO), 3.0)
     assert flags(opened) == flags(Snare())
     assert fly(opened, capture(AUTO), 3.0, conditions=INSIDE)[0].captured
@@ -193,7 +195,7 @@ def test_off_stops_everything_and_takes_no_trigger() -> None:
     assert fly(stopped, AUTO, 5.0)[0] == stopped
     refused, said = fly(stopped, release(OFF), 1.0)
     assert refused == stopped
-    assert said[0].text == "RELEASE refused: END EFFECTOR MODE is OFF; AUTO and MAN take the trigger"
+    assert said[0].text == "RELEASE refused: END EFFECTOR MODE is OFF; the trigger works in AUTO and MAN"
     # CAPTURE again finishes what was begun.
     assert flags(fly(stopped, capture(AUTO), 12.0)[0]).RIGID
 
@@ -205,8 +207,8 @@ def test_release_while_closing_opens_again() -> None:
 
 
 def test_release_of_open_snares_and_capture_of_a_held_pin_are_refused() -> None:
-    assert fly(Snare(), release(AUTO), 0.02)[1][0].text == "RELEASE refused: the snares are open already"
-    assert fly(RIGID_PIN, capture(AUTO), 0.02)[1][0].text == "CAPTURE refused: the pin is captured already"
+    assert fly(Snare(), release(AUTO), 0.02)[1][0].text == "RELEASE refused: the snares are already open"
+    assert fly(RIGID_PIN, capture(AUTO), 0.02)[1][0].text == "CAPTURE refused: the pin is already captured"
 
 
 def test_snares_do_not_close_with_the_carriage_retracted() -> None:

@@ -22,16 +22,16 @@ Units = Literal["ft-in", "SI"]
 """The operator's units, as an arm's file names them."""
 
 _INCHES_BELOW, _MILLIMETRES_BELOW = 2.0 * FOOT, 1.0
-"""Lengths under these [m] are shown in the smaller unit."""
+"""Lengths below which the smaller unit is used [m]."""
 _FIGURES, _MOST_FIGURES = 3, 9
 _LIKE = 0.02
-"""Share of the limit [1]: a value beyond it by less than this share plus `_TINY` could have the same text.
+"""Share of the limit [1]: a value that exceeds it by less than this share plus `_TINY` could have the same text.
 
 Such a value is shown with as many figures as distinguish it from the limit.
 """
 _TINY = 1e-4
 _MOST_DECIMALS = 3
-"""Decimals shown of a number smaller than `_SMALLEST`, when the usual number of figures is asked for."""
+"""Decimals shown of a number smaller than `_SMALLEST`, when the usual number of figures is requested."""
 _ALLOWED = " allowed"
 """End of the words of an allowed range."""
 _SMALLEST, _GREATEST = 1e-3, 999.5
@@ -134,7 +134,7 @@ def quantity_text(value: float, unit: Unit, units: Units, figures: int = _FIGURE
 
 
 def _size_text(condition: Condition, value: float, units: Units) -> str:
-    """Return the text of a condition's measured size; with more figures if the limit would have the same text."""
+    """Return the text of a condition's measured size, with more figures if the limit would have the same text."""
     limit = abs(condition.limit)
     if not condition.holds and abs(condition.margin) < _LIKE * limit + _TINY:
         return _distinct_text(value, limit, condition.unit, units)
@@ -142,7 +142,7 @@ def _size_text(condition: Condition, value: float, units: Units) -> str:
 
 
 def _bound_texts(bounds: tuple[float, ...], unit: Unit, units: Units) -> list[str]:
-    """Return the texts of the bounds of a range; two bounds have one scale, and the second alone names it."""
+    """Return the texts of the bounds of a range; two bounds have the same unit, written after the second only."""
     per, suffix = _scale(max(map(abs, bounds), default=0.0), unit, units)
     texts = [_digits(bound * per, _FIGURES) for bound in bounds]
     return [*texts[:-1], *(text + suffix for text in texts[-1:])]
@@ -214,7 +214,7 @@ class _Worded(NamedTuple):
 
 @functools.lru_cache(maxsize=1024)
 def _worded(measured: str, least: float, greatest: float, holds: bool) -> _Worded:
-    """Return a condition's words; without the range if only a negative value is not allowed and the condition holds."""
+    """Return a condition's words, without the range if the condition holds and only a negative value would fail."""
     sized = "{}" in measured
     if least == 0.0 and greatest == math.inf:
         return _Worded(measured if holds else f"{measured}, none{_ALLOWED}", (), sized)

@@ -1,4 +1,4 @@
-"""Free flight: motion of bodies that nothing holds, and the orbiter's own translation.
+"""Free flight: motion of bodies that are not fixed to another body, and the orbiter's own translation.
 
 A free flyer either turns at a constant rate about an axis of its own, or is *limit cycling*: its attitude control lets
 each axis drift from one side of a deadband to the other and back, in a triangle wave. Both motions are exact in time:
@@ -43,8 +43,8 @@ class LimitCycle(msgspec.Struct, frozen=True):
         for axis, (band, start) in enumerate(zip(self.deadband, self.start, strict=True), 1):
             if not abs(start) <= band < inf:
                 raise InputError(
-                    f"limit cycle, axis {axis}: it starts at {start:g} rad, its deadband is {band:g} rad; the start "
-                    "has to lie within it"
+                    f"limit cycle, axis {axis}: the start is {start:g} rad and the deadband {band:g} rad; the "
+                    "start has to be within the deadband"
                 )
         return np.array([*self.deadband, *self.rate, *self.start])
 
@@ -62,11 +62,11 @@ def _wave(band: float, rate: float, start: float, time: float) -> _Wave:
     if band == 0.0 or rate == 0.0:
         return _Wave(start, 0.0)
     sense = 1.0 if rate > 0.0 else -1.0
-    # Path covered along the wave, from the side where it begins, across the band and back.
-    gone = (sense * start + band + abs(rate) * time) % (4.0 * band)
-    if gone < 2.0 * band:
-        return _Wave(sense * (gone - band), rate)
-    return _Wave(sense * (3.0 * band - gone), -rate)
+    # Path along the wave, from the side where it begins, across the band and back.
+    path = (sense * start + band + abs(rate) * time) % (4.0 * band)
+    if path < 2.0 * band:
+        return _Wave(sense * (path - band), rate)
+    return _Wave(sense * (3.0 * band - path), -rate)
 
 
 @law
@@ -152,7 +152,7 @@ def translate(position: Array, velocity: Array, command: Array, speed: float, re
     slows to rest at the same acceleration. Section VII.2 of the report; 0.2 ft/s reached in 2 s (assumed).
 
     Args:
-        position: (3,) how far the orbiter has moved [m]; updated.
+        position: (3,) displacement of the orbiter [m]; updated.
         velocity: (3,) velocity of the orbiter [m/s]; updated.
         command: (3,) -1, 0 or 1 for each axis.
         speed: commanded speed of each axis [m/s].

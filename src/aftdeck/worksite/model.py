@@ -1,7 +1,7 @@
-"""Data model of the worksite: the bodies around the arm, their solids, the seats of cargo, and the cameras.
+"""Data model of the worksite: the bodies around the arm, their solids, the berths of payloads, and the cameras.
 
-The coordinate frames of solids and seats are ``orbiter`` (that of the scene, fixed to the orbiter), ``space`` and one
-named after each cargo. ``space`` coincides with ``orbiter`` at the start, but does not move with the orbiter.
+The coordinate frames of solids and berths are ``orbiter`` (that of the scene, fixed to the orbiter), ``space`` and one
+named after each payload. ``space`` coincides with ``orbiter`` at the start, but does not move with the orbiter.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class Guides(msgspec.Struct, frozen=True):
 
 
 class Seat(msgspec.Struct, frozen=True, eq=False):
-    """A seat, where a cargo can be fixed: a docking port, or a berth in the bay."""
+    """A berth, where a payload can be fixed: a docking port, or a berth in the bay."""
 
     name: str
     title: str
@@ -61,29 +61,29 @@ class Seat(msgspec.Struct, frozen=True, eq=False):
     body: str
     frame: Frame
     pose: Pose
-    """Pose of the port's centre, or of a seated cargo, in `frame`."""
+    """Pose of the port's centre, or of a seated payload, in `frame`."""
     latch: Literal["auto", "command"]
     time: float
     """Time that the latches take [s]."""
     distance: float
-    """Greatest distance of a cargo from its seated position for latching [m]."""
+    """Greatest distance of a payload from its seated position for latching [m]."""
     angle: float
-    """Greatest rotation of a cargo from its seated attitude for latching [rad]."""
+    """Greatest rotation of a payload from its seated attitude for latching [rad]."""
     envelope: Array
     """Docking envelope of a port: (5, 4) planes in the port's axes about its centre. Each has a unit normal n [1] and a
     distance d [m]. The planes are those of the port's face and of the four adjacent faces, extended. A point p is in
     the envelope if n.p <= d for all planes."""
     guides: Guides | None
-    """Guides of a berth in the bay; a seat with guides takes only cargo that has trunnions."""
+    """Guides of a bay berth; a berth with guides holds only payloads that have trunnions."""
 
     def lacks(self, probe: Pose | None, trunnions: Array) -> str:
-        """Return what a cargo with this probe and these trunnions lacks to be held here; empty if nothing."""
+        """Return the fitting that a payload with this probe and these trunnions lacks for this berth; empty if none."""
         if self.kind == "port":
             return "" if probe else "probe"
         return "trunnions" if self.guides and not len(trunnions) else ""
 
     def seated(self, probe: Pose | None) -> Pose:
-        """Return the pose of a seated cargo's own frame, in the seat's frame; in a port, the probe is at the port."""
+        """Return the pose of a seated payload's frame in the berth's frame; in a port, the probe is at the port."""
         if self.kind == "retention" or probe is None:
             return self.pose
         rotation = self.pose.rotation @ probe.rotation.T
@@ -91,23 +91,23 @@ class Seat(msgspec.Struct, frozen=True, eq=False):
 
 
 class Start(msgspec.Struct, frozen=True, eq=False):
-    """Position and motion of a cargo at the start."""
+    """Position and motion of a payload at the start."""
 
     seat: str
-    """Name of the seat that holds the cargo; empty if the cargo is free."""
+    """Name of the berth that holds the payload; empty if the payload is free."""
     pose: Pose
-    """Pose in the scene at the start, given for a seated cargo as well."""
+    """Pose in the scene at the start, given for a seated payload as well."""
     velocity: Array
-    """(3,) velocity of the cargo's centre relative to the orbiter, in the scene [m/s]."""
+    """(3,) velocity of the payload's centre relative to the orbiter, in the scene [m/s]."""
     rates: Array
-    """(3,) angular rates about the cargo's own axes [rad/s]."""
+    """(3,) angular rates about the payload's own axes [rad/s]."""
 
 
 class LimitCycle(msgspec.Struct, frozen=True, eq=False):
-    """Limit cycle of a free cargo's attitude control."""
+    """Limit cycle of a free payload's attitude control."""
 
     deadband: Array
-    """(3,) greatest angles to either side, about the cargo's own axes [rad]."""
+    """(3,) greatest angles to either side, about the payload's own axes [rad]."""
     rate: Array
     """(3,) rate of each angle; the sign is the initial direction [rad/s]."""
     start: Array
@@ -115,19 +115,19 @@ class LimitCycle(msgspec.Struct, frozen=True, eq=False):
 
 
 class Cargo(msgspec.Struct, frozen=True, eq=False):
-    """An object that the arm can hold. Its own frame is at its body's centre: x along it, to aft in the bay, z up."""
+    """A payload. The origin of its own frame is at its body's centre: x along the body, to aft in the bay, z up."""
 
     name: str
-    """Name of the cargo and of its frame."""
+    """Name of the payload and of its frame."""
     title: str
     mass: float
     """Mass [kg]."""
     shapes: tuple[Shape, ...]
-    """Shapes that draw the cargo."""
+    """Shapes that draw the payload."""
     solids: tuple[Solid, ...]
-    """Solids in the cargo's own frame; parts are named after cargo and fitting: ``payload``, ``payload probe``."""
+    """Solids in the payload's own frame; parts are named after payload and fitting: ``payload``, ``payload probe``."""
     probe: Pose | None
-    """Pose of the centre of the probe's forward face; its axes are the cargo's."""
+    """Pose of the centre of the probe's forward face; its axes are the payload's."""
     receptacle: Array | None
     """(8, 3) the bar [m], numbered as the report's RECPT in axes x aft, y port, z down: c on top, b and e its sides."""
     grapple: Pose | None
@@ -141,7 +141,7 @@ class Cargo(msgspec.Struct, frozen=True, eq=False):
 
 
 class BarAcquisition(msgspec.Struct, frozen=True):
-    """Conditions for the concept's hand to acquire a bar; the report's names are in brackets."""
+    """Conditions for the concept's end effector to acquire a bar; the report's names are in brackets."""
 
     prong_spacing: float
     """Greatest distance of the prong's inner face from the palm's centre line for a closed prong (PRGSPC) [m]."""
@@ -186,7 +186,7 @@ class Essential(msgspec.Struct, frozen=True):
     """Two parts that the task brings into contact, with the relation and depth within which they may touch."""
 
     parts: tuple[str, str]
-    """Names of a cargo's part and of a part of the arm or of a body."""
+    """Names of a payload's part and of a part of the arm or of a body."""
     relation: Relation
     """Relation of the two parts; if it does not hold, the contact is detrimental."""
     depth: float
@@ -194,7 +194,7 @@ class Essential(msgspec.Struct, frozen=True):
 
 
 class Bay(msgspec.Struct, frozen=True):
-    """The inside of the cargo bay, in the frame ``orbiter``; a cargo completely above it has been extracted."""
+    """The inside of the payload bay, in the frame ``orbiter``; a payload completely above it has been extracted."""
 
     low: Vec3
     """Least coordinates [m]."""
@@ -228,9 +228,9 @@ class Worksite(msgspec.Struct, frozen=True, eq=False):
     """Solids of the bodies, in the frames ``orbiter`` and ``space``."""
     seats: tuple[Seat, ...]
     cargoes: tuple[Cargo, ...]
-    """Available cargoes; a scenario names those that are present."""
+    """Available payloads; a scenario names those that are present."""
     essential: tuple[Essential, ...]
-    """Pairs of parts that the task brings into contact; some parts are the arm's."""
+    """Pairs of parts that the task brings into contact; some are parts of the arm."""
     acquisition: BarAcquisition | SnareCapture | None
     bay: Bay | None
     translation: Translation | None

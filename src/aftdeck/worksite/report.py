@@ -50,10 +50,10 @@ class Cargo(msgspec.Struct, frozen=True, gc=False):
 
     name: Annotated[str, field_meta("name of the payload")]
     position: Annotated[Vec3, field_meta("position of its centre", "m", "L")]
-    orientation: Annotated[Rows, field_meta("its attitude", "1", "L")]
+    orientation: Annotated[Rows, field_meta("orientation of its axes", "1", "L")]
     velocity: Annotated[Vec3, field_meta("velocity of its centre", "m/s", "L")]
     held: Annotated[bool, field_meta("whether the end effector holds it")]
-    seat: Annotated[str, field_meta("seat that it is fixed to; empty if it is fixed to none")]
+    seat: Annotated[str, field_meta("berth that it is fixed to; empty if it is not fixed")]
 
 
 class Hand(msgspec.Struct, frozen=True, gc=False):
@@ -70,7 +70,9 @@ class Hand(msgspec.Struct, frozen=True, gc=False):
     carriage: Annotated[
         float | None,
         field_meta(
-            "position of the carriage, from 0 (extended) to 1 (rigid); null on an arm without one", "1", decimals=COARSE
+            "position of the carriage, from 0 (extended) to 1 (rigid); null on an arm without a carriage",
+            "1",
+            decimals=COARSE,
         ),
     ]
     flags: Annotated[tuple[str, ...], field_meta("flags that are lit on the panel: `CAPTURE`, `RIGID`")]
@@ -79,7 +81,7 @@ class Hand(msgspec.Struct, frozen=True, gc=False):
 
 
 class Objective(msgspec.Struct, frozen=True, gc=False):
-    """What the end effector can do where it is."""
+    """Action of the end effector that its present position makes possible."""
 
     action: Annotated[
         Literal["acquire", "capture", "dock", "insert", "berth"], field_meta("action that becomes possible")
@@ -111,7 +113,7 @@ class Work(msgspec.Struct, frozen=True, gc=False):
     ]
     conditions: Annotated[tuple[Condition, ...], field_meta("conditions of capture, docking or latching")]
     hand: Annotated[Hand, field_meta("state of the end effector")]
-    stand: Annotated[float | None, field_meta("length of the telescope; null on an arm without one", "m")]
+    stand: Annotated[float | None, field_meta("length of the telescope; null on an arm without a telescope", "m")]
     orbiter: Annotated[Vec3, field_meta("distance that the orbiter has moved", "m", "L")]
     orbiter_velocity: Annotated[Vec3, field_meta("velocity of the orbiter", "m/s", "L")]
     cargo: Annotated[tuple[Cargo, ...], field_meta("state of each payload of the worksite")]

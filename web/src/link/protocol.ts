@@ -992,7 +992,7 @@ export interface Work {
   readonly conditions: readonly Condition[];
   /** state of the end effector */
   readonly hand: Hand;
-  /** length of the telescope; null on an arm without one [m] */
+  /** length of the telescope; null on an arm without a telescope [m] */
   readonly stand: number | null;
   /** distance that the orbiter has moved [m], along the axes of L */
   readonly orbiter: Vec3;
@@ -1030,7 +1030,7 @@ export interface Near {
   readonly feature_b: string;
 }
 
-/** What the end effector can do where it is. */
+/** Action of the end effector that its present position makes possible. */
 export interface Objective {
   /** action that becomes possible */
   readonly action: 'acquire' | 'capture' | 'dock' | 'insert' | 'berth';
@@ -1066,7 +1066,7 @@ export interface Hand {
   readonly opening: number;
   /** distance from the prong to the fixed finger; null on an arm without a prong [m] */
   readonly spacing: number | null;
-  /** position of the carriage, from 0 (extended) to 1 (rigid); null on an arm without one */
+  /** position of the carriage, from 0 (extended) to 1 (rigid); null on an arm without a carriage */
   readonly carriage: number | null;
   /** flags that are lit on the panel: `CAPTURE`, `RIGID` */
   readonly flags: readonly string[];
@@ -1082,13 +1082,13 @@ export interface Cargo {
   readonly name: string;
   /** position of its centre [m], along the axes of L */
   readonly position: Vec3;
-  /** its attitude, along the axes of L */
+  /** orientation of its axes, along the axes of L */
   readonly orientation: Rows;
   /** velocity of its centre [m/s], along the axes of L */
   readonly velocity: Vec3;
   /** whether the end effector holds it */
   readonly held: boolean;
-  /** seat that it is fixed to; empty if it is fixed to none */
+  /** berth that it is fixed to; empty if it is not fixed */
   readonly seat: string;
 }
 

@@ -1,14 +1,14 @@
 """MODE 1, acquisition: the conditions under which the concept arm's palm and two fingers enclose the bar of a payload.
 
-The effector's hexahedra are numbered in the axes (-Z2, Y2, X2) of the hand. Face d of the palm (HEX 1) therefore faces
-the bar; face b of the fixed finger (HEX 2) and face e of the prong (HEX 3) face inwards. The bar (RECPT) has its length
-along its own x axis, front end face a, and face c on top. Source: the final report of the Remote Manipulator
-Simulation, acquisition conditions 1 to 6 (restored).
+The effector's hexahedra are numbered in the axes (-Z2, Y2, X2) of the end effector. Face d of the palm (HEX 1)
+therefore faces the bar; face b of the fixed finger (HEX 2) and face e of the prong (HEX 3) face inwards. The bar
+(RECPT) has its length along its own x axis, front end face a, and face c on top. Source: the final report of the Remote
+Manipulator Simulation, acquisition conditions 1 to 6 (restored).
 
 The law takes many placed bodies and the indices of the four that it needs, and writes its results into a packed array.
-Besides the six conditions it computes how far the hand may still turn about the centre of face d before one of the
-first three conditions fails. Such a turn changes none of the other conditions. With a long bar the limit on pitch is by
-far the tightest.
+It also computes the angle by which the end effector may still turn about the centre of face d before one of the first
+three conditions fails. Such a turn changes none of the other conditions. With a long bar the limit on pitch is by far
+the tightest.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ AWAY = 7
 SIDE = 8
 """Dot product of Z2 and the bar's axis, UZ2·XR of the report: negative if the prong is at the bar's face b [1]."""
 PITCH, ROLL, YAW = 9, 10, 11
-"""Angles by which the hand may turn about Y2, Z2 and X2 through the centre of face d [rad].
+"""Angles by which the end effector may turn about Y2, Z2 and X2 through the centre of face d [rad].
 
-If negative, the hand has to turn by that angle before the first three conditions hold.
+If negative, the end effector has to turn by that angle before the first three conditions hold.
 """
 FOUND = 12
 """Length of the array of results."""
@@ -66,7 +66,7 @@ class Tolerances(msgspec.Struct, frozen=True):
     rear: float
     """REAR: least distance of the palm's centre inside the bar's rear end [m]; the report has 0.5 ft [S]."""
     fingers_within: float
-    """Distance of palm and bar beyond which the fingers are not tested and hold nothing [m]; report: 8 ft [S]."""
+    """Distance of palm and bar beyond which the fingers are not tested and cannot acquire [m]; report: 8 ft [S]."""
 
     def packed(self) -> Array:
         """Return the tolerances as an array (5,) for the law."""
@@ -74,11 +74,12 @@ class Tolerances(msgspec.Struct, frozen=True):
 
 
 class Grasp(NamedTuple):
-    """Orientation of a hand around a bar, and the turns that remain possible.
+    """Orientation of the end effector around a bar, and the turns that remain possible.
 
     Attributes:
         prong_at: the bar's face at which the prong is.
-        pitch: how far the hand may turn about Y2 and still enclose the bar [rad]; if negative, the turn needed for it.
+        pitch: angle by which the end effector may turn about Y2 and still enclose the bar [rad]; if negative, the angle
+            by which it has to turn to enclose the bar.
         roll: the same about Z2, which is along the bar [rad].
         yaw: the same about X2, out of the palm [rad].
     """
@@ -178,7 +179,7 @@ def acquire(bodies: Array, which: Indices, rules: Array, found: Array) -> bool:
 
 
 def grasp(found: Array) -> Grasp:
-    """Return the orientation of the hand and its remaining turns, from the law's result (12,)."""
+    """Return the orientation of the end effector and its remaining turns, from the law's result (12,)."""
     return Grasp("b" if found[SIDE] < 0.0 else "e", float(found[PITCH]), float(found[ROLL]), float(found[YAW]))
 
 
@@ -223,7 +224,7 @@ def _beside(
 ) -> Condition:
     """Return condition 2 or 3: the whole bar is inside a finger.
 
-    If the palm is too far from the bar to test the finger, the condition fails and its text says so.
+    If the palm is too far from the bar to test the finger, the condition fails and its text gives that reason.
     """
     name = f"{finger} beside bar"
     if away > tolerances.fingers_within:

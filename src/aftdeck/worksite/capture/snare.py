@@ -1,4 +1,4 @@
-"""The Shuttle arm's snare end effector: three wires hold the grapple pin, a carriage draws it in, tension rigidizes it.
+"""The Shuttle arm's snare end effector: three wires hold the pin, a carriage draws it in, tension rigidizes it.
 
 CAPTURE: the snare ring closes. If the pin is then in the capture envelope, the snares hold the pin, the carriage
 retracts and draws the pin to its seat, and the tension builds up (rigidize). RELEASE: the same in reverse order; the
@@ -6,8 +6,8 @@ pin is free once the ring is open. END EFFECTOR MODE AUTO runs the whole sequenc
 MAN CONTR moves carriage and tension. Sources: SCOM p. 693 (principle, order of release), SSV (times, functions of the
 switches).
 
-A state is an immutable value, so it can be saved as it is. Motions are exact in time: when one motion of a sequence
-ends within a step, the next motion uses the remaining time. Not modelled: slack wires that already pull, motor
+A state is an immutable value, which needs no copy when it is saved. Motions are exact in time: when one motion of a
+sequence ends within a step, the next motion uses the remaining time. Not modelled: slack wires that already pull, motor
 currents, failures.
 """
 
@@ -25,7 +25,7 @@ Mode = Literal["AUTO", "OFF", "MAN"]
 Part = Literal["ring", "carriage", "tension"]
 
 _THERE = 1e-9
-"""Remaining travel of a part that counts as none [1]: it is due to rounding."""
+"""Remaining travel of a part that is due to rounding and counts as zero [1]."""
 
 
 class SnareTimes(msgspec.Struct, frozen=True):
@@ -61,7 +61,7 @@ class Snare(msgspec.Struct, frozen=True):
     captured: bool = False
     """True if the snares hold the pin."""
     drawn: float = 0.0
-    """Greatest value of `carriage` since the pin was captured: the pin has been drawn in so far."""
+    """Greatest value of `carriage` since the pin was captured: the share by which the pin is drawn in."""
     met: bool = False
     """True if the pin was in the envelope at some time since the snares began to close."""
     motion: Literal["", "capture", "release"] = ""
@@ -88,11 +88,11 @@ class Moved(NamedTuple):
     """Result of a step."""
 
     snare: Snare
-    said: tuple[LogLine, ...]
+    lines: tuple[LogLine, ...]
 
 
 def flags(snare: Snare) -> Flags:
-    """Return what the talkbacks show; while a part is between its ends, both of its talkbacks are off."""
+    """Return the state of the talkbacks; while a part is between its ends, both of its talkbacks are off."""
     return Flags(
         CAPTURE=snare.captured,
         EXTEND=snare.carriage == 0.0,
@@ -117,13 +117,13 @@ def advance(
             They matter only while the ring is closing.
         units: the operator's units, for the log lines.
     """
-    said: list[LogLine] = []
-    if command.trigger and (why := _refuses(snare, command)):
-        said.append(rejection(f"{command.trigger.upper()} refused: {why}"))
+    lines: list[LogLine] = []
+    if command.trigger and (why := _rejection_reason(snare, command)):
+        lines.append(rejection(f"{command.trigger.upper()} refused: {why}"))
     elif command.trigger:
         snare = msgspec.structs.replace(snare, motion=command.trigger, met=snare.met and snare.ring > 0.0)
     left = dt
-    snare = _still_going(snare, command.mode)
+    snare = _without_ended_motion(snare, command.mode)
     while stage := _stage(snare, command):
         part, target = stage
         speed = 1.0 / float(getattr(times, part))
@@ -136,28 +136,28 @@ def advance(
         snare = _put(snare, part, target)
         left = max(0.0, left - abs(target - before) / speed)
         snare, more = _reached(snare, part, target, conditions, units)
-        snare = _still_going(snare, command.mode)
-        said += more
+        snare = _without_ended_motion(snare, command.mode)
+        lines += more
     else:
         snare = msgspec.structs.replace(snare, motion="")
-    return Moved(snare, tuple(said))
+    return Moved(snare, tuple(lines))
 
 
-def _refuses(snare: Snare, command: SnareCommand) -> str:
+def _rejection_reason(snare: Snare, command: SnareCommand) -> str:
     """Return why the trigger is rejected; empty if it is accepted."""
     if command.mode == "OFF":
-        return "END EFFECTOR MODE is OFF; AUTO and MAN take the trigger"
+        return "END EFFECTOR MODE is OFF; the trigger works in AUTO and MAN"
     extended = _extended(snare)
     if command.trigger == "capture":
         if snare.ring == 1.0 and not snare.captured:
-            return "the snares are closed on nothing; RELEASE opens them"
+            return "the snares are closed without the pin; RELEASE opens them"
         if not extended and not snare.captured:
             return "the carriage is not extended; MAN CONTR DERIGID, or RELEASE in AUTO, extends it"
         if snare.captured and snare.ring == 1.0 and (command.mode == "MAN" or snare.tension == 1.0):
-            return "the pin is captured already"
+            return "the pin is already captured"
         return ""
     if snare.ring == 0.0 and snare.motion != "capture" and (extended or command.mode == "MAN"):
-        return "the snares are open already"
+        return "the snares are already open"
     if not extended and command.mode == "MAN":
         return "the carriage is not extended; MAN CONTR DERIGID extends it"
     return ""
@@ -179,8 +179,8 @@ def _stage(snare: Snare, command: SnareCommand) -> tuple[Part, float] | None:
     return None
 
 
-def _still_going(snare: Snare, mode: Mode) -> Snare:
-    """Return the state, without its motion if the mode does not allow it or no longer allows it."""
+def _without_ended_motion(snare: Snare, mode: Mode) -> Snare:
+    """Return the state, without its motion if the motion has ended or the mode does not allow it."""
     ends = mode == "OFF" or (
         mode == "MAN"
         and (snare.ring == 1.0 if snare.motion == "capture" else not _extended(snare) or snare.ring == 0.0)
@@ -206,7 +206,7 @@ def _put(snare: Snare, part: Part, value: float) -> Snare:
 
 
 def _inside(conditions: Sequence[Condition]) -> bool:
-    """Return whether a fixture is near and in the envelope."""
+    """Return whether a fixture is near and within the envelope."""
     return bool(conditions) and all_hold(conditions)
 
 

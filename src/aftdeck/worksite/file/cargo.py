@@ -1,4 +1,4 @@
-"""Construction of a cargo from the dimensions in its file: shapes and solids are made from the same numbers."""
+"""Construction of a payload from the dimensions in its file: shapes and solids are made from the same numbers."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from aftdeck.worksite.file.solids import CORNERS, as_solids, checked, drawn, mov
 from aftdeck.worksite.model import Cargo, LimitCycle, Seat, Start
 
 FITTINGS = ("probe", "receptacle", "grapple fixture", "trunnions")
-"""Fittings that a cargo may have besides its body; such a part is named after the cargo and the fitting."""
+"""Fittings that a payload may have besides its body; such a part is named after the payload and the fitting."""
 _UPWARDS = pi / 2
 """Angle of the middle of a prism's first side, from y to z [rad]: one side is on top, one below."""
 _ROUNDING = 1e-9
 """Allowance for rounding in the check that a bar does not extend beyond its payload's top [m]."""
 _REPORT = np.diag([1.0, -1.0, -1.0])
-"""The report's axes (x aft, y port, z down) as columns, in a cargo's axes."""
+"""The report's axes (x aft, y port, z down) as columns, in a payload's axes."""
 
 
 class _Piece(NamedTuple):
-    """A part of a cargo: its hexahedra (n, 8, 3) in the cargo's axes [m], and its shapes."""
+    """A part of a payload: its hexahedra (n, 8, 3) in the payload's axes [m], and its shapes."""
 
     fitting: str
     bodies: Array
@@ -37,11 +37,11 @@ class _Piece(NamedTuple):
 
 
 def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
-    """Return the cargo that a file describes, at its start.
+    """Return the payload that a file describes, at its start.
 
     Raises:
-        InputError: no convex bodies can be made of the given sizes.
-        ValueError: the seat to start in is not listed or holds a fitting that the cargo lacks, or the bar extends
+        InputError: the given sizes do not make convex bodies.
+        ValueError: the berth to start in is not listed or needs a fitting that the payload lacks, or the bar extends
             beyond the payload's top.
     """
     pieces = tuple(_pieces(file))
@@ -70,7 +70,7 @@ def cargo_of(file: CargoFile, seats: Mapping[str, Seat]) -> Cargo:
 
 
 def part_of(cargo: str, fitting: str) -> str:
-    """Return the name of a part of a cargo; the body has the name of the cargo."""
+    """Return the name of a part of a payload; the body has the name of the payload."""
     return f"{cargo} {fitting}" if fitting else cargo
 
 
@@ -120,8 +120,8 @@ def _check_on_top(file: CargoFile, bar: ReceptacleFile) -> None:
         beyond = abs(middle) + 0.5 * size - 0.5 * room
         if beyond > _ROUNDING:
             raise ValueError(
-                f"the bar ends {beyond:.3g} m beyond the top, which is {room:.4g} m along {axis}; its middle is at "
-                f"{middle:.4g} m and its size is {size:.4g} m"
+                f"the bar ends {beyond:.3g} m beyond the top, which is {room:.4g} m along {axis}; the bar's middle is "
+                f"at {middle:.4g} m and its size is {size:.4g} m"
             )
 
 
@@ -141,7 +141,7 @@ def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
     """Yield the boxes (1, 8, 3) of the target beside the fixture's axis.
 
     One box encloses the flat shapes (plate and ring), another one the rod. A single box around both would obstruct the
-    end effector as far out as the end of the rod.
+    end effector as far outwards as the end of the rod.
     """
     halves = [(shape.position, half) for shape in shapes if any(shape.position[1:]) and (half := _half(shape))]
     boxes = np.array(halves, dtype=np.float64).reshape(-1, 2, 3)
@@ -152,7 +152,7 @@ def _target(shapes: tuple[Shape, ...]) -> Iterator[Array]:
 
 
 def _half(shape: Shape) -> Vec3 | None:
-    """Return half the size of the box around a shape along x; None for a group, whose marks lie on the other shapes.
+    """Return half the size of the box around a shape along x; None for a group of marks on other shapes.
 
     Raises:
         InputError: the shape is of another kind, or has another orientation.
@@ -171,8 +171,8 @@ def _half(shape: Shape) -> Vec3 | None:
         case _:
             kind = type(shape).__name__.lower()
             raise InputError(
-                f"grapple: a {kind} like this is no part of a target; beside the fixture's axis may stand groups, "
-                "spheres, and unturned boxes, cylinders and rings, along x"
+                f"grapple: a {kind} like this cannot be part of a target; allowed beside the fixture's axis are "
+                "groups, spheres, and boxes, cylinders and rings along x without rotation"
             )
 
 
@@ -218,25 +218,25 @@ def _names(pairs: int) -> tuple[str, ...]:
 
 
 def _probe_tip(file: CargoFile) -> Pose | None:
-    """Return the pose of the middle of the probe's forward face in the cargo's axes; None without a probe."""
+    """Return the pose of the middle of the probe's forward face in the payload's axes; None without a probe."""
     if file.probe is None:
         return None
     return Pose(frozen([-file.body.length / 2.0 - file.probe.length, 0.0, 0.0]), frozen(np.eye(3)))
 
 
 def start_of(file: StartFile, seats: Mapping[str, Seat], probe: Pose | None, trunnions: Array) -> Start:
-    """Return the start of a cargo with this probe and these trunnions.
+    """Return the start of a payload with this probe and these trunnions.
 
     Raises:
-        ValueError: the seat does not exist, or holds a fitting that the cargo does not have.
+        ValueError: the berth does not exist, or needs a fitting that the payload does not have.
     """
     if file.seat is None:
         return Start("", _pose(file), frozen(file.velocity), frozen(file.rates))
     seat = seats.get(file.seat)
     if seat is None:
-        raise ValueError(f"start.seat: {file.seat!r} is no seat; there are: {', '.join(seats) or 'none'}")
+        raise ValueError(f"start.seat: {file.seat!r} is not a seat; seats are: {', '.join(seats) or 'none'}")
     if lacking := seat.lacks(probe, trunnions):
-        raise ValueError(f"start.seat: {file.seat!r} holds on to a {lacking}, and the cargo has no {lacking}")
+        raise ValueError(f"start.seat: {file.seat!r} holds a payload by its {lacking}; this cargo has no {lacking}")
     return Start(seat.name, seat.seated(probe), frozen(np.zeros(3)), frozen(np.zeros(3)))
 
 

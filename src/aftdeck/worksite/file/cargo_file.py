@@ -1,4 +1,4 @@
-"""A cargo in a worksite's file: the dimensions from which its solids and its shapes are made."""
+"""A payload in a worksite's file: the dimensions from which its solids and its shapes are made."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class ProbeFile(Table, frozen=True, kw_only=True):
 
 
 class ReceptacleFile(Table, frozen=True, kw_only=True):
-    """The bar on the cargo's top that the concept's hand grips."""
+    """The bar on the payload's top that the concept's end effector acquires."""
 
     length: Length
     """Size along x."""
@@ -66,7 +66,7 @@ class ReceptacleFile(Table, frozen=True, kw_only=True):
 
 
 class GrappleFile(Placed, frozen=True, kw_only=True):
-    """A grapple fixture: its pose is that of the end effector's own axes E (x out of the hand) at a perfect grasp."""
+    """A grapple fixture: its pose is that of the end effector's own axes E (x outwards) at a perfect grasp."""
 
     radius: Length
     """Radius of the fixture's base, which begins where the end effector's rim ends."""
@@ -85,7 +85,7 @@ class TrunnionsFile(Table, frozen=True, kw_only=True):
     """Pins on both sides, and one down to the keel, that the bay's latches hold."""
 
     x: tuple[Length, ...]
-    """Position of each pair of pins along the cargo."""
+    """Position of each pair of pins along the payload."""
     y: Length
     """Distance to either side of the points on the pins that the latches hold."""
     z: Length
@@ -107,22 +107,24 @@ class TrunnionsFile(Table, frozen=True, kw_only=True):
 
 
 class StartFile(Placed, frozen=True, kw_only=True):
-    """Start of a cargo: in a seat, or free at a pose in the scene."""
+    """Start of a payload: in a berth, or free at a pose in the scene."""
 
     seat: Text | None = None
     velocity: tuple[Speed, Speed, Speed] = (Speed(0.0), Speed(0.0), Speed(0.0))
     """Velocity relative to the orbiter, in the scene's axes."""
     rates: tuple[AngularRate, AngularRate, AngularRate] = (AngularRate(0.0), AngularRate(0.0), AngularRate(0.0))
-    """Angular rates about the cargo's own axes."""
+    """Angular rates about the payload's own axes."""
 
     def __post_init__(self) -> None:
-        """Reject a pose or a motion if a seat is given (ValueError)."""
+        """Reject a pose or a motion if a berth is given (ValueError)."""
         if self.seat is not None and any(map(any, (self.position, self.rotation, self.velocity, self.rates))):
-            raise ValueError(f"it stands in the seat {self.seat!r}; a position, rotation or motion is for a free cargo")
+            raise ValueError(
+                f"the cargo is in the seat {self.seat!r}; position, rotation and motion are for a free cargo"
+            )
 
 
 class LimitCycleFile(Table, frozen=True, kw_only=True):
-    """Limit cycle of a free cargo's attitude control, about each of the cargo's own axes."""
+    """Limit cycle of a free payload's attitude control, about each of the payload's own axes."""
 
     deadband: Turn
     """Greatest angle to either side."""
@@ -137,12 +139,12 @@ class LimitCycleFile(Table, frozen=True, kw_only=True):
             positive(**{f"deadband about {axis}": deadband})
             if not abs(start) <= deadband:
                 raise ValueError(
-                    f"start about {axis} is {start:g} rad; it has to lie within the deadband, {deadband:g}"
+                    f"start about {axis} is {start:g} rad; it has to be within the deadband, {deadband:g} rad"
                 )
 
 
 class CargoFile(Table, frozen=True, kw_only=True):
-    """An object that the arm can hold; its own frame is at its body's centre, x along it. A scenario names it."""
+    """A payload; the origin of its own frame is at its body's centre, x along the body. A scenario names it."""
 
     name: Text
     title: Text
@@ -150,7 +152,7 @@ class CargoFile(Table, frozen=True, kw_only=True):
     mass: Mass
     body: PrismBody | CylinderBody
     shapes: tuple[Shape, ...] = ()
-    """Additional shapes that draw the cargo."""
+    """Additional shapes that draw the payload."""
     probe: ProbeFile | None = None
     receptacle: ReceptacleFile | None = None
     grapple: GrappleFile | None = None
@@ -163,4 +165,4 @@ class CargoFile(Table, frozen=True, kw_only=True):
         positive(mass=self.mass)
         if (self.receptacle is None) == (self.grapple is None):
             given = "neither" if self.receptacle is None else "both"
-            raise ValueError(f"a cargo is held by a receptacle or by a grapple fixture; {given} is given")
+            raise ValueError(f"a cargo needs a receptacle or a grapple fixture, not both; {given} is given")

@@ -32,10 +32,11 @@ def misnamed(file: WorksiteFile) -> Iterator[Problem]:
     of items that do not exist.
     """
     if not file.body:
-        yield Problem(("body",), "none is listed; the first one gives the scene frame")
+        yield Problem(("body",), "no body is listed; the first body gives the scene frame")
     elif file.body[0].fixed_to != "orbiter" or any(file.body[0].position) or any(file.body[0].rotation):
         yield Problem(
-            ("body", 0), "the first body gives the scene frame: it is fixed to the orbiter, in no other place"
+            ("body", 0),
+            "the first body gives the scene frame; it has to be fixed to the orbiter, with zero position and rotation",
         )
     bodies = [body.name for body in file.body]
     cargoes = [cargo.name for cargo in file.cargo]
@@ -44,14 +45,14 @@ def misnamed(file: WorksiteFile) -> Iterator[Problem]:
     yield from _repeated("cargo", cargoes, (*bodies, *FRAMES))
     for i, name in enumerate(cargoes):
         if name.startswith(ARM):
-            yield Problem(("cargo", i), f"{name!r}: names that begin with {ARM!r} are those of the arm's frames")
+            yield Problem(("cargo", i), f"{name!r}: names that begin with {ARM!r} are reserved for the arm's frames")
     for i, seat in enumerate(file.seat):
         if seat.body not in bodies:
-            yield Problem(("seat", i, "body"), f"{seat.body!r} is no body; there are: {', '.join(bodies)}")
+            yield Problem(("seat", i, "body"), f"{seat.body!r} is not a body; bodies are: {', '.join(bodies)}")
     for i, camera in enumerate(file.camera):
         if camera.body not in (*bodies, *cargoes) and not camera.body.startswith(ARM):
             there = ", ".join((*bodies, *cargoes))
-            yield Problem(("camera", i, "body"), f"{camera.body!r} is no body; there are: {there}")
+            yield Problem(("camera", i, "body"), f"{camera.body!r} is not a body; bodies are: {there}")
     yield from _homeless(file, bodies)
 
 
@@ -64,12 +65,12 @@ def _homeless(file: WorksiteFile, bodies: Sequence[str]) -> Iterator[Problem]:
     for i, drive in enumerate(housed):
         if drive not in drives:
             there = ", ".join(drives) or "none"
-            yield Problem(("housing", i, "drive"), f"{drive!r} is no drive; there are: {there}")
+            yield Problem(("housing", i, "drive"), f"{drive!r} is not a drive; drives are: {there}")
         if drive in housed[:i]:
-            yield Problem(("housing", i, "drive"), f"the drive {drive!r} has a housing already")
+            yield Problem(("housing", i, "drive"), f"the drive {drive!r} already has a housing")
     for i, camera in enumerate(file.camera):
         if camera.drive in housed and camera.body not in bodies:
-            what = f"its drive {camera.drive!r} has a housing, which stands on a body; {camera.body!r} is none"
+            what = f"its drive {camera.drive!r} has a housing, which needs a body; {camera.body!r} is not a body"
             yield Problem(("camera", i, "drive"), what)
 
 
@@ -86,7 +87,9 @@ def parts_in_two_frames(listed: Sequence[tuple[Where, Sequence[Solid]]]) -> Iter
     for where, solids in listed:
         for part, frame in dict.fromkeys((solid.part, solid.frame) for solid in solids):
             if homes.setdefault(part, frame) != frame:
-                yield Problem(where, f"the part {part!r} stands in {homes[part]} and in {frame}; a part has one frame")
+                yield Problem(
+                    where, f"the part {part!r} has solids in {homes[part]} and in {frame}; a part has one frame"
+                )
 
 
 def blind_cameras(
@@ -99,9 +102,9 @@ def blind_cameras(
     """Yield a problem for each camera in a solid, or nearer to one than a clearance [m].
 
     `cameras` is keyed by the index in the file. A camera on a body is checked against the solids of all bodies, at
-    their poses at the start. A camera on a cargo is checked against the cargo's own solids. The camera's own housing is
-    named after the camera (``camera A``) and is left out. Not checked are cameras on the arm, eyes behind windows, and
-    solids that come near a camera during a run.
+    their poses at the start. A camera on a payload is checked against the payload's own solids. The camera's own
+    housing is named after the camera (``camera A``) and is left out. Not checked are cameras on the arm, eyes behind
+    windows, and solids that come near a camera during a run.
     """
     still = {body.name: body.pose for body in bodies}
     own = {cargo.name: cargo.solids for cargo in cargoes}
@@ -115,14 +118,12 @@ def blind_cameras(
             room = distance(place, solid.vertices)
             if solid.part != f"camera {camera.name}" and not room > clearance:
                 where = f"{room:.3g} m from" if room > 0.0 else "in"
-                what = (
-                    f"camera {camera.name} stands {where} {solid.part}; it has to be more than {clearance:.3g} m away"
-                )
+                what = f"camera {camera.name} is {where} {solid.part}; it has to be more than {clearance:.3g} m away"
                 yield Problem(("camera", i, "position"), what)
 
 
 def _within(reach: float, point: Array, solids: Sequence[Solid]) -> list[Solid]:
-    """Return the solids whose bounding boxes, along the axes, are nearer to a point than `reach` [m] and a hair."""
+    """Return the solids whose bounding boxes, along the axes, are nearer to a point than `reach` [m] and `_HAIR`."""
     if not solids:
         return []
     vertices = np.array([solid.vertices for solid in solids])
@@ -132,7 +133,7 @@ def _within(reach: float, point: Array, solids: Sequence[Solid]) -> list[Solid]:
 
 
 def bay_without_walls(bay: Bay, solids: Sequence[Solid]) -> Iterator[Problem]:
-    """Yield a problem for each side of the bay's inside, except the top, that has no wall of the orbiter at its end."""
+    """Yield a problem for each side of the bay's inside, except the top, that does not end at a wall of the orbiter."""
     bodies = [pack(solid.vertices) for solid in solids if solid.frame == "orbiter"]
     low, high = np.array(bay.low), np.array(bay.high)
     across = np.linspace(low + (high - low) / 10.0, high - (high - low) / 10.0, 5)
@@ -147,7 +148,7 @@ def bay_without_walls(bay: Bay, solids: Sequence[Solid]) -> Iterator[Problem]:
             beyond, within = _in_any(points + aside, bodies), _in_any(points - aside, bodies)
             if (beyond & ~within).any():
                 continue
-            what = f"the inside ends at {end[axis]:.4g} m, where no wall of the orbiter's begins"
+            what = f"the inside ends at {end[axis]:.4g} m, but no wall of the orbiter begins there"
             yield Problem(("bay", name), what)
 
 

@@ -1,4 +1,4 @@
-"""Housings of cameras: their shapes and solids, placed where the camera's own table puts the camera."""
+"""Housings of cameras: their shapes and solids, placed at the position in the camera's own table."""
 
 from __future__ import annotations
 

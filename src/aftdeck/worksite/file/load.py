@@ -49,8 +49,8 @@ def load_worksite(name_or_path: str | Path, dimensions: Mapping[str, float | str
         dimensions: values that replace those in the file's ``[dimensions]``.
 
     Raises:
-        ScenarioError: the name or file does not exist, or the file is invalid: for example, an item cannot be made, or
-            a camera is inside a solid. The message says what is wrong and where.
+        ScenarioError: the name or file does not exist, or the file is invalid: for example, a solid is not convex, or
+            a camera is inside a solid. The message names each error and its location.
     """
     return _of_text(_file(name_or_path), tuple((dimensions or {}).items()))
 
@@ -68,7 +68,7 @@ def dimensions_of(name_or_path: str | Path, over: Mapping[str, float | str]) -> 
 
 
 class _Dimensions(msgspec.Struct, frozen=True):
-    """The part of a worksite's file that names quantities."""
+    """The table of named quantities in a worksite's file."""
 
     dimensions: dict[str, str | float] = msgspec.field(default_factory=dict)
 
@@ -80,7 +80,7 @@ def _file(name_or_path: str | Path) -> Text:
     if not path.is_file():
         raise ScenarioError(
             [
-                f"no worksite {str(name_or_path)!r}; give the path of a worksite's file or one of: "
+                f"{str(name_or_path)!r} is not a worksite; give the path of a worksite's file or one of: "
                 + ", ".join(worksites())
             ]
         )
@@ -89,14 +89,14 @@ def _file(name_or_path: str | Path) -> Text:
 
 @functools.lru_cache(maxsize=8)
 def _of_text(source: Text, dimensions: tuple[tuple[str, float | str], ...]) -> Worksite:
-    """Return the worksite of a file's text. It is immutable, so it is made and checked only once and cached."""
+    """Return the worksite of a file's text. It is immutable, and therefore cached."""
     name, text = source
     file, problems = examine(WorksiteFile, source, {(KEY, key): value for key, value in dimensions}, derive)
     if file is None or problems:
         raise ScenarioError(sentences(problems, name, text))
     if unknown := [key for key, _ in dimensions if line_of((KEY, key), text) in (None, line_of((KEY,), text))]:
         there = ", ".join(key for key in file.dimensions if key not in unknown) or "none"
-        raise ScenarioError([f"{name} has no dimension {', '.join(map(repr, unknown))}; there are: {there}"])
+        raise ScenarioError([f"{name} has no dimension {', '.join(map(repr, unknown))}; dimensions are: {there}"])
     problems = list(misnamed(file))
     worksite = None if problems else _made(file, text, problems)
     if worksite is None or problems:
@@ -193,7 +193,7 @@ def _seats(
 
 
 def _cargoes(file: WorksiteFile, seats: Sequence[Seat], problems: list[Problem]) -> dict[int, Cargo]:
-    """Return the valid cargoes by their index in the file, and add a problem for each other one."""
+    """Return the valid payloads by their index in the file, and add a problem for each other one."""
     by_name = {seat.name: seat for seat in seats}
     cargoes = {}
     for i, cargo in enumerate(file.cargo):
@@ -216,7 +216,7 @@ def _cameras(file: WorksiteFile, problems: list[Problem]) -> dict[int, Camera]:
 
 
 def _named(name: str, parts: Collection[str]) -> tuple[str, ...]:
-    """Return the parts that a name refers to: that fitting of every cargo, a part and its mirror image, or one part."""
+    """Return the parts of a name: that fitting of every payload, a part and its mirror image, or one part."""
     if name in FITTINGS:
         return tuple(part for part in parts if part.endswith(f" {name}"))
     sides = tuple(part for part in (f"{name} port", f"{name} starboard") if part in parts)

@@ -2,7 +2,7 @@
 
 Positions are in the axes of the body that a table belongs to. The first body's axes are those of the scene: x aft,
 y starboard, z up. `source` gives the source of a table's numbers, or ``assumed``. Rules that types cannot express are
-checked where the parts are made (`solids`, `roles`, `cargo`) and in `check`.
+checked where the parts are made (`solids`, `seats`, `cargo`) and in `check`.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ FITTING_OF: dict[Relation, str] = {
     "guides": "trunnions",
     "capture": "grapple fixture",
 }
-"""Fitting of a cargo to which each relation applies."""
+"""Fitting of a payload to which each relation applies."""
 
 
 class BodyFile(Placed, frozen=True, kw_only=True):
@@ -40,19 +40,19 @@ class BodyFile(Placed, frozen=True, kw_only=True):
 
 
 class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
-    """A seat, where a cargo can be fixed to a body."""
+    """A berth, where a payload can be fixed to a body."""
 
     name: Text
     title: Text
     body: Text
     latch: Literal["auto", "command"]
-    """``auto`` to hold a cargo as soon as possible, ``command`` to wait for a command."""
+    """``auto`` to hold a payload as soon as possible, ``command`` to wait for a command."""
     time: Time = Time(0.0)
     """Time that the latches take."""
     distance: Length
-    """Greatest distance of a cargo from its seated position for latching."""
+    """Greatest distance of a payload from its seated position for latching."""
     angle: Angle
-    """Greatest rotation of a cargo from its seated attitude for latching."""
+    """Greatest rotation of a payload from its seated attitude for latching."""
     source: Text
 
     def __post_init__(self) -> None:
@@ -63,7 +63,7 @@ class _SeatFile(Placed, frozen=True, kw_only=True, tag_field="kind"):
 
 
 class PortFile(_SeatFile, frozen=True, kw_only=True, tag="port"):
-    """A docking port: its centre lies on a face of a solid, its axes are those of a docked cargo; x points outwards."""
+    """A docking port: its centre is on a face of a solid, its axes are those of a docked payload; x points outwards."""
 
     radius: Length
     """Radius of the disc that marks the port."""
@@ -88,17 +88,17 @@ class GuidesFile(Table, frozen=True, kw_only=True):
 
 
 class RetentionFile(_SeatFile, frozen=True, kw_only=True, tag="retention"):
-    """A berth in the bay: position and rotation are those of a seated cargo."""
+    """A berth in the bay: position and rotation are those of a seated payload."""
 
     guides: GuidesFile | None = None
-    """V-guides; if they are given, a cargo needs trunnions."""
+    """V-guides; if they are given, a payload needs trunnions."""
 
 
 SeatFile = PortFile | RetentionFile
 
 
 class BarFile(Table, frozen=True, kw_only=True, tag_field="kind", tag="bar"):
-    """Conditions for the concept's hand to acquire a bar; the report's names are in brackets."""
+    """Conditions for the concept's end effector to acquire a bar; the report's names are in brackets."""
 
     prong_spacing: Length
     """Greatest distance of the prong's inner face from the palm's centre line for a closed prong (PRGSPC)."""
@@ -150,7 +150,7 @@ class EssentialFile(Table, frozen=True, kw_only=True):
     """Two parts that the task brings into contact: the conditions under which they may touch, and how deep."""
 
     parts: tuple[Text, Text]
-    """A fitting by its own name (``receptacle``), which means that of every cargo, and a part of the arm or a body."""
+    """A fitting by its own name (``receptacle``: that of every payload), and a part of the arm or a body."""
     relation: Relation
     """``acquisition``: the bar before the palm and between the fingers (conditions 1 to 3). ``docking``: the probe in
     the docking envelope, no farther from the port than docking allows. ``guides``: the trunnion in its V-guide.
@@ -165,7 +165,7 @@ class EssentialFile(Table, frozen=True, kw_only=True):
         fitting = FITTING_OF[self.relation]
         if not any(part == fitting or part.endswith(f" {fitting}") for part in self.parts):
             raise ValueError(
-                f"relation {self.relation!r} is that of a {fitting}; parts are {self.parts[0]!r} and {self.parts[1]!r}"
+                f"relation {self.relation!r} applies to a {fitting}; parts are {self.parts[0]!r} and {self.parts[1]!r}"
             )
 
 
@@ -178,12 +178,12 @@ class _Inside(Table, frozen=True, kw_only=True):
     source: Text
 
     def __post_init__(self) -> None:
-        """Reject ranges that do not go upwards (ValueError)."""
+        """Reject ranges that do not ascend (ValueError)."""
         ordered(x=self.x, y=self.y, z=self.z)
 
 
 class BayFile(_Inside, frozen=True, kw_only=True):
-    """The inside of the cargo bay: a cargo completely above it has been extracted."""
+    """The inside of the payload bay: a payload completely above it has been extracted."""
 
 
 class TranslationFile(Table, frozen=True, kw_only=True):

@@ -1,4 +1,4 @@
-"""Construction of a seat from its file; a docking port's envelope follows from the face that the port lies on."""
+"""Construction of a berth from its file; a docking port's envelope follows from the face of the port."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from aftdeck.worksite.model import Body, Guides, Seat
 DISC = 0.02
 """Thickness of the disc that marks a port [m]; half of it protrudes, and nothing collides with it."""
 ON_FACE = 1e-6
-"""Greatest distance of a port's centre from the face that it lies on [m]."""
+"""Greatest distance of a port's centre from its face [m]."""
 
 
 def seat_of(file: SeatFile, body: Body, solids: Sequence[Solid]) -> Seat:
-    """Return the seat that a file describes, on its body.
+    """Return the berth that a file describes, on its body.
 
     Args:
-        file: the seat's table.
+        file: the berth's table.
         body: the body that the table names.
         solids: the body's solids, in the body's frame of motion.
 
     Raises:
-        ValueError: a port does not lie on a face of its body's solids.
+        ValueError: a port is not on a face of its body's solids.
     """
     fixed, own = body.pose, endori(*file.rotation)
     position = fixed.rotation @ np.array(file.position, dtype=np.float64) + fixed.position
@@ -74,4 +74,4 @@ def _envelope(port: Pose, solids: Sequence[Solid]) -> Array:
             planes = np.column_stack([normals @ port.rotation, -heights])[order]
             planes[0] *= -1.0
             return frozen(planes)
-    raise ValueError("a port's centre has to lie on a face of a solid of its body; it lies on none")
+    raise ValueError("a port's centre has to be on a face of a solid of its body; this one is not")

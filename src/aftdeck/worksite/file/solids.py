@@ -113,7 +113,7 @@ def _block(file: BlockFile) -> Array:
     near, far = (file.y, file.z), (file.y_end or file.y, file.z_end or file.z)
     for axis, (low, high) in (("x", file.x), *zip("yzyz", (*near, *far), strict=True)):
         if not low < high:
-            raise InputError(f"{file.part}: {axis} goes from {low:g} to {high:g} m; the first has to be less")
+            raise InputError(f"{file.part}: {axis} is from {low:g} to {high:g} m; the first has to be less")
     vertices = np.empty((8, 3))
     for v, (x, y, z) in enumerate(CORNERS.astype(int)):
         across, up = far if x else near

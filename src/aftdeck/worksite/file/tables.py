@@ -35,7 +35,7 @@ def positive(**sizes: Quantity | None) -> None:
 
 
 def ordered(**ranges: Range) -> None:
-    """Reject a range that does not go upwards (ValueError with its name)."""
+    """Reject a range that does not ascend (ValueError with its name)."""
     for name, (low, high) in ranges.items():
         if not low < high:
-            raise ValueError(f"{name} goes from {low:g} to {high:g} m; the first has to be less")
+            raise ValueError(f"{name} is from {low:g} to {high:g} m; the first has to be less")

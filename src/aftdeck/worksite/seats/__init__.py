@@ -1,1 +1,1 @@
-"""Seats of payloads: docking, berthing and latches."""
+"""Berths of payloads: docking, berthing and latches."""

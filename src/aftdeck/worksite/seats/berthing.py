@@ -1,9 +1,9 @@
-"""Berthing: trunnions in their V-guides and on their seats, and the retention of a payload that needs no latch.
+"""Berthing: trunnions in their V-guides and on their seats, and retention of a payload without latches.
 
-A guide is a V that opens upwards from the seat, in the plane perpendicular to its trunnion. The guide funnels the
-trunnion in one direction and admits offsets up to the V's half width at the trunnion's height. A payload is ready to
-latch when every trunnion is on its seat, the payload has its stowed attitude, and both switches of every latch show
-ready-for-latch. Source: SSV (guides, tolerance, the dual switches of DISP 97).
+A guide is a V that opens upwards from the trunnion's seat, in the plane perpendicular to its trunnion. The guide
+centres the trunnion in one direction and admits offsets up to the V's half width at the trunnion's height. A payload is
+ready to latch when every trunnion is on its seat, the payload has its stowed attitude, and both switches of every latch
+show ready-for-latch. Source: SSV (guides, tolerance, the dual switches of DISP 97).
 
 Not modelled: the force of a guide on a trunnion, and any difference between the two switches of a latch, except failed
 switches.
@@ -43,7 +43,7 @@ class Guide(msgspec.Struct, frozen=True):
     up: Vec3
     """Unit vector out of the V."""
     along: Vec3
-    """Unit vector along which the V funnels: along the bay for a longeron guide, across the bay for the keel guide."""
+    """Unit vector along which the V centres the trunnion: along the bay for a longeron guide, across for the keel's."""
     half_angle: float
     """Half angle of the V's opening, from `up` [rad]; assumed, no figure published."""
     height: float
@@ -64,7 +64,7 @@ class SeatTolerances(msgspec.Struct, frozen=True):
 
 
 class Guides(NamedTuple):
-    """Guides of a seat, with their directions and dimensions as arrays.
+    """Guides of a berth, with their directions and dimensions as arrays.
 
     Attributes:
         guides: the guides as given.
@@ -74,7 +74,7 @@ class Guides(NamedTuple):
         throat: (n,) `Guide.throat` of each guide [m].
         height: (n,) `Guide.height` of each guide [m].
         play: (n,) `Guide.play` of each guide [m].
-        says: for each guide, the texts for a trunnion's height, its offset along the funnel, and its offset along the
+        says: for each guide, the texts for a trunnion's height, its offset along the V, and its offset along the
             trunnion's own axis.
     """
 
@@ -89,7 +89,7 @@ class Guides(NamedTuple):
 
 
 def prepare(guides: Sequence[Guide]) -> Guides:
-    """Return the guides of a seat with their arrays.
+    """Return the guides of a berth with their arrays.
 
     Raises:
         InputError: the directions are not perpendicular unit vectors; names the guide.
@@ -101,8 +101,7 @@ def prepare(guides: Sequence[Guide]) -> Guides:
         axes[k] = along, across, up
         if not np.allclose(axes[k] @ axes[k].T, np.eye(3), rtol=0.0, atol=_SQUARE):
             raise InputError(
-                f"guide {guide.name!r}: up {guide.up} and along {guide.along} have to be unit vectors, square to each "
-                "other"
+                f"guide {guide.name!r}: up {guide.up} and along {guide.along} have to be perpendicular unit vectors"
             )
     seats = np.array([guide.seat for guide in guides]).reshape(-1, 3)
     opening = np.tan([guide.half_angle for guide in guides])
@@ -130,11 +129,11 @@ def places(trunnions: Array, payload: Pose) -> Array:
 
 
 def inside(trunnions: Array, guides: Guides) -> Array:
-    """Return how far inside its guide's mouth each trunnion's centre is, (n,), negative outside [m].
+    """Return the distance of each trunnion's centre inside its guide's mouth, (n,), negative outside [m].
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        guides: guides of the seat.
+        guides: guides of the berth.
     """
     along, across, up = _local(trunnions, guides)
     room = guides.throat + np.maximum(up, 0.0) * guides.opening
@@ -161,13 +160,13 @@ def over(
     seat: Array, payload: Array, trunnions: Array, seats: Array, axes: Array, opening: Array, throat: Array,
     height: Array, play: Array,
 ) -> Over:  # fmt: skip
-    """Return the position of a payload's trunnions relative to the guides of a seat.
+    """Return the position of a payload's trunnions relative to the guides of a berth.
 
     Args:
         seat: (12,) pose in L of the frame in which the guides are given.
         payload: (12,) pose of the payload's frame in L.
         trunnions: (n, 3) centres of the trunnions in the payload's frame, in the order of the guides [m].
-        seats: `Guides.roles`.
+        seats: `Guides.seats`.
         axes: `Guides.axes`: along, across and up.
         opening: `Guides.opening`.
         throat: `Guides.throat`.
@@ -206,7 +205,7 @@ def in_guides(trunnions: Array, guides: Guides) -> tuple[Condition, ...]:
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        guides: guides of the seat.
+        guides: guides of the berth.
     """
     local, opened = _local(trunnions, guides).T.tolist(), guides.opening.tolist()
     found = []
@@ -236,10 +235,10 @@ def ready_to_latch(
 
     Args:
         trunnions: (n, 3) centres, in the frame of the guides and in their order [m].
-        payload: pose of the payload in the seat's frame, that is, its remaining offset and rotation.
-        guides: guides of the seat.
-        tolerances: tolerances of the seat.
-        failed: names of switches that show nothing, for example ``forward port B``.
+        payload: pose of the payload in the frame of its seated pose, that is, its remaining offset and rotation.
+        guides: guides of the berth.
+        tolerances: tolerances of the berth.
+        failed: names of failed switches, for example ``forward port B``.
     """
     off = [math.hypot(x, y, z) for x, y, z in (trunnions - guides.seats).tolist()]
     found = []
@@ -270,11 +269,12 @@ def switches(
 
 
 def retained(payload: Pose, tolerances: SeatTolerances) -> tuple[Condition, ...]:
-    """Return the conditions under which a released payload stays in its place in the concept's bay.
+    """Return the conditions under which a released payload stays in its berth in the concept's bay.
 
     Args:
-        payload: pose of the payload in the seat's frame: offset of its centre from the stowed position, and rotation.
-        tolerances: tolerances of the seat.
+        payload: pose of the payload in the frame of its seated pose: offset of its centre from the stowed position, and
+            rotation.
+        tolerances: tolerances of the berth.
     """
     distance = math.hypot(*payload.position.tolist())
     return (

@@ -5,7 +5,7 @@ envelope* is the space before that face and inside the extended planes of the pr
 ends. The envelope is a wedge, which with six sides closes one apothem before the face. Source: the final report of the
 Remote Manipulator Simulation, mode 3 (restored).
 
-A port's axes are those of the payload that is docked to it. The report compares only the two y axes, which leaves a
+A port's axes coincide with those of a docked payload. The report compares only the two y axes, which leaves a
 rotation about y free; by default all three axes are compared.
 """
 
@@ -72,7 +72,7 @@ def envelope(
         (5, 4) planes, each a unit normal n [1] and a distance d [m]: inside is n·p <= d. The first is that of face c.
 
     Raises:
-        InputError: the sizes make no prism, or the vectors are not perpendicular unit vectors.
+        InputError: the sizes do not make a prism, or the vectors are not perpendicular unit vectors.
     """
     if not (0.0 < apothem < inf and 0.0 < length < inf):
         raise InputError(f"the prism's apothem is {apothem:g} m and its length {length:g} m; both have to be above 0")
@@ -82,8 +82,8 @@ def envelope(
     across = np.cross(up, out)
     if not np.allclose([out @ out, up @ up, across @ across], 1.0, rtol=0.0, atol=_SQUARE):
         raise InputError(
-            f"the port looks along {outward} and its prism along {axis}; they have to be unit vectors, square to "
-            "each other"
+            f"the port faces along {outward} and its prism extends along {axis}; these have to be perpendicular unit "
+            "vectors"
         )
     port = apothem * out + offset[0] * across + offset[1] * up
     turn = tau / sides
@@ -132,7 +132,7 @@ def approach(probe: Array, face: Array, payload: Array, port: Array, planes: Arr
 
 @law
 def _below(plane: Array, p: Vector) -> float:
-    """Return how far a point is inside a plane of the envelope [m]; negative outside."""
+    """Return the distance of a point inside a plane of the envelope [m]; negative outside."""
     inside: float = plane[3] - plane[0] * p.x - plane[1] * p.y - plane[2] * p.z
     return inside
 

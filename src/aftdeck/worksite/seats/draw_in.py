@@ -1,6 +1,6 @@
-"""Drawing in: a misalignment that decreases to zero while a mechanism pulls a body into its seat.
+"""Drawing in: a misalignment that decreases to zero while a mechanism pulls a body into its seated pose.
 
-Both the end effector's carriage and a retention latch draw a body in. Not modelled: forces, and parts that give way.
+Both the end effector's carriage and a retention latch draw a body in. Not modelled: forces, and parts that yield.
 """
 
 from __future__ import annotations
@@ -16,7 +16,8 @@ def remaining(whole: Array, fraction: float, out: Array) -> None:
     """Compute a fraction of a misalignment: that fraction of its offset, and of its rotation about the same axis.
 
     Args:
-        whole: (12,) pose of the body in its seat's frame [m]; zero offset and no rotation when the body is seated.
+        whole: (12,) pose of the body in the frame of its seated pose [m]; zero offset and no rotation when the body is
+            seated.
         fraction: 1 for the whole misalignment, 0 for none.
         out: (12,) output: the remaining misalignment, as a pose.
     """

@@ -1,6 +1,6 @@
-"""Payload retention latches: they close on trunnions that are ready, draw the payload into its seat, and release it.
+"""Payload retention latches: they close on trunnions that are ready, draw the payload into its berth, and release it.
 
-All latches of a seat move together. Sources: SCOM p. 704 and SSV (times).
+All latches of a berth move together. Sources: SCOM p. 704 and SSV (times).
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ from aftdeck.worksite.conditions import Condition, Units, all_hold, rejection_te
 from aftdeck.worksite.log_line import LogLine, rejection
 
 _THERE = 1e-9
-"""Remaining travel that counts as none [1]: it is due to rounding."""
+"""Remaining travel that is due to rounding and counts as zero [1]."""
 
 
 class Latches(msgspec.Struct, frozen=True):
-    """State of a seat's latches; an immutable value, so it can be saved as it is."""
+    """State of a berth's latches: an immutable value, which needs no copy when it is saved."""
 
     closed: float = 0.0
     """Position of the latches: 0 released, 1 latched."""
     drawn: float = 0.0
-    """Greatest value of `closed` since the latches began to close: the payload has been drawn in so far."""
+    """Greatest value of `closed` since the latches began to close: the share by which the payload is drawn in."""
     motion: Literal["", "latch", "unlatch"] = ""
 
     @property
@@ -41,7 +41,7 @@ class Moved(NamedTuple):
     """Result of a step."""
 
     latches: Latches
-    said: tuple[LogLine, ...]
+    lines: tuple[LogLine, ...]
 
 
 def advance(
@@ -64,38 +64,38 @@ def advance(
             only for LATCH on released latches.
         units: the operator's units, for the log lines.
     """
-    said: list[LogLine] = []
-    if command and (why := _refusal(latches, command, conditions, units)):
-        said.append(rejection(why))
+    lines: list[LogLine] = []
+    if command and (why := _rejection(latches, command, conditions, units)):
+        lines.append(rejection(why))
     elif command:
         latches = msgspec.structs.replace(latches, motion=command)
     if not latches.motion:
-        return Moved(latches, tuple(said))
+        return Moved(latches, tuple(lines))
     target = 1.0 if latches.motion == "latch" else 0.0
-    way = target - latches.closed
+    remaining = target - latches.closed
     travel = dt / time
-    if abs(way) > travel + _THERE:
-        closed = latches.closed + (travel if way > 0.0 else -travel)
-        return Moved(_put(latches, closed), tuple(said))
-    if way:
-        said.append(
+    if abs(remaining) > travel + _THERE:
+        closed = latches.closed + (travel if remaining > 0.0 else -travel)
+        return Moved(_put(latches, closed), tuple(lines))
+    if remaining:
+        lines.append(
             LogLine("latched", "info", "latched") if target else LogLine("unlatched", "info", "latches released")
         )
-    return Moved(msgspec.structs.replace(_put(latches, target), motion=""), tuple(said))
+    return Moved(msgspec.structs.replace(_put(latches, target), motion=""), tuple(lines))
 
 
 def _put(latches: Latches, closed: float) -> Latches:
     return msgspec.structs.replace(latches, closed=closed, drawn=max(latches.drawn, closed) if closed else 0.0)
 
 
-def _refusal(
+def _rejection(
     latches: Latches, command: Literal["", "latch", "unlatch"], conditions: Sequence[Condition], units: Units
 ) -> str:
     """Return why a command is rejected; empty if it is accepted."""
     if command == "unlatch":
-        return "" if latches.hold else "UNLATCH refused: the latches are released already"
+        return "" if latches.hold else "UNLATCH refused: the latches are already released"
     if latches.closed == 1.0:
-        return "LATCH refused: latched already"
+        return "LATCH refused: the latches are already closed"
     if latches.hold or (conditions and all_hold(conditions)):
         return ""
     return rejection_text("LATCH", conditions, units) or "LATCH refused: no payload is at the latches"

@@ -1,6 +1,6 @@
 """Sliding along walls: a commanded twist without the motion that would penetrate a wall.
 
-Remote Manipulator Simulation, final report, section VII.4: the payload shall slide up or down while it touches a side
+Remote Manipulator Simulation, final report, section VII.4: the payload is to slide up or down while it touches a side
 wall during extraction. The points of contact keep their velocity along the wall and lose the velocity into it. The
 rotation is kept as commanded if the tip's velocity can make room for it, and is left out otherwise. If neither is
 possible, the arm stops.
@@ -20,7 +20,8 @@ from aftdeck.law import law
 
 POINT, OUTWARD, LEAST = 0, 3, 6
 """Indices in a contact's row: the point [m]; the wall's unit normal towards the sliding body [1]; the least speed of
-the point along the normal [m/s]. 0 keeps the point out of the wall, less lets it approach, more moves it out."""
+the point along the normal [m/s]. 0 keeps the point out of the wall, a negative speed lets it approach, a positive one
+moves it out."""
 TOUCH = 7
 """Length of a contact's row."""
 SLACK = 1e-9
@@ -32,35 +33,35 @@ _PARALLEL = 1e-8
 
 
 class Velocity(NamedTuple):
-    """The tip's velocity, and its difference from the wanted one, inf if there is no velocity [m/s]."""
+    """The tip's velocity, and its difference from the demanded one, inf if no velocity is possible [m/s]."""
 
     v: Vector
     off: float
 
 
 @law
-def slide(touches: Array, tip: Vector, wanted: Twist) -> Twist:
-    """Return the twist of the tip that is nearest to the wanted one and moves no touching point into its wall.
+def slide(touches: Array, tip: Vector, demanded: Twist) -> Twist:
+    """Return the twist of the tip that is nearest to the demanded one and moves no touching point into its wall.
 
     Args:
         touches: (k, 7) contacts, in L.
         tip: position of the tip, in L [m].
-        wanted: wanted twist of the tip, in L.
+        demanded: demanded twist of the tip, in L.
 
     Returns:
-        The first of these that is possible: the wanted twist; its rotation with the nearest velocity that makes room
+        The first of these that is possible: the demanded twist; its rotation with the nearest velocity that makes room
         for the rotation; the nearest velocity without rotation; zero. The result is zero with walls on all sides, for
         example, or if points that have to come out of a wall cannot.
     """
     walls, least = np.empty((len(touches), 3)), np.empty(len(touches))
     for share in (1.0, 0.0):
-        w = Vector(share * wanted.wx, share * wanted.wy, share * wanted.wz)
+        w = Vector(share * demanded.wx, share * demanded.wy, share * demanded.wz)
         count = 0
         for row in touches:
             n = vector_at(row, OUTWARD)
             by_turn = dot(n, cross(w, minus(vector_at(row, POINT), tip)))
             count = _add(walls, least, count, n, row[LEAST] - by_turn)
-        best = _kept_off(walls[:count], least[:count], Vector(wanted.vx, wanted.vy, wanted.vz))
+        best = _kept_off(walls[:count], least[:count], Vector(demanded.vx, demanded.vy, demanded.vz))
         if best.off < np.inf:
             return Twist(w.x, w.y, w.z, best.v.x, best.v.y, best.v.z)
     return Twist(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -80,19 +81,19 @@ def _add(walls: Array, least: Array, count: int, normal: Vector, speed: float) -
 
 
 @law
-def _kept_off(walls: Array, least: Array, wanted: Vector) -> Velocity:
-    """Return the velocity nearest to the wanted one that leaves every wall at its least speed or faster.
+def _kept_off(walls: Array, least: Array, demanded: Vector) -> Velocity:
+    """Return the velocity nearest to the demanded one that leaves every wall at its least speed or faster.
 
     At the solution none, one, two or three walls are left at exactly their least speed. All these cases are tried, and
     each candidate is checked against every wall.
     """
-    best = _judged(walls, least, Velocity(wanted, np.inf), wanted, wanted)
+    best = _judged(walls, least, Velocity(demanded, np.inf), demanded, demanded)
     if best.off == 0.0:
         return best
     for i in range(len(walls)):
         n = vector_at(walls[i], 0)
-        v1 = moved_along(wanted, least[i] - dot(n, wanted), n)
-        best = _judged(walls, least, best, wanted, v1)
+        v1 = moved_along(demanded, least[i] - dot(n, demanded), n)
+        best = _judged(walls, least, best, demanded, v1)
         for j in range(i + 1, len(walls)):
             m = vector_at(walls[j], 0)
             # along wall i, perpendicular to the line common to both walls
@@ -101,7 +102,7 @@ def _kept_off(walls: Array, least: Array, wanted: Vector) -> Velocity:
             if square < _PARALLEL * _PARALLEL:
                 continue
             v2 = moved_along(v1, (least[j] - dot(m, v1)) / square, t)
-            best = _judged(walls, least, best, wanted, v2)
+            best = _judged(walls, least, best, demanded, v2)
             common = cross(n, m)
             for k in range(j + 1, len(walls)):
                 wall = vector_at(walls[k], 0)
@@ -109,17 +110,17 @@ def _kept_off(walls: Array, least: Array, wanted: Vector) -> Velocity:
                 if abs(along) < _PARALLEL * sqrt(square):
                     continue
                 v3 = moved_along(v2, (least[k] - dot(wall, v2)) / along, common)
-                best = _judged(walls, least, best, wanted, v3)
+                best = _judged(walls, least, best, demanded, v3)
     return best
 
 
 @law
-def _judged(walls: Array, least: Array, best: Velocity, wanted: Vector, v: Vector) -> Velocity:
-    """Return the velocity v if it is nearer to the wanted one than `best` and leaves every wall fast enough.
+def _judged(walls: Array, least: Array, best: Velocity, demanded: Vector, v: Vector) -> Velocity:
+    """Return the velocity v if it is nearer to the demanded one than `best` and leaves every wall fast enough.
 
     Otherwise return `best`.
     """
-    d = minus(v, wanted)
+    d = minus(v, demanded)
     off = sqrt(dot(d, d))
     if off >= best.off:
         return best

@@ -33,7 +33,8 @@ def touching(
     """Write the touches of the groups that count, and return their number.
 
     The touches of a group are its closest point, and every vertex of the sliding part that is within reach of a face of
-    the wall. When a whole side meets a wall, its corners are touches, so that no rotation moves a corner into the wall.
+    the wall. When a whole side touches a wall, its corners are touches, so that no rotation moves a corner into the
+    wall.
 
     Args:
         frame: (n,), pairs (m, 2), begins (g + 1,): of the layout.
@@ -89,10 +90,10 @@ def _over(wall: Array, body: Array, v: int, reach: float, period: float, out: fl
 
 
 def touches(watch: ClearanceMonitor, counts: Mask, slides: str, reach: float, period: float, out: float) -> Array:
-    """Return the touches (k, 7) of a frame that slides along walls, with rows as in `worksite.slide`.
+    """Return the touches (k, 7) of a frame that slides along walls, with rows as in `sliding.projection`.
 
     Args:
-        watch: the watch, updated for the present frames.
+        watch: the monitor, updated for the present frames.
         counts: (g,) 1 for groups of a sliding part and a wall.
         slides: name of the frame that slides.
         reach: clearance up to which a wall is considered [m]: the greatest distance that anything moves in a step.

@@ -1,8 +1,8 @@
 """Sliding along walls: the held payload keeps its velocity along the walls and loses the velocity into them.
 
 Remote Manipulator Simulation, final report, section VII.4: the payload slides up or down while it touches a side wall.
-The law of `worksite.slide` assumes that a step is straight. This module corrects for the curvature of the step almost
-to rounding, so that a payload pressed against a wall stays in contact with it.
+The law `sliding.projection.slide` assumes that a step is straight. This module corrects for the curvature of the step
+almost to rounding, so that a payload pressed against a wall stays in contact with it.
 """
 
 from __future__ import annotations
@@ -67,24 +67,26 @@ def slid(
         rules: parameters of the steering.
         joints: (6, 4) joints of the arm, as `kinematics.frames.Frames.joints`.
         last: (12,) pose of the last joint's frame, in L.
-        height: height of the stand after the step [m].
+        height: height of the telescope after the step [m].
         turning: share of the commanded rotation that is kept [1].
         found: (k, 7) touches of the held payload.
-        steering: state of the steering; rates and twist are changed if they go into a wall.
+        steering: state of the steering; rates and twist are changed if they would penetrate a wall.
     """
     a = sines_of(rules, steering)
     x, y, z = place(rules, a)
     tip = Vector(x, y, z - steering[SHOULDER_OFFSET])
     rates = rates_at(steering, RATES)
     twist = erates(a, jacobi(rules, a), rates)
-    wanted = Twist(turning * twist.wx, turning * twist.wy, turning * twist.wz, twist.vx, twist.vy, twist.vz)
-    asked = found.copy()
+    demanded = Twist(turning * twist.wx, turning * twist.wy, turning * twist.wz, twist.vx, twist.vy, twist.vz)
+    least_speeds = found.copy()
     for k in range(PASSES):
         if turning == 1.0 or k > 0:
-            lacking, changed = _asked(rules, joints, last, height, found, steering, twist, tip, asked)
+            lacking, changed = _correct_least_speeds(
+                rules, joints, last, height, found, steering, twist, tip, least_speeds
+            )
             if lacking <= EXACT and (changed <= EXACT or k == 0):
                 return
-        twist = slide(asked, tip, wanted)
+        twist = slide(least_speeds, tip, demanded)
         rates = rmsrat(rules, a, twist, NEAR_FLOOR)
         ratio = ratlmt(rules, steering, a, rates).ratio
         twist = scaled(twist, ratio)
@@ -92,7 +94,7 @@ def slid(
 
 
 @law
-def _asked(
+def _correct_least_speeds(
     rules: Array,
     joints: Array,
     last: Array,
@@ -101,16 +103,16 @@ def _asked(
     steering: Array,
     twist: Twist,
     tip: Vector,
-    asked: Array,
+    least_speeds: Array,
 ) -> tuple[float, float]:
-    """Correct the least speeds in `asked` (k, 7), touches as `found`, for the curvature of the step.
+    """Correct the least speeds in `least_speeds` (k, 7), touches as `found`, for the curvature of the step.
 
     The displacement of a point in the step is that of the last joint's frame, from its pose now to its pose after the
     step at these rates.
 
     Returns:
         The greatest amount by which a point falls short of its least speed, and the greatest change of a speed in
-        `asked` [m/s].
+        `least_speeds` [m/s].
     """
     rows, after = np.empty((9, POSE)), np.empty(6)
     for i in range(6):
@@ -130,6 +132,6 @@ def _asked(
         p = turned_back(last, minus(point, vector_at(last, 0)))
         true = dot(outward, minus(moved(now, p), point)) / rules[DT]
         least = row[LEAST] + straight - true
-        lacking, changed = max(lacking, row[LEAST] - true), max(changed, abs(least - asked[k, LEAST]))
-        asked[k, LEAST] = least
+        lacking, changed = max(lacking, row[LEAST] - true), max(changed, abs(least - least_speeds[k, LEAST]))
+        least_speeds[k, LEAST] = least
     return lacking, changed

@@ -1,1 +1,1 @@
-"""The dynamic collision program: clearances, contacts, and what a motion does to them."""
+"""The dynamic collision program: clearances, contacts, and the effect of a motion on them."""

@@ -9,7 +9,7 @@ Level = Literal["info", "caution", "warning"]
 CLEAR: Level = "info"
 """Level of a clearance that needs no alarm."""
 HYSTERESIS = 0.03
-"""Fraction by which the clearance has to exceed a threshold to end its level, so that no lamp flickers [1]; assumed."""
+"""Share of a threshold by which the clearance has to exceed it before its level ends [1]; no lamp flickers. Assumed."""
 
 
 def level_of(clearance: float, caution: float, warning: float, before: Level = CLEAR) -> Level:

@@ -1,12 +1,12 @@
 """The dynamic collision program: clearance of every group (monitored pair of parts), measured in every step.
 
 Remote Manipulator Simulation, final report, chapter IV. The report's program examined three hexahedra and one body in
-each frame; here all parts that can meet are examined. For each group, the last measurement and the motion of its two
+each frame; here all parts that can touch are examined. For each group, the last measurement and the motion of its two
 frames since then give a lower bound of its clearance. A group is measured again only when its bound is small enough to
 matter.
 
-Data remembered about a pair only serve to rule the pair out. The least clearance is always measured without such data,
-and the first of equal pairs is taken. The result therefore equals that of a watch without memory, to the last digit.
+Remembered data of a pair only serve to exclude the pair. The least clearance is always measured without such data, and
+the first of equal pairs is used. The result therefore equals that of a monitor without memory, to the last digit.
 """
 
 from __future__ import annotations
@@ -86,13 +86,13 @@ def place_moved(layout: PackedLayout, frames: Array, at: Array, placed: Array) -
 
 @law
 def travelled(frames: Array, at: Array, reach: Array, ways: Array) -> None:
-    """Compute for each frame how far any point of its solids can have moved since the frame was placed.
+    """Compute for each frame the greatest possible displacement of a point of its solids since the frame was placed.
 
     Args:
         frames: (F, 12) present poses of the frames, in L.
         at: (F, 12) poses of the frames when they were placed, in L; NaN if never placed.
         reach: (F,) greatest distance of a frame's solids from its origin [m].
-        ways: (F,) output: upper bounds of the distances [m]; NaN for a frame that was never placed.
+        ways: (F,) output: upper bounds of the displacements [m]; NaN for a frame that was never placed.
     """
     for f in range(len(frames)):
         origin, turn = 0.0, 0.0
@@ -106,7 +106,7 @@ def travelled(frames: Array, at: Array, reach: Array, ways: Array) -> None:
 
 @law
 def not_nearer(a: Array, b: Array, pair: Array, best: float) -> bool:
-    """Return whether spheres or the pair's last normal prove that two solids are not nearer than `best` [m]."""
+    """Return whether the bounding spheres or the last normal prove that two solids are not nearer than `best` [m]."""
     centres = minus(vector_at(b, CENTRE), vector_at(a, CENTRE))
     reach = best + a[RADIUS] + b[RADIUS]
     if reach < 0.0 or dot(centres, centres) > reach * reach:
@@ -198,7 +198,7 @@ def measure_groups(
         layout: the layout.
         own: arrays of the monitor; updated.
         active: (g,) 1 for groups that are measured.
-        counts: (g,) 1 for groups among which the nearest is wanted.
+        counts: (g,) 1 for groups among which the nearest is measured in any case.
         before: (F, 12) the frames a step ago, in L.
         now: (F, 12) the present frames, in L.
         period: time between the two [s].
@@ -229,7 +229,7 @@ def measure_groups(
                 nearest, lowest = g, bound[g]
     if least < np.inf or nearest < 0:
         return
-    # take the first of equal groups, wherever the search begins
+    # use the first of equal groups, so that the result does not depend on the group at which the search begins
     best = nearest
     least = _measure_group(layout, own, best, measures)
     other = np.empty(packed.PAIR)
@@ -281,7 +281,7 @@ def copy_pair(pair: Array, row: Array) -> None:
 
 @law
 def way_apart(a: Array, b: Array, row: Array) -> None:
-    """Write the plane of two solids in contact, normal to their shortest way apart, into their group's row."""
+    """Write into a group's row the plane of two solids in contact, normal to the shortest move that separates them."""
     above_b, above_a = np.empty((SIDES, VERTICES)), np.empty((SIDES, VERTICES))
     heights(a, b, above_b)
     heights(b, a, above_a)
@@ -309,7 +309,7 @@ class ClearanceMonitor(Cache):
         layout: the solids and the groups.
         active: (g,) 1 for groups that are measured; the caller sets it.
         counts: (g,) 1 for groups of which the next measurement finds the nearest; the caller sets it.
-        found: (g, 15) the last measurements, rows as in `worksite.found`.
+        found: (g, 15) the last measurements, rows as in `worksite.watch.found`.
         likely: (g,) nearest pair of each group at its last measurement.
         memory: (m, 17) remembered data of each pair of solids.
         at: (F, 12) the frames at the last measurement, in L.
@@ -352,8 +352,8 @@ class ClearanceMonitor(Cache):
     def look_near(self, before: Array, now: Array, period: float, counts: Mask, within: float) -> None:
         """Measure the active groups that are nearer than `within`; the clearances of the others become inf in `found`.
 
-        The nearest group with a 1 in `counts` (g,) is measured even if it is not that near. Other arguments as of
-        `look`.
+        The nearest group with a 1 in `counts` (g,) is measured even if it is not that near. The other arguments
+        are those of `update`.
         """
         watch(*self.layout.packed, self.active, counts, before, now, period, within, *self.packed)
 
@@ -362,7 +362,7 @@ class ClearanceMonitor(Cache):
         return minimum_clearance_group(self.found, counts)
 
     def copied(self) -> Self:
-        """Return a copy of the watch with the same measurements and remembered data."""
+        """Return a copy of the monitor with the same measurements and remembered data."""
         copy = type(self)(self.layout)
         copy.active[:], copy.counts[:] = self.active, self.counts
         for own, array in zip(copy.packed, self.packed, strict=True):

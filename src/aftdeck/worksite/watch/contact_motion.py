@@ -1,7 +1,7 @@
-"""ARM INHIBIT and FINGER INHIBIT: motions that an inhibited arm or prong may still make, and motions that lead out.
+"""ARM INHIBIT and FINGER INHIBIT: motions that an inhibited arm or prong may still make, and escape directions.
 
 The report's inhibit stops all motion until the collision is relieved, but does not say how it can be relieved. Here
-each step of an inhibited arm is tried before it is made. A step *relieves* if both of these conditions hold:
+each step of an inhibited arm is predicted before the arm makes it. A step *relieves* if both of these conditions hold:
 
 - No contact is made, and no contact, not even an essential one, deepens by more than `BESIDES` of the clearance gained.
 - The sum of the clearances of all solids in a detrimental contact rises by at least `RELIEF` times the distance that a
@@ -26,8 +26,10 @@ from aftdeck.worksite.watch.contact_trial import DEEPEST, GAINED, LESSENED, MADE
 DEEPER = 1e-12
 """Fall of a clearance in a step that counts as no change [m]: the accuracy of clearances."""
 BESIDES = 1e-3
-"""Share of the clearance gained by a step that another contact may lose [1]; assumed. A step of the joints is curved:
-without this share, an arm that leaves one of two walls along the other could do so only at micrometres a step.
+"""Share of the clearance gained by a step that another contact may lose [1]; assumed.
+
+A step of the joints is curved. Without this share, an arm could leave one of two walls along the other only at
+micrometres a step.
 """
 RELIEF = 0.5
 """Clearance that a step has to gain for each metre that a touching point slides [1]; assumed.
@@ -48,7 +50,7 @@ def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array)
     """Return whether an inhibited arm may make a step's motion.
 
     Args:
-        watch: the watch, updated for the present frames.
+        watch: the monitor, updated for the present frames.
         counts: (g,) 1 for the groups that move with the arm, except those that slide.
         harmful: (g,) 1 for the groups among them that are detrimental.
         after: (F, 12) the frames after the motion, in L; frames that do not move with the arm are unchanged.
@@ -57,18 +59,18 @@ def relieves(watch: ClearanceMonitor, counts: Mask, harmful: Mask, after: Array)
 
 
 def leads_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array, ahead: Sequence[Array]) -> Array:
-    """Return how far each of several motions takes the parts out of each other when it is continued for many steps.
+    """Return by how much each of several motions, continued for many steps, decreases the penetration of the parts.
 
     Args:
-        watch: the watch, updated for the present frames.
+        watch: the monitor, updated for the present frames.
         counts: (g,) 1 for the groups that move with the arm, except those that slide.
         harmful: (g,) 1 for the groups among them that are detrimental.
         afters: (k, F, 12) the frames after one step of each motion, in L.
         ahead: arrays like `afters`, each after another number of steps.
 
     Returns:
-        (k,) greatest fall of the sum of all depths over these numbers of steps [m]. A number of steps does not count
-        if the fall is not above `ESCAPE` times the slide of a touching point. The result is 0 if none counts, or if
+        (k,) greatest fall of the sum of all depths over these numbers of steps [m]. A number of steps does not count if
+        that fall is not above `ESCAPE` times the slide of a touching point. The result is 0 if no number counts, or if
         the first step makes a contact, or deepens one by more than `ASIDE` times its slide.
     """
     first = trials_of(watch, counts, harmful, afters)
@@ -94,17 +96,17 @@ def deeper(watch: ClearanceMonitor, counts: Mask, after: Array) -> float:
 
 
 def looked_at(watch: ClearanceMonitor, frames: Array) -> ClearanceMonitor:
-    """Return a copy of a watch, updated for other frames (F, 12) and measured to the range of one step, `STEP`."""
+    """Return a copy of a monitor, updated for other frames (F, 12) and measured to the range of one step, `STEP`."""
     copy = watch.copied()
     copy.look_near(frames, frames, 1.0, np.zeros_like(watch.active), STEP)
     return copy
 
 
 def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array) -> Array:
-    """Return how far a step of each of several motions leads out of the present contacts.
+    """Return how much clearance a step of each of several motions gains in the present contacts.
 
     Args:
-        watch: the watch, updated for the present frames.
+        watch: the monitor, updated for the present frames.
         counts: (g,) 1 for the groups that move with the arm, except those that slide.
         harmful: (g,) 1 for the groups among them that are detrimental.
         afters: (k, F, 12) the frames after one step of each motion, in L.
@@ -116,7 +118,7 @@ def ways_out(watch: ClearanceMonitor, counts: Mask, harmful: Mask, afters: Array
 
 
 def _relief(trials: Array) -> Array:
-    """Return what each trial (k, 7) gains if it relieves; else 0, or the worst (negative) change of a clearance [m]."""
+    """Return the clearance that each trial (k, 7) gains if it relieves; else 0 or the worst (negative) change [m]."""
     worst, gained = trials[:, WORST], trials[:, GAINED]
     slides = gained < np.maximum(RELIEF * trials[:, SLID], LEAST_RELIEF)
     besides = np.zeros_like(gained)

@@ -1,7 +1,7 @@
-"""Effect of a motion on the contacts, found by trying it: the clearance that it gains, and how far parts slide.
+"""Predicted effect of a motion on the contacts: the clearance that it gains, and the distance that parts slide.
 
 Every pair of touching solids counts separately. For a body made of several solids, the deepest pair alone would not
-show which direction leads out of all of them.
+show which direction separates all of them.
 """
 
 from __future__ import annotations
@@ -124,7 +124,7 @@ def _won(placed: Array, pairs: Indices, begin: int, end: int, was: Array) -> tup
 
 @law
 def _slid(layout: PackedLayout, own: Measured, after: Array, k: int, was: Array) -> float:
-    """Return how far the touching points of pair k move along each other, perpendicular to the way apart [m].
+    """Return the distance that the touching points of pair k slide, perpendicular to the separating move [m].
 
     Also write the present clearance of the pair into was[k]; was[k] stays inf if the solids are farther apart than
     `STEP`.

@@ -26,16 +26,16 @@ def place_everything(
     prong: float,
     frames: Array,
 ) -> None:
-    """Compute the poses of all coordinate frames: the orbiter's, the arm's, ``space``, and one for each cargo.
+    """Compute the poses of all coordinate frames: the orbiter's, the arm's, ``space``, and one for each payload.
 
     Args:
         joints: (6, 4) as `kinematics.frames.Frames.joints`.
         scene: (12,) the orbiter's frame in L.
         axes: (3, 3) the orbiter's axes (forward, starboard, down) in L, as columns.
-        orbiter: (3,) how far the orbiter has moved along its axes [m].
-        carrier: (c,) for each cargo, the row of the frame that carries it; negative if the cargo floats.
-        rides: (c, 12) pose of each cargo in the carrying frame. The pose of a floating cargo is in the frame fixed in
-            space that coincided with L at the start.
+        orbiter: (3,) displacement of the orbiter along its axes [m].
+        carrier: (c,) for each payload, the row of the frame that carries it; negative if the payload floats.
+        rides: (c, 12) pose of each payload in the carrying frame. The pose of a floating payload is in the frame fixed
+            in space that coincided with L at the start.
         angles: (6,) joint angles [rad].
         stand: height of the shoulder above L's origin [m].
         prong: y2 of the prong's inner face [m].
@@ -120,13 +120,13 @@ def update_contacts(
 
 @law
 def nearest_place(frames: Array, row: int, rows: Indices, places: Array, within: float) -> int:
-    """Return the index of the place nearest to a frame's origin, or -1 if none is nearer than `within` [m].
+    """Return the index of the pose with its origin nearest to a frame's origin; -1 if none is nearer than `within` [m].
 
     Args:
         frames: (F, 12) poses of the frames, in L.
         row: row of the frame.
-        rows: (n,) rows of the frames in which the places are given.
-        places: (n, 12) poses of the places in these frames.
+        rows: (n,) rows of the frames in which the poses are given.
+        places: (n, 12) the poses in these frames.
         within: search radius [m].
     """
     best, least = -1, within * within

@@ -63,7 +63,7 @@ def count_frames(found: Array, count: Mask) -> Counted:
     """Update the number of successive steps in which each group was in contact.
 
     Args:
-        found: (g, 15) measurements of this step, as in `worksite.found`.
+        found: (g, 15) measurements of this step, rows as in `worksite.watch.found`.
         count: (g,) updated; at most 2.
     """
     touching, changed = False, False
@@ -132,7 +132,7 @@ class Contacts(StatePart):
     inhibit: Inhibit = Inhibit(arm=False, finger=False, changed=False)
 
     def update(self, found: Array, prong: Mask, mode: int) -> Inhibit:
-        """Count the contacts of one more step, from the result of `Watch.look` (g, 15), and return `judge` of them."""
+        """Count the contacts of one more step, from `ClearanceMonitor.found` (g, 15), and return `judge` of them."""
         counted = count_frames(found, self.count)
         return self.judge(counted.touching, counted.changed, prong, mode)
 

@@ -1,4 +1,4 @@
-"""Measurements of one watched group (a monitored pair of parts) in a step: indices of a row of numbers, in L."""
+"""Measurements of one group (a monitored pair of parts) in a step: indices of a row of numbers, in L."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ SPEED = 1
 POINT_A, POINT_B = 2, 5
 """The closest points, of the first and the second part [m]."""
 NORMAL, DISTANCE = 8, 11
-"""Plane halfway along the shortest way, perpendicular to it: unit normal from first to second part [1], distance [m].
+"""Plane halfway between the closest points: its unit normal from first to second part [1], and its distance [m].
 
-If the solids are apart, the plane separates all sixteen vertices of the two. If the solids are in contact, the way is
-the one that takes them apart, and the plane does not separate them.
+If the solids are apart, the plane separates all sixteen vertices of the two. If the solids are in contact, the normal
+is the direction of the shortest move that separates them, and the plane does not separate them.
 """
 FEATURE_A, FEATURE_B = 12, 13
 """Features that penetrate, touch or are closest, as in `aftdeck.bodies.pair`."""

@@ -82,7 +82,7 @@ class Layout(msgspec.Struct, frozen=True, eq=False):
             InputError: no part has that name.
         """
         if name not in self.parts:
-            raise InputError(f"no part is called {name!r}; there are {', '.join(self.parts)}")
+            raise InputError(f"no part is called {name!r}; parts are {', '.join(self.parts)}")
         return self.parts.index(name)
 
     def between(self, some: Collection[str], others: Collection[str]) -> Mask:
@@ -94,7 +94,7 @@ class Layout(msgspec.Struct, frozen=True, eq=False):
         """Return a mask (g,): 1 for each group with a part in one of these frames."""
         unknown = set(frames) - set(self.frames)
         if unknown:
-            raise InputError(f"no frame is called {min(unknown)!r}; there are {', '.join(self.frames)}")
+            raise InputError(f"no frame is called {min(unknown)!r}; frames are {', '.join(self.frames)}")
         inside = np.isin(self.part_frame, [self.frames.index(name) for name in frames])
         return np.asarray(inside[self.groups[:, 0]] | inside[self.groups[:, 1]], np.uint8)
 
@@ -118,7 +118,7 @@ def layout_of(frames: tuple[str, ...], solids: Sequence[Solid], part_pairs: Iter
     home: dict[str, str] = {}
     for solid in solids:
         if solid.frame not in frames:
-            raise InputError(f"{solid.part}: no frame is called {solid.frame!r}; there are {', '.join(frames)}")
+            raise InputError(f"{solid.part}: no frame is called {solid.frame!r}; frames are {', '.join(frames)}")
         if home.setdefault(solid.part, solid.frame) != solid.frame:
             raise InputError(
                 f"{solid.part} has solids in {home[solid.part]} and in {solid.frame}; a part has one frame"
@@ -129,9 +129,9 @@ def layout_of(frames: tuple[str, ...], solids: Sequence[Solid], part_pairs: Iter
         of_part[solid.part].append(k)
     groups: list[PartPair] = []
     for a, b in part_pairs:
-        _watchable(a, b, home)
+        _check_pair(a, b, home)
         if (a, b) in groups or (b, a) in groups:
-            raise InputError(f"{a} and {b} are named as a watched pair twice")
+            raise InputError(f"{a} – {b}: this pair is listed twice")
         groups.append((a, b))
     pairs = [list(product(of_part[a], of_part[b])) for a, b in groups]
     part_frame = _fixed([frames.index(frame) for frame in home.values()])
@@ -154,13 +154,13 @@ def layout_of(frames: tuple[str, ...], solids: Sequence[Solid], part_pairs: Iter
     )
 
 
-def _watchable(a: str, b: str, home: dict[str, str]) -> None:
+def _check_pair(a: str, b: str, home: dict[str, str]) -> None:
     """Reject a pair of parts that cannot be monitored (InputError)."""
     for part in (a, b):
         if part not in home:
-            raise InputError(f"{a} – {b}: no solid belongs to {part!r}; there are {', '.join(home)}")
+            raise InputError(f"{a} – {b}: no solid belongs to {part!r}; parts are {', '.join(home)}")
     if home[a] == home[b]:
-        raise InputError(f"{a} – {b}: both are fixed to {home[a]}, so that they never move against each other")
+        raise InputError(f"{a} – {b}: both are fixed to {home[a]} and cannot move relative to each other")
 
 
 def _packed(solids: Sequence[Solid]) -> Array:

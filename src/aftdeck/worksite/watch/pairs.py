@@ -13,23 +13,23 @@ from aftdeck.errors import InputError
 from aftdeck.worksite.watch.groups import Layout, PartPair
 
 STILL = ("space", "orbiter")
-"""Frames of the bodies around the arm; in a pair, the part in one of these frames comes last, ``orbiter`` after all."""
+"""Frames of the bodies around the arm. A part in one of these is second in its pair; in ``orbiter``, always."""
 
 
 def part_pairs(solids: Sequence[Solid], chain: Sequence[str], apart: Iterable[PartPair] = ()) -> tuple[PartPair, ...]:
-    """Return all pairs of parts that can meet: the arm with everything else, and cargoes and bodies with each other.
+    """Return all pairs of parts that can touch: the arm with all others, and payloads and bodies with each other.
 
     Two parts in one frame are not a pair. Two parts of the arm in successive frames of the chain are not a pair either,
-    because a joint holds them together; frames without solids do not count in the chain. The caller has to leave out
+    because a joint connects them; frames without solids do not count in the chain. The caller has to leave out
     the pairs of a part of the arm and its mount.
 
     Args:
         solids: all solids of the run.
         chain: the arm's frames from its base to its tip; a frame that moves on the tip comes last.
-        apart: further pairs to leave out, in either order: parts that are joined, or never meet.
+        apart: further pairs to leave out, in either order: parts that are joined, or never touch.
 
     Returns:
-        The pairs; in each pair, a part of the arm comes first, then a cargo's, then a body's.
+        The pairs; in each pair, a part of the arm precedes that of a payload, which precedes that of a body.
 
     Raises:
         InputError: `apart` names a part that has no solid.
@@ -37,7 +37,7 @@ def part_pairs(solids: Sequence[Solid], chain: Sequence[str], apart: Iterable[Pa
     home = {solid.part: solid.frame for solid in solids}
     left_out = {frozenset(pair) for pair in apart}
     for name in sorted({name for pair in left_out for name in pair} - set(home)):
-        raise InputError(f"a pair to leave out names {name!r}; there are {', '.join(home)}")
+        raise InputError(f"a pair to leave out names {name!r}; parts are {', '.join(home)}")
     used = set(home.values())
     link = {frame: k for k, frame in enumerate(frame for frame in chain if frame in used)}
 
@@ -60,13 +60,13 @@ def counting(
     held: Collection[str] = (),
     seated: Mapping[str, Collection[str]] | None = None,
 ) -> Mask:
-    """Return a mask (g,): 1 for each group that is measured, 0 for a cargo with its holder or with its seat's body.
+    """Return a mask (g,): 1 for each group that is measured, 0 for a payload with its holder or with its berth's body.
 
     Args:
         layout: the layout with the groups.
-        holder: the parts of the arm that hold a cargo.
-        held: the parts of the held cargo.
-        seated: for each part of a cargo that is in its seat and not held, the parts of that seat's body.
+        holder: the parts of the arm that hold a payload.
+        held: the parts of the held payload.
+        seated: for each part of a payload that is in its berth and not held, the parts of that berth's body.
     """
     active = np.ones(len(layout.groups), np.uint8)
     active &= 1 - layout.between(holder, held)
