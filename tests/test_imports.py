@@ -71,7 +71,15 @@ WITHIN: dict[str, tuple[tuple[str, ...], ...]] = {
         ("survey",),
         ("__init__",),
     ),
-    "station": (("messages", "built"), ("conversion",), ("playback",), ("session",), ("server",), ("__init__",)),
+    "station": (
+        ("lamps", "built"),
+        ("messages",),
+        ("conversion",),
+        ("playback",),
+        ("session",),
+        ("server",),
+        ("__init__",),
+    ),
 }
 """The same within the largest rooms; imports for types alone may go against the order there."""
 

@@ -6,8 +6,8 @@ import pytest
 
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
+from aftdeck.station.lamps import Lamp
 from aftdeck.station.messages import from_page, kinds, to_page
-from aftdeck.station.messages.frame import Lamp
 from aftdeck.station.playback.strips import readings, sources
 from aftdeck.station.session import recent
 from aftdeck.station.session.recent import RecentRun

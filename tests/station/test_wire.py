@@ -16,8 +16,8 @@ from aftdeck.scenario.load import load_scenario
 from aftdeck.simulation.inputs import Inputs
 from aftdeck.simulation.run import Simulation
 from aftdeck.station.conversion.frame_of import Displays
-from aftdeck.station.conversion.lamps import lamps
 from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.lamps import lit_lamps
 from aftdeck.station.messages import from_page, kinds
 from aftdeck.station.messages.frame import Frame
 from aftdeck.station.session.commands import inputs_of
@@ -149,7 +149,7 @@ def lit(sim: Simulation, until: str, **inputs: Any) -> dict[str, str]:
         frame = sim.step(Inputs())
         assert frame.time_s < 60.0
     names = ("DERIGIDIZE", "RELEASE")
-    return {lamp.name: lamp.level for lamp in lamps(sim.scenario, frame) if lamp.name in names}
+    return {lamp.name: lamp.level for lamp in lit_lamps(sim.scenario, frame) if lamp.name in names}
 
 
 def test_derigidize_and_release_are_lit_during_a_release() -> None:

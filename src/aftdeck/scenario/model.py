@@ -14,7 +14,7 @@ from aftdeck.kinematics.payload import Payload
 from aftdeck.scenario.light import Lighting
 from aftdeck.scenario.schema import FreeContact, PorOverride, Rate, Until
 from aftdeck.scenario.target import RelativeTarget, Target
-from aftdeck.steering.mode import MODES, LawChoice, PanelPosition
+from aftdeck.steering.mode import MODES, LawChoice
 from aftdeck.worksite.model import Cargo, Worksite
 
 
@@ -63,7 +63,7 @@ class PhasePlan:
     """
 
     name: str
-    mode: PanelPosition
+    mode: str
     rate: Rate
     translation: tuple[float, float, float]
     rotation: tuple[float, float, float]
@@ -215,7 +215,7 @@ class Scenario:
     warning: float
     lamps: tuple[str, ...]
     lighting: Lighting
-    mode: PanelPosition
+    mode: str
     rate: Rate
     as_flown: bool
     strict: bool

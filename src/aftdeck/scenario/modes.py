@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from aftdeck.files import Where
 from aftdeck.scenario.model import Sequences
 from aftdeck.scenario.problems import Problems
-from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice, PanelPosition, position_of
+from aftdeck.steering.mode import AUTOMATIC_LAWS, MODES, LawChoice, position_of
 
 MIXED = 7
 """The report's number of the mode that ORB LD flies with its switch in payload axes."""
@@ -24,7 +24,7 @@ class Chosen:
         payload_axes: whether ORB LD rotates in payload axes; None if not given.
     """
 
-    position: PanelPosition
+    position: str
     law: LawChoice | None = None
     payload_axes: bool | None = None
 
@@ -46,5 +46,5 @@ def check_mode(problems: Problems, position: str, loads: bool, sequences: Sequen
         problems.add(
             where, f"{position} moves a payload, and the scenario has none: add a [payload] table or a [[cargo]]"
         )
-    if position.startswith("AUTO") and position not in sequences:
+    if MODES[position].prestored and position not in sequences:
         problems.add(where, f"{position} has no points: add a [[sequence]] with slot = {position[-1]}")

@@ -167,7 +167,7 @@ def _check_use(problems: Problems, phase: Phase, mode: Mode, where: Where) -> No
         "master": phase.master is not None,
     }
     used = _USED[mode.kind] | ({"target"} if mode.position == "OPR CMD" else set())
-    used |= {"payload_axes"} if mode.position == "ORB LD" else set()
+    used |= {"payload_axes"} if mode.has_payload_axes else set()
     for stick, physical in (("translation", "velocity"), ("rotation", "angular_velocity"), ("drive", "joint_rate")):
         if given[stick] and given[physical]:
             problems.add((*where, physical), f"give either {stick} or {physical}, not both")

@@ -9,12 +9,6 @@ from aftdeck.steering.layout import DIRECT_LAW, MASTER_LAW, NO_LAW
 
 Kind = Literal["automatic", "manual", "single", "test", "master"]
 LawChoice = Literal["position", "closed loop", "open loop"]
-PanelPosition = Literal[
-    "OPR CMD", "AUTO 1", "AUTO 2", "AUTO 3", "AUTO 4", "TEST", "ORB UNL", "END EFF", "ORB LD", "PL", "SINGLE", "DIRECT",
-    "MASTER",
-]  # fmt: skip
-"""The twelve positions of the MODE rotary on panel A8, and MASTER, the concept's mode, which works with any arm."""
-
 AUTOMATIC_LAWS: dict[LawChoice, int] = {"position": 1, "closed loop": 2, "open loop": 3}
 """The report's modes 1 to 3, by the names on the switch beside OPR CMD and AUTO 1-4."""
 
@@ -29,22 +23,37 @@ class Mode:
         title: short description.
         kind: kind of command: a target, sticks, one joint's drive switch, the master arm, or none.
         point: point that the mode moves.
-        axes: axes along which the sticks act.
+        axes: axes along which the THC acts; ORB LD's mode 7 rotates about the payload's axes.
         axis_names: positive directions of the THC's three axes.
     """
 
-    position: PanelPosition
+    position: str
     laws: tuple[int, ...]
     title: str
     kind: Kind
     point: Literal["tip", "payload", "selected joint", "all joints", "none"]
-    axes: str
+    axes: Literal["orbiter axes", "end effector axes", "payload axes", "joint", "none"]
     axis_names: tuple[str, str, str]
 
     @property
     def loaded(self) -> bool:
         """Whether the mode needs a payload in the grasp."""
         return self.point == "payload"
+
+    @property
+    def prestored(self) -> bool:
+        """Whether the mode moves through points that the scenario stores for it."""
+        return self.position.startswith("AUTO")
+
+    @property
+    def by_joint(self) -> bool:
+        """Whether the operator moves joints, not the point of resolution."""
+        return self.kind in ("single", "master")
+
+    @property
+    def has_payload_axes(self) -> bool:
+        """Whether a switch beside the mode selects a second law, which rotates about the payload's axes."""
+        return self.kind == "manual" and len(self.laws) > 1
 
 
 _ORBITER = ("+X fwd", "+Y stbd", "+Z down")
@@ -88,12 +97,8 @@ MODES: dict[str, Mode] = {
 NUMBERED = range(1, 9)
 """Numbers of JSC-12628's own modes."""
 
-StickAxes = Literal["orbiter", "end effector", "payload"]
-STICK_AXES: dict[int, StickAxes] = {4: "orbiter", 5: "end effector", 6: "payload", 7: "orbiter"}
-"""Axes along which the sticks translate, by the report's manual modes; mode 7 rotates about the payload's axes."""
 
-
-def position_of(law: int) -> tuple[PanelPosition, int] | None:
+def position_of(law: int) -> tuple[str, int] | None:
     """Return the first panel position that selects one of the report's modes 1 to 8, and the law; None for others."""
     first = next((mode.position for mode in MODES.values() if law in mode.laws), None)
     return None if first is None or law not in NUMBERED else (first, law)

@@ -1,4 +1,4 @@
-// Generated from simulation/frame.py and station/messages by `make generate`; do not edit.
+// Generated from simulation/frame.py, station/lamps.py and station/messages by `make generate`; do not edit.
 // All quantities are SI and radians; station/messages/kinds.py defines panel and scene axes.
 
 export const PROTOCOL = 4;
@@ -8,16 +8,16 @@ export type Vec3 = readonly [number, number, number];
 export type Axis = 'x' | 'y' | 'z';
 export type Material = 'blanket' | 'liner' | 'tiles' | 'leading_edge' | 'radiator' | 'boom' | 'padding' | 'housing' | 'bright' | 'dark' | 'glass' | 'metal' | 'foil' | 'structure' | 'glow';
 export type Shape = Box | Cylinder | Shell | Ring | Sphere | Plate | Loft | Hexahedron | Light | Group;
+export type Level = 'info' | 'caution' | 'warning';
+export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE';
 export type Six = readonly [number, number, number, number, number, number];
 export type Quat = readonly [number, number, number, number];
 export type Rate = 'coarse' | 'vernier';
 export type LawChoice = 'position' | 'closed loop' | 'open loop';
-export type Level = 'info' | 'caution' | 'warning';
 export type EffectorSwitch = 'stop' | 'close' | 'open';
 export type ProblemPart = 'full problem' | 'acquisition' | 'extraction' | 'manoeuvring';
 export type ControllerKind = 'keyboard' | 'pad' | 'thc pad' | 'rhc pad' | 'thc joystick' | 'rhc joystick' | 'spacemouse' | 'touch';
 export type FromPage = Sticks | Shown | Controllers | DriveCamera | SetLight | EnterMode | SelectJoint | SelectRate | SelectLaw | PayloadAxes | RateHold | PositionHold | AskSticks | GiveSticks | KeepSticks | SetName | LeaveSeat | TakeSeat | HandsOff | LookAhead | SetBrakes | SetSafing | SetTarget | Proceed | Stop | Restart | FlyScenario | SetEffector | SetEffectorMode | SetRigid | PressLatch | SetMaster | Initialise;
-export type FlightLamp = 'SINGULAR' | 'REACH LIM' | 'SOFT STOP' | 'RATE LIM' | 'CLEARANCE' | 'DERIGIDIZE' | 'RELEASE';
 export type FromServer = Preparing | Welcome | Scenarios | Role | Frame | Events | Recent | Refused;
 export type Quantity = 'time' | 'count' | 'share' | 'part of limit' | 'ratio' | 'length' | 'gap' | 'distance' | 'angle' | 'speed' | 'turn rate' | 'milliseconds' | 'words';
 export type Block = readonly Moment[];
@@ -1164,7 +1164,7 @@ export interface Aim {
   readonly attitude: Vec3;
 }
 
-/** Lit lamp and its cause. */
+/** A lit lamp and its cause. */
 export interface Lamp {
   readonly name: FlightLamp;
   readonly level: Level;

@@ -19,8 +19,6 @@ LEAST = 1e-3
 """Least rate [1/s] or [rad/s] at which a stick must lead away to be an escape direction."""
 NEARLY = 0.6
 """Fraction of the fastest stick's rate above which the previous stick direction is kept [1]."""
-JOINT_BY_JOINT = ("SINGLE", "DIRECT", "MASTER")
-"""Modes in which the operator moves single joints, not the point of resolution."""
 AXES: tuple[tuple[Literal["rotation", "translation"], str], ...] = (
     ("rotation", "RHC {}roll"),
     ("rotation", "RHC {}pitch"),
@@ -97,7 +95,7 @@ def _best(state: State, cause: str, speeds: np.ndarray) -> WayOut | None:
 
 def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int, ...]) -> WayOut:
     name = NAMES[which]
-    if state.panel.mode not in JOINT_BY_JOINT and (
+    if not MODES[state.panel.mode].by_joint and (
         out := _best(state, name, _stick_speeds(flight, state, which, -1, 0.0))
     ):
         return out
@@ -109,7 +107,7 @@ def _from_singularity(flight: Flight, state: State, which: int, zones: tuple[int
 def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
     name = flight.scenario.arm.joints[joint]
     inward = _inward(flight, state, joint)
-    if state.panel.mode not in JOINT_BY_JOINT and (
+    if not MODES[state.panel.mode].by_joint and (
         out := _best(state, name, _stick_speeds(flight, state, -1, joint, inward))
     ):
         return out
@@ -118,7 +116,7 @@ def _from_limit(flight: Flight, state: State, joint: int) -> WayOut:
 
 def _position(state: State) -> str:
     """Return the panel position for moving a joint: the present one if it moves single joints, else SINGLE."""
-    return state.panel.mode if state.panel.mode in JOINT_BY_JOINT else "SINGLE"
+    return state.panel.mode if MODES[state.panel.mode].by_joint else "SINGLE"
 
 
 def _inward(flight: Flight, state: State, joint: int) -> int:

@@ -100,7 +100,7 @@ def _enter(flight: Flight, state: State, position: str) -> None:
     if mode.loaded and state.carried.payload is None:
         log_rejection(flight, state, f"{position} refused: it moves a payload, and none is in the grasp")
         return
-    if position.startswith("AUTO") and position not in flight.scenario.sequences:
+    if MODES[position].prestored and position not in flight.scenario.sequences:
         log_rejection(flight, state, f"{position} refused: no points are stored for it in this scenario")
         return
     panel = state.panel

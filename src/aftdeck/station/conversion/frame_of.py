@@ -15,10 +15,10 @@ from aftdeck.scene.everything import ScenePoses
 from aftdeck.simulation import frame as sim
 from aftdeck.simulation.observe import look_ahead
 from aftdeck.station.conversion.fixture import Fixtures
-from aftdeck.station.conversion.lamps import lamps
+from aftdeck.station.lamps import lit_lamps
 from aftdeck.station.messages.frame import Ahead, Aim, ClosestPoints, Display, Frame, Resolution, with_display
 from aftdeck.station.messages.kinds import Vec3
-from aftdeck.steering.mode import MODES, STICK_AXES
+from aftdeck.steering.mode import MODES
 from aftdeck.worksite.report import Near
 
 
@@ -83,7 +83,7 @@ class Displays:
             else _vec3(to_fixture @ control),
             orbiter=_vec3(self._mount.rotation @ np.array(work.orbiter)),
             orbiter_velocity=_vec3(self._mount.rotation @ np.array(work.orbiter_velocity)),
-            lamps=lamps(self._scenario, frame),
+            lamps=lit_lamps(self._scenario, frame),
             gap=None if work.nearest is None else self._gap(work.nearest),
             contacts=tuple([self._gap(near) for near in work.contacts]),
             ahead=ahead,
@@ -119,11 +119,11 @@ class Displays:
 
     def _control_axes(self, frame: sim.Frame, tip: Pose) -> Array:
         """Return the axes that the sticks act along, in panel components."""
-        along = STICK_AXES.get(frame.law)
-        if along == "end effector":
+        along = MODES[frame.mode].axes
+        if along == "end effector axes":
             hand = tip.rotation if self._scenario.strict else tip.rotation @ self._hand
             return np.asarray(self._mount.rotation @ hand)
-        if along == "payload" and frame.payload is not None:
+        if along == "payload axes" and frame.payload is not None:
             return np.asarray(self._mount.rotation @ np.array(frame.payload[1]))
         return np.eye(3)
 

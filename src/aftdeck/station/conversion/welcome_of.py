@@ -85,7 +85,7 @@ def _ghost(scenario: Scenario, count: int) -> tuple[int, ...]:
 
 
 def _has_points(scenario: Scenario, mode: Mode) -> bool:
-    return not mode.position.startswith("AUTO") or mode.position in scenario.sequences
+    return not mode.prestored or mode.position in scenario.sequences
 
 
 def _pair(values: Array) -> tuple[float, float]:

@@ -3,25 +3,14 @@
 from __future__ import annotations
 
 from operator import attrgetter
-from typing import Any, Literal
+from typing import Any
 
 import msgspec
 
 from aftdeck.scenario.light import Lighting
 from aftdeck.simulation import frame as sim
-from aftdeck.station.messages.kinds import Level, Quat, Vec3
-
-FlightLamp = Literal["SINGULAR", "REACH LIM", "SOFT STOP", "RATE LIM", "CLEARANCE", "DERIGIDIZE", "RELEASE"]
-"""Lamps that the station lights; the page has further lamps of its own."""
-
-
-class Lamp(msgspec.Struct, frozen=True, gc=False):
-    """Lit lamp and its cause."""
-
-    name: FlightLamp
-    level: Level
-    text: str
-    """Cause, such as ``elbow 0.12`` for SINGULAR."""
+from aftdeck.station.lamps import Lamp
+from aftdeck.station.messages.kinds import Quat, Vec3
 
 
 class Resolution(msgspec.Struct, frozen=True, gc=False):

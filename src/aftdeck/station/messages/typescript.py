@@ -17,17 +17,18 @@ from aftdeck import shapes
 from aftdeck.field_meta import comments
 from aftdeck.recording.hints import apart, is_object, names
 from aftdeck.simulation import frame as sim
+from aftdeck.station import lamps
 from aftdeck.station.messages import frame, from_page, kinds, playback, to_page, welcome
 from aftdeck.worksite import report
 
 HEADER = """\
-// Generated from simulation/frame.py and station/messages by `make generate`; do not edit.
+// Generated from simulation/frame.py, station/lamps.py and station/messages by `make generate`; do not edit.
 // All quantities are SI and radians; station/messages/kinds.py defines panel and scene axes.
 """
 
 MODULES = (kinds, from_page, welcome, frame, to_page, playback)
 """Modules whose structs the page uses."""
-NAMED = (shapes, *MODULES, sim, report)
+NAMED = (shapes, lamps, *MODULES, sim, report)
 """Modules whose aliases become types in TypeScript."""
 
 _PLAIN: dict[object, str] = {

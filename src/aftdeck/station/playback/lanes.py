@@ -6,8 +6,8 @@ from collections.abc import Iterable
 
 from aftdeck.simulation.frame import Frame
 from aftdeck.simulation.payloads.task_phases import TASKS
+from aftdeck.station.lamps import Lamp
 from aftdeck.station.messages.curves import Lane, Stretch
-from aftdeck.station.messages.frame import Lamp
 from aftdeck.station.messages.kinds import Level
 
 MONITORS = ("MON 1", "MON 2")

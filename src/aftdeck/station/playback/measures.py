@@ -6,8 +6,8 @@ import math
 
 from aftdeck.recording.records import ControllerRecord
 from aftdeck.simulation.frame import Frame
+from aftdeck.station.lamps import Lamp
 from aftdeck.station.messages.curves import Quantity
-from aftdeck.station.messages.frame import Lamp
 from aftdeck.station.messages.playback import Measure
 from aftdeck.station.playback.captured import CaptureMisalignment, capture_misalignment
 from aftdeck.station.playback.strips import worst_rate

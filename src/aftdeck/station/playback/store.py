@@ -26,8 +26,8 @@ from aftdeck.recording.records import ControllersRecord, FrameRecord, LightRecor
 from aftdeck.scenario.light import Lighting
 from aftdeck.simulation.frame import Event
 from aftdeck.station.conversion.frame_of import Displays
-from aftdeck.station.conversion.lamps import lamps
 from aftdeck.station.conversion.welcome_of import welcome_of
+from aftdeck.station.lamps import lit_lamps
 from aftdeck.station.messages.playback import BLOCK, Block, Moment, Pictured, PlaybackIndex, Verdict
 from aftdeck.station.playback.lanes import Lanes
 from aftdeck.station.playback.measures import RunMetrics
@@ -131,7 +131,7 @@ class PlaybackStore:
             elif isinstance(message, LightRecord):
                 self._lights.append((ticks + 1, lighting_of(message)))
             elif isinstance(message, FrameRecord):
-                lit = lamps(self._scenario, message)
+                lit = lit_lamps(self._scenario, message)
                 lanes.add(message, lit)
                 strips.add(self._readings(message, message.latency_ms))
                 measures.add(message, lit)

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from aftdeck.scenario.model import Scenario
 from aftdeck.simulation.frame import Frame
+from aftdeck.station.lamps import Lamp
 from aftdeck.station.messages import to_page
-from aftdeck.station.messages.frame import Lamp
 from aftdeck.station.playback.lanes import Lanes
 from aftdeck.station.playback.strips import blank, readings, worst_joint
 

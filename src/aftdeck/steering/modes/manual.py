@@ -1,7 +1,7 @@
 """The report's manual modes, 4 to 7, by number: the twist that they demand of the point of resolution.
 
 `msteer` steers in these modes, and `way_out` evaluates their stick directions. Each such mode needs a file in this
-folder, a line in this module, and an entry of `STICK_AXES` in `steering.mode`.
+folder, a row in `steering.mode.MODES`, and a line in this module, which Numba compiles.
 """
 
 from __future__ import annotations

@@ -1,0 +1,109 @@
+"""Lamps that a frame lights: for each its name and its condition, in one table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+import msgspec
+
+from aftdeck.kinematics.singular import NAMES
+from aftdeck.scenario.model import Scenario
+from aftdeck.simulation.frame import PAST_REACH, PAST_SOFT, Frame, Level
+from aftdeck.simulation.log import joint_label
+from aftdeck.worksite.report import Work
+
+
+class Lit(NamedTuple):
+    """State of a lit lamp: its level, and its cause for the operator."""
+
+    level: Level
+    text: str
+
+
+def _singular(_scenario: Scenario, frame: Frame) -> Lit | None:
+    near = [(name, d) for name, d in zip(NAMES, frame.singularity, strict=True) if name in frame.singular]
+    return Lit("caution", ", ".join(f"{name} {abs(d):.2f}" for name, d in near)) if near else None
+
+
+def _reach_limit(scenario: Scenario, frame: Frame) -> Lit | None:
+    return _joints_beyond(scenario, frame, PAST_REACH)
+
+
+def _soft_stop(scenario: Scenario, frame: Frame) -> Lit | None:
+    beyond, text = _joints_beyond(scenario, frame, PAST_SOFT), _limit_text(frame, "soft stop")
+    return beyond or (Lit("caution", text) if text else None)
+
+
+def _rate_limit(_scenario: Scenario, frame: Frame) -> Lit | None:
+    text = _limit_text(frame, "joint rate")
+    return Lit("info", text) if text else None
+
+
+def _clearance(_scenario: Scenario, frame: Frame) -> Lit | None:
+    level, near = frame.work.clearance_level, frame.work.nearest
+    return None if near is None or level == "info" else Lit(level, f"{near.a} to {near.b}")
+
+
+def _derigidize(_scenario: Scenario, frame: Frame) -> Lit | None:
+    """Return DERIGIDIZE: lit while the snares hold a payload that is not rigid, a caution unless they move."""
+    hand = frame.work.hand
+    if not _held_loosely(frame.work):
+        return None
+    moves = hand.switch in ("open", "close") if hand.mode == "auto" else hand.rigid != "off"
+    level: Level = "info" if moves or hand.switch == "open" else "caution"
+    return Lit(level, "the payload is captured, not rigidized")
+
+
+def _release(_scenario: Scenario, frame: Frame) -> Lit | None:
+    hand = frame.work.hand
+    releases = _held_loosely(frame.work) and hand.switch == "open" and hand.rigid == "off"
+    return Lit("info", "the payload is being released") if releases else None
+
+
+LAMPS: dict[str, Callable[[Scenario, Frame], Lit | None]] = {
+    "SINGULAR": _singular,
+    "REACH LIM": _reach_limit,
+    "SOFT STOP": _soft_stop,
+    "RATE LIM": _rate_limit,
+    "CLEARANCE": _clearance,
+    "DERIGIDIZE": _derigidize,
+    "RELEASE": _release,
+}
+"""The lamps that a frame lights, with their conditions; the page has other lamps of its own, and a place for each."""
+
+if TYPE_CHECKING:
+    FlightLamp = str
+else:
+    FlightLamp = Literal[tuple(LAMPS)]  # closes the set for the page: `station/messages/typescript.py` writes it
+
+
+class Lamp(msgspec.Struct, frozen=True, gc=False):
+    """A lit lamp and its cause."""
+
+    name: FlightLamp
+    level: Level
+    text: str
+    """Cause, such as ``elbow 0.12`` for SINGULAR."""
+
+
+def lit_lamps(scenario: Scenario, frame: Frame) -> tuple[Lamp, ...]:
+    """Return the lit lamps, each with its cause."""
+    found = ((name, condition(scenario, frame)) for name, condition in LAMPS.items())
+    return tuple(Lamp(name, *lit) for name, lit in found if lit is not None)
+
+
+def _joints_beyond(scenario: Scenario, frame: Frame, zone: int) -> Lit | None:
+    """Return a caution that names the joints in a zone or beyond it; None if there are none."""
+    beyond = [joint_label(name) for name, z in zip(scenario.arm.joints, frame.zones, strict=True) if z >= zone]
+    return Lit("caution", ", ".join(beyond)) if beyond else None
+
+
+def _limit_text(frame: Frame, kind: str) -> str:
+    """Return the text of the first limit of a kind that acted in the step; "" if none acted."""
+    return next((limit.text for limit in frame.limits if limit.kind == kind), "")
+
+
+def _held_loosely(work: Work) -> bool:
+    """Return whether the snares hold a payload that is not rigidized."""
+    return work.hand.carriage is not None and "RIGID" not in work.hand.flags and any(c.held for c in work.cargo)
