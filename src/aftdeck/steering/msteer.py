@@ -67,7 +67,7 @@ def msteer(rules: Array, command: Array, state: Array, report: Array) -> None:
     report[TURN_REMAINING] = 0.0
     a = _sines_at(rules, state, 0.0 if rules[STRICT] != 0.0 else 0.5 * rules[DT])
     j = jacobi(rules, a)
-    if command[LAW] == 1.0 or command[LAW] >= 8.0:
+    if command[LAW] == 1.0 or 8.0 <= command[LAW] <= MASTER_LAW:
         _steer_joints(rules, command, state, report, a, j)
     else:
         _steer_point(rules, command, state, report, a, j)
