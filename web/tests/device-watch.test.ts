@@ -4,7 +4,7 @@ import type { Command } from '../src/link/socket';
 import { DeviceWatch } from '../src/page/device-watch';
 
 function station() {
-  const devices = { lost: [] as { short: string }[], revision: 'keys', told: () => [] };
+  const devices = { lost: [] as { short: string }[], revision: 'keys', inUse: () => [] };
   const sent: Command['type'][] = [];
   const levels: string[] = [];
   const watch = new DeviceWatch(devices as unknown as Controllers, {

@@ -89,8 +89,8 @@ export class CameraHand {
     if (changed || now - this.sentAt >= REPEAT_MS) this.transmit(turned, turned, now);
   }
 
-  private transmit(said: NonNullable<typeof this.sent>, kept: typeof this.sent, now: number): void {
-    this.listener.send({ type: 'drive_camera', ...said });
+  private transmit(command: NonNullable<typeof this.sent>, kept: typeof this.sent, now: number): void {
+    this.listener.send({ type: 'drive_camera', ...command });
     this.sent = kept;
     this.sentAt = now;
   }

@@ -116,13 +116,13 @@ export class Controllers {
     };
   }
 
-  /** Changes whenever `told` changes. */
+  /** Changes whenever `inUse` changes. */
   get revision(): string {
     return `${revision()} ${this.devices.map(({ kind, name }) => `${kind} ${name}`).join()}`;
   }
 
   /** Devices in use and their mappings, for the recording. */
-  told(): readonly ControllerInUse[] {
+  inUse(): readonly ControllerInUse[] {
     const used = this.devices.map(({ kind, name }) => inUse(kind, name));
     return [inUse('keyboard', 'Keyboard'), ...used];
   }

@@ -30,7 +30,7 @@ export class KeyRelay {
   /** `passes`: whether there is a page that handles this key. */
   constructor(
     private readonly passes: (code: string) => boolean,
-    private readonly say: (said: Relayed) => void,
+    private readonly say: (message: Relayed) => void,
   ) {
     const options = { capture: true, signal: this.ended.signal };
     window.addEventListener('keydown', (event) => this.down(event), options);
@@ -86,11 +86,11 @@ export class RelayedKeys {
     }, HOLDING_MS);
   }
 
-  take(said: Relayed): void {
+  take(message: Relayed): void {
     this.heard = performance.now();
-    if (said.kind === 'released') this.release();
-    if (said.kind !== 'key') return;
-    const { down, code, key, shift: shiftKey } = said;
+    if (message.kind === 'released') this.release();
+    if (message.kind !== 'key') return;
+    const { down, code, key, shift: shiftKey } = message;
     if (down) this.held.add(code);
     else this.held.delete(code);
     const type = down ? 'keydown' : 'keyup';

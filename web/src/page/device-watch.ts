@@ -12,7 +12,7 @@ export interface DeviceWatchListener {
 
 export class DeviceWatch {
   /** Devices that were last reported to the station. */
-  private told = '';
+  private sentRevision = '';
   /** Names of the lost devices at the last call. */
   private lost: ReadonlySet<string> = new Set();
 
@@ -23,7 +23,7 @@ export class DeviceWatch {
 
   /** Report the devices again: the station has lost its copy. */
   tellAgain(): void {
-    this.told = '';
+    this.sentRevision = '';
   }
 
   /**
@@ -41,8 +41,8 @@ export class DeviceWatch {
     for (const short of this.lost) if (!lost.has(short)) listener.say(`${short}: loss cleared`, 'info');
     this.lost = lost;
     const { revision } = controllers;
-    if (!flying || revision === this.told) return;
-    this.told = revision;
-    listener.send({ type: 'controllers', controllers: controllers.told() });
+    if (!flying || revision === this.sentRevision) return;
+    this.sentRevision = revision;
+    listener.send({ type: 'controllers', controllers: controllers.inUse() });
   }
 }

@@ -61,10 +61,10 @@ export class DrawLoop {
 
   /** Draws what is due, once the previous pictures are on the page. */
   draw(now: number): void {
-    const [told, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
-    if (!told || !seen) return;
+    const [telemetry, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
+    if (!telemetry || !seen) return;
     const { pictures, groups } = this.parts;
-    const view = this.parts.viewOf(told.frame);
+    const view = this.parts.viewOf(telemetry.frame);
     if (pictures.drawing) {
       // Figures, lamps and tones do not wait for a picture that takes long.
       if (now - this.valuesAt >= OVERDUE_MS) this.values(view, now);
@@ -72,7 +72,7 @@ export class DrawLoop {
     }
     this.held = this.latency.due(seen.frame.display.stick_seq, now);
     if (this.held) return;
-    this.operator.sticks.driving = this.modes.get(told.frame.mode) === 'single';
+    this.operator.sticks.driving = this.modes.get(telemetry.frame.mode) === 'single';
     // At half pace, bars move with the pictures that do not include MON 2.
     const barsMove = (this.drawn + 1) % this.barPace === 0;
     this.fresh = false;
@@ -96,8 +96,8 @@ export class DrawLoop {
   private values(view: View, now: number): void {
     this.valuesAt = now;
     const { pictures, groups } = this.parts;
-    const [told, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
-    if (told) this.arrivals.show('telemetry', told, now);
+    const [telemetry, seen] = [this.arrivals.at('telemetry', now), this.arrivals.at('camera', now)];
+    if (telemetry) this.arrivals.show('telemetry', telemetry, now);
     pictures.setTime({ ...view, frame: seen?.frame ?? view.frame }, this.arrivals.age('camera', now));
     setClass(document.body, 'stale', isStale(this.arrivals.age('telemetry', now)));
     groups.values(view);

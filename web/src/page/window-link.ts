@@ -20,18 +20,18 @@ export class WindowLink {
     centreSticks: () => void,
   ) {
     this.relayed = new RelayedKeys(centreSticks);
-    this.windows = new Windows(pageName(), (said) => {
+    this.windows = new Windows(pageName(), (message) => {
       const { role } = this.control;
-      if (said.kind === 'ask') this.update();
-      else if (said.kind === 'show') pictures.monitors.show(said.monitor, said.names);
-      else if (said.kind === 'put') {
-        const camera = welcome.cameras.find(({ name }) => name === said.name);
+      if (message.kind === 'ask') this.update();
+      else if (message.kind === 'show') pictures.monitors.show(message.monitor, message.names);
+      else if (message.kind === 'put') {
+        const camera = welcome.cameras.find(({ name }) => name === message.name);
         if (camera) pictures.monitors.choose(camera);
-      } else if (said.kind === 'take') {
+      } else if (message.kind === 'take') {
         const { monitors } = pictures;
-        if (role.flying && monitors.hand !== monitors.both[said.monitor]) monitors.take(said.monitor);
-      } else if (said.kind === 'key' || said.kind === 'holding' || said.kind === 'released') {
-        if (role.flying) this.relayed.take(said);
+        if (role.flying && monitors.hand !== monitors.both[message.monitor]) monitors.take(message.monitor);
+      } else if (message.kind === 'key' || message.kind === 'holding' || message.kind === 'released') {
+        if (role.flying) this.relayed.take(message);
       }
     });
   }

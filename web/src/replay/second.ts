@@ -4,7 +4,7 @@ import type { Frame, PlaybackIndex } from '../link/protocol';
 import { publish } from '../page/hook';
 import type { Drawing } from '../page/quality';
 import { Display } from '../windows/monitor-window';
-import type { Said, Torn } from '../windows/opened';
+import type { Torn, WindowMessage } from '../windows/opened';
 import { PLAYED, Tether } from '../windows/secondary-window';
 import { StripWindow } from '../windows/strip-window';
 import { missionTime } from '../words/format';
@@ -26,10 +26,10 @@ export function follow(
   what: Torn,
 ): void {
   const player = new Player(index, (number) => source.block(number));
-  const heard = (said: Said) => {
-    if (said.kind !== 'head') return;
-    player.speed = said.speed;
-    player.seek(said.position);
+  const heard = (message: WindowMessage) => {
+    if (message.kind !== 'head') return;
+    player.speed = message.speed;
+    player.seek(message.position);
   };
   if (what === 'strips') showStrips(root, drawing, index, player, heard);
   else showPictures(root, drawing, index, player, what, heard);
@@ -41,7 +41,7 @@ function showPictures(
   { welcome, file }: PlaybackIndex,
   player: Player,
   what: Exclude<Torn, 'strips'>,
-  heard: (said: Said) => void,
+  heard: (message: WindowMessage) => void,
 ): void {
   const display = new Display(root, welcome, drawing, what, { file, heard });
   const next = () => {
@@ -64,7 +64,7 @@ function showStrips(
   drawing: Drawing,
   index: PlaybackIndex,
   player: Player,
-  heard: (said: Said) => void,
+  heard: (message: WindowMessage) => void,
 ): void {
   const { welcome } = index;
   let [frames, shown]: [number, Frame | null] = [0, null];

@@ -28,7 +28,7 @@ export class Transport {
   private readonly toggle: HTMLButtonElement;
   private readonly speeds;
   private readonly time = el('b', { class: 'position' });
-  private readonly said = el('p', { class: 'said' });
+  private readonly status = el('p', { class: 'said' });
   private readonly desk: HTMLButtonElement;
   private readonly asFlown: HTMLButtonElement;
   private readonly wider: HTMLButtonElement;
@@ -71,7 +71,7 @@ export class Transport {
         { class: 'speeds', role: 'group', 'aria-label': 'Speed' },
         ...this.speeds.map(({ key }) => key),
       ),
-      this.said,
+      this.status,
       el('span', { class: 'key commanded' }, 'commanded'),
       el('span', { class: 'key actual' }, 'actual'),
       el(
@@ -99,16 +99,16 @@ export class Transport {
     listener.strips(this.strips.chosen);
   }
 
-  /** `said`: the last line of the log before the playhead, or the reason why playback stopped. */
-  show(said: string, troubled: boolean): void {
+  /** `status`: the last line of the log before the playhead, or the reason why playback stopped. */
+  show(status: string, troubled: boolean): void {
     setText(this.toggle, this.player.playing ? 'Pause' : 'Play');
     setPressed(this.toggle, this.player.playing);
     setText(this.time, minutes(this.player.position, 2));
     for (const { speed, key } of this.speeds) setPressed(key, speed === this.player.speed);
-    setText(this.said, said);
-    setAttribute(this.said, 'title', said);
-    setClass(this.element, 'says', said !== '');
-    setClass(this.said, 'caution', troubled);
+    setText(this.status, status);
+    setAttribute(this.status, 'title', status);
+    setClass(this.element, 'says', status !== '');
+    setClass(this.status, 'caution', troubled);
   }
 
   /** Whether the monitors follow the recording; null if it does not contain their cameras. */

@@ -4,14 +4,14 @@ import type { Pictures } from '../cameras/pictures';
 import { RelayedKeys } from '../input/key-relay';
 import { pageName } from '../link/identity';
 import type { Camera } from '../link/protocol';
-import { type Said, Windows } from '../windows/opened';
+import { type WindowMessage, Windows } from '../windows/opened';
 import type { UnitName } from '../words/units';
 import type { Player } from './player';
 
 export class ReplayWindows {
-  private readonly windows = new Windows(pageName(), (said) => this.hear(said));
+  private readonly windows = new Windows(pageName(), (message) => this.hear(message));
   private readonly relayed = new RelayedKeys(() => {});
-  private told = '';
+  private sentHead = '';
 
   constructor(
     private readonly player: Player,
@@ -33,37 +33,37 @@ export class ReplayWindows {
   tellHead(): void {
     const { position, speed } = this.player;
     const head = `${position} ${speed}`;
-    if (head === this.told) return;
-    this.told = head;
+    if (head === this.sentHead) return;
+    this.sentHead = head;
     this.windows.say({ kind: 'head', position, speed });
   }
 
-  private hear(said: Said): void {
-    switch (said.kind) {
+  private hear(message: WindowMessage): void {
+    switch (message.kind) {
       case 'ask':
         this.tell();
-        this.told = '';
+        this.sentHead = '';
         this.tellHead();
         break;
       case 'seek':
-        this.player.seek(said.position);
+        this.player.seek(message.position);
         break;
       case 'take':
-        if (this.pictures.monitors.hand !== this.pictures.monitors.both[said.monitor])
-          this.pictures.monitors.take(said.monitor);
+        if (this.pictures.monitors.hand !== this.pictures.monitors.both[message.monitor])
+          this.pictures.monitors.take(message.monitor);
         break;
       case 'show':
-        this.pictures.monitors.show(said.monitor, said.names);
+        this.pictures.monitors.show(message.monitor, message.names);
         break;
       case 'put': {
-        const camera = this.cameras.find(({ name }) => name === said.name);
+        const camera = this.cameras.find(({ name }) => name === message.name);
         if (camera) this.pictures.monitors.choose(camera);
         break;
       }
       case 'key':
       case 'holding':
       case 'released':
-        this.relayed.take(said);
+        this.relayed.take(message);
         break;
     }
   }

@@ -51,8 +51,8 @@ export class LiveStrips {
     this.line.put({ frame, at: performance.now() });
   }
 
-  setRecent(told: Recent): void {
-    this.minutes.take(told);
+  setRecent(recent: Recent): void {
+    this.minutes.take(recent);
     if (this.window) return;
     const timed = { lanes: [], events: [], strips: this.minutes.blank };
     this.window = new StripWindow(timed, Infinity, { sought: null, zoom: (way) => this.zoom(way) });

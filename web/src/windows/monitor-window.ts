@@ -10,7 +10,7 @@ import { el } from '../panel/parts/dom';
 import type { DrawnBody } from '../scene/bodies';
 import { missionTime } from '../words/format';
 import { type UnitName, unitsOf } from '../words/units';
-import type { PageState, Said, Torn } from './opened';
+import type { PageState, Torn, WindowMessage } from './opened';
 import { FLOWN, PLAYED, Tether } from './secondary-window';
 
 /** Time between two updates of the figures [ms]. */
@@ -20,14 +20,14 @@ const VALUES_MS = 100;
 export interface Played {
   readonly file: string;
   /** Gets the page's messages, among them the playhead. */
-  heard(said: Said): void;
+  heard(message: WindowMessage): void;
 }
 
 export class Display {
   drawn = 0;
   shown: { readonly frame: Frame | null; readonly restarts: number } = { frame: null, restarts: 0 };
   /** Frame and restarts of the figures. */
-  private told = this.shown;
+  private latest = this.shown;
   private newest: Frame | null = null;
   private restarts = 0;
   private readonly line: DelayLine;
@@ -54,9 +54,9 @@ export class Display {
     this.tether = new Tether(
       { ...(played ? { ...PLAYED, file: played.file } : FLOWN), name, title: welcome.title },
       {
-        heard: (said) => {
-          if (said.kind === 'page') this.follow(said);
-          played?.heard(said);
+        heard: (message) => {
+          if (message.kind === 'page') this.follow(message);
+          played?.heard(message);
         },
         take: () => {
           if (what !== 'matrix') this.tether.say({ kind: 'take', monitor: what });
@@ -100,7 +100,7 @@ export class Display {
     this.hearing = true; // its first cameras are its page's choice
     this.pictures.draw(frame, frame.work.clearance_level, () => {
       this.drawn += 1;
-      this.shown = this.told;
+      this.shown = this.latest;
     });
     this.hearing = false;
     const now = performance.now();
@@ -109,8 +109,8 @@ export class Display {
     const age = this.played ? null : this.line.age(now);
     this.pictures.setTime({ frame, units: unitsOf(this.units) }, age);
     this.tether.show(missionTime(frame.time_s), age !== null && isStale(age) ? 'Lost' : '');
-    this.told = { frame, restarts: this.restarts };
-    if (!this.pictures.drawing) this.shown = this.told;
+    this.latest = { frame, restarts: this.restarts };
+    if (!this.pictures.drawing) this.shown = this.latest;
   }
 
   /** Applies the page's state. */

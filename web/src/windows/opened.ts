@@ -25,7 +25,7 @@ export interface Playhead {
 }
 
 /** Messages of page and windows. */
-export type Said =
+export type WindowMessage =
   | PageState
   | Playhead
   /** The page is closed or reloaded. */
@@ -56,13 +56,13 @@ export const BLOCKED = 'Pop-ups are blocked: allow them for this page, then pres
 export class Windows {
   private readonly channel: BroadcastChannel;
 
-  constructor(page: string, heard: (said: Said) => void) {
+  constructor(page: string, heard: (message: WindowMessage) => void) {
     this.channel = new BroadcastChannel(`aftdeck ${page}`);
-    this.channel.addEventListener('message', ({ data }: MessageEvent<Said>) => heard(data));
+    this.channel.addEventListener('message', ({ data }: MessageEvent<WindowMessage>) => heard(data));
   }
 
-  say(said: Said): void {
-    this.channel.postMessage(said);
+  say(message: WindowMessage): void {
+    this.channel.postMessage(message);
   }
 
   dispose(): void {

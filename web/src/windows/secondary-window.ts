@@ -2,14 +2,14 @@
 
 import { KeyRelay } from '../input/key-relay';
 import { el, setClass, setText } from '../panel/parts/dom';
-import { type PageState, type Said, tornOff, Windows } from './opened';
+import { type PageState, tornOff, type WindowMessage, Windows } from './opened';
 
 /** Time between two requests for the page's state, and time without an answer after which the page counts as closed [ms]. */
 const ASK_MS = 1000;
 const SILENT_MS = 5000;
 
 export interface TetherListener {
-  heard(said: Said): void;
+  heard(message: WindowMessage): void;
   /** Selects what a key acts on, before the key is sent to the page. */
   take?(): void;
   /** Whether a key acts in the window itself. */
@@ -55,9 +55,9 @@ export class Tether {
     this.windows =
       of === null
         ? null
-        : new Windows(of, (said) => {
-            this.hear(said);
-            listener.heard(said);
+        : new Windows(of, (message) => {
+            this.hear(message);
+            listener.heard(message);
           });
     const take = () => {
       this.taken = true;
@@ -65,10 +65,10 @@ export class Tether {
     };
     this.relay = new KeyRelay(
       (code) => this.page?.takesKeys === true && !listener.own?.(code),
-      (said) => {
-        if (said.kind === 'key' && !this.taken) take();
-        if (said.kind === 'released') this.taken = false;
-        this.say(said);
+      (message) => {
+        if (message.kind === 'key' && !this.taken) take();
+        if (message.kind === 'released') this.taken = false;
+        this.say(message);
       },
     );
     window.addEventListener('pointerdown', take, { signal: this.ended.signal });
@@ -90,8 +90,8 @@ export class Tether {
     this.timer = window.setInterval(() => this.ask(), ASK_MS);
   }
 
-  say(said: Said): void {
-    this.windows?.say(said);
+  say(message: WindowMessage): void {
+    this.windows?.say(message);
   }
 
   /** `lost`: a word if the content is out of date; empty if it is not. */
@@ -110,12 +110,12 @@ export class Tether {
     this.windows?.dispose();
   }
 
-  private hear(said: Said): void {
-    if (said.kind === 'gone') this.lose();
-    if (said.kind !== 'page' && said.kind !== 'head') return;
+  private hear(message: WindowMessage): void {
+    if (message.kind === 'gone') this.lose();
+    if (message.kind !== 'page' && message.kind !== 'head') return;
     this.heardAt = performance.now();
     this.gone = false;
-    if (said.kind === 'page') this.page = said;
+    if (message.kind === 'page') this.page = message;
   }
 
   private ask(): void {

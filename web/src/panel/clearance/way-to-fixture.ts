@@ -52,12 +52,12 @@ export function wayToFixture() {
         setText(handle, parts[i]?.handle ?? '');
         setText(value, parts[i]?.value ?? '');
       });
-      setAttribute(element, 'title', told(parts, units));
+      setAttribute(element, 'title', description(parts, units));
     },
   };
 }
 
-function told(parts: readonly WayPart[], { gap }: Units): string {
+function description(parts: readonly WayPart[], { gap }: Units): string {
   const flown = parts.filter(({ handle }) => handle !== '');
   const words = flown
     .map(({ stick, handle, value }) => `${stick} (${handle}) ${value} ${gap.name}`)

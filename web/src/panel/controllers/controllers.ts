@@ -26,7 +26,7 @@ export class ControllersSheet {
   private readonly axes = new AxisTable((use) => this.ask(use));
   private readonly uses = new UseTable((use) => this.ask(use));
   private readonly state = el('span', { class: 'state' });
-  private readonly told = el('p', { class: 'told', role: 'status' }, NOTHING_FLIES);
+  private readonly prompt = el('p', { class: 'told', role: 'status' }, NOTHING_FLIES);
   private readonly cancel = button({ class: 'quiet' }, ['Cancel'], () => this.answer(NOTHING_FLIES));
   private readonly empty = button({ class: 'quiet' }, ['Remove'], () => this.leave());
   private readonly deadband = range('Deadband', MOST_DEADBAND, 0.01, percent, (deadband) =>
@@ -73,7 +73,7 @@ export class ControllersSheet {
         this.zero,
         this.restore,
       ),
-      el('div', { class: 'asking' }, this.told, this.empty, this.cancel),
+      el('div', { class: 'asking' }, this.prompt, this.empty, this.cancel),
       el('div', { class: 'tables' }, this.axes.element, this.uses.element),
     );
     this.element.addEventListener('close', () => this.left());
@@ -103,7 +103,7 @@ export class ControllersSheet {
     else if (this.kind === 'keyboard') {
       const refusal = keyRefusal(event);
       if (refusal === null) this.take({ source: event.code, sign: 1 });
-      else setText(this.told, refusal);
+      else setText(this.prompt, refusal);
     } else return false;
     return true;
   }
@@ -167,7 +167,7 @@ export class ControllersSheet {
     this.uses.ask(use);
     const what = this.kind === 'keyboard' ? 'Press the key' : 'Press or move the control for';
     const words = this.kind === 'keyboard' ? `for “${labelOf(use)}”` : `“${labelOf(use)}”`;
-    setText(this.told, `${what} ${words}. Delete: no assignment. Esc: unchanged.`);
+    setText(this.prompt, `${what} ${words}. Delete: no assignment. Esc: unchanged.`);
   }
 
   private take(source: Source): void {
@@ -179,7 +179,7 @@ export class ControllersSheet {
       this.answer(`“${labelOf(use)}” is assigned, ${how}.`);
     } catch (error) {
       this.asked = { use, capture: new Capture(mappingOf(this.kind)) };
-      setText(this.told, error instanceof Error ? error.message : String(error));
+      setText(this.prompt, error instanceof Error ? error.message : String(error));
     }
   }
 
@@ -194,7 +194,7 @@ export class ControllersSheet {
     this.asked = null;
     this.axes.ask(null);
     this.uses.ask(null);
-    setText(this.told, text);
+    setText(this.prompt, text);
   }
 
   private change(part: { readonly deadband?: number; readonly expo?: number }): void {
@@ -213,7 +213,7 @@ export class ControllersSheet {
       save(this.kind, zeroed(this.kind, mappingOf(this.kind), reading.axes));
       this.answer('The present positions of the axes are now zero.');
     } catch (error) {
-      setText(this.told, error instanceof Error ? error.message : String(error));
+      setText(this.prompt, error instanceof Error ? error.message : String(error));
     }
   }
 

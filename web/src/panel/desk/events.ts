@@ -73,8 +73,8 @@ export class EventsGroup {
     const entries = (count = KEPT) => [...events.slice(0, count).map(entry), ...under.map(hint)];
     const lines = entries(LINES).slice(0, LINES);
     // A text is wrapped if there is room for two lines.
-    const told = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
-    const place = Math.max(0, told);
+    const important = events.slice(0, LINES - 1).findIndex(({ level }) => level !== 'info');
+    const place = Math.max(0, important);
     lines[place]?.classList.add('whole');
     lines[place]?.style.setProperty('--lines', String(events.length > 0 ? LINES - 1 : LINES));
     this.list.replaceChildren(...lines);

@@ -43,11 +43,11 @@ export function lookAhead(desk: Desk): Part {
       setText(time, `${(ahead?.seconds ?? seconds).toFixed(0)} s`);
       if (!ahead) return;
       seconds = ahead.seconds;
-      const told = words(ahead, desk.welcome.joints, units);
-      setText(clear, told.clearance);
-      setAttribute(clear, 'title', told.between);
-      setText(stop, told.stopping);
-      setText(joint, told.joint);
+      const prediction = words(ahead, desk.welcome.joints, units);
+      setText(clear, prediction.clearance);
+      setAttribute(clear, 'title', prediction.between);
+      setText(stop, prediction.stopping);
+      setText(joint, prediction.joint);
       setAbout(element, about(ahead));
       setClass(element, 'resting-sticks', !ahead.held);
       setClass(clear, 'caution', ahead.contact_s !== null || below(ahead, desk.welcome.work.caution));

@@ -15,12 +15,12 @@ export function verdict(): Verdict {
   return {
     element,
     set({ check, sequence }) {
-      const told = sequence === 'checking' ? 'CHECKING' : (check?.text ?? '');
-      element.hidden = told === '';
+      const shown = sequence === 'checking' ? 'CHECKING' : (check?.text ?? '');
+      element.hidden = shown === '';
       setClass(element, 'good', check?.good === true);
       setClass(element, 'caution', check?.good === false);
-      setText(text, told);
-      setAttribute(element, 'title', told);
+      setText(text, shown);
+      setAttribute(element, 'title', shown);
     },
   };
 }

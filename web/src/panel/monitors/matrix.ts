@@ -110,8 +110,8 @@ export class Matrix {
     if (!part) return;
     const { tile, words, tags: shown, camera, pane, picture } = part;
     fitPane(pane, camera, picture.clientWidth);
-    const said = sees.join(' ');
-    setText(words, said);
+    const text = sees.join(' ');
+    setText(words, text);
     if (shown.textContent !== tags.join('')) shown.replaceChildren(...tags.map((tag) => el('em', {}, tag)));
     setClass(tile, 'used', tags.length > 0);
     const label = [
@@ -133,9 +133,10 @@ export class Matrix {
   }
 
   setAdvice(sentences: readonly string[]): void {
-    const said = [...sentences, 'Under a picture: the targets in it.'];
-    if (this.views.childElementCount !== said.length) this.views.replaceChildren(...said.map(() => el('p')));
-    said.forEach((sentence, i) => {
+    const lines = [...sentences, 'Under a picture: the targets in it.'];
+    if (this.views.childElementCount !== lines.length)
+      this.views.replaceChildren(...lines.map(() => el('p')));
+    lines.forEach((sentence, i) => {
       const line = this.views.children[i];
       if (!line) return;
       setText(line, sentence);

@@ -32,15 +32,15 @@ export type Delays = Readonly<Record<Name, Delay>>;
 
 /** The delays for the rail, as set, and as measured if different; an empty text if there are none. */
 export function delayWords(delays: Delays): { readonly label: string; readonly text: string } {
-  const told = NAMES.filter((name) => delays[name].set > 0 || differs(name, delays[name]));
-  const [only] = told;
+  const listed = NAMES.filter((name) => delays[name].set > 0 || differs(name, delays[name]));
+  const [only] = listed;
   if (!only) return { label: MANY, text: '' };
-  if (told.length === 1) {
+  if (listed.length === 1) {
     const { set, measured } = delays[only];
     if (!differs(only, delays[only])) return { label: `${LONG[only]} delay`, text: `${seconds(set)} s` };
     return { label: LONG[only], text: `set ${seconds(set)}, measured ${seconds(measured ?? 0)} s` };
   }
-  const each = told.map((name) => {
+  const each = listed.map((name) => {
     const { set, measured } = delays[name];
     return `${SHORT[name]} ${seconds(set)}${differs(name, delays[name]) ? ` (${seconds(measured ?? 0)})` : ''}`;
   });

@@ -105,7 +105,7 @@ export function rail(
   );
   return {
     element,
-    values({ frame, flying, units: shown }, { picture, delays }, said, link) {
+    values({ frame, flying, units: shown }, { picture, delays }, controlText, link) {
       light.values(frame);
       scenarios.values(frame);
       const at = scripted ? welcome.phases.indexOf(frame.phase) : frame.work.task - 1;
@@ -127,7 +127,7 @@ export function rail(
       setPressed(dim, appearance.night);
       setText(units, shown.name === 'SI' ? 'SI' : 'ft · in');
       const lost = link.kind !== 'open';
-      naming.say(linkWords(link) ?? said);
+      naming.say(linkWords(link) ?? controlText);
       setClass(naming.key, 'lost', lost);
       setClass(naming.key, 'flying', flying && !lost);
     },

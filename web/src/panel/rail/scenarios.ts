@@ -16,7 +16,7 @@ export interface ScenarioChoice {
   /** The question, or the scenario in preparation, over the monitors. */
   readonly question: HTMLElement;
   /** Takes the station's list of scenarios. */
-  set(told: Scenarios): void;
+  set(known: Scenarios): void;
   values(frame: Frame): void;
   /** Loads a scenario by its name; asks first if the arm has moved in this run. */
   choose(name: string): void;
@@ -25,7 +25,7 @@ export interface ScenarioChoice {
 
 /** `chosen` is called with the name of a built-in scenario, which may be the present one. */
 export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) => void): ScenarioChoice {
-  let told: Scenarios | null = null;
+  let known: Scenarios | null = null;
   let first: Frame | null = null;
   let flown = false;
   let recorded = false;
@@ -49,11 +49,11 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
     stay,
   );
   const take = (number: number) => {
-    const info = told?.scenarios[number];
+    const info = known?.scenarios[number];
     drop.open(false);
     if (!info) return;
     if (!info.given) chosen(info.name);
-    if (number === told?.flown) return;
+    if (number === known?.flown) return;
     asked = number;
     if (!flown) {
       send({ type: 'fly_scenario', number });
@@ -67,7 +67,7 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
     element: drop.element,
     question,
     set(now) {
-      told = now;
+      known = now;
       const rows = now.scenarios.map(({ title, text, given }, number) => {
         const name = given ? `${title} (your file)` : title;
         const row = button({}, [el('b', {}, name), el('span', {}, text)], () => take(number));
@@ -91,11 +91,11 @@ export function scenarioChoice({ welcome, send }: Desk, chosen: (name: string) =
       flown ||= frame.angles.some((angle, i) => Math.abs(angle - (angles[i] ?? angle)) > TURNED);
     },
     choose(name) {
-      take(told?.scenarios.findIndex((info) => info.name === name && !info.given) ?? -1);
+      take(known?.scenarios.findIndex((info) => info.name === name && !info.given) ?? -1);
     },
     close() {
       drop.open(false);
-      if (told?.coming === null) question.hidden = true;
+      if (known?.coming === null) question.hidden = true;
     },
   };
 }
