@@ -36,7 +36,7 @@ def shown() -> list[str]:
     return [name for line in lines for name in re.findall(r"(\w+)\(", line) if name != "step"]
 
 
-def test_every_call_that_is_shown_is_made_and_in_this_order() -> None:
+def test_documented_calls_are_made_in_the_documented_order() -> None:
     told = shown()
     assert len(told) > 10 and "go" in told
     at = told.index("go")
@@ -50,7 +50,7 @@ def test_every_call_that_is_shown_is_made_and_in_this_order() -> None:
         assert all(name in left for name in names), f"shown: {names}; made: {made}"
 
 
-def test_every_call_of_the_step_that_changes_something_is_shown() -> None:
+def test_calls_of_the_step_that_change_the_state_are_documented() -> None:
     """Left out are only what a camera's drive, the log and the report's own words do."""
     left_out = set(body(aftdeck.simulation.step, "step")) - set(shown())
     assert left_out <= {"phase_name", "hand_over", "initialise", "driven"}

@@ -132,7 +132,7 @@ def without_types(text: str) -> str:
     return ast.unparse(tree)
 
 
-def test_rooms_import_only_themselves_and_the_rooms_before_them() -> None:
+def test_rooms_import_only_themselves_and_earlier_rooms() -> None:
     wrong = []
     for path in sorted(SOURCE.rglob("*.py")):
         module = ".".join(("aftdeck", *path.relative_to(SOURCE).with_suffix("").parts))
@@ -141,7 +141,7 @@ def test_rooms_import_only_themselves_and_the_rooms_before_them() -> None:
     assert not wrong, "\n".join(wrong)
 
 
-def test_no_room_but_that_of_the_arms_knows_a_family_of_arms() -> None:
+def test_only_the_arms_room_uses_arm_families() -> None:
     families = {family.__name__ for family in get_args(ArmFile)}
     known = {
         path.relative_to(SOURCE).parts[0]
@@ -167,7 +167,7 @@ def test_no_room_but_that_of_the_arms_knows_a_family_of_arms() -> None:
         pytest.param("aftdeck.cellar.rats", "", id="a folder that is no room"),
     ],
 )
-def test_an_import_against_the_order_is_found(module: str, text: str) -> None:
+def test_import_against_the_order_is_found(module: str, text: str) -> None:
     assert len(wrong_imports(module, text)) == 1
 
 
@@ -179,7 +179,7 @@ def test_an_import_against_the_order_is_found(module: str, text: str) -> None:
         pytest.param("aftdeck.station.cellar", "", id="a module without a place"),
     ],
 )
-def test_an_import_against_the_order_within_a_room_is_found(module: str, text: str) -> None:
+def test_import_against_the_order_within_a_room_is_found(module: str, text: str) -> None:
     assert len(wrong_within(module, text)) == 1
 
 
@@ -194,7 +194,7 @@ def test_an_import_against_the_order_within_a_room_is_found(module: str, text: s
         pytest.param("aftdeck.__init__", "from aftdeck.arms import load_arm", id="the package's own file"),
     ],
 )
-def test_an_import_along_the_order_is_let_through(module: str, text: str) -> None:
+def test_import_along_the_order_is_accepted(module: str, text: str) -> None:
     assert wrong_imports(module, text) == []
 
 

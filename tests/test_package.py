@@ -17,7 +17,7 @@ def test_every_public_name_exists(name: str) -> None:
     assert name in dir(aftdeck)
 
 
-def test_a_name_that_is_not_there_is_an_attribute_error() -> None:
+def test_unknown_name_raises_attribute_error() -> None:
     with pytest.raises(AttributeError, match="module 'aftdeck' has no attribute 'teleport'"):
         _ = aftdeck.teleport
 
@@ -33,7 +33,7 @@ def test_importing_the_package_loads_no_library() -> None:
     assert not loaded("import aftdeck") & {"numba", "numpy", "msgspec", "pint", "starlette", "rich", "typer"}
 
 
-def test_asking_for_the_version_loads_no_library() -> None:
+def test_reading_the_version_loads_no_library() -> None:
     assert not loaded("import aftdeck; aftdeck.__version__") & {"numba", "numpy", "msgspec", "pint"}
 
 

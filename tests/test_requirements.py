@@ -30,7 +30,7 @@ def asked(groups: tuple[str, ...]) -> Iterator[Requirement]:
 
 
 @pytest.mark.parametrize(("name", "groups"), [("fly", ("build",)), ("dev", ("build", "dev"))])
-def test_every_requirement_is_pinned_to_a_version_that_it_allows(name: str, groups: tuple[str, ...]) -> None:
+def test_every_requirement_is_pinned_to_an_allowed_version(name: str, groups: tuple[str, ...]) -> None:
     versions: dict[str, list[str]] = {}
     for pin in pins(ROOT / "requirements" / f"{name}.txt"):
         versions.setdefault(canonicalize_name(pin.name), []).append(str(pin.specifier).removeprefix("=="))
@@ -41,7 +41,7 @@ def test_every_requirement_is_pinned_to_a_version_that_it_allows(name: str, grou
 
 
 @pytest.mark.parametrize("path", PINNED, ids=lambda path: path.stem)
-def test_every_pin_carries_a_hash(path: Path) -> None:
+def test_every_pin_has_a_hash(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     blocks = re.split(r"(?m)^(?=[a-z0-9])", text)[1:]
     assert len(blocks) == len(list(pins(path))) > 0
@@ -49,7 +49,7 @@ def test_every_pin_carries_a_hash(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", PINNED, ids=lambda path: path.stem)
-def test_no_pin_names_an_address(path: Path) -> None:
+def test_pins_contain_no_address(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert "://" not in text
     assert "index-url" not in text

@@ -116,7 +116,7 @@ def places(value: Any, where: Where = ()) -> set[Where]:
 
 @settings(max_examples=60)
 @given(st.data())
-def test_every_place_of_a_file_is_found_on_its_line(data: st.DataObject) -> None:
+def test_every_location_in_a_file_is_found_on_its_line(data: st.DataObject) -> None:
     out = Writer()
     write_table(out, data, (), (), 3)
     written = tomllib.loads(out.text)

@@ -66,14 +66,14 @@ def run(arguments: list[str | Path], environment: dict[str, str], cwd: Path | No
     return ended.stdout
 
 
-def test_the_wheel_holds_the_page_and_no_node_modules(wheel: Path) -> None:
+def test_wheel_contains_the_page_and_no_node_modules(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert PAGE in names
     assert any(name.startswith("aftdeck/station/static/") and name.endswith(".js") for name in names)
     assert not [name for name in names if "node_modules" in name]
 
 
-def test_the_sdist_holds_the_page_with_its_sources_and_no_node_modules(packages: Path) -> None:
+def test_sdist_contains_the_page_its_sources_and_no_node_modules(packages: Path) -> None:
     (sdist,) = packages.glob("*.tar.gz")
     with tarfile.open(sdist) as archive:
         names = [name.partition("/")[2] for name in archive.getnames()]
@@ -82,13 +82,11 @@ def test_the_sdist_holds_the_page_with_its_sources_and_no_node_modules(packages:
     assert not [name for name in names if "node_modules" in name]
 
 
-def test_the_installed_command_explains_itself(command: Path, bare: dict[str, str], tmp_path: Path) -> None:
+def test_installed_command_prints_its_help(command: Path, bare: dict[str, str], tmp_path: Path) -> None:
     assert "fly" in run([command, "--help"], bare, tmp_path)
 
 
-def test_the_installed_command_flies_a_scenario_without_a_screen(
-    command: Path, bare: dict[str, str], tmp_path: Path
-) -> None:
+def test_installed_command_runs_a_scenario_headless(command: Path, bare: dict[str, str], tmp_path: Path) -> None:
     summary = json.loads(run([command, "run", "first-flight", "--json"], bare, tmp_path))
     assert summary["scenario"] == "first-flight"
     assert summary["ended"] in ("completed", "time")
@@ -132,7 +130,7 @@ def address(said: Path, server: subprocess.Popen[bytes]) -> str:
     pytest.fail(f"no answer from the station:\n{said.read_text()}")
 
 
-def test_the_installed_station_serves_its_page(station: str) -> None:
+def test_installed_station_serves_its_page(station: str) -> None:
     with urllib.request.urlopen(station, timeout=WAIT_S) as answer:
         page = answer.read().decode()
     script = re.search(r'<script type="module"[^>]* src="(?:\./|/)?([^"]+)"', page)

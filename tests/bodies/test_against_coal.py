@@ -96,11 +96,11 @@ def disagreements(kind: str, seed: int, shapes: int, rounds: int) -> tuple[int, 
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_verdict_is_coals_and_every_witness_holds(kind: str) -> None:
+def test_verdict_agrees_with_coal_and_every_witness_holds(kind: str) -> None:
     assert disagreements(kind, 5, 1000, 5) == (5000, 0)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_verdict_is_coals_and_every_witness_holds_a_million_times(kind: str) -> None:
+def test_verdict_agrees_with_coal_for_a_million_pairs(kind: str) -> None:
     assert disagreements(kind, 6, 2000, 250) == (500_000, 0)

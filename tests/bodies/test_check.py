@@ -42,7 +42,7 @@ FAULTS = {
 
 
 @pytest.mark.parametrize(("body", "message"), FAULTS.values(), ids=FAULTS.keys())
-def test_points_that_are_no_hexahedron_are_refused_by_vertex(body: Array, message: str) -> None:
+def test_invalid_hexahedron_is_rejected_with_its_vertex(body: Array, message: str) -> None:
     with pytest.raises(InputError, match=f"the first hexahedron: {message}"):
         separation(body, CUBE)
     with pytest.raises(InputError, match=f"the second hexahedron: {message}"):
@@ -50,12 +50,12 @@ def test_points_that_are_no_hexahedron_are_refused_by_vertex(body: Array, messag
 
 
 @pytest.mark.parametrize("given", ["a cube", None, [[1.0, 2.0]], np.zeros((8, 2)), np.zeros((2, 8, 3)), [[1], [2, 3]]])
-def test_other_things_than_eight_points_are_refused(given: object) -> None:
+def test_input_other_than_eight_points_is_rejected(given: object) -> None:
     with pytest.raises(InputError, match="shape"):
         hexahedron(given)  # type: ignore[arg-type]  # what mypy refuses is to be refused at run time too
 
 
-def test_of_all_numberings_of_a_box_the_24_that_turn_it_are_taken() -> None:
+def test_only_the_24_rotated_numberings_of_a_box_are_accepted() -> None:
     body = CUBE * [1.0, 2.0, 3.0]
     taken = 0
     # Only those are tried in which vertices 1 and 4 have at most one wrong neighbour between them.
@@ -71,7 +71,7 @@ def test_of_all_numberings_of_a_box_the_24_that_turn_it_are_taken() -> None:
     assert taken == 24
 
 
-def test_every_box_and_every_tapering_hexahedron_is_taken_as_it_is() -> None:
+def test_boxes_and_tapered_hexahedra_are_accepted_unchanged() -> None:
     rng = np.random.default_rng(11)
     for bodies in (boxes(rng, 300), skewed(rng, 300)):
         for body in np.einsum("nij,nvj->nvi", rotations(rng, 300), bodies):
@@ -79,11 +79,11 @@ def test_every_box_and_every_tapering_hexahedron_is_taken_as_it_is() -> None:
 
 
 @pytest.mark.parametrize("sizes", [(60.0, 15.0, 0.01), (36.0, 78.0, 1.0), (1e-5, 1e-5, 1e-5), (1e-3, 1e-3, 50.0)])
-def test_slabs_needles_and_grains_are_hexahedra(sizes: tuple[float, float, float]) -> None:
+def test_slabs_needles_and_grains_are_accepted(sizes: tuple[float, float, float]) -> None:
     assert not separation(CUBE * sizes, CUBE * sizes + [0.0, 0.0, 60.0]).collides
 
 
-def test_what_is_given_is_not_changed() -> None:
+def test_input_array_is_not_modified() -> None:
     body = CUBE.copy()
     separation(body, body + 1.0)
     assert np.array_equal(body, CUBE)

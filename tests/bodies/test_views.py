@@ -22,7 +22,7 @@ class Witness(msgspec.Struct):
     up: Vec3
 
 
-def test_the_page_and_the_simulation_turn_cameras_alike() -> None:
+def test_simulation_computes_the_camera_views_of_the_page() -> None:
     witnesses = msgspec.json.decode(VIEWS.read_bytes(), type=list[Witness])
     assert len(witnesses) > 10
     for one in witnesses:

@@ -16,7 +16,7 @@ from tests.kinematics.poses import apart
 
 
 @pytest.mark.slow
-def test_laws_that_are_not_compiled_agree_with_the_compiled_ones() -> None:
+def test_uncompiled_laws_agree_with_the_compiled_ones() -> None:
     root = Path(__file__).parents[2]
     done = subprocess.run(
         [sys.executable, "-m", "tests.kinematics.plain"],

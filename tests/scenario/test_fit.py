@@ -53,7 +53,7 @@ def refusal(dimensions: dict[str, str], text: str = "") -> str:
 
 @settings(max_examples=60)
 @given(seeds)
-def test_the_depth_of_an_overlap_is_that_of_another_solver(seed: int) -> None:
+def test_overlap_depth_agrees_with_an_independent_solver(seed: int) -> None:
     rng = np.random.default_rng(seed)
     solids = [solid.vertices for solid in load_worksite("orbiter").solids]
     a, b = (solids[k] for k in rng.integers(len(solids), size=2))
@@ -76,11 +76,11 @@ def test_the_depth_of_an_overlap_is_that_of_another_solver(seed: int) -> None:
         {"payload_length": "24 ft", "payload_width": "11 ft", "bar_aft": "2 ft"},
     ],
 )
-def test_a_payload_of_any_size_flies_the_whole_problem(dimensions: dict[str, str]) -> None:
+def test_payload_of_any_size_completes_the_script(dimensions: dict[str, str]) -> None:
     assert flies_clean(resized(dimensions))
 
 
-def test_the_reports_largest_payload_is_refused_in_the_reports_bay_saying_by_how_much() -> None:
+def test_largest_payload_is_rejected_in_the_reports_bay_with_its_depth() -> None:
     said = refusal({"payload_length": "60 ft", "payload_width": "15 ft"})
     assert re.search("test.toml:.*payload is 18 in .*aft body", said)
 
@@ -149,7 +149,7 @@ EDITS = int(os.environ.get("AFTDECK_EDITS", "10"))
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(EDITS))
-def test_edited_dimensions_are_refused_with_names_and_depth_or_fly_clean(seed: int) -> None:
+def test_edited_dimensions_are_rejected_with_depth_or_run_cleanly(seed: int) -> None:
     """What is in reach of the arm only beyond a stop is a caution of the survey, and no collision."""
     dimensions = edited(np.random.default_rng(seed))
     try:
@@ -175,17 +175,17 @@ name = "payload"
 """
 
 
-def test_a_payload_that_starts_inside_the_cabin_is_refused() -> None:
+def test_payload_that_starts_inside_the_cabin_is_rejected() -> None:
     said = refusal({}, CONCEPT + 'start = { position = ["-2 ft", "0 ft", "-7 ft"] }\n')
     assert re.search(r"test.toml:7: cargo\[0\]: .*cabin", said)
 
 
-def test_two_payloads_that_start_in_each_other_are_refused() -> None:
+def test_payloads_that_start_inside_each_other_are_rejected() -> None:
     flyer = '[[cargo]]\nname = "free flyer"\nstart = { position = ["28 ft", "0 ft", "-5 ft"] }\n'
     assert re.search(r"free flyer .*[\d.]+ ft .*payload", refusal({}, CONCEPT + flyer))
 
 
-def test_a_seat_under_the_floor_is_refused() -> None:
+def test_berth_below_the_floor_is_rejected() -> None:
     assert re.search("payload .*9 in .*bay floor", refusal({"payload_floor_room": "-0.75 ft"}))
 
 
@@ -199,7 +199,7 @@ def test_a_seat_under_the_floor_is_refused() -> None:
         ({"bar_starboard": "4 ft"}, r"the bar ends 0\.305 m beyond"),
     ],
 )
-def test_a_bar_that_the_hand_cannot_take_is_refused(dimensions: dict[str, str], said: str) -> None:
+def test_bar_that_does_not_fit_the_end_effector_is_rejected(dimensions: dict[str, str], said: str) -> None:
     assert re.search(said, refusal(dimensions)), refusal(dimensions)
 
 
@@ -212,7 +212,7 @@ def test_a_bar_that_the_hand_cannot_take_is_refused(dimensions: dict[str, str], 
         ('position = ["= bay_forward - 1 ft", "-4 ft", "2 ft"]', 'position = ["2 ft", "-4 ft", "-2 ft"]', "camera A"),
     ],
 )  # fmt: skip
-def test_a_worksite_that_does_not_fit_is_refused(tmp_path: Path, old: str, new: str, said: str) -> None:
+def test_inconsistent_worksite_is_rejected(tmp_path: Path, old: str, new: str, said: str) -> None:
     place = load_worksite("concept-1972").text
     assert place.count(old) == 1
     (tmp_path / "place.toml").write_text(place.replace(old, new))
@@ -221,14 +221,14 @@ def test_a_worksite_that_does_not_fit_is_refused(tmp_path: Path, old: str, new: 
     assert said in "\n".join(raised.value.problems)
 
 
-def test_a_telescope_that_is_drawn_into_the_cabin_is_refused(tmp_path: Path) -> None:
+def test_telescope_that_retracts_into_the_cabin_is_rejected(tmp_path: Path) -> None:
     arm = (Path(aftdeck.__file__).parent / "arms" / "concept-1972.toml").read_text(encoding="utf-8")
     (tmp_path / "arm.toml").write_text(arm.replace('value = "9.5 ft"', 'value = "8 ft"'), encoding="utf-8")
     with pytest.raises(ScenarioError, match=r"telescope .*2\.8 ft .*cabin"):
         parse_scenario(CONCEPT.replace('arm = "concept-1972"', 'arm = "arm.toml"'), "t", "t.toml", tmp_path)
 
 
-def test_a_seat_that_nothing_uses_and_a_payload_would_not_fit_is_a_caution() -> None:
+def test_unused_berth_that_does_not_fit_a_payload_is_a_caution() -> None:
     text = CONCEPT.replace('"payload"', '"free flyer"')
     assert resized({}, text).cautions == ()
     (caution,) = resized({"flyer_width": "15.5 ft"}, text).cautions
@@ -240,14 +240,14 @@ def test_a_seat_that_nothing_uses_and_a_payload_would_not_fit_is_a_caution() -> 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["concept-1972", "concept-1972-script", "free-flyer", "srms-deploy", "first-flight"])
-def test_nothing_of_a_built_in_scenario_meets_anything_over_sampled_poses(name: str) -> None:
+def test_built_in_scenario_has_no_overlap_over_sampled_poses(name: str) -> None:
     """But for cameras of the concept's place, which are points without a housing: the arm reaches some of them."""
     scenario = load_scenario(name)
     assert scenario.cautions == ()
     assert [one.what for one in survey(scenario) if not re.match(FREE_STANDING, one.what)] == []
 
 
-def test_a_camera_inside_an_arm_over_sampled_poses_is_told(tmp_path: Path) -> None:
+def test_camera_inside_the_arm_at_a_sampled_pose_is_reported(tmp_path: Path) -> None:
     place = load_worksite("concept-1972").text
     old = 'position = ["18 ft", "-1.1 ft", "0 ft"]'
     assert old in place
@@ -259,7 +259,7 @@ def test_a_camera_inside_an_arm_over_sampled_poses_is_told(tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize("part", ["upper boom", "lower boom"])
-def test_a_camera_round_an_arm_that_goes_through_it_is_told(tmp_path: Path, part: str) -> None:
+def test_camera_in_the_path_of_an_arm_part_is_reported(tmp_path: Path, part: str) -> None:
     """The camera hangs where a part of the arm is in a random pose in which that touches nothing."""
     plain, rng = resized({}), np.random.default_rng(5)
     low, high = plain.arm.limits.soft.T
@@ -279,11 +279,11 @@ def test_a_camera_round_an_arm_that_goes_through_it_is_told(tmp_path: Path, part
     assert len(found) == len({what.split(" at joint")[0] for what in found}), "each camera and part once"
 
 
-def test_a_seat_that_the_arm_reaches_only_beyond_a_stop_is_told() -> None:
+def test_berth_that_is_reached_only_beyond_a_stop_is_reported() -> None:
     assert "elbow_pitch" in survey(resized({"payload_length": "20 ft", "payload_width": "8 ft"}))[0].what
 
 
-def test_a_start_in_a_contact_is_told_with_its_depth() -> None:
+def test_start_in_contact_is_reported_with_its_depth() -> None:
     text = CONCEPT.replace('"32.25 deg", "-106.33 deg"', '"20 deg", "-98 deg"')
     found = survey(resized({}, text))
     assert any(

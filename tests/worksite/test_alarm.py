@@ -25,11 +25,11 @@ CAUTION, WARNING = 0.6, 0.15
         (-0.01, "info", "warning"),
     ],
 )
-def test_a_level_is_left_only_well_beyond_its_threshold(clearance: float, before: Level, level: Level) -> None:
+def test_alarm_level_ends_only_beyond_its_hysteresis(clearance: float, before: Level, level: Level) -> None:
     assert level_of(clearance, CAUTION, WARNING, before) == level
 
 
-def test_a_clearance_that_trembles_about_a_threshold_changes_the_level_once() -> None:
+def test_clearance_oscillating_at_a_threshold_changes_the_level_once() -> None:
     levels: list[Level] = ["info"]
     for k in range(100):
         trembling = CAUTION * (1.0 + 0.9 * HYSTERESIS * (-1.0) ** k)

@@ -34,7 +34,7 @@ def within(outer: Array, inner: Array) -> Array:
 
 
 @pytest.mark.parametrize("name", ["concept-1972", "srms-deploy"])
-def test_everything_is_where_what_carries_it_says(name: str) -> None:
+def test_frames_follow_their_carriers(name: str) -> None:
     rng = np.random.default_rng(3)
     sim = aftdeck.Simulation(name)
     site, stand = sim._flight.site, sim._state.plant.stand.position
@@ -55,7 +55,7 @@ def test_everything_is_where_what_carries_it_says(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["concept-1972", "srms-deploy", "free-flyer"])
-def test_one_call_does_what_its_parts_do_one_by_one(name: str) -> None:
+def test_step_equals_its_separate_contact_updates(name: str) -> None:
     sim = aftdeck.Simulation(name)
     state = sim._state
     period = sim.scenario.control_period
@@ -83,7 +83,7 @@ def test_one_call_does_what_its_parts_do_one_by_one(name: str) -> None:
         assert worksite.nearest == watch.nearest(counts)
 
 
-def test_the_nearest_place_is_that_of_least_distance_if_it_is_near() -> None:
+def test_nearest_place_is_the_closest_one_within_the_limit() -> None:
     rng = np.random.default_rng(5)
     found = set()
     for _ in range(300):
@@ -100,7 +100,7 @@ def test_the_nearest_place_is_that_of_least_distance_if_it_is_near() -> None:
 
 
 @pytest.mark.parametrize("name", ["concept-1972", "srms"])
-def test_an_arm_is_near_a_limit_where_a_joint_is_past_its_reach_or_a_singularity_is_close(name: str) -> None:
+def test_arm_is_near_a_limit_beyond_reach_or_close_to_a_singularity(name: str) -> None:
     rng = np.random.default_rng(7)
     model = aftdeck.load_arm(name).model
     reach = model.limits.reach

@@ -58,16 +58,14 @@ inputs = st.builds(
         ({"prong": -1}, 13, -1.0),
     ],
 )
-def test_a_setting_has_the_level_of_table_i(setting: dict[str, Any], channel: int, volts: float) -> None:
+def test_setting_has_the_voltage_of_table_i(setting: dict[str, Any], channel: int, volts: float) -> None:
     expected = [0.0] * 13
     expected[channel - 1] = volts
     assert encode_inputs(AT_REST._replace(**setting)) == pytest.approx(tuple(expected))
 
 
 @given(inputs, st.tuples(*[st.floats(-0.12, 0.12)] * 13))
-def test_switches_are_read_right_through_noise_of_an_eighth_of_a_volt(
-    told: OperatorInputs, noise: tuple[float, ...]
-) -> None:
+def test_switches_are_decoded_with_noise_of_an_eighth_of_a_volt(told: OperatorInputs, noise: tuple[float, ...]) -> None:
     read = decode_inputs([volts + n for volts, n in zip(encode_inputs(told), noise, strict=True)])
     assert read._replace(angles=told.angles) == told
     for got, angle, n in zip(read.angles, told.angles, noise[2:8], strict=True):
@@ -75,7 +73,7 @@ def test_switches_are_read_right_through_noise_of_an_eighth_of_a_volt(
 
 
 @given(st.tuples(*[st.floats(-FULL_SCALE, FULL_SCALE, allow_subnormal=False)] * 6))
-def test_no_bit_of_an_angle_is_lost(angles: tuple[float, ...]) -> None:
+def test_angles_keep_every_bit(angles: tuple[float, ...]) -> None:
     there = encode_inputs(AT_REST._replace(angles=angles))  # type: ignore[arg-type]
     for back, angle in zip(decode_inputs(there).angles, angles, strict=True):
         assert back.hex() == angle.hex() or abs(angle) < 1e-300  # beyond: the quotient has no full precision
@@ -89,12 +87,12 @@ def test_no_bit_of_an_angle_is_lost(angles: tuple[float, ...]) -> None:
         ({"angles": (0.0, 0.0, 0.0, 0.0, 0.0, 8.1)}, r"channel 8, R2, is 8\.1 rad; it holds -8 to 8"),
     ],
 )
-def test_a_setting_without_a_level_is_refused(setting: dict[str, Any], message: str) -> None:
+def test_setting_without_a_level_is_rejected(setting: dict[str, Any], message: str) -> None:
     with pytest.raises(InputError, match=message):
         encode_inputs(AT_REST._replace(**setting))
 
 
-def test_other_channels_are_refused() -> None:
+def test_invalid_channels_are_rejected() -> None:
     with pytest.raises(InputError, match="the operator has 13 channels; 12 are given"):
         decode_inputs([0.0] * 12)
     with pytest.raises(InputError, match="channel 2 is nan V; it has to be finite"):

@@ -58,7 +58,7 @@ def outside(shape: Leaf, pose: Pose, solids: Sequence[Solid], allowed: float) ->
     return np.array(out).reshape(-1, 3)
 
 
-def test_all_that_is_drawn_lies_in_the_solids(orbiter: Worksite) -> None:
+def test_orbiter_shapes_lie_inside_its_solids(orbiter: Worksite) -> None:
     """The bay's frames stand 2 cm into the tube, which is otherwise covered as it is drawn; lamps are not solid."""
     for shape, pose in placed(orbiter.bodies[0].shapes):
         if not isinstance(shape, Light):
@@ -66,7 +66,7 @@ def test_all_that_is_drawn_lies_in_the_solids(orbiter: Worksite) -> None:
 
 
 @pytest.mark.parametrize("name", worksites())
-def test_all_that_is_drawn_of_a_cargo_but_the_pin_lies_in_its_solids(name: str) -> None:
+def test_payload_shapes_except_the_pin_lie_inside_its_solids(name: str) -> None:
     """The pin goes into the end effector; all that lies on the body stands up to 2 cm out, and 7 mm on the ends."""
     allowed = {
         (kind, of): 0.0071 for kind, of in [("Cylinder", "foil"), ("Cylinder", "structure"), ("Box", "structure")]
@@ -83,7 +83,7 @@ def test_all_that_is_drawn_of_a_cargo_but_the_pin_lies_in_its_solids(name: str) 
             assert not len(out), (cargo.name, shape)
 
 
-def test_a_perfect_grasp_leaves_room_to_the_targets_rod(orbiter: Worksite) -> None:
+def test_perfect_capture_leaves_clearance_to_the_target_rod(orbiter: Worksite) -> None:
     """Beside the end effector 0.286 m less its 0.2 m and the rod's 0.013 m; its camera and its light are far behind."""
     (cargo,) = orbiter.cargoes
     assert cargo.grapple is not None
@@ -100,7 +100,7 @@ def test_a_perfect_grasp_leaves_room_to_the_targets_rod(orbiter: Worksite) -> No
     assert min(rooms["wrist camera"], rooms["wrist light"]) > 0.4
 
 
-def test_a_target_drawn_of_what_has_no_cover_is_refused(orbiter: Worksite, tmp_path: Path) -> None:
+def test_target_shape_without_a_cover_is_rejected(orbiter: Worksite, tmp_path: Path) -> None:
     ring = 'kind = "ring", material = "padding"'
     assert orbiter.text.count(ring) == 1
     file = tmp_path / "turned.toml"
@@ -109,7 +109,7 @@ def test_a_target_drawn_of_what_has_no_cover_is_refused(orbiter: Worksite, tmp_p
         load_worksite(file)
 
 
-def test_a_payload_of_90_inches_radius_lies_clear_in_the_bay(orbiter: Worksite) -> None:
+def test_payload_envelope_of_90_in_radius_is_clear_in_the_bay(orbiter: Worksite) -> None:
     """But for the bay cameras on the bulkheads, which stand in that envelope at its very ends."""
     assert orbiter.bay is not None
     x = np.linspace(orbiter.bay.low[0] + 0.6, orbiter.bay.high[0] - 0.6, 40)
@@ -118,7 +118,7 @@ def test_a_payload_of_90_inches_radius_lies_clear_in_the_bay(orbiter: Worksite) 
     assert heights(orbiter.solids, points).min() > 0.0
 
 
-def test_the_payload_in_the_latches_touches_nothing_but_them(orbiter: Worksite) -> None:
+def test_latched_payload_contacts_only_the_latches(orbiter: Worksite) -> None:
     (cargo,) = orbiter.cargoes
     pose = cargo.start.pose
     for own in cargo.solids:
@@ -131,7 +131,7 @@ def test_the_payload_in_the_latches_touches_nothing_but_them(orbiter: Worksite) 
                 assert gap > 0.015, (own.part, other.part)
 
 
-def test_trunnions_stand_at_their_published_places_over_the_latches(orbiter: Worksite) -> None:
+def test_trunnions_are_at_their_published_positions_over_the_latches(orbiter: Worksite) -> None:
     """Longeron Yo 93.925, Zo 414.05, attach points 3.933 in apart from Xo 608.80; keel Yo 0, Zo 305.025."""
     (cargo,) = orbiter.cargoes
     pose = cargo.start.pose
@@ -152,7 +152,7 @@ def test_trunnions_stand_at_their_published_places_over_the_latches(orbiter: Wor
     assert keel[1:] == pytest.approx([0.0, 305.025])
 
 
-def test_the_arm_reaches_the_grapple_fixture_in_the_bay(orbiter: Worksite) -> None:
+def test_arm_reaches_the_grapple_fixture_in_the_bay(orbiter: Worksite) -> None:
     (cargo,) = orbiter.cargoes
     assert cargo.grapple is not None
     arm = aftdeck.load_arm("srms")
@@ -165,7 +165,7 @@ def test_the_arm_reaches_the_grapple_fixture_in_the_bay(orbiter: Worksite) -> No
     assert grapple.rotation @ [1.0, 0.0, 0.0] == pytest.approx([0.0, 0.0, -1.0]), "the hand looks into the payload"
 
 
-def test_the_bay_cameras_pan_and_tilt_as_published(orbiter: Worksite) -> None:
+def test_bay_cameras_have_the_published_pan_and_zoom_ranges(orbiter: Worksite) -> None:
     for camera in orbiter.cameras[:4]:
         assert camera.drive is not None
         pan, zoom = camera.drive.pan, camera.drive.zoom
@@ -177,11 +177,11 @@ def test_the_bay_cameras_pan_and_tilt_as_published(orbiter: Worksite) -> None:
         assert abs(setting(camera).pan) < math.radians(30.0), "about the way that its base faces"
 
 
-def test_the_scenes_origin_is_that_of_the_frames(orbiter: Worksite) -> None:
+def test_orbiter_origin_equals_the_scene_origin(orbiter: Worksite) -> None:
     assert orbiter.origin == pytest.approx(SCENE_ORIGIN)
 
 
-def test_the_guides_of_the_seat_are_those_of_the_latches_solids(orbiter: Worksite) -> None:
+def test_berth_guides_match_the_latch_solids(orbiter: Worksite) -> None:
     """A trunnion's middle has room to either side as the seat says: at its place, and where the V is highest."""
     (seat,) = orbiter.seats
     (cargo,) = orbiter.cargoes
@@ -197,7 +197,7 @@ def test_the_guides_of_the_seat_are_those_of_the_latches_solids(orbiter: Worksit
         assert room / math.cos(seat.guides.half_angle) == pytest.approx(free, abs=0.02)
 
 
-def test_the_trunnions_are_made_to_touch_the_latches_of_both_sides(orbiter: Worksite) -> None:
+def test_trunnion_contacts_with_both_latch_rows_are_essential(orbiter: Worksite) -> None:
     assert {essential.parts for essential in orbiter.essential} == {
         ("payload trunnions", "latches port"),
         ("payload trunnions", "latches starboard"),

@@ -79,7 +79,7 @@ def lost_at_most(before: Array, after: Array, gained: float) -> float:
 
 @settings(max_examples=15, deadline=None)
 @given(seeds, st.sampled_from([1e-6, 0.1, 10.0]))
-def test_only_motion_that_relieves_every_contact_and_makes_none_is_let_through(seed: int, pace: float) -> None:
+def test_motion_is_allowed_only_if_it_relieves_contacts_and_makes_none(seed: int, pace: float) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)
@@ -104,7 +104,7 @@ def test_only_motion_that_relieves_every_contact_and_makes_none_is_let_through(s
 
 @settings(max_examples=8, deadline=None)
 @given(seeds)
-def test_an_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
+def test_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)
@@ -140,7 +140,7 @@ def directions(frames: Array, step: float) -> Array:
 
 @settings(max_examples=15, deadline=None)
 @given(seeds, st.booleans())
-def test_some_direction_always_frees_a_single_contact(seed: int, box: bool) -> None:
+def test_single_contact_always_has_an_escape_direction(seed: int, box: bool) -> None:
     rng = np.random.default_rng(seed)
     shapes = (boxes if box else skewed)(rng, 2)
     made = [Solid("palm", "hand", shapes[0]), Solid("wall", "orbiter", shapes[1])]
@@ -167,7 +167,7 @@ def test_some_direction_always_frees_a_single_contact(seed: int, box: bool) -> N
     assert watch.found[0, CLEARANCE] > CONTACT
 
 
-def test_a_way_out_of_one_contact_into_another_is_none() -> None:
+def test_escape_direction_into_another_contact_is_rejected() -> None:
     cube = boxes(np.random.default_rng(0), 1)[0]
     cube = cube / np.ptp(cube, axis=0)
     made = [

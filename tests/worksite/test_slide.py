@@ -43,7 +43,7 @@ def outward(rows: Array, tip: Array, twist: Array) -> Array:
 
 @settings(deadline=None)
 @given(seeds, st.integers(0, 8))
-def test_no_point_goes_into_its_wall(seed: int, count: int) -> None:
+def test_contact_points_never_enter_their_walls(seed: int, count: int) -> None:
     rng = np.random.default_rng(seed)
     rows, tip, wanted = contacts(rng, count), rng.normal(size=3), rng.normal(size=6)
     rows[:, 6] = -0.2 * rng.random(count)
@@ -55,7 +55,7 @@ def test_no_point_goes_into_its_wall(seed: int, count: int) -> None:
 
 @settings(deadline=None)
 @given(seeds)
-def test_along_a_single_wall_nothing_changes(seed: int) -> None:
+def test_motion_along_a_single_wall_is_unchanged(seed: int) -> None:
     rng = np.random.default_rng(seed)
     rows, tip, wanted = contacts(rng, 1), rng.normal(size=3), rng.normal(size=6)
     wanted[:3] *= rng.integers(2)
@@ -68,7 +68,7 @@ def test_along_a_single_wall_nothing_changes(seed: int) -> None:
 
 @settings(deadline=None)
 @given(seeds, st.integers(1, 8), st.sampled_from([1, 2, 3]))
-def test_the_velocity_is_the_nearest_one_of_all(seed: int, count: int, repeats: int) -> None:
+def test_velocity_is_the_closest_admissible_one(seed: int, count: int, repeats: int) -> None:
     rng = np.random.default_rng(seed)
     rows, wanted = contacts(rng, count), np.array([0.0, 0.0, 0.0, *rng.normal(size=3)])
     found = slid(np.repeat(rows, repeats, axis=0), np.zeros(3), wanted)
@@ -77,13 +77,13 @@ def test_the_velocity_is_the_nearest_one_of_all(seed: int, count: int, repeats: 
     assert found[3:] == pytest.approx(wanted[3:] + rows[:, 3:6].T @ push, abs=1e-7)
 
 
-def test_between_walls_all_round_the_arm_stands_still() -> None:
+def test_arm_between_six_walls_does_not_move() -> None:
     rows = np.zeros((6, 7))
     rows[:, 3:6] = np.concatenate([np.eye(3), -np.eye(3)])
     assert not slid(rows, np.zeros(3), np.array([0.0, 0.0, 0.0, 0.3, -0.2, 0.1])).any()
 
 
-def test_between_two_walls_turning_goes_and_sliding_stays() -> None:
+def test_two_walls_block_rotation_and_allow_sliding() -> None:
     rows = np.array([[4.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0], [-4.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0]])
     wanted = np.array([0.0, 0.0, 0.1, 0.3, 0.2, 0.4])
     assert slid(rows, np.zeros(3), wanted) == pytest.approx([0.0, 0.0, 0.0, 0.3, 0.0, 0.4])
@@ -92,14 +92,14 @@ def test_between_two_walls_turning_goes_and_sliding_stays() -> None:
     assert slid(rows, np.zeros(3), wanted) == pytest.approx(wanted)
 
 
-def test_what_cannot_come_out_does_not_move() -> None:
+def test_body_that_cannot_leave_two_walls_does_not_move() -> None:
     rows = np.array([[0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.1], [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.1]])
     assert not slid(rows, np.zeros(3), np.array([0.0, 0.0, 0.1, 0.3, 0.2, 0.4])).any()
 
 
 @settings(max_examples=20, deadline=None)
 @given(seeds, st.booleans())
-def test_a_payload_pushed_about_in_a_trough_slides_and_stays_out_of_its_walls(seed: int, turning: bool) -> None:
+def test_payload_pushed_in_a_trough_slides_and_stays_out_of_its_walls(seed: int, turning: bool) -> None:
     rng = np.random.default_rng(seed)
     size = np.array([6.0, 2.0, 2.0])
     made = [
@@ -140,7 +140,7 @@ def test_a_payload_pushed_about_in_a_trough_slides_and_stays_out_of_its_walls(se
             assert now[1, 2] == pytest.approx(far[1], abs=1e-9)
 
 
-def test_the_touches_of_a_payload_are_its_corners_at_the_wall() -> None:
+def test_contact_points_of_a_payload_are_its_corners_at_the_wall() -> None:
     made = [Solid("payload", "can", CUBE), Solid("wall", "orbiter", CUBE * [9.0, 1.0, 9.0])]
     layout = layout_of(("orbiter", "can"), made, [("payload", "wall")])
     watch, counts = ClearanceMonitor(layout), np.ones(1, np.uint8)

@@ -75,7 +75,7 @@ RIGID_PIN = fly(Snare(), capture(AUTO), 14.0, conditions=INSIDE)[0]
         ("yaw", near(turn=endori(0, 0, radians(9.99))), near(turn=endori(0, 0, radians(10.01)))),
     ],
 )
-def test_the_envelope_ends_at_its_bounds(name: str, inside: Pose, outside: Pose) -> None:
+def test_capture_envelope_ends_at_its_limits(name: str, inside: Pose, outside: Pose) -> None:
     assert all_hold(in_envelope(inside, ENVELOPE))
     assert [condition.name for condition in failing(in_envelope(outside, ENVELOPE))] == [name]
 
@@ -84,7 +84,7 @@ def test_the_envelope_ends_at_its_bounds(name: str, inside: Pose, outside: Pose)
 
 
 @pytest.mark.parametrize("dt", [0.001, 0.02, 0.037, 0.2, 3.0, 20.0])
-def test_capture_and_release_take_their_time_whatever_the_step(dt: float) -> None:
+def test_capture_and_release_durations_do_not_depend_on_the_step(dt: float) -> None:
     marks = {"captured": 2.5, "rigid": 13.5}
     snare, time = Snare(), 0.0
     for trigger, ends in (("capture", marks), ("release", {"released": 13.5})):
@@ -102,7 +102,7 @@ def test_capture_and_release_take_their_time_whatever_the_step(dt: float) -> Non
 
 @settings(deadline=None, max_examples=60)
 @given(st.floats(0.0, 14.0), st.integers(1, 400), st.sampled_from(["capture", "release"]))
-def test_where_the_parts_are_depends_on_the_time_alone(time: float, steps: int, trigger: str) -> None:
+def test_positions_of_snares_and_carriage_depend_only_on_time(time: float, steps: int, trigger: str) -> None:
     start = Snare() if trigger == "capture" else RIGID_PIN
     once = advance(start, TIMES, SnareCommand("AUTO", trigger=trigger), time, INSIDE, "ft-in").snare  # type: ignore[arg-type]
     many = advance(start, TIMES, SnareCommand("AUTO", trigger=trigger), 0.0, INSIDE, "ft-in").snare  # type: ignore[arg-type]
@@ -118,7 +118,7 @@ def test_where_the_parts_are_depends_on_the_time_alone(time: float, steps: int, 
         assert (snare.ring, snare.carriage, snare.tension) == pytest.approx((ring, carriage, tension), abs=1e-8)
 
 
-def test_the_flags_are_those_of_the_panel() -> None:
+def test_flags_follow_the_capture_sequence() -> None:
     assert flags(Snare()) == Flags(False, True, False, True, False, True)
     closing = fly(Snare(), capture(AUTO), 1.0, conditions=INSIDE)[0]
     assert flags(closing) == Flags(False, True, False, False, False, True)
@@ -129,7 +129,7 @@ def test_the_flags_are_those_of_the_panel() -> None:
     assert flags(derigidizing) == Flags(True, False, True, False, False, False)
 
 
-def test_the_pin_is_held_until_the_snares_are_open() -> None:
+def test_pin_stays_captured_until_the_snares_are_open() -> None:
     almost, said = fly(RIGID_PIN, release(AUTO), 13.4)
     assert almost.captured and not said
     free, said = fly(almost, AUTO, 0.2)
@@ -137,7 +137,7 @@ def test_the_pin_is_held_until_the_snares_are_open() -> None:
     assert [line.kind for line in said] == ["released"]
 
 
-def test_snares_that_close_beside_the_pin_say_so_and_stop() -> None:
+def test_snares_that_miss_the_pin_log_it_and_stop() -> None:
     snare, said = fly(Snare(), capture(AUTO), 20.0, conditions=BESIDE)
     assert [line.text for line in said] == [
         "snares closed empty: pin 5.2 in off the end effector's axis, at most 4 in allowed"
@@ -152,23 +152,23 @@ def test_snares_that_close_beside_the_pin_say_so_and_stop() -> None:
     assert fly(opened, capture(AUTO), 3.0, conditions=INSIDE)[0].captured
 
 
-def test_snares_that_close_on_nothing_at_all_say_so() -> None:
+def test_snares_that_close_far_from_any_fixture_log_it() -> None:
     assert fly(Snare(), capture(AUTO), 3.0)[1][0].text == "snares closed empty: no grapple fixture was near"
 
 
-def test_a_pin_that_leaves_while_the_snares_close_is_missed() -> None:
+def test_pin_that_leaves_while_the_snares_close_is_missed() -> None:
     snare, _ = fly(Snare(), capture(AUTO), 1.0, conditions=INSIDE)
     snare, said = fly(snare, AUTO, 2.0, conditions=BESIDE)
     assert not snare.captured
     assert said[0].text.startswith("snares closed empty: the pin left the envelope while they closed: pin 5.2 in")
 
 
-def test_a_pin_that_comes_while_the_snares_close_is_taken() -> None:
+def test_pin_that_enters_while_the_snares_close_is_captured() -> None:
     snare, _ = fly(Snare(), capture(AUTO), 2.0, conditions=BESIDE)
     assert fly(snare, AUTO, 1.0, conditions=INSIDE)[0].captured
 
 
-def test_in_man_the_trigger_moves_the_snares_alone() -> None:
+def test_man_mode_trigger_moves_only_the_snares() -> None:
     snare, said = fly(Snare(), capture(MAN), 20.0, conditions=INSIDE)
     assert [line.kind for line in said] == ["captured"]
     assert (snare.ring, snare.carriage, snare.tension) == (1.0, 0.0, 0.0)
@@ -188,7 +188,7 @@ def test_in_man_the_trigger_moves_the_snares_alone() -> None:
     assert flags(free) == flags(Snare())
 
 
-def test_off_stops_everything_and_takes_no_trigger() -> None:
+def test_off_stops_all_motion_and_rejects_the_trigger() -> None:
     part, _ = fly(Snare(), capture(AUTO), 5.0, conditions=INSIDE)
     stopped, _ = fly(part, OFF, 5.0)
     assert (stopped.carriage, stopped.motion) == (part.carriage, "")
@@ -200,13 +200,13 @@ def test_off_stops_everything_and_takes_no_trigger() -> None:
     assert flags(fly(stopped, capture(AUTO), 12.0)[0]).RIGID
 
 
-def test_release_while_closing_opens_again() -> None:
+def test_release_while_closing_opens_the_snares() -> None:
     closing, _ = fly(Snare(), capture(AUTO), 1.0, conditions=INSIDE)
     opened, said = fly(closing, release(AUTO), 1.02)
     assert flags(opened) == flags(Snare()) and not said
 
 
-def test_release_of_open_snares_and_capture_of_a_held_pin_are_refused() -> None:
+def test_release_when_open_and_capture_when_captured_are_rejected() -> None:
     assert fly(Snare(), release(AUTO), 0.02)[1][0].text == "RELEASE refused: the snares are already open"
     assert fly(RIGID_PIN, capture(AUTO), 0.02)[1][0].text == "CAPTURE refused: the pin is already captured"
 
@@ -228,7 +228,7 @@ COMMANDS = st.builds(
 
 @settings(deadline=None, max_examples=150)
 @given(st.lists(st.tuples(COMMANDS, st.floats(0.0, 5.0), st.booleans()), max_size=30))
-def test_no_order_of_switches_takes_or_loses_a_pin_otherwise_than_by_the_snares(
+def test_only_the_snares_capture_or_release_a_pin_in_any_switch_order(
     steps: list[tuple[SnareCommand, float, bool]],
 ) -> None:
     snare = Snare()
@@ -265,7 +265,7 @@ TURNS = st.tuples(*[st.floats(-1.8, 1.8)] * 3).map(np.array)
 @example(np.ones(3), np.array([0.0, pi, 0.0]), 0.5)
 @example(np.ones(3), np.array([0.0, 0.0, pi]), 0.5)
 @example(np.ones(3), np.zeros(3), 0.5)
-def test_a_misalignment_shrinks_along_its_offset_and_about_its_own_axis(
+def test_misalignment_shrinks_along_its_offset_and_about_its_axis(
     offset: NDArray[np.float64], vector: NDArray[np.float64], fraction: float
 ) -> None:
     found = np.empty(12)
@@ -274,7 +274,7 @@ def test_a_misalignment_shrinks_along_its_offset_and_about_its_own_axis(
     assert found[3:].reshape(3, 3) == pytest.approx(Rotation.from_rotvec(vector * fraction).as_matrix(), abs=1e-12)
 
 
-def test_the_pin_is_drawn_in_once_and_does_not_go_out_again() -> None:
+def test_pin_alignment_is_kept_when_the_carriage_extends() -> None:
     captured, _ = fly(Snare(), capture(MAN), 3.0, conditions=INSIDE)
     assert captured.misaligned == 1.0
     half, _ = fly(captured, SnareCommand("MAN", contr="RIGID"), 3.5)

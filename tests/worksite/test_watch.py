@@ -26,7 +26,7 @@ def drift(rng: np.random.Generator, pace: float = 1.0) -> Array:
 
 @settings(max_examples=12, deadline=None)
 @given(seeds)
-def test_a_group_is_as_far_apart_as_its_nearest_solids(seed: int) -> None:
+def test_pair_clearance_is_that_of_its_nearest_solids(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
     watch, before, twists = ClearanceMonitor(layout), poses(rng), drift(rng, 5.0)
@@ -53,7 +53,7 @@ def test_a_group_is_as_far_apart_as_its_nearest_solids(seed: int) -> None:
 
 @settings(max_examples=12, deadline=None)
 @given(seeds)
-def test_the_closing_speed_is_how_fast_the_clearance_falls(seed: int) -> None:
+def test_closing_speed_is_the_rate_of_decrease_of_clearance(seed: int) -> None:
     rng = np.random.default_rng(seed)
     made, layout = scene(rng)
     now, twists, instant = poses(rng), drift(rng), 1e-5
@@ -68,7 +68,7 @@ def test_the_closing_speed_is_how_fast_the_clearance_falls(seed: int) -> None:
     assert np.median(np.abs(watch.found[smooth, SPEED] - 0.5 * (fall + fell)[smooth])) < 1e-7
 
 
-def test_bodies_that_neither_moves_do_not_close() -> None:
+def test_stationary_bodies_have_zero_closing_speed() -> None:
     rng = np.random.default_rng(5)
     _, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)
@@ -78,7 +78,7 @@ def test_bodies_that_neither_moves_do_not_close() -> None:
 
 @settings(max_examples=10, deadline=None)
 @given(seeds)
-def test_a_group_that_does_not_count_is_not_looked_at_and_changes_no_other(seed: int) -> None:
+def test_inactive_pair_is_not_computed_and_changes_no_other_pair(seed: int) -> None:
     rng = np.random.default_rng(seed)
     _, layout = scene(rng)
     whole, part, now, twists = ClearanceMonitor(layout), ClearanceMonitor(layout), poses(rng), drift(rng)
@@ -98,7 +98,7 @@ def test_a_group_that_does_not_count_is_not_looked_at_and_changes_no_other(seed:
 
 @settings(max_examples=10, deadline=None)
 @given(seeds, st.sampled_from([0.3, 2.0, np.inf]))
-def test_a_watch_that_remembers_nothing_finds_the_same_to_the_last_digit(seed: int, within: float) -> None:
+def test_monitor_without_cache_gives_bit_identical_results(seed: int, within: float) -> None:
     rng = np.random.default_rng(seed)
     _, layout = scene(rng)
     watch, forgetful, now = ClearanceMonitor(layout), ClearanceMonitor(layout), poses(rng)
@@ -115,7 +115,7 @@ def test_a_watch_that_remembers_nothing_finds_the_same_to_the_last_digit(seed: i
         assert watch.placed.tobytes() == forgetful.placed.tobytes()
 
 
-def test_the_nearest_group_is_the_nearest_of_those_asked_for() -> None:
+def test_nearest_pair_is_the_closest_of_the_selected_pairs() -> None:
     rng = np.random.default_rng(6)
     _, layout = scene(rng)
     watch, now = ClearanceMonitor(layout), poses(rng)

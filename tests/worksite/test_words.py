@@ -65,21 +65,21 @@ AT_REST = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         (ControlWord(1, "A", arm_inhibited=True), "0000 0000 0000 0000 0001 0001"),
     ],
 )
-def test_each_bit_of_the_control_word_stands_where_table_ii_has_it(control: ControlWord, bits: str) -> None:
+def test_control_word_bits_match_table_ii(control: ControlWord, bits: str) -> None:
     assert encode_control(control) == int(bits.replace(" ", ""), 2)
 
 
-def test_stations_have_codes_of_their_own() -> None:
+def test_station_codes_are_unique() -> None:
     assert len(set(STATIONS.values())) == len(STATIONS)
 
 
 @given(controls)
-def test_a_control_word_says_what_it_was_told(control: ControlWord) -> None:
+def test_control_word_round_trips(control: ControlWord) -> None:
     assert decode_control(encode_control(control)) == control
 
 
 @given(st.integers(0, 2**24 - 1))
-def test_a_word_is_refused_or_is_that_of_what_it_says(word: int) -> None:
+def test_decoded_control_word_encodes_to_itself(word: int) -> None:
     try:
         control = decode_control(word)
     except InputError:
@@ -109,7 +109,7 @@ def test_a_word_is_refused_or_is_that_of_what_it_says(word: int) -> None:
         (0x000003, "has 2 modes set"),
     ],
 )
-def test_a_word_that_says_nothing_is_refused(word: Any, message: str) -> None:
+def test_invalid_control_word_is_rejected(word: Any, message: str) -> None:
     with pytest.raises(InputError, match=message):
         decode_control(word)
 
@@ -131,7 +131,7 @@ def test_a_word_that_says_nothing_is_refused(word: Any, message: str) -> None:
         ({"pan": 1, "tilt": -1}, "one sign for pan and tilt"),
     ],
 )
-def test_what_has_no_code_is_refused(wrong: dict[str, Any], message: str) -> None:
+def test_value_without_a_code_is_rejected(wrong: dict[str, Any], message: str) -> None:
     with pytest.raises(InputError, match=message):
         encode_control(ControlWord(**{"mode": 1, "station": "A", **wrong}))
 
@@ -152,17 +152,17 @@ def test_what_has_no_code_is_refused(wrong: dict[str, Any], message: str) -> Non
         (-(2.0**-23), 0, 0xFFFFFF),
     ],
 )
-def test_a_number_stands_in_its_word_as_by_hand(value: float, scale: int, word: int) -> None:
+def test_fixed_point_words_match_hand_computed_values(value: float, scale: int, word: int) -> None:
     assert fixed(value, scale, "it") == word
 
 
 @given(st.sampled_from([0, 1, 11]), st.integers(0, 2**24 - 1))
-def test_every_word_is_that_of_its_number(scale: int, word: int) -> None:
+def test_fixed_point_word_round_trips(scale: int, word: int) -> None:
     assert fixed(number(word, scale), scale, "it") == word
 
 
 @given(st.sampled_from([0, 1, 11]), st.floats(-1.0, 1.0))
-def test_a_number_is_rounded_by_half_a_step(scale: int, share: float) -> None:
+def test_fixed_point_rounding_error_is_at_most_half_a_step(scale: int, share: float) -> None:
     step = 2.0 ** (scale - 23)
     value = share * 2.0**scale
     assume(share < 1.0 - 2.0**-23)
@@ -170,13 +170,13 @@ def test_a_number_is_rounded_by_half_a_step(scale: int, share: float) -> None:
 
 
 @pytest.mark.parametrize("value", [2048.1, -2048.1, math.nan, math.inf])
-def test_a_number_that_its_scale_cannot_hold_is_refused_by_name(value: float) -> None:
+def test_number_outside_its_scale_is_rejected_by_name(value: float) -> None:
     plane = WordPlane((0.0, 0.0, -1.0), value * 0.3048)
     with pytest.raises(InputError, match=r"distance of plane 2 \[ft\] is .*; a word at scale B11 holds -2048 to 2048"):
         encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (LEVEL, plane, LEVEL)))
 
 
-def test_a_frame_block_by_hand() -> None:
+def test_frame_block_matches_hand_computed_words() -> None:
     """HO = 90 deg, PO = -30 deg, plane 1 X = 8 ft, the others Z = 0 from below."""
     angles = (math.pi / 2, -math.pi / 6, 0.0, 0.0, 0.0, math.pi)
     plane = WordPlane((1.0, 0.0, 0.0), 8 * 0.3048)
@@ -199,7 +199,7 @@ planes = st.builds(
 
 
 @given(controls, st.tuples(*[st.floats(-3.2, 3.2)] * 6), st.tuples(*[planes | st.none()] * 3))
-def test_a_frame_block_says_what_it_was_told(
+def test_frame_block_round_trips(
     control: ControlWord,
     angles: tuple[float, float, float, float, float, float],
     three: tuple[WordPlane | None, WordPlane | None, WordPlane | None],
@@ -216,7 +216,7 @@ def test_a_frame_block_says_what_it_was_told(
         assert plane.distance == pytest.approx(given_plane.distance, abs=0.3048 * 2.0**-13)
 
 
-def test_a_block_that_says_nothing_is_refused() -> None:
+def test_invalid_frame_block_words_are_rejected() -> None:
     words = list(encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (LEVEL, LEVEL, LEVEL))))
     with pytest.raises(InputError, match="a frame block has 32 words; 31 are given"):
         decode_block(words[:-1])
@@ -246,12 +246,12 @@ def odd(normal: Any = LEVEL.normal, distance: Any = 0.0) -> WordPlane:
         ({"planes": (LEVEL, None, odd(distance="far"))}, "distance of plane 3 is 'far'; it has to be a number"),
     ],
 )
-def test_a_block_with_other_angles_or_planes_is_refused(wrong: dict[str, Any], message: str) -> None:
+def test_frame_block_with_invalid_angles_or_planes_is_rejected(wrong: dict[str, Any], message: str) -> None:
     with pytest.raises(InputError, match=message):
         encode_block(FrameBlock(ControlWord(1, "A"), AT_REST, (LEVEL, LEVEL, LEVEL))._replace(**wrong))
 
 
 @pytest.mark.parametrize("kind", [np.int32, np.uint32, np.int64])
-def test_words_of_an_array_say_the_same(kind: type[np.integer[Any]]) -> None:
+def test_words_of_an_array_decode_to_the_same_block(kind: type[np.integer[Any]]) -> None:
     words = encode_block(FrameBlock(ControlWord(1, "A"), (-1.0, 1.0, *AT_REST[:4]), (LEVEL, None, LEVEL)))
     assert decode_block(list(np.array(words, kind))) == decode_block(words)
