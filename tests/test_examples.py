@@ -1,4 +1,4 @@
-"""The examples run as a reader runs them, and the README's Python and commands do what it says."""
+"""The examples run without error, and the Python and the commands in the README are correct."""
 
 import doctest
 import subprocess
@@ -43,7 +43,7 @@ def test_readme_python_gives_the_results_it_shows() -> None:
 
 def test_readme_names_every_command_and_every_scenario() -> None:
     text = README.read_text(encoding="utf-8")
-    commands = getattr(get_command(app), "commands")  # noqa: B009  (a group has it, a command has not)
+    commands = getattr(get_command(app), "commands")  # noqa: B009  (only a group has this attribute)
     missing = [f"aftdeck {name}" for name in commands if f"`aftdeck {name}" not in text]
     missing += [name for name in built_in() if f"`{name}`" not in text]
     assert not missing

@@ -1,4 +1,4 @@
-"""Angles and frames, there and back, and against pictures that can be drawn by hand."""
+"""Angles and coordinate frames: round trips, and known orientations."""
 
 from __future__ import annotations
 

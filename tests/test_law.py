@@ -1,4 +1,4 @@
-"""The shared sine and cosine, against the standard library's."""
+"""The shared sine and cosine against the standard library, and the compilation of laws."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_squares_of_sine_and_cosine_add_up_to_one() -> None:
 
 
 def cache_folder(source: Path, home: Path) -> str:
-    """Where a copy of the package keeps its laws' machine code."""
+    """Return the folder in which a copy of the package stores the machine code of its laws."""
     code = "import aftdeck.law as law; print(law._cache())"
     env = {**os.environ, "PYTHONPATH": str(source), "NUMBA_CACHE_DIR": str(home)}
     done = subprocess.run(
@@ -83,7 +83,7 @@ def test_changed_source_selects_another_machine_code_cache(tmp_path: Path, chang
 
 
 def runs(code: str) -> None:
-    """Run code in a process of its own, in which no law has been called."""
+    """Run code in a new process, in which no law has been called."""
     done = subprocess.run([sys.executable, "-c", code], check=False, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
 

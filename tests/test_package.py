@@ -1,4 +1,4 @@
-"""The package's face: what it offers, and that it costs nothing to import."""
+"""The public names of the package, and its import without libraries."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ def test_every_public_name_exists(name: str) -> None:
 
 
 def test_unknown_name_raises_attribute_error() -> None:
-    with pytest.raises(AttributeError, match="module 'aftdeck' has no attribute 'teleport'"):
+    with pytest.raises(AttributeError, match=r"'aftdeck' .*'teleport'"):
         _ = aftdeck.teleport
 
 
 def loaded(statement: str) -> set[str]:
-    """Top-level packages in memory after a statement in a fresh interpreter."""
+    """Return the top-level packages that are loaded after a statement in a new interpreter."""
     code = f"{statement}\nimport sys, json\nprint(json.dumps(sorted({{m.split('.')[0] for m in sys.modules}})))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300)
     return set(json.loads(done.stdout))

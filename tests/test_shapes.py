@@ -1,4 +1,4 @@
-"""Drawable shapes: what is refused and how, and the arm's looks against its surveyed measures."""
+"""Shapes: rejection of invalid ones, and the arm's shapes against its surveyed dimensions."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def srms() -> ArmShapes:
 
 
 def leaves(shapes: tuple[Shape, ...]) -> Iterator[Shape]:
-    """All shapes but groups, once each."""
+    """Yield all shapes except groups, once each."""
     for shape in shapes:
         if isinstance(shape, Group):
             yield from leaves(shape.shapes)
@@ -113,14 +113,14 @@ def test_invalid_shape_is_rejected_with_its_location(tmp_path: Path, text: str, 
 def test_arm_shapes_without_all_frames_are_rejected(tmp_path: Path) -> None:
     file = tmp_path / "short.toml"
     file.write_text('camera = []\n[[body]]\nname = "arm.base"\nshapes = []\n')
-    with pytest.raises(ScenarioError, match=r"the frames are arm\.base; they have to be, in order, arm\.base, arm"):
+    with pytest.raises(ScenarioError, match=r"arm\.base; .* arm\.base, arm"):
         shapes_of(replace(load_model("srms"), shapes=read(file)))
 
 
 def test_missing_shape_file_is_rejected_by_name(tmp_path: Path) -> None:
     file = tmp_path / "arm.toml"
     file.write_text(SRMS.with_name("srms.toml").read_text().replace("srms.shapes.toml", "none.toml"))
-    with pytest.raises(ScenarioError, match=r"none\.toml: cannot be read: No such file"):
+    with pytest.raises(ScenarioError, match=r"none\.toml: .*No such file"):
         load_model(file)
 
 
@@ -159,13 +159,13 @@ def test_booms_are_15_in_wide_and_on_the_boom_line(srms: ArmShapes, frame: str, 
 
 
 def in_arm_axes(structural: tuple[float, float, float]) -> tuple[float, float, float]:
-    """Structural inches (x aft, y starboard, z up) along L's axes [m]: x aft, y port, z down, leaning."""
+    """Return structural components [in] (aft, starboard, up) along L's axes [m] (aft, port, down, leaning to port)."""
     x, y, z = (component * INCH for component in structural)
     return x, -cos(LEAN) * y - sin(LEAN) * z, sin(LEAN) * y - cos(LEAN) * z
 
 
 def axis_of_camera(srms: ArmShapes, name: str) -> tuple[float, ...]:
-    """A camera's own place: 0.18 m behind its lens, along its boresight."""
+    """Return a camera's reference position: 0.18 m behind its lens, along its boresight."""
     (camera,) = (camera for camera in srms.cameras if camera.name == name)
     length = hypot(*camera.boresight)
     return tuple(p - 0.18 * b / length for p, b in zip(camera.position, camera.boresight, strict=True))

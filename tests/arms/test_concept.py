@@ -1,4 +1,4 @@
-"""The concept arm's file: its dimensions fit together, and what is said where they do not."""
+"""The concept arm's file: its dimensions are consistent, and inconsistent ones are rejected."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_every_constant_of_the_concept_arm_has_a_source(file: HeadingArmFile) ->
 
 
 def corners(begin: float, end: float, half_width: float) -> np.ndarray:
-    """(8, 3) corners of a square boom along x."""
+    """Return the corners (8, 3) of a square boom along x."""
     return np.array(list(product((begin, end), (-half_width, half_width), (-half_width, half_width))))
 
 
@@ -73,13 +73,13 @@ def test_bisecting_plane_separates_the_booms_at_the_elbow_limit(file: HeadingArm
     half_width, set_back = 0.5 * file.booms.side.value, file.booms.set_back.value
     lower = corners(set_back, 7.0, half_width)
     c, s = math.cos(bend), math.sin(bend)
-    back = np.array([[-c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, -c]])  # from the elbow back along the upper arm
+    back = np.array([[-c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, -c]])  # from the elbow along the upper arm
     upper = lower @ back.T
     normal = lower.mean(axis=0) / np.linalg.norm(lower.mean(axis=0)) - upper.mean(axis=0) / np.linalg.norm(
         upper.mean(axis=0)
     )
     assert (lower @ normal).min() >= 0.0 >= (upper @ normal).max()
-    # with the booms a little thicker, as the rule has it, the plane cuts them
+    # the plane cuts booms that are slightly thicker than the rule allows
     thicker = corners(set_back, 7.0, 1.001 * set_back / math.tan(0.5 * bend))
     assert (thicker @ normal).min() < 0.0
 

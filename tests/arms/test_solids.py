@@ -1,4 +1,4 @@
-"""What of an arm collides: whole, where the arm is, and never smaller than what is drawn."""
+"""Solids of an arm: valid, at the arm's pose, and never smaller than its shapes."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from aftdeck.scene.solids import solid as surface_of
 
 FOOT = 0.3048
 HAIR = 1e-3
-"""How far what is drawn may stand out of the solids [m]: the rounding of places in the arm file, turned."""
+"""Allowed distance of a shape outside the solids [m]: the rounded positions in the arm file, after rotation."""
 ARMS = pytest.mark.parametrize("name", ["srms", "concept-1972"])
 
 
@@ -42,7 +42,7 @@ def file(concept: ArmModel) -> HeadingArmFile:
 
 
 def depth(points: Array, solids: list[Solid]) -> Array:
-    """(n,) how far each point stands out of all the solids [m]; negative inside one."""
+    """Return the distance (n,) of each point outside all solids [m]; negative inside one."""
     out = []
     for solid in solids:
         body = pack(solid.vertices)
@@ -56,7 +56,7 @@ def the(model: ArmModel, part: str) -> Solid:
 
 
 def face(solid: Solid, letter: str) -> tuple[Array, Array]:
-    """A face's outward normal (3,) and its corners (4, 3), in the solid's frame."""
+    """Return a face's outward normal (3,) and its corners (4, 3), in the solid's frame."""
     body = pack(solid.vertices)
     k = list(FACES).index(letter)
     return body[[24 + k, 30 + k, 36 + k]], solid.vertices[[v - 1 for v in FACES[letter]]]
@@ -114,11 +114,11 @@ def test_finger_faces_b_and_e_face_each_other(concept: ArmModel, file: HeadingAr
     prong = the(concept, "prong")
     normal, corners = face(prong, "e")
     assert prong.frame == "arm.prong" and normal == pytest.approx([0.0, 1.0, 0.0])
-    assert corners[:, 1] == pytest.approx(np.zeros(4))  # its frame moves with it
+    assert corners[:, 1] == pytest.approx(np.zeros(4))  # its frame is at this face
 
 
 def test_first_vertices_of_the_palm_are_those_of_the_report(concept: ArmModel, file: HeadingArmFile) -> None:
-    # v1 = -W Y2 + H Z2 (worksite findings), at the palm's inner end; v2 stands L along X2 from it
+    # v1 = -W Y2 + H Z2 at the palm's inner end; v2 = v1 + L X2
     e = file.effector
     v1, v2 = the(concept, "palm").vertices[:2]
     assert v1 == pytest.approx([e.palm.value[0], -e.palm_half_width.value, e.palm_half_height.value])

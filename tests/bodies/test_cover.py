@@ -1,4 +1,4 @@
-"""Covers hold all of the curved body, and stand out of it by no more than they say."""
+"""Covers contain the whole curved body, and exceed it by no more than their stated bound."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ AXES: dict[Axis, tuple[int, int, int]] = {"x": (0, 1, 2), "y": (1, 2, 0), "z": (
 
 
 def covered(points: Array, bodies: Array) -> bool:
-    """Whether each of the points lies in one of the bodies."""
+    """Return whether each point is in one of the bodies."""
     inside = np.zeros(len(points), dtype=bool)
     for body in bodies:
         packed = hexahedron(body)
@@ -28,7 +28,7 @@ def covered(points: Array, bodies: Array) -> bool:
 
 
 def radii(bodies: Array, axis: Axis) -> Array:
-    """Distance from the axis of points spread through the bodies."""
+    """Return the distances from the axis of random points in the bodies."""
     rng = np.random.default_rng(51)
     share = rng.dirichlet(np.full(8, 0.3), 4000)
     points = np.concatenate([share @ body for body in bodies])
@@ -37,7 +37,7 @@ def radii(bodies: Array, axis: Axis) -> Array:
 
 
 def around(axis: Axis, along: Array, radius: Array, angle: Array) -> Array:
-    """Points by their place along an axis, distance from it and angle about it."""
+    """Return points from their position along an axis, distance from it and angle about it."""
     points = np.empty((len(along), 3))
     for k, values in zip(AXES[axis], (along, radius * np.cos(angle), radius * np.sin(angle)), strict=True):
         points[:, k] = values

@@ -1,4 +1,4 @@
-"""What `aftdeck.separation` says, against brute force and against the laws of distance."""
+"""Results of `aftdeck.separation`, against brute force and against the properties of a distance."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ PLATE = CUBE * [4.0, 4.0, 0.5]
 
 
 def near_pairs(seed: int, count: int) -> list[tuple[Array, Array]]:
-    """Pairs near contact, boxes and skewed bodies mixed."""
+    """Return pairs near contact, boxes and skewed bodies mixed."""
     rng = np.random.default_rng(seed)
     both = np.concatenate([boxes(rng, count), skewed(rng, count)])
     bodies = np.einsum("nij,nvj->nvi", rotations(rng, 2 * count), both)[rng.permutation(2 * count)]
@@ -25,7 +25,7 @@ def near_pairs(seed: int, count: int) -> list[tuple[Array, Array]]:
 
 
 def apart(found: Separation) -> Array:
-    """The way from the first closest point to the second."""
+    """Return the vector from the first closest point to the second."""
     return found.closest.b - found.closest.a
 
 
@@ -49,7 +49,7 @@ def test_exchanged_bodies_have_equal_clearance_and_opposite_normal() -> None:
         assert one.clearance == pytest.approx(other.clearance, abs=1e-13)
         assert one.collides == other.collides
         if one.plane is not None and other.plane is not None:
-            # Of a pair very close, the direction is known as well as rounding lets it.
+            # For a small clearance, rounding limits the accuracy of the direction.
             assert one.plane.normal == pytest.approx(-other.plane.normal, abs=1e-12 + 1e-14 / one.clearance)
 
 
@@ -108,7 +108,7 @@ def test_needle_through_a_face_collides_in_either_argument_order(across: bool) -
 
 
 def test_needle_that_ends_before_a_face_does_not_collide() -> None:
-    # Its edges, prolonged, pierce the plate.
+    # The extensions of its edges pierce the plate.
     found = separation(moved(NEEDLE, 0.3, 0.2, 3.25 + 1e-6), PLATE)
     assert found.clearance == pytest.approx(1e-6, abs=1e-12)
     assert not found.collides

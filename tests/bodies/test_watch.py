@@ -1,4 +1,4 @@
-"""Pairs watched frame by frame: what is remembered makes an answer quicker, never another one."""
+"""Pairs measured repeatedly: their memory makes a result faster, and never changes it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from tests.bodies.witnesses import features_penetrate, planes_hold, points_hold
 
 
 def motions(seed: int, count: int, frames: int) -> list[tuple[Array, list[Array]]]:
-    """A body, and the places of another one that drifts past it and turns, in steps of some millimetres."""
+    """Return bodies, each with the vertices of another body that drifts past it and turns, in steps of millimetres."""
     rng = np.random.default_rng(seed)
     a, b = skewed(rng, count), boxes(rng, count)
     start = near_contact(rng, a, b).shift

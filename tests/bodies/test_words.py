@@ -32,11 +32,11 @@ PLACES = {
     (1, -1, 1): "bdf",
     (-1, 1, -1): "ace",
 }
-"""Where a small body stands about a large one, and on which faces' TRUE sides all its vertices are."""
+"""Position of a small body around a large one, and the faces that have all its vertices on their TRUE side."""
 
 
 def words(a: Array, b: Array) -> list[int]:
-    """The location words of body a against body b."""
+    """Return the location words of body a relative to body b."""
     above, found = np.empty((6, 8)), np.empty(8, dtype=np.int64)
     heights(pack(a), pack(b), above)
     location_words(above, found)
@@ -44,7 +44,7 @@ def words(a: Array, b: Array) -> list[int]:
 
 
 def pierced(a: Array, b: Array) -> tuple[int, int]:
-    """Which edge of a pierces which face of b, from zero."""
+    """Return the edge of a that pierces a face of b, and that face, counted from 0; -1 if no edge does."""
     above, found = np.empty((6, 8)), np.empty(8, dtype=np.int64)
     heights(pack(a), pack(b), above)
     location_words(above, found)

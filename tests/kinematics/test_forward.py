@@ -1,4 +1,4 @@
-"""LNKAGE against published poses, and what callers may hand it."""
+"""LNKAGE against published poses, and its arguments."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_payload_pose_follows_its_own_axes() -> None:
     tip = Pose(np.array([1.0, 2.0, 3.0]), rotation_x(math.pi / 2))
     payload = Payload(100.0, rotation_x(math.pi / 2), np.array([4.0, 0.0, 1.0]), np.array([0.0, 0.5, 0.0]))
     held = payload.pose(tip)
-    # frame 7's quarter turn and T_78's make half a turn about axis 1: the payload's 3 points along L's -3
+    # frame 7 and T_78 are each rotated by 90 deg about axis 1: axis 3 of the payload is axis -3 of L
     assert held.position == pytest.approx([5.0, 2.0, 2.0])
     assert held.rotation == pytest.approx(np.diag([1.0, -1.0, -1.0]))
     assert payload.resolution(tip) == pytest.approx([5.0, 1.5, 2.0])

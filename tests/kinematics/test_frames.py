@@ -1,4 +1,4 @@
-"""The frames that carry an arm's bodies: against the arm's own closed form, and against turns made joint by joint."""
+"""The coordinate frames of an arm's bodies: against the closed form, and against rotations joint by joint."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def arm(request: pytest.FixtureRequest) -> aftdeck.Arm:
 
 
 def placed(arm: aftdeck.Arm, q: Array, stand: float, prong: float = PRONG) -> dict[str, tuple[Array, Array]]:
-    """Place (3,) and axes (3, 3) of each frame, in L."""
+    """Return origin (3,) and axes (3, 3) of each frame, in L."""
     frames = frames_of(arm.model)
     rows = frames.rows()
     place_frames(frames.joints, q, stand, prong, rows)

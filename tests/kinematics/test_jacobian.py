@@ -12,7 +12,7 @@ from tests.kinematics.poses import legal, turned
 
 
 def by_differences(arm: aftdeck.Arm, q: Array, h: float = 1e-5) -> Array:
-    """(n, 6, 6) central differences; their error is some h^2 times the arm's length."""
+    """Return central differences (n, 6, 6); their error is about h^2 times the arm's length."""
     columns = []
     for k in range(6):
         change = np.zeros(6)

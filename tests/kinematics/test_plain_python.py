@@ -1,4 +1,4 @@
-"""The laws' text runs as plain Python too, and says the same."""
+"""Laws run as plain Python give the same results as compiled laws."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""RMSRAT: the rates that give a twist, and what happens where none does."""
+"""RMSRAT: joint rates for a twist, and singular poses."""
 
 from __future__ import annotations
 
@@ -38,8 +38,8 @@ def test_rates_agree_with_a_general_linear_solver(any_arm: aftdeck.Arm) -> None:
     assert np.asarray(any_arm.joint_rates(q, twist)) == pytest.approx(expected, rel=1e-9, abs=1e-9)
 
 
-def as_the_report_has_it(arm: aftdeck.Arm, angles: Array, twist: Array, floor: float) -> Array:
-    """RMSRAT by the report's equations in frame 5, its denominators held away from zero by `floor`, one arm."""
+def by_the_report(arm: aftdeck.Arm, angles: Array, twist: Array, floor: float) -> Array:
+    """Return RMSRAT by the report's equations in frame 5, with denominators of at least `floor`, for one pose."""
     links = arm.model.links
     _, l2, l3, l4, *_ = (float(x) for x in links)
     a = sines(links, *angles)
@@ -69,14 +69,14 @@ def test_rates_agree_with_the_reports_equations_also_below_the_floor(arm: aftdec
     rng = np.random.default_rng(22)
     for q in [*legal(arm, 22, 300), *singular_poses(arm).values()]:
         twist = rng.normal(size=6)
-        expected = as_the_report_has_it(arm, q, twist, floor)
+        expected = by_the_report(arm, q, twist, floor)
         got = rmsrat(arm.model.links, sines(arm.model.links, *q), Twist(*twist), floor)
         assert np.array(got) == pytest.approx(expected, rel=1e-9, abs=1e-9 * np.abs(expected).max())
 
 
 @pytest.mark.parametrize("kind", ["shoulder", "elbow", "wrist"])
 def test_singular_pose_is_rejected_by_name(arm: aftdeck.Arm, kind: str) -> None:
-    with pytest.raises(SingularityError, match=f"stands at its {kind} singularity") as caught:
+    with pytest.raises(SingularityError, match=f"{kind} singularity") as caught:
         arm.joint_rates(singular_poses(arm)[kind], np.ones(6))
     assert caught.value.singularity == kind
     assert abs(caught.value.distance) < 1e-7
@@ -100,7 +100,7 @@ def test_single_twist_or_single_pose_broadcasts(arm: aftdeck.Arm) -> None:
 
 @pytest.mark.parametrize("twist", [0.1, [0.1], [1.0, 2.0, 3.0], [[1.0], [2.0]]])
 def test_twist_without_six_components_is_rejected(arm: aftdeck.Arm, twist: ArrayLike) -> None:
-    with pytest.raises(InputError, match=r"a twist: expected shape \(\.\.\., 6\)"):
+    with pytest.raises(InputError, match=r"twist: .*\(\.\.\., 6\)"):
         arm.joint_rates(AWAY, twist)
 
 
@@ -110,5 +110,5 @@ def test_mismatched_leading_dimensions_are_rejected(arm: aftdeck.Arm) -> None:
 
 
 def test_unknown_singular_option_is_rejected(arm: aftdeck.Arm) -> None:
-    with pytest.raises(InputError, match="singular is 'raise' or 'mask', got 'ignore'"):
+    with pytest.raises(InputError, match=r"singular .*'raise' or 'mask'.*'ignore'"):
         arm.joint_rates(AWAY, np.zeros(6), singular="ignore")  # type: ignore[arg-type]

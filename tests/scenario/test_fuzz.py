@@ -1,4 +1,4 @@
-"""Random scenario files: they load, or they are refused with sentences; nothing else."""
+"""Random scenario files load, or raise ScenarioError with problems."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ values: st.SearchStrategy[Any] = st.one_of(
 
 
 def table(**fields: st.SearchStrategy[Any]) -> st.SearchStrategy[dict[str, Any]]:
-    """Some of the fields, each as it should be or anything at all."""
+    """Return a strategy for some of the fields, each with a valid or a random value."""
     return st.fixed_dictionaries({}, optional={name: st.one_of(good, values) for name, good in fields.items()})
 
 

@@ -1,4 +1,4 @@
-"""Light as a scenario's condition: what its names stand for, and what is said of wrong ones."""
+"""Light conditions of a scenario: their names, and the rejection of invalid ones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a scenario file's fields do."""
+"""Effects of the fields of a scenario file."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_pose_in_the_panel_frame_has_the_panel_coordinates() -> None:
     pose = made.arm.forward(made.initial_angles)
     assert structural(pose.position) / INCH == pytest.approx([942, 10, 560])
     e_axes = BODY @ AXES @ made.arm.end_effector(pose.rotation)
-    # pitched by 270 deg: what looked forward looks straight down
+    # a pitch of 270 deg turns the forward axis straight down
     assert e_axes[:, 0] == pytest.approx([0, 0, 1], abs=1e-12)
     assert e_axes[:, 1] == pytest.approx([0, 1, 0], abs=1e-12)
 

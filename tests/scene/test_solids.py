@@ -62,10 +62,10 @@ ROUND: list[tuple[Leaf, float, float]] = [
     ),
     (Loft(material="metal", sections=HULL), 1.5 * PI * 2.0, math.nan),
 ]
-"""Shapes with what they hold [m^3] and show [m^2] in closed form."""
+"""Shapes with their volumes [m^3] and areas [m^2] in closed form."""
 
 WEDGE = tuple((x, y * (1.5 if z else 1.0), z) for y in (-0.5, 0.5) for x in (0.0, 1.8) for z in (0.0, 1.0))
-"""1.8 long, 1 high, 1 wide below and 1.5 above."""
+"""A wedge 1.8 m long and 1 m high, 1 m wide at the bottom and 1.5 m at the top."""
 CORNERED: list[tuple[Leaf, float, float]] = [
     (Box(material="metal", size=(1.0, 2.0, 3.0)), 6.0, 22.0),
     (Hexahedron(material="metal", vertices=WEDGE), 2.25, 7.0 + 3.6 * 1.0625**0.5),
@@ -152,7 +152,7 @@ outlines = st.lists(st.floats(0.3, 3.0), min_size=3, max_size=14).map(
         (r * math.cos(math.tau * k / len(radii)), r * math.sin(math.tau * k / len(radii))) for k, r in enumerate(radii)
     )
 )
-"""Star-shaped ones, with corners that stand in."""
+"""Star-shaped outlines, with concave corners."""
 
 
 @given(outline=outlines, normal=st.sampled_from(["x", "y", "z"]), clockwise=st.booleans())

@@ -27,7 +27,7 @@ from aftdeck.worksite.capture.acquisition import (
     acquisition,
     grasp,
 )
-from aftdeck.worksite.conditions import all_hold, condition_text, failing, rejection_text
+from aftdeck.worksite.conditions import all_hold, failing, rejection_text
 from tests.bodies.shapes import rotations, skewed
 from tests.worksite.grips import BAR, TOLERANCES, bar, found_at, over, over_face
 
@@ -36,14 +36,14 @@ A, B, C, D, E, F = (1, 2, 5, 6), (1, 2, 3, 4), (1, 3, 5, 7), (2, 4, 6, 8), (5, 6
 
 
 def anywhere(seed: int, bodies: list[Array]) -> list[Array]:
-    """The bodies moved and turned as one."""
+    """Return the bodies after one random rigid motion."""
     rng = np.random.default_rng(seed)
     turn, shift = rotations(rng, 1)[0], rng.uniform(-20.0, 20.0, 3)
     return [body @ turn.T + shift for body in bodies]
 
 
 def names(bodies: list[Array]) -> set[str]:
-    """What fails."""
+    """Return the names of the failed conditions."""
     _, found = found_at(bodies)
     return {condition.name for condition in failing(acquisition(found, TOLERANCES))}
 
@@ -53,8 +53,10 @@ def names(bodies: list[Array]) -> set[str]:
 def test_conditions_agree_with_half_space_arithmetic(seed: int) -> None:
     rng = np.random.default_rng(seed)
     along, across, height, pitch, roll, yaw = (rng.normal(size=6) * [0.5, 0.1, 0.05, 0.03, 0.1, 0.1]).tolist()
-    hand = over(along, across, height, pitch, roll, yaw, spacing=rng.uniform(0.7, 0.9), way=int(rng.choice([-1, 1])))
-    palm, fixed, prong, held = bodies = anywhere(seed, [*hand, bar()])
+    end_effector = over(
+        along, across, height, pitch, roll, yaw, spacing=rng.uniform(0.7, 0.9), way=int(rng.choice([-1, 1]))
+    )
+    palm, fixed, prong, held = bodies = anywhere(seed, [*end_effector, bar()])
     taken, found = found_at(bodies)
     centre, face = palm[[1, 3, 5, 7]].mean(axis=0), prong[4:].mean(axis=0)
     axis = held[[2, 3, 6, 7]].mean(axis=0) - held[[0, 1, 4, 5]].mean(axis=0)
@@ -96,7 +98,7 @@ def test_skewed_bodies_are_measured_from_the_same_faces(seed: int) -> None:
 
 
 FINGERS = {"fixed finger beside bar", "prong beside bar"}
-ENVELOPE = [  # what fails, and where one axis alone reaches it, palm 0.03 ft over the bar (feet, radians)
+ENVELOPE = [  # failed condition, and its limit along one axis, with the palm 0.03 ft over the bar (feet, radians)
     ("palm along bar", "along", 1.0),
     ("palm along bar", "along", -1.0),
     ("fixed finger beside bar", "across", -0.125),
@@ -119,7 +121,7 @@ def test_acquisition_envelope_ends_at_its_closed_form_limits(name: str, axis: st
     taken, _ = found_at(anywhere(5, [*over(**{axis: inside}, way=way), bar()]))
     assert taken
     failed = names(anywhere(5, [*over(**{axis: outside}, way=way), bar()]))
-    if way < 0 and name in FINGERS:  # turned half round, the fingers have changed places
+    if way < 0 and name in FINGERS:  # the fingers have changed sides
         name = next(iter(FINGERS - {name}))
     # A palm that is below the bar's top is in it.
     assert failed == ({name, "palm over bar"} if (axis, limit) == ("height", 0.0) else {name})
@@ -150,13 +152,13 @@ def test_reported_rotation_margin_is_exact(seed: int, axis: tuple[int, str]) -> 
     rng = np.random.default_rng(seed)
     k, name = axis
     along, across, height, pitch, roll, yaw = (rng.normal(size=6) * [0.3, 0.03, 0.01, 0.004, 0.02, 0.02]).tolist()
-    hand = over(along, across, 0.03 + height, pitch, roll, yaw)
-    _, found = found_at([*hand, bar()])
+    end_effector = over(along, across, 0.03 + height, pitch, roll, yaw)
+    _, found = found_at([*end_effector, bar()])
     left = found[k]
     if found[PALM] < 0.0 or found[FIXED] < 0.0 or found[PRONG] < 0.0:
         return
-    # Turned about its own axes through the palm's centre: X2 out of the palm, Y2 to the fixed finger.
-    palm = hand[0]
+    # Rotations are about the end effector's axes through the palm's centre: X2 out of the palm, Y2 to the fixed finger.
+    palm = end_effector[0]
     centre = palm[[1, 3, 5, 7]].mean(axis=0)
     x2, y2 = palm[1] - palm[0], palm[4] - palm[0]
     own = np.array([x2 / np.linalg.norm(x2), y2 / np.linalg.norm(y2), np.zeros(3)])
@@ -167,7 +169,7 @@ def test_reported_rotation_margin_is_exact(seed: int, axis: tuple[int, str]) -> 
         both = []
         for sense in (1.0, -1.0):
             turn = own.T @ make(sense * angle) @ own
-            _, turned = found_at([*((body - centre) @ turn.T + centre for body in hand), bar()])
+            _, turned = found_at([*((body - centre) @ turn.T + centre for body in end_effector), bar()])
             both.append(min(turned[PALM], turned[FIXED], turned[PRONG]))
         least.append(min(both))
     assert least[0] > 0.0 > least[1]
@@ -200,19 +202,23 @@ def test_fingers_are_not_tested_beyond_their_distance() -> None:
     assert not taken
     conditions = {condition.name: condition for condition in acquisition(found, TOLERANCES)}
     assert conditions["palm over bar"].holds
-    assert not conditions["prong beside bar"].holds
-    assert condition_text(conditions["prong beside bar"], "ft-in") == (
-        "prong not tested with the palm 8.5 ft from the bar, at most 8 ft allowed"
-    )
+    prong = conditions["prong beside bar"]
+    assert not prong.holds and (prong.value, prong.limit) == pytest.approx((8.5 * FOOT, 8.0 * FOOT))
     near = acquisition(found_at([*over(height=7.9), bar()])[1], TOLERANCES)
     assert {condition.name for condition in failing(near)} == {"palm height"}
 
 
 def test_rejected_capture_lists_the_failed_conditions() -> None:
     _, found = found_at([*over(height=2.5 / 12.0, along=1.3, spacing=1.6), bar()])
-    assert rejection_text("CAPTURE", acquisition(found, TOLERANCES), "ft-in") == (
-        "CAPTURE refused: fingers 19.2 in apart, at most 9.6 in allowed; palm 2.5 in above the bar, 0 to 0.75 in "
-        "allowed; palm 15.6 in from the bar's middle to its rear, at most 12 in allowed"
+    conditions = acquisition(found, TOLERANCES)
+    assert {c.name: (c.value, c.limit) for c in failing(conditions)} == {
+        "prong closed": pytest.approx((1.6 * FOOT, 0.8 * FOOT)),
+        "palm height": pytest.approx((2.5 / 12.0 * FOOT, FOOT / 16.0)),
+        "palm along bar": pytest.approx((1.3 * FOOT, FOOT)),
+    }
+    text = rejection_text("CAPTURE", conditions, "ft-in")
+    assert text.startswith("CAPTURE ") and text.endswith(
+        "palm 15.6 in from the bar's middle to its rear, at most 12 in allowed"
     )
 
 

@@ -1,4 +1,4 @@
-"""A frame of the worksite in one call, against its parts called one by one and against plain matrices."""
+"""One contact update, against its parts called separately and against plain matrices."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def some_row(rng: np.random.Generator, size: float = 5.0) -> Array:
 
 
 def within(outer: Array, inner: Array) -> Array:
-    """A pose given in a frame, by matrices."""
+    """Return a pose that is given in another pose, by matrices."""
     a, b = pose_of(outer), pose_of(inner)
     return row_of(Pose(a.rotation @ b.position + a.position, a.rotation @ b.rotation))
 
@@ -74,7 +74,7 @@ def test_step_equals_its_separate_contact_updates(name: str) -> None:
         watch, count = state.worksite.watch.copied(), state.worksite.contacts.count.copy()
         sim.advance(inputs)
         if not np.array_equal(watch.active, worksite.watch.active):
-            continue  # something was caught or let go at the end of the step
+            continue  # a payload was captured or released at the end of the step
         watch.look_near(worksite.before, worksite.frames, period, counts, max(WATCHED, FAST * period))
         assert np.array_equal(watch.found, worksite.watch.found)
         assert np.array_equal(watch.placed, worksite.watch.placed)

@@ -1,4 +1,4 @@
-"""The operator's channels against TABLE I, and there and back through noise."""
+"""The operator's input channels against TABLE I, and encoded and decoded with noise."""
 
 from __future__ import annotations
 
@@ -65,10 +65,12 @@ def test_setting_has_the_voltage_of_table_i(setting: dict[str, Any], channel: in
 
 
 @given(inputs, st.tuples(*[st.floats(-0.12, 0.12)] * 13))
-def test_switches_are_decoded_with_noise_of_an_eighth_of_a_volt(told: OperatorInputs, noise: tuple[float, ...]) -> None:
-    read = decode_inputs([volts + n for volts, n in zip(encode_inputs(told), noise, strict=True)])
-    assert read._replace(angles=told.angles) == told
-    for got, angle, n in zip(read.angles, told.angles, noise[2:8], strict=True):
+def test_switches_are_decoded_with_noise_of_an_eighth_of_a_volt(
+    given_inputs: OperatorInputs, noise: tuple[float, ...]
+) -> None:
+    read = decode_inputs([volts + n for volts, n in zip(encode_inputs(given_inputs), noise, strict=True)])
+    assert read._replace(angles=given_inputs.angles) == given_inputs
+    for got, angle, n in zip(read.angles, given_inputs.angles, noise[2:8], strict=True):
         assert got == pytest.approx(angle + n * FULL_SCALE, abs=1e-12)
 
 
@@ -76,26 +78,26 @@ def test_switches_are_decoded_with_noise_of_an_eighth_of_a_volt(told: OperatorIn
 def test_angles_keep_every_bit(angles: tuple[float, ...]) -> None:
     there = encode_inputs(AT_REST._replace(angles=angles))  # type: ignore[arg-type]
     for back, angle in zip(decode_inputs(there).angles, angles, strict=True):
-        assert back.hex() == angle.hex() or abs(angle) < 1e-300  # beyond: the quotient has no full precision
+        assert back.hex() == angle.hex() or abs(angle) < 1e-300  # below that, the quotient loses precision
 
 
 @pytest.mark.parametrize(
-    ("setting", "message"),
+    ("setting", "pattern"),
     [
-        ({"station": "I"}, "channel 12, camera position: 'I' has no level; there are: A, B, C, D, E, F, G, H"),
-        ({"telescope": 2}, "channel 9, telescope: 2 has no level"),
-        ({"angles": (0.0, 0.0, 0.0, 0.0, 0.0, 8.1)}, r"channel 8, R2, is 8\.1 rad; it holds -8 to 8"),
+        ({"station": "I"}, "channel 12, .*'I'.* A, B, C, D, E, F, G, H"),
+        ({"telescope": 2}, "channel 9, telescope: 2 "),
+        ({"angles": (0.0, 0.0, 0.0, 0.0, 0.0, 8.1)}, r"channel 8, R2, .*8\.1 rad.* -8 to 8"),
     ],
 )
-def test_setting_without_a_level_is_rejected(setting: dict[str, Any], message: str) -> None:
-    with pytest.raises(InputError, match=message):
+def test_setting_without_a_level_is_rejected(setting: dict[str, Any], pattern: str) -> None:
+    with pytest.raises(InputError, match=pattern):
         encode_inputs(AT_REST._replace(**setting))
 
 
 def test_invalid_channels_are_rejected() -> None:
-    with pytest.raises(InputError, match="the operator has 13 channels; 12 are given"):
+    with pytest.raises(InputError, match=r"13 channels.* 12 "):
         decode_inputs([0.0] * 12)
-    with pytest.raises(InputError, match="channel 2 is nan V; it has to be finite"):
+    with pytest.raises(InputError, match="channel 2 is nan V"):
         decode_inputs([0.0, math.nan, *[0.0] * 11])
-    with pytest.raises(InputError, match=r"channel 3 is 100 V; it has to be -1 to 1 V, to within 0\.125 V"):
+    with pytest.raises(InputError, match=r"channel 3 is 100 V.* -1 to 1 V.*0\.125 V"):
         decode_inputs([0.0, 0.0, 100.0, *[0.0] * 10])

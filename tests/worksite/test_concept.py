@@ -1,4 +1,4 @@
-"""The concept's worksite against the report's text, and whether its mission can be flown there."""
+"""The concept's worksite against the report's text, and the reach of its arm there."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ FOOT = 0.3048
 REPORT = np.diag([1.0, -1.0, -1.0])
 """The report's R (x aft, y port, z down) in the scene, and back."""
 DOWN = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
-"""The hand's axes in R with X2 down."""
+"""The end effector's axes in R with X2 down."""
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def concept() -> Worksite:
 
 
 def extent(vertices: list[Array]) -> Array:
-    """(2, 3) least and greatest coordinates [ft]."""
+    """Return the minimum and maximum coordinates (2, 3) [ft]."""
     points = np.concatenate(vertices) / FOOT
     return np.array([points.min(axis=0), points.max(axis=0)])
 
@@ -172,7 +172,7 @@ def test_station_points_have_cameras_that_zoom_from_25_to_60_deg(concept: Worksi
 
 
 def seen(worksite: Worksite, name: str, point: Array, pose: Pose) -> bool:
-    """Whether a camera on a body at a pose has a point of the scene in its picture, as it starts, 5 wide by 3 high."""
+    """Return whether a point of the scene is in the 5:3 start picture of a camera on a body at a pose."""
     camera = next(camera for camera in worksite.cameras if camera.name == name)
     towards = pose.rotation.T @ (point - pose.position) - np.array(camera.position)
     ahead = np.array(camera.boresight) / math.hypot(*camera.boresight)
@@ -188,7 +188,7 @@ def seen(worksite: Worksite, name: str, point: Array, pose: Pose) -> bool:
     [("A", "bay"), ("B", "bay"), ("C", "bay"), ("D", "bay"), ("H", "port"), ("I", "port"), ("P2", "bar")],
 )
 def test_camera_sees_the_bar_or_the_port_at_the_start(concept: Worksite, name: str, at: str) -> None:
-    """The payload's bar in the bay, the port, and from the payload its own bar, in the picture of the start."""
+    """Targets: the payload's bar in the bay, the port, and the bar seen from the payload's own camera."""
     payload: Cargo = concept.cargoes[0]
     still = Pose(np.zeros(3), np.eye(3))
     body = next(camera for camera in concept.cameras if camera.name == name).body
@@ -214,7 +214,7 @@ def test_cameras_start_with_a_tilt_below_80_deg(concept: Worksite) -> None:
 
 
 def test_wrist_motion_keeps_the_end_effector_clear_of_boom_and_wrist() -> None:
-    """These pairs are not watched: the wrist's axes meet in one point, and the hand stands off it."""
+    """These pairs are not monitored: the wrist axes intersect in one point, and the end effector is clear of it."""
     model = aftdeck.load_arm("concept-1972").model
     frames = frames_of(model)
     rows, angles = frames.rows(), np.zeros(6)

@@ -1,4 +1,4 @@
-"""Conditions: bounds, margins, and what they say to an operator in feet and inches or in SI."""
+"""Conditions: limits, margins, and their texts for the operator in feet and inches or in SI."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_condition_on_nan_never_holds() -> None:
         (12.5 * FOOT, "ft-in", "palm 12.5 ft above the bar, 0 to 0.75 in allowed"),
         (2.5 * INCH, "SI", "palm 63.5 mm above the bar, 0 to 19 mm allowed"),
         (0.0, "SI", "palm 0 mm above the bar, 0 to 19 mm allowed"),
-        # Said to as many figures as tell it from the bound that it has passed.
+        # Enough digits to distinguish the value from the limit.
         (-2e-7 * INCH, "ft-in", "palm 0.0000002 in below the bar, 0 to 0.75 in allowed"),
         (0.7502 * INCH, "ft-in", "palm 0.7502 in above the bar, 0 to 0.75 in allowed"),
     ],

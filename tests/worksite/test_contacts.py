@@ -1,4 +1,4 @@
-"""The two-frame rule: what raises a flag, what inhibits, what relieves."""
+"""The two-frame rule: flags and inhibits of contacts."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def frame(*colliding: int, clearance: float = -0.02) -> np.ndarray:
 
 
 def after(watched: Contacts, mode: int, *frames: np.ndarray) -> tuple[bool, bool]:
-    """Arm and finger inhibited, after these frames."""
+    """Return whether arm and finger are inhibited after these steps."""
     for found in frames:
         watched.update(found, PRONG, mode)
     return watched.inhibit.arm, watched.inhibit.finger
@@ -58,9 +58,9 @@ def test_contact_inhibits_from_the_second_control_step() -> None:
         pytest.param(1, False, PALM_CAN, True, False, id="acquisition: the palm stops the arm"),
         pytest.param(1, False, PALM_BAR, True, False, id="acquisition: the palm on the bar too"),
         pytest.param(1, False, PRONG_CAN, True, True, id="acquisition: the prong stops the arm and itself"),
-        pytest.param(1, False, PRONG_BAR, False, False, id="the prong is made to touch the bar"),
-        pytest.param(1, False, CAN_WALL, False, False, id="a payload that is not held is not the arm's to move"),
-        pytest.param(1, True, CAN_WALL, True, False, id="what is held counts as the arm"),
+        pytest.param(1, False, PRONG_BAR, False, False, id="the prong on the bar is essential"),
+        pytest.param(1, False, CAN_WALL, False, False, id="a payload that is not held does not inhibit"),
+        pytest.param(1, True, CAN_WALL, True, False, id="a held payload counts as the arm"),
         pytest.param(2, True, CAN_WALL, True, True, id="extraction: both"),
         pytest.param(3, True, PRONG_CAN, True, True, id="manoeuvring: both"),
         pytest.param(3, True, PRONG_BAR, False, False, id="essential in every mode"),
@@ -113,13 +113,13 @@ def test_contacts_are_sorted_by_depth_with_their_kind() -> None:
     watched, found = contacts(holding=True), frame(PRONG_BAR, clearance=0.0)
     found[CAN_WALL, CLEARANCE], found[PALM_CAN, CLEARANCE] = -0.3, -0.0213
     after(watched, 2, found, found)
-    told = watched.standing(LAYOUT, found, "SI")
-    assert [c.text for c in told] == [
+    standing_contacts = watched.standing(LAYOUT, found, "SI")
+    assert [c.text for c in standing_contacts] == [
         "can touches wall: 300 mm deep",
         "palm touches can: 21.3 mm deep",
         "prong touches bar, as it is made to",
     ]
-    assert [(c.a, c.b, c.depth, c.essential, c.inhibits) for c in told] == [
+    assert [(c.a, c.b, c.depth, c.essential, c.inhibits) for c in standing_contacts] == [
         ("can", "wall", 0.3, False, True),
         ("palm", "can", 0.0213, False, True),
         ("prong", "bar", 0.0, True, False),

@@ -30,11 +30,11 @@ from tests.bodies.shapes import rotations
 SEEDS = st.integers(0, 2**32 - 1)
 TOLERANCES = DockingTolerances(0.25 * FOOT, radians(2.0 + 32.0 / 60.0))
 APOTHEM, LENGTH = 7.5, 15.0
-"""Of the CAE [ft]."""
+"""Apothem and length of the CAE [ft]."""
 
 
 def probe() -> tuple[Array, Array]:
-    """A hexagonal probe 1 ft across corners and 1 ft long in the payload's axes: vertices, centre of its tip [m]."""
+    """Return the vertices and the centre of the tip [m] of a hexagonal probe, 1 ft across corners and 1 ft long."""
     around = np.arange(6) * pi / 3.0
     rim = np.stack([np.zeros(6), 0.5 * np.cos(around), 0.5 * np.sin(around)], axis=1)
     vertices = np.concatenate([rim - [end, 0.0, 0.0] for end in (16.0, 15.0)])
@@ -46,7 +46,7 @@ def pose(position: Array, rotation: Array) -> Array:
 
 
 def found_at(out: float, across: float = 0.0, turn: Array | None = None, sides: int = 6, seed: int = 1) -> Array:
-    """What is found of a probe whose tip is so far before and beside the port [ft], everything anywhere in space."""
+    """Return the result of `approach` for a probe tip before and beside the port [ft], at a random pose of both."""
     rng = np.random.default_rng(seed)
     base, shift = rotations(rng, 1)[0], rng.uniform(-20.0, 20.0, 3)
     vertices, face = probe()
@@ -77,7 +77,7 @@ def test_docking_envelope_consists_of_the_extended_prism_planes(seed: int, sides
             over = planes[:, :3] @ corner - planes[:, 3]
             assert np.count_nonzero(np.abs(over) < 1e-12) == 3
             assert np.all(over < 1e-12)
-    # A regular prism: its sides are all as far from its axis.
+    # A regular prism: all sides have the same distance from its axis.
     heights = planes[:, 3] - planes[:, :3] @ middle
     assert heights == pytest.approx([-apothem, apothem, apothem, length / 2.0, length / 2.0], abs=1e-12)
 
@@ -143,14 +143,13 @@ def test_docking_compares_all_axes_by_default_and_only_y_as_published(make: obje
 def test_docking_tolerances_apply_at_their_limits() -> None:
     assert all_hold(docking(found_at(0.25 - 1e-9), TOLERANCES))
     failed = failing(docking(found_at(0.26), TOLERANCES))
-    assert [condition_text(condition, "ft-in") for condition in failed] == [
-        "probe 3.12 in from the port, at most 3 in allowed"
-    ]
+    assert [condition.name for condition in failed] == ["probe at port"]
+    assert (failed[0].value, failed[0].limit) == pytest.approx((0.26 * FOOT, 0.25 * FOOT))
     assert {condition.name for condition in failing(docking(found_at(-0.1), TOLERANCES))} == {"probe before port"}
     turned = docking(found_at(0.2, turn=rotation_z(radians(-3.0))), TOLERANCES)
-    assert [condition_text(condition, "SI") for condition in failing(turned)] == [
-        "payload's y axis turned 3° from the port's, at most 2.53° allowed"
-    ]
+    (attitude,) = failing(turned)
+    assert (attitude.value, attitude.limit) == pytest.approx((radians(3.0), TOLERANCES.angle))
+    assert condition_text(attitude, "SI") == "payload's y axis turned 3° from the port's, at most 2.53° allowed"
 
 
 @pytest.mark.parametrize(

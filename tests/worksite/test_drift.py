@@ -1,4 +1,4 @@
-"""Free flight: exact in time, orthonormal for hours, within its deadband; and what a released body keeps."""
+"""Free flight: exact in time, orthonormal for hours, within its deadband; and the orbiter's translation."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from aftdeck.worksite.free_flight import LimitCycle, coast, limit_cycle, transla
 
 BAND, RATE = radians(1.0), radians(0.02)
 PERIOD = 4.0 * BAND / RATE
-"""200 s."""
+"""Period of the limit cycle: 200 s."""
 VECTORS = st.tuples(*[st.floats(-1.0, 1.0)] * 3).map(np.array)
 CYCLES = st.builds(
     lambda band, rate, share: LimitCycle(
@@ -43,7 +43,7 @@ class Attitude(NamedTuple):
 
 
 def limit_cycling(cycle: LimitCycle, time: float, reference: Array | None = None) -> Attitude:
-    """Attitude about a reference, its angles and its body rates."""
+    """Return the attitude relative to a reference: angles, rotation and body rates."""
     base = np.eye(3) if reference is None else reference
     flown, motion = np.zeros(12), np.zeros(6)
     limit_cycle(cycle.packed(), base, time, flown, motion)
@@ -97,7 +97,7 @@ def test_body_rates_are_the_derivative_of_the_attitude(cycle: LimitCycle, time: 
         for band, rate, start, sign in zip(cycle.deadband, cycle.rate, cycle.start, np.sign(cycle.rate), strict=True)
     ]
     if turns[:3] != turns[3:] or min(half) < step:
-        return  # an axis turns back in between
+        return  # an axis reverses between the two times
     moved = Rotation.from_matrix(before.rotation.T @ after.rotation).as_rotvec() / step
     assert now.rates == pytest.approx(moved, abs=1e-8)
 
@@ -181,7 +181,7 @@ def test_orbiter_reaches_its_speed_and_stops_when_the_stick_is_centred() -> None
     position, velocity = translated([(5.0, (1, 0, -1)), (2.5, (0, 0, 0))], 0.02)
     assert velocity == pytest.approx([0.0, 0.0, 0.0], abs=0.0)
     assert position == pytest.approx([5.0 * SPEED, 0.0, -5.0 * SPEED])
-    # From one way to the other is twice the change.
+    # Reversal is twice the change of speed.
     position, velocity = translated([(2.0, (0, 1, 0)), (4.0, (0, -1, 0))], 0.02)
     assert velocity[1] == pytest.approx(-SPEED)
     assert position[1] == pytest.approx(SPEED)
@@ -203,6 +203,3 @@ def test_orbiter_position_does_not_depend_on_the_step(
     assert position == pytest.approx(fine, abs=1e-11)
     assert velocity == pytest.approx(speeds, abs=1e-11)
     assert np.all(np.abs(velocity) <= SPEED * (1.0 + 1e-12))
-
-
-# --- release

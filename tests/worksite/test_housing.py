@@ -1,4 +1,4 @@
-"""What a camera is made of stands where the camera does; the bay's inside ends at its walls."""
+"""Camera housings follow their cameras; the inside of the bay ends at its walls."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ A = 'name = "A"\ntitle = "Forward bulkhead port"\nbody = "orbiter"\nposition = [
 
 
 def changed(tmp_path: Path, name: str, old: str, new: str) -> Worksite:
-    """A built-in worksite with a line of it changed."""
+    """Load a built-in worksite with one line changed."""
     text = load_worksite(name).text
     assert text.count(old) == 1
     file = tmp_path / "changed.toml"
@@ -31,19 +31,19 @@ def block(site: Worksite, camera: str) -> Array:
 
 
 def middles(site: Worksite) -> set[tuple[float, float, float]]:
-    """Where everything is drawn on the first body."""
+    """Return the positions of all shapes on the first body."""
     return {tuple(pose.position.round(9).tolist()) for _, pose in placed(site.bodies[0].shapes)}
 
 
 def test_moved_camera_moves_its_shapes_and_its_solid(tmp_path: Path) -> None:
     here = load_worksite("orbiter")
     there = changed(tmp_path, "orbiter", A, A.replace("-8.798, -1.779", "-7.798, -1.479"))
-    way = np.array([1.0, 0.3, 0.0])
-    assert block(there, "A") - block(here, "A") == pytest.approx(np.tile(way, (8, 1)))
+    shift = np.array([1.0, 0.3, 0.0])
+    assert block(there, "A") - block(here, "A") == pytest.approx(np.tile(shift, (8, 1)))
     assert (block(there, "B") == block(here, "B")).all()
     before, after = middles(here), middles(there)
-    gone, come = np.array(sorted(before - after)), np.array(sorted(after - before))
-    assert gone + way == pytest.approx(come) and len(gone) == 3, "its box, its lens, its post"
+    removed, added = np.array(sorted(before - after)), np.array(sorted(after - before))
+    assert removed + shift == pytest.approx(added) and len(removed) == 3, "its box, its lens, its post"
 
 
 def test_housing_encloses_its_camera_at_any_orientation() -> None:

@@ -1,4 +1,4 @@
-"""Which parts are watched, how they are packed, and what is asked of them."""
+"""Monitored pairs of parts: their selection, their packed arrays, and queries."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_all_parts_are_paired_once_except_joined_and_excluded_ones() -> None:
             ("wall", "floor"),
             ("can", "bar"),
             ("mount", "upper boom"),
-            ("upper boom", "lower boom"),  # the frame between them carries nothing
+            ("upper boom", "lower boom"),  # the frame between them has no solids
             ("lower boom", "palm"),
             ("palm", "prong"),
             ("wall", "mount"),

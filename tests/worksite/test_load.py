@@ -1,4 +1,4 @@
-"""The worksite's file: what loads, what is refused, and the orbiter against its published measures."""
+"""The worksite file: loading, rejection of errors, and the orbiter against its published dimensions."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def orbiter() -> Worksite:
 
 
 def turned(points: Points, rotation: Vec3, position: Vec3) -> Points:
-    """Points turned by roll, pitch, yaw about fixed axes, then moved."""
+    """Return points rotated by roll, pitch, yaw about fixed axes, then moved."""
     for axis, angle in enumerate(rotation):
         p, q = (axis + 1) % 3, (axis + 2) % 3
         matrix = np.eye(3)
@@ -36,19 +36,19 @@ def turned(points: Points, rotation: Vec3, position: Vec3) -> Points:
 
 
 def corners(half: tuple[float, float, float]) -> Points:
-    """The corners of a box about the origin."""
+    """Return the corners of a box around the origin."""
     signs: Points = np.array(list(product((-1.0, 1.0), repeat=3)))
     scaled: Points = signs * np.array(half)
     return scaled
 
 
 def hull(shape: Shape) -> Points:
-    """Points in the frame that lists the shape; their box holds it."""
+    """Return points in the frame that lists the shape; their bounding box contains the shape."""
     return turned(np.vstack(list(own_hull(shape))), shape.rotation, shape.position)
 
 
 def own_hull(shape: Shape) -> Iterator[Points]:
-    """Points in a shape's own frame; round bodies stand for the box round them."""
+    """Yield points in a shape's own frame; a round body is replaced by its bounding box."""
     match shape:
         case Box():
             x, y, z = shape.size
@@ -81,7 +81,7 @@ def own_hull(shape: Shape) -> Iterator[Points]:
 
 
 def whole(worksite: Worksite) -> Points:
-    """Points round all that the orbiter shows, mirrored groups on both sides."""
+    """Return points that enclose all shapes of the orbiter, with mirrored groups on both sides."""
     points: list[Points] = []
     for shape in worksite.bodies[0].shapes:
         points.append(hull(shape))

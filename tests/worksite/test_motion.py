@@ -1,4 +1,4 @@
-"""The motion of a frame over a step, against the exponential of its twist."""
+"""The twist of a coordinate frame over a step, against the exponential of the twist."""
 
 from __future__ import annotations
 

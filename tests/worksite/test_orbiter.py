@@ -1,4 +1,4 @@
-"""What collides of the orbiter against what is drawn of it, and against what a payload needs."""
+"""The orbiter's solids against its shapes, and against the space that a payload needs."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ from aftdeck.worksite.file.check import distance
 
 INCH = 0.0254
 ENVELOPE = 90.0 * INCH
-"""Radius that a payload may take up in the bay [m]."""
+"""Radius of the payload envelope in the bay [m]."""
 PIN = 0.03
-"""Radius about the fixture's axis that the pin and the ball on its end lie in [m]."""
+"""Radius about the fixture's axis that contains the pin and the ball on its end [m]."""
 TIP = 56.0 * INCH
 """From the wrist's yaw joint to the end effector's rim [m]."""
 
@@ -40,14 +40,14 @@ def orbiter() -> Worksite:
 
 
 def heights(solids: Sequence[Solid], points: Array) -> Array:
-    """(n, s) how far each point stands over the nearest face of each solid; below zero inside [m]."""
+    """Return the height (n, s) of each point over the nearest face of each solid; negative inside [m]."""
     packed = np.array([pack(solid.vertices) for solid in solids])
     normals = packed[:, NX:D].reshape(-1, 3, 6).transpose(0, 2, 1)
     return np.asarray((np.einsum("sfk,vk->vsf", normals, points) - packed[:, D:]).max(axis=2))
 
 
 def outside(shape: Leaf, pose: Pose, solids: Sequence[Solid], allowed: float) -> Array:
-    """(n, 3) the corners of a drawn shape that are not nearer than allowed to any solid [m]."""
+    """Return the corners (n, 3) of a shape that are not nearer to a solid than allowed [m]."""
     points = np.unique(moved(solid(shape, 24), pose).vertices, axis=0)
     order = heights(solids, points).argsort(axis=1)
     out = [
@@ -59,7 +59,7 @@ def outside(shape: Leaf, pose: Pose, solids: Sequence[Solid], allowed: float) ->
 
 
 def test_orbiter_shapes_lie_inside_its_solids(orbiter: Worksite) -> None:
-    """The bay's frames stand 2 cm into the tube, which is otherwise covered as it is drawn; lamps are not solid."""
+    """Exceptions: the bay's frames project 2 cm into the tube; lamps have no solid."""
     for shape, pose in placed(orbiter.bodies[0].shapes):
         if not isinstance(shape, Light):
             assert not len(outside(shape, pose, orbiter.solids, 0.02 if isinstance(shape, Ring) else 0.001)), shape
@@ -67,7 +67,7 @@ def test_orbiter_shapes_lie_inside_its_solids(orbiter: Worksite) -> None:
 
 @pytest.mark.parametrize("name", worksites())
 def test_payload_shapes_except_the_pin_lie_inside_its_solids(name: str) -> None:
-    """The pin goes into the end effector; all that lies on the body stands up to 2 cm out, and 7 mm on the ends."""
+    """The pin enters the end effector. Shapes on the body project by up to 2 cm, and by 7 mm on the ends."""
     allowed = {
         (kind, of): 0.0071 for kind, of in [("Cylinder", "foil"), ("Cylinder", "structure"), ("Box", "structure")]
     }
@@ -84,7 +84,7 @@ def test_payload_shapes_except_the_pin_lie_inside_its_solids(name: str) -> None:
 
 
 def test_perfect_capture_leaves_clearance_to_the_target_rod(orbiter: Worksite) -> None:
-    """Beside the end effector 0.286 m less its 0.2 m and the rod's 0.013 m; its camera and its light are far behind."""
+    """At the end effector: 0.286 m less its radius of 0.2 m and the rod's 0.013 m. Camera and light are far behind."""
     (cargo,) = orbiter.cargoes
     assert cargo.grapple is not None
     model = aftdeck.load_arm("srms").model
@@ -110,7 +110,7 @@ def test_target_shape_without_a_cover_is_rejected(orbiter: Worksite, tmp_path: P
 
 
 def test_payload_envelope_of_90_in_radius_is_clear_in_the_bay(orbiter: Worksite) -> None:
-    """But for the bay cameras on the bulkheads, which stand in that envelope at its very ends."""
+    """Exception: the bay cameras on the bulkheads are in that envelope at its two ends."""
     assert orbiter.bay is not None
     x = np.linspace(orbiter.bay.low[0] + 0.6, orbiter.bay.high[0] - 0.6, 40)
     t = np.linspace(0.0, math.tau, 361)
@@ -162,7 +162,9 @@ def test_arm_reaches_the_grapple_fixture_in_the_bay(orbiter: Worksite) -> None:
     tip = arm.model.mount.from_("panel", Pose(SCENE_FROM_PANEL_AXES.T @ position, axes))
     found = arm.inverse(Pose(tip.position, tip.rotation @ rotation_x(arm.model.end_effector_roll)))
     assert len(found) > 0
-    assert grapple.rotation @ [1.0, 0.0, 0.0] == pytest.approx([0.0, 0.0, -1.0]), "the hand looks into the payload"
+    assert grapple.rotation @ [1.0, 0.0, 0.0] == pytest.approx([0.0, 0.0, -1.0]), (
+        "the end effector points into the payload"
+    )
 
 
 def test_bay_cameras_have_the_published_pan_and_zoom_ranges(orbiter: Worksite) -> None:
@@ -174,7 +176,7 @@ def test_bay_cameras_have_the_published_pan_and_zoom_ranges(orbiter: Worksite) -
         assert pan.slow is not None
         assert np.degrees([pan.least, pan.greatest, pan.rate, pan.slow]) == pytest.approx([-170.0, 170.0, 12.0, 1.2])
         assert np.degrees([zoom.least, zoom.greatest]) == pytest.approx([9.0, 77.0])
-        assert abs(setting(camera).pan) < math.radians(30.0), "about the way that its base faces"
+        assert abs(setting(camera).pan) < math.radians(30.0), "close to the direction of its base"
 
 
 def test_orbiter_origin_equals_the_scene_origin(orbiter: Worksite) -> None:
@@ -182,7 +184,7 @@ def test_orbiter_origin_equals_the_scene_origin(orbiter: Worksite) -> None:
 
 
 def test_berth_guides_match_the_latch_solids(orbiter: Worksite) -> None:
-    """A trunnion's middle has room to either side as the seat says: at its place, and where the V is highest."""
+    """The latch solids leave the clearance of the berth's guides beside a trunnion: low and high in the V."""
     (seat,) = orbiter.seats
     (cargo,) = orbiter.cargoes
     assert seat.guides is not None

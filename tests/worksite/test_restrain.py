@@ -1,4 +1,4 @@
-"""An inhibited arm: no contact is deepened, no new one is made, and what leads out is let through."""
+"""An inhibited arm: no contact is deepened, no new contact is made, and motion that relieves a contact is allowed."""
 
 from __future__ import annotations
 
@@ -32,26 +32,26 @@ seeds = st.integers(0, 2**32 - 1)
 
 
 def arm_moved(rng: np.random.Generator, frames: Array, pace: float) -> Array:
-    """The arm's frames a step on, each at a twist of its own; all else stands."""
+    """Return the coordinate frames one step later: the arm's moved at random twists, the others unchanged."""
     twists = np.zeros((len(frames), 6))
     twists[1:4] = pace * rng.normal(size=(3, 6))
     return moved(frames, twists, PERIOD)
 
 
 def spoils(before: Array, after: Array) -> Array:
-    """(g,) how far each group that is in contact, or gets into it, loses clearance [m]."""
+    """Return the loss of clearance (g,) of each pair that is in contact before or after [m]; 0 for the others."""
     touched = (before <= CONTACT) | (after <= CONTACT)
     return np.where(touched, before - after, 0.0)
 
 
 def carried(before: Array, after: Array, point: Array) -> Array:
-    """Where a point that a frame carries goes with it, by matrices."""
+    """Return the position of a point after the motion of the frame that carries it, by matrices."""
     r, q = before[3:].reshape(3, 3), after[3:].reshape(3, 3)
     return np.asarray(q @ r.T @ (point - before[:3]) + after[:3])
 
 
 def won(made: list[Solid], layout: Layout, counts: Mask, now: Array, then: Array) -> tuple[float, float]:
-    """The clearance that the solids in contact win together, inf without one, and how far one slides at most [m]."""
+    """Return the clearance gained by all solids in contact, inf without any, and the largest sliding distance [m]."""
     gained, slid, touching = 0.0, 0.0, False
     for g in np.flatnonzero(counts).tolist():
         pairs = list(zip(all_pairs(made, layout, g, now), all_pairs(made, layout, g, then), strict=True))
@@ -72,7 +72,7 @@ def won(made: list[Solid], layout: Layout, counts: Mask, now: Array, then: Array
 
 
 def lost_at_most(before: Array, after: Array, gained: float) -> float:
-    """How much clearance a step that wins so much may lose elsewhere [m]; nothing where it makes a contact."""
+    """Return the clearance [m] that a step with this gain may lose at other pairs; `DEEPER` if it makes a contact."""
     made = bool(((before > CONTACT) & (after <= CONTACT)).any())
     return DEEPER if made or not np.isfinite(gained) else max(DEEPER, BESIDES * gained)
 
@@ -126,7 +126,7 @@ def test_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
 
 
 def directions(frames: Array, step: float) -> Array:
-    """(12, F, 12) the hand's frame, the last but one, turned and moved both ways about and along three axes."""
+    """Return frames (12, F, 12) with frame 1 rotated about and moved along three axes, in both directions."""
     found = []
     for axis in range(6):
         for sign in (1.0, -1.0):
@@ -158,7 +158,7 @@ def test_single_contact_always_has_an_escape_direction(seed: int, box: bool) -> 
         ways = directions(now, step)
         gains = ways_out(watch, counts, counts, ways)
         best = int(gains.argmax())
-        # one of three square axes is within 55 degrees of any way out
+        # one of three perpendicular axes is within 55 deg of any escape direction
         assert gains[best] >= step / sqrt(3.0) - 1e-12
         assert relieves(watch, counts, counts, ways[best])
         watch.update(now, ways[best], PERIOD)

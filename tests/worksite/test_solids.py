@@ -1,4 +1,4 @@
-"""Solids from their files: convex, where they are said to be, mirrored, and drawn from the same vertices."""
+"""Solids from files: convex, mirrored, and drawn from the same vertices."""
 
 from __future__ import annotations
 
@@ -86,8 +86,8 @@ def test_point_distance_equals_the_clearance_of_a_tiny_cube(
     point: tuple[float, float, float], table: dict[str, object]
 ) -> None:
     (body,) = made(table)["wall"]
-    speck = np.array(point) + 2e-5 * (CORNERS - 0.5)
-    assert distance(np.array(point), body) == pytest.approx(max(0.0, separation(speck, body).clearance), abs=4e-5)
+    cube = np.array(point) + 2e-5 * (CORNERS - 0.5)
+    assert distance(np.array(point), body) == pytest.approx(max(0.0, separation(cube, body).clearance), abs=4e-5)
 
 
 def test_prism_slices_touch_without_overlap() -> None:

@@ -1,4 +1,4 @@
-"""What the watch finds in flight, against every pair of solids looked at by itself."""
+"""Results of the clearance monitor, against each pair of solids computed separately."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ seeds = st.integers(0, 2**32 - 1)
 
 
 def drift(rng: np.random.Generator, pace: float = 1.0) -> Array:
-    """(5, 6) twists; the orbiter stands still."""
+    """Return random twists (5, 6); the orbiter's is zero."""
     twists = pace * rng.normal(size=(5, 6))
     twists[0] = 0.0
     return twists
@@ -31,7 +31,7 @@ def test_pair_clearance_is_that_of_its_nearest_solids(seed: int) -> None:
     made, layout = scene(rng)
     watch, before, twists = ClearanceMonitor(layout), poses(rng), drift(rng, 5.0)
     for step in range(4):
-        # in between, a jump, after which nothing that is remembered is of use
+        # a jump at step 2, after which the cache is useless
         now = poses(rng, 1.0) if step == 2 else moved(before, twists, PERIOD)
         watch.update(before, now, PERIOD)
         expected = clearances(made, layout, now)
@@ -44,7 +44,7 @@ def test_pair_clearance_is_that_of_its_nearest_solids(seed: int) -> None:
             normal = row[NORMAL : NORMAL + 3]
             assert np.linalg.norm(normal) == pytest.approx(1.0, abs=1e-12)
             assert way == pytest.approx(expected[g] * normal, abs=1e-9)
-            # along the normal, the two are apart, or overlap, by just the clearance
+            # along the normal, the gap or the overlap equals the clearance
             assert (b @ normal).min() - (a @ normal).max() == pytest.approx(expected[g], abs=1e-9)
             if expected[g] > CONTACT:
                 assert (a @ normal).max() < row[DISTANCE] < (b @ normal).min()
@@ -105,7 +105,7 @@ def test_monitor_without_cache_gives_bit_identical_results(seed: int, within: fl
     twists, active = drift(rng, 3.0), rng.integers(0, 8, len(watch.active)) > 0
     counts = rng.integers(0, 2, len(watch.active)).astype(np.uint8)
     for step in range(8):
-        # where nothing moves square faces stay parallel, and many points are equally close
+        # without motion, parallel faces stay parallel, and many points are equally close
         before, now = now, moved(now, twists, PERIOD) if step % 3 else now
         forgetful.forget()
         for one in (watch, forgetful):
