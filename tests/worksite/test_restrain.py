@@ -38,7 +38,7 @@ def arm_moved(rng: np.random.Generator, frames: Array, pace: float) -> Array:
     return moved(frames, twists, PERIOD)
 
 
-def spoils(before: Array, after: Array) -> Array:
+def lost_clearance(before: Array, after: Array) -> Array:
     """Return the loss of clearance (g,) of each pair that is in contact before or after [m]; 0 for the others."""
     touched = (before <= CONTACT) | (after <= CONTACT)
     return np.where(touched, before - after, 0.0)
@@ -50,7 +50,7 @@ def carried(before: Array, after: Array, point: Array) -> Array:
     return np.asarray(q @ r.T @ (point - before[:3]) + after[:3])
 
 
-def won(made: list[Solid], layout: Layout, counts: Mask, now: Array, then: Array) -> tuple[float, float]:
+def gained_clearance(made: list[Solid], layout: Layout, counts: Mask, now: Array, then: Array) -> tuple[float, float]:
     """Return the clearance gained by all solids in contact, inf without any, and the largest sliding distance [m]."""
     gained, slid, touching = 0.0, 0.0, False
     for g in np.flatnonzero(counts).tolist():
@@ -89,14 +89,14 @@ def test_motion_is_allowed_only_if_it_relieves_contacts_and_makes_none(seed: int
     here = clearances(made, layout, now)
     for _ in range(3):
         then = arm_moved(rng, now, pace)
-        spoilt = np.where(counts == 1, spoils(here, clearances(made, layout, then)), -np.inf)
-        if abs(spoilt.max() - 1e-12) > 5e-13:
+        losses = np.where(counts == 1, lost_clearance(here, clearances(made, layout, then)), -np.inf)
+        if abs(losses.max() - 1e-12) > 5e-13:
             which = worst_new_contact(watch, counts, then)
-            assert (which < 0) == (spoilt.max() < 1e-12)
+            assert (which < 0) == (losses.max() < 1e-12)
             if which >= 0:
-                assert spoilt[which] == pytest.approx(spoilt.max(), abs=2e-12)
-            gained, slid = won(made, layout, counts, now, then)
-            kept = spoilt.max() <= lost_at_most(here, clearances(made, layout, then), gained)
+                assert losses[which] == pytest.approx(losses.max(), abs=2e-12)
+            gained, slid = gained_clearance(made, layout, counts, now, then)
+            kept = losses.max() <= lost_at_most(here, clearances(made, layout, then), gained)
             assert relieves(watch, counts, counts, then) == (kept and gained >= max(RELIEF * slid, LEAST_RELIEF))
     assert relieves(watch, counts, counts, now) == (not (here[counts == 1] <= CONTACT).any())
     assert np.array_equal(watch.found, found)
@@ -118,7 +118,7 @@ def test_inhibited_arm_never_deepens_a_contact(seed: int) -> None:
         if relieves(watch, counts, counts, then):
             watch.update(now, then, PERIOD)
             after = clearances(made, layout, then)
-            most = lost_at_most(before, after, won(made, layout, counts, now, then)[0])
+            most = lost_at_most(before, after, gained_clearance(made, layout, counts, now, then)[0])
             assert (after[before <= CONTACT] >= before[before <= CONTACT] - 2.0 * most).all()
             assert (after[before > CONTACT] > CONTACT).all()
             now, before, lost = then, after, lost + 2.0 * most
